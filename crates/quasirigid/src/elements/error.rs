@@ -1,0 +1,196 @@
+use thiserror::Error;
+
+use crate::model::{InertiaError, Support};
+
+/// An element that no body can have: where it is, which of its values is wrong, and what is wrong with it.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{place}: {field}: {problem}")]
+pub struct ElementError {
+    /// The element.
+    pub place: Place,
+    /// The value.
+    pub field: Field,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// An element of an [`Assembly`](super::Assembly), by its index in the list of its kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The carrier.
+    Carrier,
+    /// A material point.
+    Point(usize),
+    /// A spring.
+    Spring(usize),
+    /// A hinged appendage.
+    Hinged(usize),
+    /// The support.
+    Support,
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Carrier => write!(f, "carrier"),
+            Self::Point(index) => write!(f, "point {}", index + 1),
+            Self::Spring(index) => write!(f, "spring {}", index + 1),
+            Self::Hinged(index) => write!(f, "hinged appendage {}", index + 1),
+            Self::Support => write!(f, "support"),
+        }
+    }
+}
+
+/// A value of an element; its text is the key of the model file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// Unique name.
+    Name,
+    /// Mass.
+    Mass,
+    /// Centre of mass.
+    CenterOfMass,
+    /// Inertia tensor.
+    Inertia,
+    /// Equilibrium position.
+    Position,
+    /// Motion left by the constraints.
+    Motion,
+    /// First end of a spring.
+    From,
+    /// Second end of a spring.
+    To,
+    /// The carrier's end of an axial spring.
+    Anchor,
+    /// Stiffness.
+    Stiffness,
+    /// Damping.
+    Damping,
+    /// Place of a hinge.
+    Hinge,
+    /// Axes of a hinge.
+    Axes,
+    /// The fixed point of a support.
+    FixedPoint,
+}
+
+impl std::fmt::Display for Field {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Name => "name",
+            Self::Mass => "mass",
+            Self::CenterOfMass => "center_of_mass",
+            Self::Inertia => "inertia",
+            Self::Position => "position",
+            Self::Motion => "motion",
+            Self::From => "from",
+            Self::To => "to",
+            Self::Anchor => "anchor",
+            Self::Stiffness => "stiffness",
+            Self::Damping => "damping",
+            Self::Hinge => "hinge",
+            Self::Axes => "axes",
+            Self::FixedPoint => "point",
+        })
+    }
+}
+
+/// What can be wrong with a value of an element.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Problem {
+    /// A number is NaN or infinite.
+    #[error("{value} is not a finite number")]
+    NotFinite {
+        /// The number.
+        value: f64,
+    },
+    /// A mass is zero or negative.
+    #[error("{value} kg is not a mass; it must be positive")]
+    NotAMass {
+        /// The number (kg).
+        value: f64,
+    },
+    /// No mass distribution has this inertia tensor.
+    #[error(transparent)]
+    Inertia(#[from] InertiaError),
+    /// A direction has no length.
+    #[error("a direction of zero length")]
+    ZeroDirection,
+    /// A matrix is not symmetric.
+    #[error("the matrix is not symmetric: entries [{row}][{column}] = {upper} and [{column}][{row}] = {lower} differ")]
+    NotSymmetric {
+        /// Row of the first entry, from 0.
+        row: usize,
+        /// Column of the first entry, from 0.
+        column: usize,
+        /// The entry at (row, column).
+        upper: f64,
+        /// The entry at (column, row).
+        lower: f64,
+    },
+    /// A stiffness or damping gives energy instead of taking it.
+    #[error("the smallest eigenvalue is {eigenvalue:e}; a spring or dashpot must not give energy")]
+    Indefinite {
+        /// Smallest eigenvalue of the matrix.
+        eigenvalue: f64,
+    },
+    /// Both ends of a spring are the same.
+    #[error("both ends of the spring are the same")]
+    SameEnds,
+    /// There is no point with this index.
+    #[error("there is no point {index}")]
+    NoSuchPoint {
+        /// Index asked for, from 0.
+        index: usize,
+    },
+    /// The ends of an axial spring coincide, so they have no joining line.
+    #[error("the ends of the axial spring are at the same place, so no line joins them")]
+    NoLine,
+    /// An axial spring to the carrier does not say where its end is.
+    #[error("an axial spring to the carrier needs the place of its end on the carrier")]
+    NoAnchor,
+    /// A hinge has no axis, or more than three.
+    #[error("a hinge has one, two or three axes, not {count}")]
+    AxisCount {
+        /// Number of axes given.
+        count: usize,
+    },
+    /// The axes of a hinge do not turn the appendage independently.
+    #[error("the axes are not independent, so two hinge angles would be the same motion")]
+    DependentAxes,
+    /// A hinge coefficient does not have one value or row per axis.
+    #[error("there are {axes} axes but {values} values")]
+    ValuePerAxis {
+        /// Number of axes.
+        axes: usize,
+        /// Number of values or rows.
+        values: usize,
+    },
+    /// An axis turns the appendage without moving any of its mass.
+    #[error("turning about axis {axis} moves no mass; leave that axis out")]
+    MasslessAxis {
+        /// Number of the axis, from 1.
+        axis: usize,
+    },
+    /// Two elements share a name.
+    #[error("the name \"{name}\" is used twice")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// No spring resists a displacement.
+    #[error("a mechanism: no spring resists the motion of {coordinates}")]
+    Mechanism {
+        /// The coordinates that move, by name.
+        coordinates: String,
+    },
+    /// The frozen body has no inertia about some axis, so it cannot be told how it turns.
+    #[error("the whole body has no inertia about some axis (principal moments {moments:?} kg m^2)")]
+    NoInertia {
+        /// Principal moments of inertia about the pole (kg·m²), ascending.
+        moments: [f64; 3],
+        /// The support that chose the pole.
+        support: Support,
+    },
+}

@@ -1,0 +1,15 @@
+//! The parts a body is made of, and their assembly into a flexible body.
+
+mod assembly;
+mod carrier;
+mod error;
+mod hinged;
+mod point;
+mod spring;
+
+pub use assembly::Assembly;
+pub use carrier::Carrier;
+pub use error::{ElementError, Field, Place, Problem};
+pub use hinged::{HingeCoefficient, Hinged};
+pub use point::{Motion, Point};
+pub use spring::{Coefficient, End, Law, Spring};

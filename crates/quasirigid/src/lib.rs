@@ -1,0 +1,5 @@
+//! Spin of almost rigid bodies: reduction, validity and propagation after Chernousko (1978).
+#![allow(non_snake_case)]
+
+pub mod elements;
+pub mod model;

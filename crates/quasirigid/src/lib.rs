@@ -2,4 +2,6 @@
 #![allow(non_snake_case)]
 
 pub mod elements;
+pub mod math;
 pub mod model;
+pub mod reduction;

@@ -1,7 +1,15 @@
 //! What a body *is*.
 
+mod equations;
+mod flexible;
 mod inertia;
+mod invariants;
+mod reduced;
 mod support;
 
+pub use equations::Motion;
+pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Marker, Parts};
 pub use inertia::{Inertia, InertiaError};
+pub use invariants::{Invariants, Pair};
+pub use reduced::ReducedBody;
 pub use support::Support;

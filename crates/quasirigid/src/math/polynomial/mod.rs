@@ -1,0 +1,10 @@
+//! Polynomial maps of three variables, graded by degree.
+
+mod homogeneous;
+pub mod monomial;
+mod scalar;
+mod series;
+
+pub use homogeneous::Homogeneous;
+pub use scalar::{Jet, Scalar};
+pub use series::Series;

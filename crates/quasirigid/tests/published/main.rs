@@ -1,0 +1,4 @@
+//! Do we get the numbers that others printed?
+#![allow(non_snake_case)]
+
+mod chernousko_1973;

@@ -2,6 +2,9 @@
 
 pub mod cholesky;
 pub mod eigen;
+pub mod ode;
 pub mod polynomial;
+pub mod rotation;
+pub mod simd;
 pub mod sparse;
 pub mod sym;

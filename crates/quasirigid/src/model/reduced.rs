@@ -21,6 +21,8 @@ pub struct ReducedBody {
     pub Omega: Series,
     /// Energy (J), degrees 2 to `p + 2`. (R10)
     pub energy: Series,
+    /// Energy (J) as a polynomial in the momentum (N·m·s), degrees 2 to `p + 2`. (R11)
+    pub energy_of_momentum: Series,
     /// Power dissipated (W), a sum of squares, degrees 6 to `2p`; none below `p = 3`. (R9)
     pub power: Series,
     /// Force `φ` on the pole of a free body (N), degrees 4 to `p + 2`; zero where a point is fixed. (R8)

@@ -1,5 +1,5 @@
 use super::manifold::{inverse, mapped};
-use crate::math::polynomial::monomial::exponents;
+use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym::{self, Sym};
 
@@ -25,9 +25,15 @@ pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
     Omega
 }
 
+/// Energy as a polynomial in the momentum, `E(Ω(K))`, to degree `p + 2`. (R11)
+pub(super) fn of_momentum(energy: &Series, Omega: &Series) -> Series {
+    composed(energy, 2, Omega, energy.degree())
+}
+
 /// `Σ outer_d(inner)` over `d ≥ lowest`, to degree `highest`.
 fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Series {
-    let mut sum = Series::zero(highest, 3);
+    let rows = outer.rows();
+    let mut sum = Series::zero(highest, rows);
     let mut powers = vec![constant_one(highest)];
     for degree in 1..=highest.min(outer.degree()) {
         powers = raised(&powers, degree, inner, highest);
@@ -37,8 +43,8 @@ fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Se
         for (term, power) in powers.iter().enumerate() {
             for total in degree..=highest {
                 let mut part = sum.part(total).clone();
-                for axis in 0..3 {
-                    part.add_row(axis, outer.part(degree).row(axis)[term], (power.part(total), 0));
+                for row in 0..rows {
+                    part.add_row(row, outer.part(degree).row(row)[term], (power.part(total), 0));
                 }
                 sum.set(part);
             }
@@ -53,7 +59,7 @@ fn raised(lower: &[Series], degree: usize, inner: &Series, highest: usize) -> Ve
         .map(|mut monomial| {
             let axis = (0..3).find(|axis| monomial[*axis] > 0).unwrap_or(0);
             monomial[axis] -= 1;
-            let factor = &lower[crate::math::polynomial::monomial::index(monomial)];
+            let factor = &lower[index(monomial)];
             let mut product = Series::zero(highest, 1);
             for total in degree..=highest {
                 product.set(factor.row_product(0, inner, axis, total));

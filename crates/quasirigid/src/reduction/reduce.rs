@@ -31,12 +31,15 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     }
     let manifold = Manifold::of(body, order);
     let J = body.invariants().J;
+    let Omega = momentum_form::reverted(&manifold.K, J);
+    let energy = energetics::energy(body, &manifold, order);
     Ok(ReducedBody {
         order,
         mass: body.invariants().mass,
         J,
-        Omega: momentum_form::reverted(&manifold.K, J),
-        energy: energetics::energy(body, &manifold, order),
+        energy_of_momentum: momentum_form::of_momentum(&energy, &Omega),
+        Omega,
+        energy,
         power: energetics::power(body, &manifold, order),
         phi: energetics::force(body, &manifold, order),
         f: manifold.f,

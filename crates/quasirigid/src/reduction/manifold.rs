@@ -35,7 +35,7 @@ impl Manifold {
         let mut recursion = Recursion {
             body,
             order,
-            inverse_inertia: inverse(body.invariants().J),
+            inverse_inertia: sym::inverse(body.invariants().J),
             manifold: Self {
                 q: Series::zero(order, n),
                 rate: Series::zero(order + 1, n),
@@ -169,12 +169,4 @@ pub(super) fn mapped(matrix: Sym, factor: f64, map: &Homogeneous) -> Homogeneous
     let mut image = map.contracted(&sym::rows(matrix));
     image.scale(factor);
     image
-}
-
-/// Inverse of a symmetric positive definite matrix.
-pub(super) fn inverse([xx, yy, zz, yz, zx, xy]: Sym) -> Sym {
-    let minors = [yy * zz - yz * yz, zz * xx - zx * zx, xx * yy - xy * xy];
-    let mixed = [zx * xy - yz * xx, xy * yz - zx * yy, yz * zx - xy * zz];
-    let determinant = xx * minors[0] + xy * mixed[2] + zx * mixed[1];
-    [minors[0], minors[1], minors[2], mixed[0], mixed[1], mixed[2]].map(|cofactor| cofactor / determinant)
 }

@@ -1,4 +1,4 @@
-use super::manifold::{inverse, mapped};
+use super::manifold::mapped;
 use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym::{self, Sym};
@@ -7,7 +7,7 @@ use crate::math::sym::{self, Sym};
 ///
 /// `Ω = J⁻¹[K − Σ_{d≥2} K_d(Ω)]` fixes one more degree of `Ω` each time it is applied, starting from `Ω₁ = J⁻¹K`.
 pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
-    let inverse = inverse(J);
+    let inverse = sym::inverse(J);
     let mut Omega = Series::zero(momentum.degree(), 3);
     Omega.set(Homogeneous::linear(&sym::rows(inverse)));
     let Some(lowest) = (2..=momentum.degree()).find(|d| momentum.part(*d).amax() > 0.0) else {

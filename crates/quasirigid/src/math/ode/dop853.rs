@@ -107,13 +107,16 @@ impl<const N: usize> Dop853<N> {
         self.work
     }
 
-    /// Replaces the state reached, as a projection on a known invariant does.
+    /// Adds a small change to the state reached, as a projection on a known invariant does. The rate at the start of
+    /// the next step stays as it was: the change must be no larger than the error of a step.
     #[inline(always)]
-    pub fn project<R: Arithmetic>(&mut self, system: &impl System<N>, y: [f64; N]) {
-        self.y = y;
-        self.carry = [0.0; N];
-        self.rate = system.rate::<R>(self.t, &self.y);
-        self.work.evaluations += 1;
+    pub fn correct(&mut self, change: [f64; N]) {
+        for (i, change) in change.into_iter().enumerate() {
+            let change = change + self.carry[i];
+            let sum = self.y[i] + change;
+            self.carry[i] = change - (sum - self.y[i]);
+            self.y[i] = sum;
+        }
     }
 
     /// Makes one step, not beyond `end`.
@@ -176,7 +179,7 @@ impl<const N: usize> Dop853<N> {
         Dense { t, h, y, coefficients }
     }
 
-    /// Stages of a step, and its result as the last `end`.
+    /// Stages of a step; its `end` is the change of the state, with what rounding had kept out of it.
     #[inline(always)]
     fn trial<R: Arithmetic>(&mut self, system: &impl System<N>, h: f64) -> Step<N> {
         let mut stages = [[0.0; N]; STAGES + EXTRA + 1];
@@ -214,12 +217,8 @@ impl<const N: usize> Dop853<N> {
     #[inline(always)]
     fn accept<R: Arithmetic>(&mut self, system: &impl System<N>, trial: Step<N>, t: f64) {
         self.last = trial;
-        for i in 0..N {
-            let change = trial.end[i];
-            let sum = self.y[i] + change;
-            self.carry[i] = change - (sum - self.y[i]);
-            self.y[i] = sum;
-        }
+        self.carry = [0.0; N];
+        self.correct(trial.end);
         self.last.end = self.y;
         self.t = t;
         self.rate = system.rate::<R>(t, &self.y);

@@ -28,9 +28,11 @@ fn error(problem: &QuarticQuintic, tolerance: f64) -> (f64, u64) {
     let times: Vec<f64> = problem.reference.iter().map(|(t, _)| *t).collect();
     let options = Options { form: Form::Paper, tolerance, ..Options::default() };
     let path = spin_path(&problem.body, problem.omega, &times, options).expect("a published problem runs");
-    let errors = path.omega.iter().zip(&problem.reference).flat_map(|(found, (_, expected))| {
-        (0..3).map(move |axis| (found[axis] - expected[axis]).abs())
-    });
+    let errors = path
+        .omega
+        .iter()
+        .zip(&problem.reference)
+        .flat_map(|(found, (_, expected))| (0..3).map(move |axis| (found[axis] - expected[axis]).abs()));
     (errors.fold(0.0, f64::max), path.work.steps)
 }
 
@@ -79,12 +81,16 @@ fn dense(degrees: &[usize]) -> Kernel {
 #[divan::bench]
 fn right_hand_side_of_the_papers_form(bencher: Bencher) {
     let kernel = dense(&[2, 4, 5]);
-    bencher.counter(ItemsCount::new(EVALUATIONS)).bench(|| dispatch(Chain { kernel: &kernel, momentum: false }));
+    bencher
+        .counter(ItemsCount::new(EVALUATIONS))
+        .bench(|| dispatch(Chain { kernel: &kernel, momentum: false }));
 }
 
 /// Items are right-hand sides `K × (Ω₁ + Ω₃ + Ω₄)`.
 #[divan::bench]
 fn right_hand_side_of_the_momentum_form(bencher: Bencher) {
     let kernel = dense(&[1, 3, 4]);
-    bencher.counter(ItemsCount::new(EVALUATIONS)).bench(|| dispatch(Chain { kernel: &kernel, momentum: true }));
+    bencher
+        .counter(ItemsCount::new(EVALUATIONS))
+        .bench(|| dispatch(Chain { kernel: &kernel, momentum: true }));
 }

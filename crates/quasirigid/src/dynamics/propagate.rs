@@ -120,7 +120,9 @@ pub enum PropagateError {
         before: f64,
     },
     /// No momentum belongs to the spin: the series does not hold there.
-    #[error("the truncated series has no momentum for this spin; the theory does not hold here: see `check`, or use a lower order")]
+    #[error(
+        "the truncated series has no momentum for this spin; the theory does not hold here: see `check`, or use a lower order"
+    )]
     NoMomentum,
 }
 
@@ -144,11 +146,27 @@ pub fn propagate(
     Ok(match options.form {
         Form::Momentum => {
             let equations = MomentumForm::new(body);
-            dispatch(Propagation { equations: &equations, power: &power, x, initial, times, options, observer })
+            dispatch(Propagation {
+                equations: &equations,
+                power: &power,
+                x,
+                initial,
+                times,
+                options,
+                observer,
+            })
         }
         Form::Paper => {
             let equations = PaperForm::new(body);
-            dispatch(Propagation { equations: &equations, power: &power, x, initial, times, options, observer })
+            dispatch(Propagation {
+                equations: &equations,
+                power: &power,
+                x,
+                initial,
+                times,
+                options,
+                observer,
+            })
         }
     })
 }
@@ -186,9 +204,11 @@ impl<E: Equations> Task for Propagation<'_, E> {
     fn run<A: Arithmetic>(self) -> Run {
         let Self { equations, power, x, initial, times, options, observer } = self;
         let system = Accounted { equations, power };
-        let start = Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
+        let start =
+            Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
         let (error, attitude, free) = (options.tolerance * norm(x), options.tolerance, f64::INFINITY);
-        let allowed = [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
+        let allowed =
+            [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
         let mut solver = Dop853::new::<A>(&system, 0.0, start.pack(), allowed);
         let K = equations.momentum(x);
         let mut keeper = Keeper {

@@ -31,11 +31,8 @@ pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[
 /// Jacobian of a map of three rows.
 pub(super) fn jacobian(map: &Series, x: [f64; 3]) -> Matrix3<f64> {
     let column = |axis: usize| {
-        let direction = std::array::from_fn(|i| Jet {
-            value: x[i],
-            first: f64::from(u8::from(i == axis)),
-            second: 0.0,
-        });
+        let direction =
+            std::array::from_fn(|i| Jet { value: x[i], first: f64::from(u8::from(i == axis)), second: 0.0 });
         Vector3::from(map.vector(direction).map(|row| row.first))
     };
     Matrix3::from_columns(&[column(0), column(1), column(2)])

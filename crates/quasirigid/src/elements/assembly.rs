@@ -54,7 +54,8 @@ impl Assembly {
         let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
         let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
         let starts = vec![0; self.points.len()];
-        let springs = (0..self.springs.len()).filter_map(|i| self.springs[i].block(i, &self.points, &starts).err());
+        let springs =
+            (0..self.springs.len()).filter_map(|i| self.springs[i].block(i, &self.points, &starts).err());
         let support = self.fixed_point().err();
         carrier
             .into_iter()
@@ -102,7 +103,9 @@ impl Assembly {
     }
 
     fn fixed_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
-        let Support::FixedPoint { point } = self.support else { return Ok(None) };
+        let Support::FixedPoint { point } = self.support else {
+            return Ok(None);
+        };
         coefficient::finite(&point).map_err(at(Place::Support, Field::FixedPoint))?;
         Ok(Some(point.into()))
     }
@@ -136,7 +139,8 @@ impl Assembly {
             .scan(0, |next, mover| Some(std::mem::replace(next, *next + mover.shapes.len())))
             .collect();
         let size = movers.iter().map(|mover| mover.shapes.len()).sum();
-        let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &self.points, &starts));
+        let springs =
+            self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &self.points, &starts));
         let hinges = self.hinged.iter().enumerate().zip(&starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
         let (mut stiffness, mut damping) = (Vec::new(), Vec::new());
@@ -183,7 +187,13 @@ fn mass_center(carrier: &Piece, position: Vector3<f64>, movers: &[Mover]) -> (f6
 }
 
 /// Inertia invariants about the pole (I1)–(I6).
-fn invariants(carrier: &Piece, center: Vector3<f64>, movers: &[Mover], pole: Vector3<f64>, mass: f64) -> Invariants {
+fn invariants(
+    carrier: &Piece,
+    center: Vector3<f64>,
+    movers: &[Mover],
+    pole: Vector3<f64>,
+    mass: f64,
+) -> Invariants {
     let rho = Shape::position(center);
     let mut J = half(carrier.inertia(&rho, &rho));
     let (mut S, mut h, mut J1, mut pairs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

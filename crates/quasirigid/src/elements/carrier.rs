@@ -2,8 +2,8 @@ use nalgebra::Vector3;
 
 use super::affine::Piece;
 use super::assembly::at;
-use super::error::{ElementError, Field, Place};
 use super::coefficient;
+use super::error::{ElementError, Field, Place};
 use crate::model::Inertia;
 
 /// The rigid body `G` that carries everything else (paper, §1).
@@ -21,7 +21,8 @@ impl Carrier {
     pub(super) fn piece(&self) -> Result<Piece, ElementError> {
         coefficient::mass(self.mass).map_err(at(Place::Carrier, Field::Mass))?;
         coefficient::finite(&self.center_of_mass).map_err(at(Place::Carrier, Field::CenterOfMass))?;
-        let inertia = Inertia::new(self.inertia).map_err(|error| at(Place::Carrier, Field::Inertia)(error.into()))?;
+        let inertia =
+            Inertia::new(self.inertia).map_err(|error| at(Place::Carrier, Field::Inertia)(error.into()))?;
         Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
     }
 

@@ -39,7 +39,9 @@ pub(super) fn matrix(coefficient: Coefficient) -> Result<Matrix3<f64>, Problem> 
 
 /// The matrix of a hinge's coefficient, one row per axis.
 pub(super) fn hinge_matrix(coefficient: &HingeCoefficient, axes: usize) -> Result<DMatrix<f64>, Problem> {
-    let per_axis = |values| if values == axes { Ok(()) } else { Err(Problem::ValuePerAxis { axes, values }) };
+    let per_axis = |values| {
+        if values == axes { Ok(()) } else { Err(Problem::ValuePerAxis { axes, values }) }
+    };
     let entries = match coefficient {
         HingeCoefficient::PerAxis(values) => {
             per_axis(values.len())?;

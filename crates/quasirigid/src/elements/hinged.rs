@@ -73,10 +73,17 @@ impl Hinged {
     pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {
         let place = Place::Hinged(index);
         let count = self.axes.len();
-        let stiffness = coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::Stiffness))?;
+        let stiffness =
+            coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::Stiffness))?;
         let damping = coefficient::hinge_matrix(&self.damping, count).map_err(at(place, Field::Damping))?;
-        let rows = |matrix: nalgebra::DMatrix<f64>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-        Ok(Block { columns: (start..start + count).collect(), stiffness: rows(stiffness), damping: rows(damping) })
+        let rows = |matrix: nalgebra::DMatrix<f64>| {
+            matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+        };
+        Ok(Block {
+            columns: (start..start + count).collect(),
+            stiffness: rows(stiffness),
+            damping: rows(damping),
+        })
     }
 
     fn unit_axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {

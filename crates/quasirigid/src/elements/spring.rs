@@ -61,7 +61,12 @@ pub enum Coefficient {
 
 impl Spring {
     /// Stiffness and damping over the coordinates of both ends; `starts` holds the first coordinate of each point. (I9)
-    pub(super) fn block(&self, index: usize, points: &[Point], starts: &[usize]) -> Result<Block, ElementError> {
+    pub(super) fn block(
+        &self,
+        index: usize,
+        points: &[Point],
+        starts: &[usize],
+    ) -> Result<Block, ElementError> {
         let place = Place::Spring(index);
         if self.from == self.to {
             return Err(at(place, Field::To)(Problem::SameEnds));
@@ -70,7 +75,8 @@ impl Spring {
         let mut ends = Vec::new();
         for (end, sign, field) in [(self.from, 1.0, Field::From), (self.to, -1.0, Field::To)] {
             let End::Point(number) = end else { continue };
-            let point = points.get(number).ok_or(Problem::NoSuchPoint { index: number }).map_err(at(place, field))?;
+            let point =
+                points.get(number).ok_or(Problem::NoSuchPoint { index: number }).map_err(at(place, field))?;
             let directions = point.directions().map_err(at(Place::Point(number), Field::Motion))?;
             let first = starts[number];
             ends.extend(directions.iter().enumerate().map(|(j, (e, _))| (first + j, sign * e)));
@@ -92,7 +98,8 @@ impl Spring {
             Law::Axial { stiffness, damping, anchor } => {
                 let from = self.place_of(self.from, anchor, points).map_err(at(place, Field::From))?;
                 let to = self.place_of(self.to, anchor, points).map_err(at(place, Field::To))?;
-                let line = coefficient::unit((to - from).into()).map_err(|_| at(place, Field::To)(Problem::NoLine))?;
+                let line = coefficient::unit((to - from).into())
+                    .map_err(|_| at(place, Field::To)(Problem::NoLine))?;
                 (Coefficient::Isotropic(stiffness), Coefficient::Isotropic(damping), Some(line))
             }
         };
@@ -102,7 +109,12 @@ impl Spring {
         Ok((along * stiffness * along, along * damping * along))
     }
 
-    fn place_of(&self, end: End, anchor: Option<[f64; 3]>, points: &[Point]) -> Result<Vector3<f64>, Problem> {
+    fn place_of(
+        &self,
+        end: End,
+        anchor: Option<[f64; 3]>,
+        points: &[Point],
+    ) -> Result<Vector3<f64>, Problem> {
         let place = match end {
             End::Carrier => anchor.ok_or(Problem::NoAnchor)?,
             End::Point(index) => points.get(index).ok_or(Problem::NoSuchPoint { index })?.position,

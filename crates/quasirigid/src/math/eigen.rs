@@ -5,7 +5,9 @@ use thiserror::Error;
 
 /// The iteration of an eigenvalue solver did not converge.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
-#[error("the eigenvalues of a {size} x {size} matrix did not converge; look for entries of very different size in the model")]
+#[error(
+    "the eigenvalues of a {size} x {size} matrix did not converge; look for entries of very different size in the model"
+)]
 pub struct NoConvergence {
     /// Size of the matrix.
     pub size: usize,
@@ -128,6 +130,10 @@ mod tests {
         matrix.add(1, 0, -1.0);
         matrix.add(1, 1, -0.2);
         let values = eigenvalues(&matrix).unwrap();
-        assert!(values.iter().all(|[re, im]| (re + 0.1).abs() < 1e-14 && (im.abs() - 0.99_f64.sqrt()).abs() < 1e-14));
+        assert!(
+            values
+                .iter()
+                .all(|[re, im]| (re + 0.1).abs() < 1e-14 && (im.abs() - 0.99_f64.sqrt()).abs() < 1e-14)
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod cholesky;
 pub mod eigen;
+pub mod elliptic;
 pub mod ode;
 pub mod polynomial;
 pub mod rotation;

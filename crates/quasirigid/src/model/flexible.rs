@@ -89,7 +89,8 @@ impl FlexibleBody {
     pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
         let factor = Cholesky::new(&parts.stiffness)
             .map_err(|singular| mechanism(&parts.coordinates, &singular.direction))?;
-        let Parts { support, pole, center_of_mass, invariants, damping, stiffness, coordinates, markers } = parts;
+        let Parts { support, pole, center_of_mass, invariants, damping, stiffness, coordinates, markers } =
+            parts;
         Ok(Self {
             support,
             pole,

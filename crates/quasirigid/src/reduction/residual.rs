@@ -27,7 +27,8 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
 
     let momenta = body.generalized_momentum(motion);
     let load = body.load(motion);
-    let inertial: Vec<f64> = load.iter().zip(&momenta).map(|(load, momentum)| load.value - momentum.first).collect();
+    let inertial: Vec<f64> =
+        load.iter().zip(&momenta).map(|(load, momentum)| load.value - momentum.first).collect();
     let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
     let dashpot = body.damping().times(&rate.iter().map(|rate| rate.value).collect::<Vec<_>>());
     let left: Vec<f64> = (0..q.len()).map(|j| inertial[j] - dashpot[j] - spring[j]).collect();

@@ -2,3 +2,4 @@
 #![allow(non_snake_case)]
 
 mod chernousko_1973;
+mod explorer_1;

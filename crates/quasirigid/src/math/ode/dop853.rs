@@ -239,7 +239,8 @@ impl<const N: usize> Dop853<N> {
         let next = system.rate::<R>(self.t + guess, &scaled_sum::<R, N>(self.rate, guess, self.y));
         let curvature = size(&std::array::from_fn(|i| next[i] - self.rate[i])) / guess;
         let largest = rate.max(curvature);
-        let step = if largest > 1e-15 { (0.01 / largest).powf(1.0 / ORDER) } else { (1e-3 * guess).max(1e-6) };
+        let step =
+            if largest > 1e-15 { (0.01 / largest).powf(1.0 / ORDER) } else { (1e-3 * guess).max(1e-6) };
         step.min(100.0 * guess)
     }
 }

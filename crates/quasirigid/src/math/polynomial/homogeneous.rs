@@ -1,5 +1,5 @@
-use super::monomial::{count, exponents, index};
 use super::Scalar;
+use super::monomial::{count, exponents, index};
 
 /// Rows of homogeneous polynomials of one degree in three variables.
 ///
@@ -108,7 +108,13 @@ impl Homogeneous {
     }
 
     /// Adds `factor · a · b` to a row, where `a` and `b` are rows of other maps whose degrees add up to this one.
-    pub fn add_product(&mut self, row: usize, factor: f64, (a, row_a): (&Self, usize), (b, row_b): (&Self, usize)) {
+    pub fn add_product(
+        &mut self,
+        row: usize,
+        factor: f64,
+        (a, row_a): (&Self, usize),
+        (b, row_b): (&Self, usize),
+    ) {
         debug_assert_eq!(self.degree, a.degree + b.degree);
         let (left, right) = (a.row(row_a), b.row(row_b));
         let out = self.row_mut(row);
@@ -196,9 +202,8 @@ impl Homogeneous {
     /// Value at a point, added to `value` row by row.
     pub fn add_value<T: Scalar>(&self, x: [T; 3], value: &mut [T]) {
         let powers = powers(x, self.degree);
-        let monomials: Vec<T> = exponents(self.degree)
-            .map(|[i, j, k]| powers[0][i] * powers[1][j] * powers[2][k])
-            .collect();
+        let monomials: Vec<T> =
+            exponents(self.degree).map(|[i, j, k]| powers[0][i] * powers[1][j] * powers[2][k]).collect();
         for (row, sum) in value.iter_mut().enumerate() {
             for (c, monomial) in self.row(row).iter().zip(&monomials) {
                 *sum = *sum + *monomial * T::from(*c);
@@ -268,7 +273,8 @@ mod tests {
         let rate = value(&f, X);
         let h = 1e-4;
         let shifted = |s: f64| value(&q, std::array::from_fn(|i| X[i] + s * h * rate[i]));
-        let (forward, backward, further, earlier) = (shifted(1.0), shifted(-1.0), shifted(2.0), shifted(-2.0));
+        let (forward, backward, further, earlier) =
+            (shifted(1.0), shifted(-1.0), shifted(2.0), shifted(-2.0));
         let along = value(&q.along(&f), X);
         for row in 0..2 {
             let difference =
@@ -281,7 +287,8 @@ mod tests {
     fn half_quadratic_is_half_of_the_form() {
         let form = Homogeneous::half_quadratic(&[[2.0, 3.0, 5.0, 7.0, 11.0, 13.0]]);
         let [x, y, z] = X;
-        let expected = 0.5 * (2.0 * x * x + 3.0 * y * y + 5.0 * z * z) + 7.0 * y * z + 11.0 * z * x + 13.0 * x * y;
+        let expected =
+            0.5 * (2.0 * x * x + 3.0 * y * y + 5.0 * z * z) + 7.0 * y * z + 11.0 * z * x + 13.0 * x * y;
         assert!((value(&form, X)[0] - expected).abs() < 1e-14);
     }
 }

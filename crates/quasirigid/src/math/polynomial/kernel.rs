@@ -1,5 +1,5 @@
-use super::monomial::{count, index};
 use super::Series;
+use super::monomial::{count, index};
 use crate::math::simd::{Arithmetic, scaled_sum};
 
 /// A polynomial map of at most four rows, compiled for fast evaluation: nested Horner form, one vector operation per

@@ -123,6 +123,11 @@ impl Series {
 }
 
 /// Pairs of degrees `(a, b)` with `a + b = sum`, `lowest ≤ a ≤ highest_a` and `b ≤ highest_b`.
-fn pairs(lowest: usize, highest_a: usize, sum: usize, highest_b: usize) -> impl Iterator<Item = (usize, usize)> {
+fn pairs(
+    lowest: usize,
+    highest_a: usize,
+    sum: usize,
+    highest_b: usize,
+) -> impl Iterator<Item = (usize, usize)> {
     (lowest..=highest_a.min(sum)).map(move |a| (a, sum - a)).filter(move |(_, b)| *b <= highest_b)
 }

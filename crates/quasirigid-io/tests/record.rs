@@ -1,5 +1,5 @@
 //! A record written is the record read, and a damaged folder is refused by file and line.
-#![allow(non_snake_case)]
+#![allow(non_snake_case, clippy::unwrap_used)]
 
 use std::fs;
 use std::io::ErrorKind;

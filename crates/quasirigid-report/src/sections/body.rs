@@ -32,7 +32,7 @@ pub fn section(body: &BodyRecord) -> Markup {
 
 fn position(place: [f64; 3]) -> Markup {
     let (power, [x, y, z]) = aligned_triple(place);
-    html! { "(" (x) ", " (y) ", " (z) ") " (unit_with_power(power, "m")) }
+    html! { "(" (x) ", " (y) ", " (z) ")\u{a0}" (unit_with_power(power, "m")) }
 }
 
 fn inertia(body: &BodyRecord) -> Markup {

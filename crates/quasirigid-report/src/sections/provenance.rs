@@ -15,7 +15,7 @@ pub fn section(record: &RunRecord) -> Markup {
                 ("Model file", html! { (record.model.file) }),
                 ("SHA-256 of the model", html! { code { (record.model.sha256) } }),
             ]))
-            @for history in &record.histories { (integration(history)) (columns(history)) }
+            @for history in &record.histories { (integration(history)) div.columns { (columns(history)) } }
         }
     }
 }

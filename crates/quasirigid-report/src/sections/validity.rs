@@ -18,7 +18,7 @@ pub fn section(validity: &ValidityRecord) -> Markup {
             @if validity.criteria.is_empty() {
                 p.absent { "The record holds no criteria." }
             } @else {
-                (criteria(&validity.criteria))
+                div.criteria { (criteria(&validity.criteria)) }
             }
             (times(validity))
             div.pair {

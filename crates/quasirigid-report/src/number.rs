@@ -183,8 +183,13 @@ mod tests {
             assert_eq!(short(value), text, "{value:e}");
         }
         assert_eq!(
-            [digits(0.5, 3), digits(-1e-9, 2), digits(9.999, 3)],
-            ["0.500", "−1.0×10⁻⁹", "10.0"]
+            [
+                digits(0.5, 3),
+                digits(-1e-9, 2),
+                digits(9.999, 3),
+                digits(0.0, 3)
+            ],
+            ["0.500", "−1.0×10⁻⁹", "10.0", "0"]
         );
     }
 

@@ -10,16 +10,15 @@ pub fn main_history(record: &RunRecord) -> Option<&HistoryRecord> {
 }
 
 /// The column of that name, if it has rows.
-pub fn column<'a>(history: &'a HistoryRecord, name: &str) -> Option<&'a Column> {
-    history
-        .columns
+pub fn column<'a>(columns: &'a [Column], name: &str) -> Option<&'a Column> {
+    columns
         .iter()
         .find(|column| column.name == name && !column.values.is_empty())
 }
 
 /// Three columns as one vector per row.
-pub fn vectors(history: &HistoryRecord, names: [&str; 3]) -> Option<Vec<[f64; 3]>> {
-    let [x, y, z] = names.map(|name| column(history, name));
+pub fn vectors(columns: &[Column], names: [&str; 3]) -> Option<Vec<[f64; 3]>> {
+    let [x, y, z] = names.map(|name| column(columns, name));
     let (x, y, z) = (&x?.values, &y?.values, &z?.values);
     Some(
         x.iter()
@@ -48,7 +47,7 @@ pub struct TimeUnit {
 impl TimeUnit {
     /// The unit that suits the span of the first `rows` rows of the column `t`.
     pub fn of(history: &HistoryRecord, rows: usize) -> Self {
-        let Some(column) = column(history, "t") else {
+        let Some(column) = column(&history.columns, "t") else {
             return Self {
                 name: "s".into(),
                 length: 1.0,

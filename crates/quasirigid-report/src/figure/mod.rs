@@ -188,3 +188,19 @@ fn apart(mut places: Vec<f64>) -> Vec<f64> {
     }
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_keep_a_line_apart_and_stay_on_the_plot() {
+        let line = 16.0 / HEIGHT;
+        assert_eq!(apart(vec![0.1, 0.5]), [0.1, 0.5]);
+        assert_eq!(apart(vec![0.0, 0.0, 0.01]), [0.0, line, 2.0 * line]);
+        let [a, b, c] = apart(vec![0.99, 1.0, 1.0])[..] else {
+            panic!("three labels stay three")
+        };
+        assert!(c <= 1.0 && c - b > 0.999 * line && b - a > 0.999 * line);
+    }
+}

@@ -142,6 +142,11 @@ mod tests {
         };
         let Trace { line, .. } = Trace::new((0..n).map(|i| (i as f64 / (n - 1) as f64, height(i))));
         assert!(line.contains("L523.5 0.0"), "the spike is lost");
+        let x = |step: &str| step.split(' ').next().unwrap().parse::<f64>().unwrap();
+        assert!(
+            line[1..].split('L').map(x).is_sorted(),
+            "the line runs back"
+        );
         assert!(line.len() < 50_000, "{} bytes", line.len());
     }
 

@@ -32,9 +32,9 @@ fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
 }
 
 fn spin(history: &HistoryRecord) -> Markup {
-    let omega = vectors(history, ["wx", "wy", "wz"]).unwrap_or_default();
+    let omega = vectors(&history.columns, ["wx", "wy", "wz"]).unwrap_or_default();
     let nutation =
-        column(history, "nutation").and_then(|column| ends(column.values.iter().copied()));
+        column(&history.columns, "nutation").and_then(|column| ends(column.values.iter().copied()));
     let Some((start, end)) = ends(omega.iter().map(|&omega| norm(omega))) else {
         return tile(
             "Spin, start → end",
@@ -75,7 +75,7 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
 
 /// Energy above the least that the body can have at its angular momentum, `E − |K|²/2J₃`.
 fn free_energy(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
-    let (momentum, _) = ends(column(history, "momentum")?.values.iter().copied())?;
+    let (momentum, _) = ends(column(&history.columns, "momentum")?.values.iter().copied())?;
     let free = history.energy - 0.5 * momentum * momentum / record.body.principal_moments[2];
     (free > 1e-12 * history.energy.abs()).then_some(free)
 }
@@ -100,7 +100,8 @@ fn drift(history: &HistoryRecord) -> Markup {
 }
 
 fn turns(history: &HistoryRecord) -> Markup {
-    let span = column(history, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
+    let span =
+        column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
     tile(
         "Turns",
         html! { (tidy(history.turns, 5)) },

@@ -64,7 +64,7 @@ fn spin(history: &HistoryRecord, rows: usize) -> Figure {
 
 /// The beginning of a long run, in which single turns can be seen.
 fn first_turns(history: &HistoryRecord) -> Option<Figure> {
-    let t = &column(history, "t")?.values;
+    let t = &column(&history.columns, "t")?.values;
     let (first, last) = (*t.first()?, *t.last()?);
     let until = first + (last - first) * FIRST_TURNS / history.turns;
     let rows = t.iter().take_while(|&&t| t <= until).count();
@@ -146,12 +146,12 @@ impl Curve<'_> {
         time: &TimeUnit,
         value: fn(f64) -> f64,
     ) -> Option<Series> {
-        let x = column(history, "t")?
+        let x = column(&history.columns, "t")?
             .values
             .iter()
             .map(|t| t / time.length)
             .collect();
-        let y = column(history, self.name)?
+        let y = column(&history.columns, self.name)?
             .values
             .iter()
             .map(|&v| value(v))
@@ -166,5 +166,5 @@ impl Curve<'_> {
 }
 
 fn unit(history: &HistoryRecord, name: &str) -> String {
-    column(history, name).map_or_else(|| "SI".into(), |column| column.unit.clone())
+    column(&history.columns, name).map_or_else(|| "SI".into(), |column| column.unit.clone())
 }

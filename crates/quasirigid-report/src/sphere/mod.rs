@@ -57,7 +57,7 @@ struct Scene {
 impl Scene {
     fn new(body: &BodyRecord, history: &HistoryRecord) -> Option<Self> {
         let axes = orthonormal(body.principal_axes)?;
-        let path = momentum_directions(body.inertia, history)?;
+        let path = momentum_directions(body.inertia, &history.columns)?;
         let turned =
             axes.map(|axis| path.iter().flatten().map(|&k| dot(axis, k)).sum::<f64>() < 0.0);
         let axes = [0, 1, 2].map(|i| {

@@ -1,6 +1,6 @@
 //! Directions of the angular momentum in the body, and the stretches of them that are drawn.
 
-use quasirigid_io::record::HistoryRecord;
+use quasirigid_io::record::Column;
 
 use super::vector::{Vector, direction, dot};
 use super::view::{Halves, View};
@@ -24,17 +24,12 @@ struct Stretch<'a> {
 }
 
 /// Direction of `J ω` in every row; none unless some row has one.
-pub fn momentum_directions(J: [Vector; 3], history: &HistoryRecord) -> Option<Vec<Option<Vector>>> {
-    let largest = J
-        .iter()
-        .flatten()
-        .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let J = J.map(|row| row.map(|x| x / largest));
+pub fn momentum_directions(J: [Vector; 3], columns: &[Column]) -> Option<Vec<Option<Vector>>> {
     let momentum = |omega: Vector| {
         let unit = direction(omega)?;
         direction(J.map(|row| dot(row, unit)))
     };
-    let path: Vec<_> = vectors(history, ["wx", "wy", "wz"])?
+    let path: Vec<_> = vectors(columns, ["wx", "wy", "wz"])?
         .into_iter()
         .map(momentum)
         .collect();
@@ -89,6 +84,36 @@ fn sample(path: &[Option<Vector>]) -> Option<Vec<Stretch<'_>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// `J ω` of an inertia with products, in any units: (3, 1, 0; 1, 4, 2; 0, 2, 5)(1, −1, 2) = (2, 1, 8).
+    #[test]
+    fn direction_is_that_of_inertia_times_spin() {
+        for (J, omega) in [(1.0, 1.0), (1e300, 1e300), (1e-300, 1e-300)] {
+            let column = |name: &str, value: f64| Column {
+                name: name.into(),
+                unit: String::new(),
+                values: vec![value],
+            };
+            let columns = vec![
+                column("wx", omega),
+                column("wy", -omega),
+                column("wz", 2.0 * omega),
+            ];
+            let J = [
+                [3.0 * J, J, 0.0],
+                [J, 4.0 * J, 2.0 * J],
+                [0.0, 2.0 * J, 5.0 * J],
+            ];
+            let k = momentum_directions(J, &columns).unwrap()[0].unwrap();
+            let expected = [2.0, 1.0, 8.0].map(|x| x / 69f64.sqrt());
+            assert!(
+                k.iter()
+                    .zip(expected)
+                    .all(|(k, expected)| (k - expected).abs() < 1e-14),
+                "{k:?}"
+            );
+        }
+    }
 
     fn numbered(rows: usize) -> Vec<Option<Vector>> {
         (0..rows).map(|i| Some([i as f64, 0.0, 0.0])).collect()

@@ -106,6 +106,7 @@ mod tests {
     #[test]
     fn equal_moments_leave_only_the_curves_that_exist() {
         assert_eq!(polhodes([2.0, 2.0, 3.0]).len(), 8);
+        assert_eq!(polhodes([2.0, 2.0 + 1e-14, 3.0]).len(), 8);
         assert_eq!(polhodes([2.0, 3.0, 3.0]).len(), 8);
         assert_eq!(polhodes([2.0, 2.0, 2.0]).len(), 0);
         assert_eq!(polhodes([0.0, 2.0, f64::NAN]).len(), 0);

@@ -142,6 +142,11 @@ mod tests {
             .map(|i| f64::from(i).to_radians())
             .map(|a| Some([a.cos(), a.sin(), 0.0]));
         let Halves { near, far } = view.curve(circle);
+        assert_eq!(
+            [&near, &far].map(|half| half.matches('M').count()),
+            [2, 1],
+            "the halves are joined across the sphere"
+        );
         let [near, far] = [near, far].map(|half| half.matches('L').count());
         assert!(near.abs_diff(far) <= 2 && near + far >= 355, "{near} {far}");
     }

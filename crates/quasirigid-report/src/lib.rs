@@ -8,6 +8,7 @@
 //! light, dark and print; their text keeps its size while the plot narrows to a telephone; and their curves are thinned
 //! by pixel column, which keeps every extreme of a history of any length.
 #![allow(non_snake_case)]
+#![cfg_attr(test, allow(clippy::unwrap_used))]
 
 mod figure;
 mod number;

@@ -47,19 +47,19 @@ pub fn percent(ratio: f64) -> String {
 
 /// Numbers of one kind with the decimal points under each other: the common power of ten, and the numbers over it.
 ///
-/// The largest gets six digits; the others as many decimals, so that rounding noise beside it reads as zero.
-pub fn aligned(values: &[f64]) -> (i32, Vec<String>) {
+/// The largest gets so many significant digits, the others as many decimals: rounding noise beside it reads as zero.
+pub fn aligned(values: &[f64], significant: usize) -> (i32, Vec<String>) {
     let largest = values
         .iter()
         .filter(|v| v.is_finite())
         .fold(0.0, |a: f64, v| a.max(v.abs()));
-    let (_, exponent) = scientific(largest, 6);
+    let (_, exponent) = scientific(largest, significant);
     let power = if (-3..6).contains(&exponent) {
         0
     } else {
         exponent
     };
-    let decimals = (5 - (exponent - power)).max(0) as usize;
+    let decimals = (significant as i32 - 1 - (exponent - power)).max(0) as usize;
     let text = |&value: &f64| match value.is_finite() {
         true => fixed(over_power(value, power), decimals),
         false => not_finite(value),
@@ -196,14 +196,14 @@ mod tests {
     #[test]
     fn aligned_numbers_share_a_power_and_hide_noise() {
         assert_eq!(
-            aligned(&[9.5, -1e-17, 16.25]),
+            aligned(&[9.5, -1e-17, 16.25], 6),
             (0, vec!["9.5000".into(), "0.0000".into(), "16.2500".into()])
         );
         assert_eq!(
-            aligned(&[2e300, -1e299]),
+            aligned(&[2e300, -1e299], 6),
             (300, vec!["2.00000".into(), "−0.10000".into()])
         );
-        assert_eq!(aligned(&[]), (0, vec![]));
+        assert_eq!(aligned(&[], 6), (0, vec![]));
     }
 
     #[test]

@@ -96,7 +96,7 @@ fn page_answers_from_the_top() {
             "Natural frequencies",
             "Degrees of dω/dt",
             "Inertia about the pole",
-            "Principal moments and axes",
+            "Principal moments, ascending, and axes",
             "quasirigid 0.1.0",
             "9f86d081884c7d65",
             "System: rigid",

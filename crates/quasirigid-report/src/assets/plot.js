@@ -4,7 +4,7 @@ for (const chart of document.querySelectorAll(".chart")) {
   const [x0, x1] = chart.dataset.x.split(" ").map(Number);
   const [y0, y1] = chart.dataset.y.split(" ").map(Number);
   const { width, height } = plot.querySelector("svg").viewBox.baseVal;
-  const curves = [...plot.querySelectorAll(".curve")].map((path) => ({
+  const curves = [...plot.querySelectorAll(".curve")].reverse().map((path) => ({
     label: path.dataset.label,
     points: [...path.getAttribute("d").matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map((m) => [+m[1], +m[2]]),
   }));

@@ -31,12 +31,12 @@ pub fn section(body: &BodyRecord) -> Markup {
 }
 
 fn position(place: [f64; 3]) -> Markup {
-    let (power, [x, y, z]) = aligned_triple(place);
+    let (power, [x, y, z]) = aligned_triple(place, 6);
     html! { "(" (x) ", " (y) ", " (z) ")\u{a0}" (unit_with_power(power, "m")) }
 }
 
 fn inertia(body: &BodyRecord) -> Markup {
-    let (power, entries) = aligned(body.inertia.as_flattened());
+    let (power, entries) = aligned(body.inertia.as_flattened(), 6);
     let caption = format!(
         "Inertia about the pole, in the axes of the file [{}]",
         unit_with_power(power, "kg·m²")
@@ -53,24 +53,24 @@ fn inertia(body: &BodyRecord) -> Markup {
 }
 
 fn principal(body: &BodyRecord) -> Markup {
-    let (power, moments) = aligned_triple(body.principal_moments);
+    let (power, moments) = aligned_triple(body.principal_moments, 6);
     let heading = format!("Moment [{}]", unit_with_power(power, "kg·m²"));
     table(
-        "Principal moments and axes",
+        "Principal moments, ascending, and axes",
         &["Axis", &heading, "x", "y", "z"],
         html! {
             @for (i, moment) in moments.iter().enumerate() {
                 tr {
-                    th scope="row" { (i + 1) @match i { 0 => ", least", 2 => ", greatest", _ => "" } }
+                    th scope="row" { (i + 1) }
                     td { (moment) }
-                    @for entry in aligned_triple(body.principal_axes[i]).1 { td { (entry) } }
+                    @for entry in aligned_triple(body.principal_axes[i], 5).1 { td { (entry) } }
                 }
             }
         },
     )
 }
 
-fn aligned_triple(values: [f64; 3]) -> (i32, [String; 3]) {
-    let (power, mut texts) = aligned(&values);
+fn aligned_triple(values: [f64; 3], significant: usize) -> (i32, [String; 3]) {
+    let (power, mut texts) = aligned(&values, significant);
     (power, [0, 1, 2].map(|i| std::mem::take(&mut texts[i])))
 }

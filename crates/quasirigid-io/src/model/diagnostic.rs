@@ -18,12 +18,24 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub(super) fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Self {
-        Self { span, message: message.into(), label: label.into(), help: None }
+    pub(super) fn new(
+        span: Range<usize>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Self {
+        Self {
+            span,
+            message: message.into(),
+            label: label.into(),
+            help: None,
+        }
     }
 
     pub(super) fn help(self, help: impl Into<String>) -> Self {
-        Self { help: Some(help.into()), ..self }
+        Self {
+            help: Some(help.into()),
+            ..self
+        }
     }
 
     /// Line and column at which it starts in `text`, both from 1, the column in characters.
@@ -45,7 +57,10 @@ pub(super) struct Problems<'a> {
 
 impl<'a> Problems<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        Self { text, found: RefCell::default() }
+        Self {
+            text,
+            found: RefCell::default(),
+        }
     }
 
     pub(super) fn report(&self, diagnostic: Diagnostic) {
@@ -65,15 +80,20 @@ impl<'a> Problems<'a> {
         Diagnostic::new(span, "", "").position(self.text).0
     }
 
-    /// The diagnostics in the order of the file.
+    /// The diagnostics in the order of the file, each once.
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
         let mut found = self.found.into_inner();
         found.sort_by_key(|diagnostic| diagnostic.span.start);
-        if found.len() > MOST {
+        let full = found.len() > MOST;
+        found.dedup();
+        if full {
             found.truncate(MOST);
-            if let Some(last) = found.last().cloned() {
-                let message = format!("there are more problems than the {MOST} shown");
-                found.push(Diagnostic::new(last.span, message, "and more"));
+            if let Some(last) = found.last().map(|diagnostic| diagnostic.span.clone()) {
+                found.push(Diagnostic::new(
+                    last,
+                    "there are more problems like these",
+                    "and more",
+                ));
             }
         }
         found

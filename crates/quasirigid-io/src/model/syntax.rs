@@ -13,7 +13,8 @@ const LONGEST_KEY: usize = 16;
 pub(super) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable<'a>> {
     if let Some(span) = overlong_key(text) {
         let message = format!("a key with more than {LONGEST_KEY} parts");
-        problems.report(Diagnostic::new(span, message, "this key"));
+        let help = "the longest keys of a model have two, as in carrier.mass";
+        problems.report(Diagnostic::new(span, message, "this key").help(help));
         return None;
     }
     let (tree, errors) = DeTable::parse_recoverable(text);
@@ -25,9 +26,15 @@ pub(super) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable
 
 fn diagnostic(text: &str, error: &Error) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
-    let diagnostic = Diagnostic::new(span.clone(), format!("not valid TOML: {}", error.message()), "here");
+    let diagnostic = Diagnostic::new(
+        span.clone(),
+        format!("not valid TOML: {}", error.message()),
+        "here",
+    );
     match unquoted(text, span) {
-        Some(value) => diagnostic.help(format!("a number with its unit stands in quotes: \"{value}\"")),
+        Some(value) => diagnostic.help(format!(
+            "a number with its unit stands in quotes: \"{value}\""
+        )),
         None => diagnostic,
     }
 }
@@ -51,7 +58,12 @@ fn overlong_key(text: &str) -> Option<Range<usize>> {
     let (mut at, mut start, mut dots) = (0, 0, 0);
     while let Some(byte) = bytes.get(at) {
         let next = match byte {
-            b'#' => at + bytes[at..].iter().take_while(|byte| **byte != b'\n').count(),
+            b'#' => {
+                at + bytes[at..]
+                    .iter()
+                    .take_while(|byte| **byte != b'\n')
+                    .count()
+            }
             b'"' | b'\'' => end_of_text(bytes, at),
             _ => at + 1,
         };

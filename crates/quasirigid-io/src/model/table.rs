@@ -21,6 +21,8 @@ pub(super) struct Table<'a> {
     title: &'static str,
     header: Range<usize>,
     entries: &'a DeTable<'a>,
+    /// Known keys that the table probably has, misspelt.
+    misspelt: Vec<&'static str>,
     keys: &'static Keys,
     problems: &'a Problems<'a>,
 }
@@ -34,13 +36,26 @@ impl<'a> Table<'a> {
         keys: &'static Keys,
         problems: &'a Problems<'a>,
     ) -> Self {
-        for key in entries.keys().filter(|key| !keys.known.contains(&key.get_ref().as_ref())) {
+        let mut misspelt = Vec::new();
+        for key in entries
+            .keys()
+            .filter(|key| !keys.known.contains(&key.get_ref().as_ref()))
+        {
             if problems.full() {
                 break;
             }
-            problems.report(unknown_key(title, key.get_ref(), key.span(), keys));
+            let meant = nearest(key.get_ref(), keys.known.iter().copied());
+            problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
+            misspelt.extend(meant);
         }
-        Self { title, header, entries, keys, problems }
+        Self {
+            title,
+            header,
+            entries,
+            misspelt,
+            keys,
+            problems,
+        }
     }
 
     /// Where the table starts.
@@ -50,8 +65,16 @@ impl<'a> Table<'a> {
 
     /// Where its values stand.
     pub(super) fn spans(&self) -> ElementSpans {
-        let values = self.keys.known.iter().filter_map(|key| Some((*key, self.get(key)?.span()))).collect();
-        ElementSpans { header: self.header(), values }
+        let values = self
+            .keys
+            .known
+            .iter()
+            .filter_map(|key| Some((*key, self.get(key)?.span())))
+            .collect();
+        ElementSpans {
+            header: self.header(),
+            values,
+        }
     }
 
     /// The value of a key, if the table has it.
@@ -63,51 +86,77 @@ impl<'a> Table<'a> {
     /// The value of a key that must be there; a line such as `example` is missing otherwise.
     pub(super) fn required(&self, key: &'static str, example: &str) -> Option<Value<'a>> {
         let value = self.get(key);
-        if value.is_none() {
+        if value.is_none() && !self.misspelt.contains(&key) {
             let message = format!("{} has no `{key}`", self.title);
             let label = format!("`{key}` is missing here");
             let help = format!("add a line such as: {example}");
-            self.problems.report(Diagnostic::new(self.header(), message, label).help(help));
+            self.problems
+                .report(Diagnostic::new(self.header(), message, label).help(help));
         }
         value
     }
 
     /// The table under a key that stands once, as in `[carrier]`.
-    pub(super) fn table(&self, key: &'static str, title: &'static str, keys: &'static Keys) -> Option<Table<'a>> {
+    pub(super) fn table(
+        &self,
+        key: &'static str,
+        title: &'static str,
+        keys: &'static Keys,
+    ) -> Option<Table<'a>> {
         let value = self.get(key)?;
         if value.is_array() {
             let message = format!("there is one {title}, not a list of them");
             let help = format!("write {title} once, with single brackets");
-            self.problems.report(Diagnostic::new(value.span(), message, "a list").help(help));
+            self.problems
+                .report(Diagnostic::new(value.span(), message, "a list").help(help));
             return None;
         }
         value.table(title, keys)
     }
 
     /// The tables under a key that can stand any number of times, as in `[[point]]`.
-    pub(super) fn tables(&self, key: &'static str, title: &'static str, keys: &'static Keys) -> Vec<Table<'a>> {
+    pub(super) fn tables(
+        &self,
+        key: &'static str,
+        title: &'static str,
+        keys: &'static Keys,
+    ) -> Vec<Table<'a>> {
         let Some(value) = self.get(key) else {
             return Vec::new();
         };
         let Some(items) = value.items() else {
-            let message = format!("`{key}` is a list of tables, but {} stands here", value.found());
+            let message = format!(
+                "`{key}` is a list of tables, but {} stands here",
+                value.found()
+            );
             let help = format!("write {title}, with double brackets, once for each");
-            self.problems.report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
+            self.problems
+                .report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
             return Vec::new();
         };
-        items.iter().filter_map(|item| item.table(title, keys)).collect()
+        items
+            .iter()
+            .filter_map(|item| item.table(title, keys))
+            .collect()
     }
 }
 
-fn unknown_key(title: &str, key: &str, span: Range<usize>, keys: &Keys) -> Diagnostic {
+fn unknown_key(
+    title: &str,
+    key: &str,
+    span: Range<usize>,
+    keys: &Keys,
+    meant: Option<&str>,
+) -> Diagnostic {
     if let Some((_, written)) = keys.later.iter().find(|(later, _)| *later == key) {
-        let message =
-            format!("`{written}` is part of the model format, but this version of quasirigid does not support it yet");
+        let message = format!(
+            "`{written}` is part of the model format, but this version of quasirigid does not support it yet"
+        );
         return Diagnostic::new(span, message, "not supported yet");
     }
-    let message = format!("{title} has no key {key:?}");
+    let message = format!("unknown key {key:?} in {title}");
     let list = format!("the keys are {}", keys.known.join(", "));
-    let help = match nearest(key, keys.known.iter().copied()) {
+    let help = match meant {
         Some(known) => format!("did you mean `{known}`? {list}"),
         None => list,
     };

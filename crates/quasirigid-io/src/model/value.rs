@@ -17,8 +17,16 @@ pub(super) struct Value<'a> {
 }
 
 impl<'a> Value<'a> {
-    pub(super) fn new(key: &'static str, inner: &'a Spanned<DeValue<'a>>, problems: &'a Problems<'a>) -> Self {
-        Self { key, inner, problems }
+    pub(super) fn new(
+        key: &'static str,
+        inner: &'a Spanned<DeValue<'a>>,
+        problems: &'a Problems<'a>,
+    ) -> Self {
+        Self {
+            key,
+            inner,
+            problems,
+        }
     }
 
     /// Where it stands.
@@ -30,8 +38,9 @@ impl<'a> Value<'a> {
         self.inner.get_ref().is_array()
     }
 
-    pub(super) fn is_text(&self) -> bool {
-        self.inner.get_ref().is_str()
+    /// Whether it is this text.
+    pub(super) fn is_word(&self, word: &str) -> bool {
+        self.inner.get_ref().as_str() == Some(word)
     }
 
     pub(super) fn is_table(&self) -> bool {
@@ -54,18 +63,26 @@ impl<'a> Value<'a> {
 
     /// A text.
     pub(super) fn text(&self) -> Option<&'a str> {
+        let help = format!("write the {} in quotes", self.key);
         match self.inner.get_ref().as_str() {
-            Some("") => self.refuse(format!("`{}` is empty", self.key), "an empty text", None),
+            Some("") => self.refuse(
+                format!("`{}` is empty", self.key),
+                "an empty text",
+                Some(help),
+            ),
             Some(text) => Some(text),
-            None => self.mismatch("a text", &format!("write the {} in quotes", self.key)),
+            None => self.mismatch("a text", &help),
         }
     }
 
     /// One of several words; a word without a value is part of the format but not of this version.
     pub(super) fn choice<T: Copy>(&self, choices: &[(&str, Option<T>)]) -> Option<T> {
         let text = self.text()?;
-        let available: Vec<String> =
-            choices.iter().filter(|(_, value)| value.is_some()).map(|(word, _)| format!("{word:?}")).collect();
+        let available: Vec<String> = choices
+            .iter()
+            .filter(|(_, value)| value.is_some())
+            .map(|(word, _)| format!("{word:?}"))
+            .collect();
         let help = Some(format!("write {}", available.join(" or ")));
         match choices.iter().find(|(word, _)| *word == text) {
             Some((_, Some(value))) => Some(*value),
@@ -76,7 +93,11 @@ impl<'a> Value<'a> {
                 );
                 self.refuse(message, "not supported yet", help)
             }
-            None => self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", help),
+            None => self.refuse(
+                format!("`{}` cannot be {text:?}", self.key),
+                "unknown word",
+                help,
+            ),
         }
     }
 
@@ -107,8 +128,11 @@ impl<'a> Value<'a> {
     /// A finite number: plain in SI units, or a text with its unit.
     pub(super) fn quantity(&self, dimension: Dimension) -> Option<f64> {
         let (number, written) = match self.inner.get_ref() {
-            DeValue::Float(float) => (float.as_str().parse().unwrap_or(f64::NAN), float.as_str()),
-            DeValue::Integer(integer) => (nearest_number(integer), integer.as_str()),
+            DeValue::Float(float) => (
+                float.as_str().parse().unwrap_or(f64::NAN),
+                float.to_string(),
+            ),
+            DeValue::Integer(integer) => (nearest_number(integer), integer.to_string()),
             DeValue::String(text) => return self.quantity_in_words(text, dimension),
             _ => return self.mismatch(dimension.name(), &advice(dimension)),
         };
@@ -116,20 +140,29 @@ impl<'a> Value<'a> {
             Some(number)
         } else {
             let message = format!("`{}` is {written}, which is not a finite number", self.key);
-            self.refuse(message, "not a finite number", None)
+            self.refuse(message, "not a finite number", Some(advice(dimension)))
         }
     }
 
     /// A quantity above zero.
     pub(super) fn positive(&self, dimension: Dimension) -> Option<f64> {
         let number = self.quantity(dimension)?;
-        if number > 0.0 { Some(number) } else { self.outside(number, dimension, "positive") }
+        if number > 0.0 {
+            Some(number)
+        } else {
+            self.outside(number, dimension, "positive", advice(dimension))
+        }
     }
 
     /// A quantity that is zero or above.
     pub(super) fn non_negative(&self, dimension: Dimension) -> Option<f64> {
         let number = self.quantity(dimension)?;
-        if number >= 0.0 { Some(number) } else { self.outside(number, dimension, "zero or positive") }
+        let help = "a positive value resists the motion, as every spring and dashpot does";
+        if number >= 0.0 {
+            Some(number)
+        } else {
+            self.outside(number, dimension, "zero or positive", help.to_owned())
+        }
     }
 
     /// Three quantities.
@@ -148,7 +181,11 @@ impl<'a> Value<'a> {
     }
 
     /// An array of exactly `N` values, each read by `read`.
-    pub(super) fn array<T, const N: usize>(&self, noun: &str, read: impl Fn(Self) -> Option<T>) -> Option<[T; N]> {
+    pub(super) fn array<T, const N: usize>(
+        &self,
+        noun: &str,
+        read: impl Fn(Self) -> Option<T>,
+    ) -> Option<[T; N]> {
         let items = match self.items() {
             Some(items) if items.len() == N => items,
             _ => {
@@ -160,7 +197,11 @@ impl<'a> Value<'a> {
     }
 
     /// An array of any number of values, each read by `read`.
-    pub(super) fn list<T>(&self, expected: &str, read: impl Fn(Self) -> Option<T>) -> Option<Vec<T>> {
+    pub(super) fn list<T>(
+        &self,
+        expected: &str,
+        read: impl Fn(Self) -> Option<T>,
+    ) -> Option<Vec<T>> {
         match self.items() {
             Some(items) => all(items.into_iter().map(read).collect()),
             None => self.mismatch(expected, &format!("write {expected}")),
@@ -170,12 +211,24 @@ impl<'a> Value<'a> {
     /// Reports that the value is of another kind than expected.
     pub(super) fn mismatch<T>(&self, expected: &str, help: &str) -> Option<T> {
         let found = self.found();
-        self.refuse(format!("`{}`: found {found}, expected {expected}", self.key), &found, Some(help.to_owned()))
+        self.refuse(
+            format!("`{}`: found {found}, expected {expected}", self.key),
+            &found,
+            Some(help.to_owned()),
+        )
     }
 
     /// Reports what is wrong with the value.
-    pub(super) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
-        self.problems.report(Diagnostic { help, ..Diagnostic::new(self.span(), message, label) });
+    pub(super) fn refuse<T>(
+        &self,
+        message: String,
+        label: &str,
+        help: Option<String>,
+    ) -> Option<T> {
+        self.problems.report(Diagnostic {
+            help,
+            ..Diagnostic::new(self.span(), message, label)
+        });
         None
     }
 
@@ -183,7 +236,8 @@ impl<'a> Value<'a> {
     pub(super) fn found(&self) -> String {
         match self.inner.get_ref() {
             DeValue::String(_) => "a text".to_owned(),
-            DeValue::Integer(_) | DeValue::Float(_) => "a number".to_owned(),
+            DeValue::Integer(_) => "an integer".to_owned(),
+            DeValue::Float(_) => "a decimal number".to_owned(),
             DeValue::Boolean(boolean) => boolean.to_string(),
             DeValue::Datetime(_) => "a date or time".to_owned(),
             DeValue::Array(items) if items.len() == 1 => "an array of 1 value".to_owned(),
@@ -196,16 +250,30 @@ impl<'a> Value<'a> {
         match quantity(text, dimension) {
             Ok(number) => Some(number),
             Err(error) => {
-                self.refuse(format!("`{}`: {error}", self.key), &format!("needs {}", dimension.name()), error.advice())
+                let message = format!("`{}`: {error}", self.key);
+                self.refuse(
+                    message,
+                    &format!("{} is needed", dimension.name()),
+                    Some(error.advice()),
+                )
             }
         }
     }
 
-    fn outside<T>(&self, number: f64, dimension: Dimension, allowed: &str) -> Option<T> {
+    fn outside<T>(
+        &self,
+        number: f64,
+        dimension: Dimension,
+        allowed: &str,
+        help: String,
+    ) -> Option<T> {
         let unit = dimension.unit();
         let space = if unit.is_empty() { "" } else { " " };
-        let message = format!("`{}` is {number}{space}{unit}, but must be {allowed}", self.key);
-        self.refuse(message, &format!("must be {allowed}"), None)
+        let message = format!(
+            "`{}` is {number}{space}{unit}, but must be {allowed}",
+            self.key
+        );
+        self.refuse(message, &format!("must be {allowed}"), Some(help))
     }
 }
 
@@ -217,7 +285,8 @@ fn all<T>(values: Vec<Option<T>>) -> Option<Vec<T>> {
 fn nearest_number(integer: &DeInteger<'_>) -> f64 {
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
         Ok(number) => number as f64,
-        Err(_) => f64::NAN,
+        Err(_) if integer.radix() == 10 => integer.as_str().parse().unwrap_or(f64::NAN),
+        Err(_) => f64::INFINITY,
     }
 }
 
@@ -225,6 +294,10 @@ fn advice(dimension: Dimension) -> String {
     if dimension.unit().is_empty() {
         "write a number".to_owned()
     } else {
-        format!("write a number in {}, or a text with its unit such as \"{}\"", dimension.unit(), dimension.example())
+        format!(
+            "write a number in {}, or a text with its unit such as \"{}\"",
+            dimension.unit(),
+            dimension.example()
+        )
     }
 }

@@ -13,7 +13,7 @@ pub enum UnitError {
         dimension: Dimension,
     },
     /// The text does not start with a decimal number.
-    #[error("{text:?} is not a number with a unit")]
+    #[error("{text:?} is not a decimal number with a unit")]
     NotANumber {
         /// The text.
         text: String,
@@ -98,42 +98,53 @@ pub enum UnitError {
 impl UnitError {
     /// What to write instead.
     #[must_use]
-    pub fn advice(&self) -> Option<String> {
+    pub fn advice(&self) -> String {
         match self {
-            Self::Empty { dimension } => Some(in_words(*dimension)),
-            Self::NotANumber { text, dimension } if text.contains(',') => {
-                Some(format!("use a decimal point, and nothing between thousands; {}", in_words(*dimension)))
-            }
-            Self::NotANumber { dimension, .. } => Some(in_words(*dimension)),
+            Self::Empty { dimension } | Self::NotANumber { dimension, .. } => example(*dimension),
+            Self::NotFinite { .. } => "write a finite number".to_owned(),
+            Self::OutOfRange { .. } => "check the exponent".to_owned(),
             Self::NoUnit { text, dimension } if dimension.unit().is_empty() => {
-                Some(format!("write {text} without the quotes"))
+                format!("write {text} without the quotes")
             }
             Self::NoUnit { text, dimension } => {
-                Some(format!("add the unit, or write {text} without the quotes for {text} {}", dimension.unit()))
+                format!(
+                    "add the unit, or write {text} without the quotes for {text} {}",
+                    dimension.unit()
+                )
             }
-            Self::UnknownUnit { suggestion: Some(unit), .. } => Some(format!("did you mean \"{unit}\"?")),
-            Self::UnknownUnit { suggestion: None, .. } => {
-                Some("units are written as symbols, for example kg, lb, m, in, s, h, rad, deg, rpm, N, lbf".to_owned())
+            Self::UnknownUnit {
+                suggestion: Some(unit),
+                ..
+            } => format!("did you mean \"{unit}\"?"),
+            Self::UnknownUnit {
+                suggestion: None, ..
+            } => "units are symbols, for example kg, lb, m, in, s, h, rad, deg, rpm, N, lbf"
+                .to_owned(),
+            Self::WrongDimension { text, needed, .. }
+                if text.contains("lb") && !text.contains("lbf") =>
+            {
+                format!("lb is the mass, lbf the force; {}", example(*needed))
             }
-            Self::WrongDimension { text, needed, .. } if text.contains("lb") && !text.contains("lbf") => {
-                Some(format!("lb is the mass, lbf the force; {}", in_words(*needed)))
-            }
-            Self::WrongDimension { needed, .. } => Some(in_words(*needed)),
-            Self::Hertz { .. } => Some("write rev/s or rad/s".to_owned()),
+            Self::WrongDimension { needed, .. } => example(*needed),
+            Self::Hertz { .. } => "write rev/s or rad/s".to_owned(),
             Self::AmbiguousQuotient { .. } => {
-                Some("write the quotient last or use parentheses: \"N s/m\" or \"N/(m s)\"".to_owned())
+                "write the quotient last or use parentheses: \"N s/m\" or \"N/(m s)\"".to_owned()
             }
-            Self::Syntax { .. } => Some("write for example \"N m/rad\", \"kg*m^2\" or \"N/(m s)\"".to_owned()),
-            Self::Power { .. } => Some("write for example \"kg m^2\"".to_owned()),
-            Self::NotFinite { .. } | Self::OutOfRange { .. } | Self::TooDeep | Self::TooLong { .. } => None,
+            Self::Syntax { .. } | Self::Power { .. } | Self::TooDeep | Self::TooLong { .. } => {
+                "write for example \"N m/rad\", \"kg*m^2\" or \"N/(m s)\"".to_owned()
+            }
         }
     }
 }
 
-fn in_words(dimension: Dimension) -> String {
+fn example(dimension: Dimension) -> String {
     if dimension.unit().is_empty() {
         "write a number without quotes".to_owned()
     } else {
-        format!("write for example \"{}\", or a plain number in {}", dimension.example(), dimension.unit())
+        format!(
+            "write for example \"{}\", or a plain number in {}",
+            dimension.example(),
+            dimension.unit()
+        )
     }
 }

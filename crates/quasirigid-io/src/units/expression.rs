@@ -18,7 +18,11 @@ pub(super) struct Expression {
 impl Expression {
     /// Reads a whole unit expression.
     pub(super) fn parse(text: &str) -> Result<Self, UnitError> {
-        let mut parser = Parser { text, rest: text, depth: 0 };
+        let mut parser = Parser {
+            text,
+            rest: text,
+            depth: 0,
+        };
         let expression = parser.product()?;
         match parser.peek() {
             None => Ok(expression),
@@ -29,25 +33,37 @@ impl Expression {
     /// The number of SI units in `number` of these. One division or multiplication by an integer keeps decimal units
     /// exact.
     pub(super) fn in_si(&self, number: f64) -> f64 {
-        if self.up >= self.down { number * (self.up / self.down) } else { number / (self.down / self.up) }
+        if self.up >= self.down {
+            number * (self.up / self.down)
+        } else {
+            number / (self.down / self.up)
+        }
     }
 
     fn times(self, other: Self) -> Self {
         Self {
             up: self.up * other.up,
             down: self.down * other.down,
-            exponents: std::array::from_fn(|i| self.exponents[i].saturating_add(other.exponents[i])),
+            exponents: std::array::from_fn(|i| {
+                self.exponents[i].saturating_add(other.exponents[i])
+            }),
             hertz: self.hertz || other.hertz,
         }
     }
 
     fn raised(self, power: i32) -> Self {
-        let (up, down) = if power < 0 { (self.down, self.up) } else { (self.up, self.down) };
+        let (up, down) = if power < 0 {
+            (self.down, self.up)
+        } else {
+            (self.up, self.down)
+        };
         let size = power.abs();
         Self {
             up: up.powi(size),
             down: down.powi(size),
-            exponents: self.exponents.map(|exponent| exponent.saturating_mul(power)),
+            exponents: self
+                .exponents
+                .map(|exponent| exponent.saturating_mul(power)),
             hertz: self.hertz,
         }
     }
@@ -73,7 +89,11 @@ impl Parser<'_> {
                     divided = true;
                     product = product.times(self.power()?.raised(-1));
                 }
-                Some(_) if divided => return Err(UnitError::AmbiguousQuotient { unit: self.text.to_owned() }),
+                Some(_) if divided => {
+                    return Err(UnitError::AmbiguousQuotient {
+                        unit: self.text.to_owned(),
+                    });
+                }
                 Some(sign @ ('*' | '·' | '⋅' | '×')) => {
                     self.skip(sign);
                     product = product.times(self.power()?);
@@ -91,12 +111,18 @@ impl Parser<'_> {
         if !superscript.is_empty() {
             return Ok(factor.raised(exponent(&superscript)?));
         }
-        let Some(rest) = self.rest.strip_prefix("**").or_else(|| self.rest.strip_prefix('^')) else {
+        let Some(rest) = self
+            .rest
+            .strip_prefix("**")
+            .or_else(|| self.rest.strip_prefix('^'))
+        else {
             return Ok(factor);
         };
         self.rest = rest.trim_start();
         let sign = usize::from(self.rest.starts_with(['+', '-']));
-        let digits = self.rest[sign..].find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(self.rest.len() - sign);
+        let digits = self.rest[sign..]
+            .find(|c: char| !c.is_ascii_digit() && c != '.')
+            .unwrap_or(self.rest.len() - sign);
         let (written, rest) = self.rest.split_at(sign + digits);
         self.rest = rest;
         if written.is_empty() {
@@ -139,7 +165,12 @@ impl Parser<'_> {
     fn superscript(&mut self) -> String {
         const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
         const PLAIN: &str = "0123456789-";
-        let plain = |c: char| RAISED.chars().position(|raised| raised == c).and_then(|i| PLAIN.chars().nth(i));
+        let plain = |c: char| {
+            RAISED
+                .chars()
+                .position(|raised| raised == c)
+                .and_then(|i| PLAIN.chars().nth(i))
+        };
         let written: String = self.rest.chars().map_while(plain).collect();
         self.rest = self.rest.trim_start_matches(|c| RAISED.contains(c));
         written
@@ -156,7 +187,10 @@ impl Parser<'_> {
     }
 
     fn unexpected(&self, found: Option<char>) -> UnitError {
-        UnitError::Syntax { unit: self.text.to_owned(), found }
+        UnitError::Syntax {
+            unit: self.text.to_owned(),
+            found,
+        }
     }
 }
 
@@ -165,15 +199,30 @@ fn is_letter(c: char) -> bool {
 }
 
 fn named(symbol: &str) -> Result<Expression, UnitError> {
-    let Some(Unit { up, down, exponents }) = unit(symbol) else {
-        return Err(UnitError::UnknownUnit { symbol: symbol.to_owned(), suggestion: suggestion(symbol) });
+    let Some(Unit {
+        up,
+        down,
+        exponents,
+    }) = unit(symbol)
+    else {
+        return Err(UnitError::UnknownUnit {
+            symbol: symbol.to_owned(),
+            suggestion: suggestion(symbol),
+        });
     };
-    Ok(Expression { up, down, exponents, hertz: symbol.ends_with("Hz") })
+    Ok(Expression {
+        up,
+        down,
+        exponents,
+        hertz: symbol.ends_with("Hz"),
+    })
 }
 
 fn exponent(written: &str) -> Result<i32, UnitError> {
     match written.parse() {
         Ok(power @ -9..=9) => Ok(power),
-        _ => Err(UnitError::Power { exponent: written.to_owned() }),
+        _ => Err(UnitError::Power {
+            exponent: written.to_owned(),
+        }),
     }
 }

@@ -109,15 +109,17 @@ impl<'a> Names<'a> {
         if self.points.is_empty() {
             return "the file has no [[point]]; a spring joins points and the carrier".to_owned();
         }
-        let names = || self.points.iter().map(String::as_str);
-        let listed: Vec<&str> = names().take(MOST_LISTED).chain([CARRIER]).collect();
-        let more = if self.points.len() > MOST_LISTED {
-            ", …"
-        } else {
-            ""
+        let names = || {
+            [CARRIER]
+                .into_iter()
+                .chain(self.points.iter().map(String::as_str))
         };
-        let list = format!("there are {}{more}", listed.join(", "));
-        match nearest(name, names().chain([CARRIER])) {
+        let mut listed: Vec<&str> = names().take(MOST_LISTED).collect();
+        if self.points.len() >= MOST_LISTED {
+            listed.push("…");
+        }
+        let list = format!("there are {}", listed.join(", "));
+        match nearest(name, names()) {
             Some(known) => format!("did you mean {known:?}? {list}"),
             None => list,
         }

@@ -78,7 +78,6 @@ impl From<ErrorKind> for FileProblem {
     fn from(kind: ErrorKind) -> Self {
         match kind {
             ErrorKind::NotFound => Self::Missing,
-            ErrorKind::IsADirectory => Self::Folder,
             kind => Self::Refused { kind },
         }
     }

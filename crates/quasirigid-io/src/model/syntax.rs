@@ -8,9 +8,6 @@ use super::diagnostic::Problems;
 /// Most parts of a dotted key. The format has keys of two parts; the parser would follow millions, one call deeper
 /// for each.
 const LONGEST_KEY: usize = 16;
-/// Longest start of a line that is searched for a mistake.
-const LONGEST_LINE: usize = 200;
-
 /// The tree of tables in a TOML text, if the text is TOML.
 pub(super) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable<'a>> {
     if let Some(span) = overlong_key(text) {
@@ -45,8 +42,7 @@ fn diagnostic(text: &str, error: &Error) -> Diagnostic {
 fn unquoted(text: &str, span: Range<usize>) -> Option<&str> {
     let at = text.floor_char_boundary(span.start);
     let start = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
-    let end = text.floor_char_boundary(start.saturating_add(LONGEST_LINE));
-    let line = text[start..end].lines().next()?;
+    let line = text[start..].lines().next()?;
     let (_, value) = line.split_once('=')?;
     let value = value.split('#').next()?.trim();
     let number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));

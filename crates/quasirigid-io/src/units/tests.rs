@@ -16,6 +16,9 @@ fn units_have_their_defined_values() {
         ("22 in", Dimension::LENGTH, 0.5588),
         ("3 ft", Dimension::LENGTH, 0.9144),
         ("1 mi", Dimension::LENGTH, 1609.344),
+        ("3 um", Dimension::LENGTH, 3e-6),
+        ("3 µm", Dimension::LENGTH, 3e-6), // the micro sign
+        ("3 μm", Dimension::LENGTH, 3e-6), // the Greek letter
         ("2 AU", Dimension::LENGTH, 299_195_741_400.0),
         ("12 lb", Dimension::MASS, 12.0 * 0.453_592_37),
         ("8 oz", Dimension::MASS, 0.5 * 0.453_592_37),

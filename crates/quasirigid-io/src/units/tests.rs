@@ -107,6 +107,8 @@ fn another_dimension_is_refused() {
 #[test]
 fn hertz_is_refused_only_for_an_angular_velocity() {
     insta::assert_snapshot!(refusal("3 Hz", Dimension::ANGULAR_VELOCITY), @r#""3 Hz" may mean turns or radians per second; write rev/s or rad/s"#);
+    assert!(quantity("3 rad Hz", Dimension::ANGULAR_VELOCITY).is_err());
+    assert!(quantity("3 Hz rad", Dimension::ANGULAR_VELOCITY).is_err());
     insta::assert_snapshot!(refusal("3 kHz", Dimension::ANGULAR_VELOCITY), @r#""3 kHz" may mean turns or radians per second; write rev/s or rad/s"#);
     assert_eq!(quantity("3 kg Hz", Dimension::DAMPING), Ok(3.0));
 }

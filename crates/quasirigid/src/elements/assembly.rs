@@ -1,5 +1,11 @@
-use super::{Carrier, Hinged, Point, Spring};
-use crate::model::Support;
+use nalgebra::{Matrix3, Vector3};
+
+use super::affine::{Field as Shape, Piece};
+use super::error::{ElementError, Field, Place, Problem};
+use super::{Carrier, Hinged, Point, Spring, coefficient};
+use crate::math::sparse::SparseRows;
+use crate::math::sym::Sym;
+use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
 
 /// A body as the user describes it: a carrier with points, springs and hinged appendages on it.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,4 +20,218 @@ pub struct Assembly {
     pub hinged: Vec<Hinged>,
     /// How the body is held.
     pub support: Support,
+}
+
+/// A rigid piece placed on the body, with the coordinates that move it.
+pub(super) struct Mover {
+    /// Mass and moments about the base.
+    pub piece: Piece,
+    /// Where the base is (m), in the file's frame.
+    pub base: Vector3<f64>,
+    /// One shape per coordinate, outermost first.
+    pub shapes: Vec<Shape>,
+    /// Curvature of the path of each pair of coordinates, `G_jk`.
+    pub curvature: Vec<Vec<Shape>>,
+    /// Name and unit of each coordinate.
+    pub coordinates: Vec<Coordinate>,
+    /// Place watched on the piece: its name, and where it is from the base.
+    pub marker: (String, Vector3<f64>),
+}
+
+/// Part of a symmetric matrix over some coordinates.
+pub(super) struct Block {
+    pub columns: Vec<usize>,
+    pub stiffness: Vec<Vec<f64>>,
+    pub damping: Vec<Vec<f64>>,
+}
+
+impl Assembly {
+    /// Everything wrong with the elements, one by one; what only the whole body can show is left to [`Self::body`].
+    #[must_use]
+    pub fn check(&self) -> Vec<ElementError> {
+        let carrier = self.carrier.piece().err().into_iter().collect::<Vec<_>>();
+        let points = self.points.iter().enumerate().filter_map(|(i, point)| point.mover(i).err());
+        let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
+        let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
+        let starts = vec![0; self.points.len()];
+        let springs =
+            (0..self.springs.len()).filter_map(|i| self.springs[i].block(i, &self.points, &starts).err());
+        let support = self.fixed_point().err();
+        carrier
+            .into_iter()
+            .chain(points)
+            .chain(hinged)
+            .chain(hinges)
+            .chain(springs)
+            .chain(support)
+            .chain(self.same_names())
+            .collect()
+    }
+
+    /// The flexible body.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first element that no body can have, and for a mechanism.
+    pub fn body(&self) -> Result<FlexibleBody, ElementError> {
+        if let Some(error) = self.same_names().into_iter().next() {
+            return Err(error);
+        }
+        let carrier = self.carrier.piece()?;
+        let movers = self.movers()?;
+        let (mass, center_of_mass) = mass_center(&carrier, self.carrier.position(), &movers);
+        let pole = self.fixed_point()?.unwrap_or(center_of_mass);
+        let invariants = invariants(&carrier, self.carrier.position() - pole, &movers, pole, mass);
+        self.has_inertia(&invariants)?;
+        let (stiffness, damping) = self.matrices(&movers)?;
+        FlexibleBody::new(Parts {
+            support: self.support,
+            pole: pole.into(),
+            center_of_mass: center_of_mass.into(),
+            invariants,
+            damping,
+            stiffness,
+            coordinates: movers.iter().flat_map(|mover| mover.coordinates.clone()).collect(),
+            markers: markers(&movers, pole),
+        })
+        .map_err(|error| self.blame(error))
+    }
+
+    fn movers(&self) -> Result<Vec<Mover>, ElementError> {
+        let points = self.points.iter().enumerate().map(|(i, point)| point.mover(i));
+        let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| hinged.mover(i));
+        points.chain(hinged).collect()
+    }
+
+    fn fixed_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
+        let Support::FixedPoint { point } = self.support else {
+            return Ok(None);
+        };
+        coefficient::finite(&point).map_err(at(Place::Support, Field::FixedPoint))?;
+        Ok(Some(point.into()))
+    }
+
+    fn same_names(&self) -> Vec<ElementError> {
+        let points = self.points.iter().enumerate().map(|(i, point)| (Place::Point(i), &point.name));
+        let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| (Place::Hinged(i), &hinged.name));
+        let mut seen = std::collections::HashSet::new();
+        let repeated = points.chain(hinged).filter(|(_, name)| !seen.insert(name.as_str()));
+        repeated
+            .map(|(place, name)| at(place, Field::Name)(Problem::DuplicateName { name: name.clone() }))
+            .collect()
+    }
+
+    fn has_inertia(&self, invariants: &Invariants) -> Result<(), ElementError> {
+        let [xx, yy, zz, yz, zx, xy] = invariants.J;
+        let mut moments: [f64; 3] =
+            Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigenvalues().into();
+        moments.sort_by(f64::total_cmp);
+        if moments[0] > f64::EPSILON.sqrt() * moments[2] {
+            return Ok(());
+        }
+        let problem = Problem::NoInertia { moments, support: self.support };
+        Err(at(Place::Carrier, Field::Inertia)(problem))
+    }
+
+    /// Stiffness and damping matrices (I9), coordinates numbered points first.
+    fn matrices(&self, movers: &[Mover]) -> Result<(SparseRows<f64>, SparseRows<f64>), ElementError> {
+        let starts: Vec<usize> = movers
+            .iter()
+            .scan(0, |next, mover| Some(std::mem::replace(next, *next + mover.shapes.len())))
+            .collect();
+        let size = movers.iter().map(|mover| mover.shapes.len()).sum();
+        let springs =
+            self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &self.points, &starts));
+        let hinges = self.hinged.iter().enumerate().zip(&starts[self.points.len()..]);
+        let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
+        let (mut stiffness, mut damping) = (Vec::new(), Vec::new());
+        for block in springs.chain(hinges) {
+            let block = block?;
+            for (row, j) in block.columns.iter().enumerate() {
+                for (column, k) in block.columns.iter().enumerate() {
+                    stiffness.push((*j, *k, block.stiffness[row][column]));
+                    damping.push((*j, *k, block.damping[row][column]));
+                }
+            }
+        }
+        Ok((SparseRows::sum(size, stiffness), SparseRows::sum(size, damping)))
+    }
+
+    /// Lays a mechanism at the door of the first element it moves.
+    fn blame(&self, error: FlexibleError) -> ElementError {
+        let FlexibleError::Mechanism { coordinates } = error;
+        let moves = |name: &str| coordinates.starts_with(&format!("\"{name}\""));
+        let place = self
+            .points
+            .iter()
+            .position(|point| moves(&point.name))
+            .map(Place::Point)
+            .or_else(|| self.hinged.iter().position(|hinged| moves(&hinged.name)).map(Place::Hinged))
+            .unwrap_or(Place::Carrier);
+        at(place, Field::Stiffness)(Problem::Mechanism { coordinates })
+    }
+}
+
+/// Makes an [`ElementError`] of a problem with a value of an element.
+pub(super) fn at(place: Place, field: Field) -> impl Fn(Problem) -> ElementError {
+    move |problem| ElementError { place, field, problem }
+}
+
+fn mass_center(carrier: &Piece, position: Vector3<f64>, movers: &[Mover]) -> (f64, Vector3<f64>) {
+    let mut mass = carrier.mass;
+    let mut first = carrier.mass * position;
+    for mover in movers {
+        mass += mover.piece.mass;
+        first += mover.piece.mass * mover.base + mover.piece.first;
+    }
+    (mass, first / mass)
+}
+
+/// Inertia invariants about the pole (I1)–(I6).
+fn invariants(
+    carrier: &Piece,
+    center: Vector3<f64>,
+    movers: &[Mover],
+    pole: Vector3<f64>,
+    mass: f64,
+) -> Invariants {
+    let rho = Shape::position(center);
+    let mut J = half(carrier.inertia(&rho, &rho));
+    let (mut S, mut h, mut J1, mut pairs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for Mover { piece, base, shapes, curvature, .. } in movers {
+        let rho = Shape::position(base - pole);
+        let start = S.len();
+        for (sum, part) in J.iter_mut().zip(half(piece.inertia(&rho, &rho))) {
+            *sum += part;
+        }
+        for (j, H_j) in shapes.iter().enumerate() {
+            S.push(piece.sum(H_j));
+            h.push(piece.cross(&rho, H_j));
+            J1.push(piece.inertia(&rho, H_j));
+            for (k, H_k) in shapes.iter().enumerate() {
+                pairs.push((start + j, start + k, piece.pair(&rho, H_j, H_k, &curvature[j][k])));
+            }
+        }
+    }
+    let pairs: SparseRows<Pair> = SparseRows::sum(S.len(), pairs);
+    Invariants { mass, J, S, h, J1, pairs }
+}
+
+fn half(matrix: Sym) -> Sym {
+    matrix.map(|entry| 0.5 * entry)
+}
+
+fn markers(movers: &[Mover], pole: Vector3<f64>) -> Vec<Marker> {
+    let mut start = 0;
+    let mut markers = Vec::with_capacity(movers.len());
+    for mover in movers {
+        let (name, s) = &mover.marker;
+        let shapes = mover.shapes.iter().enumerate();
+        markers.push(Marker {
+            name: name.clone(),
+            position: (mover.base + s - pole).into(),
+            shapes: shapes.map(|(j, H)| (start + j, (H.constant + H.linear * s).into())).collect(),
+        });
+        start += mover.shapes.len();
+    }
+    markers
 }

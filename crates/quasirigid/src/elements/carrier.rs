@@ -1,3 +1,11 @@
+use nalgebra::Vector3;
+
+use super::affine::Piece;
+use super::assembly::at;
+use super::coefficient;
+use super::error::{ElementError, Field, Place};
+use crate::model::Inertia;
+
 /// The rigid body `G` that carries everything else (paper, §1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carrier {
@@ -7,4 +15,18 @@ pub struct Carrier {
     pub center_of_mass: [f64; 3],
     /// Inertia tensor (kg·m²) about the carrier's own centre of mass, in the file's axes.
     pub inertia: [[f64; 3]; 3],
+}
+
+impl Carrier {
+    pub(super) fn piece(&self) -> Result<Piece, ElementError> {
+        coefficient::mass(self.mass).map_err(at(Place::Carrier, Field::Mass))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(Place::Carrier, Field::CenterOfMass))?;
+        let inertia =
+            Inertia::new(self.inertia).map_err(|error| at(Place::Carrier, Field::Inertia)(error.into()))?;
+        Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
+    }
+
+    pub(super) fn position(&self) -> Vector3<f64> {
+        self.center_of_mass.into()
+    }
 }

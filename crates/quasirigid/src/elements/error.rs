@@ -118,7 +118,9 @@ pub enum Problem {
     #[error("a direction of zero length")]
     ZeroDirection,
     /// A matrix is not symmetric.
-    #[error("the matrix is not symmetric: entries [{row}][{column}] = {upper} and [{column}][{row}] = {lower} differ")]
+    #[error(
+        "the matrix is not symmetric: entries [{row}][{column}] = {upper} and [{column}][{row}] = {lower} differ"
+    )]
     NotSymmetric {
         /// Row of the first entry, from 0.
         row: usize,

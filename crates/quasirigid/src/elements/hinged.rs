@@ -1,3 +1,11 @@
+use nalgebra::{Matrix3, Vector3};
+
+use super::affine::{Field as Shape, Piece};
+use super::assembly::{Block, Mover, at};
+use super::coefficient;
+use super::error::{ElementError, Field, Place, Problem};
+use crate::model::{Coordinate, Inertia};
+
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
 ///
 /// The axes turn one inside the other like gimbals: the first is fixed in the carrier, the second is carried by
@@ -30,4 +38,85 @@ pub enum HingeCoefficient {
     PerAxis(Vec<f64>),
     /// Full symmetric matrix, one row per axis.
     Full(Vec<Vec<f64>>),
+}
+
+/// Axes are independent if the sine of the angle between them, or their triple product, is above this.
+const INDEPENDENT: f64 = 1e-6;
+/// An axis moves mass if the moment of inertia about it is above this share of the appendage's largest.
+const MASSIVE: f64 = 1e-12;
+
+impl Hinged {
+    pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
+        let place = Place::Hinged(index);
+        coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CenterOfMass))?;
+        coefficient::finite(&self.hinge).map_err(at(place, Field::Hinge))?;
+        let inertia = Inertia::new(self.inertia).map_err(|error| at(place, Field::Inertia)(error.into()))?;
+        let axes = self.unit_axes().map_err(at(place, Field::Axes))?;
+        let hinge = Vector3::from(self.hinge);
+        let center = Vector3::from(self.center_of_mass) - hinge;
+        let piece = Piece::rigid(self.mass, center, &inertia);
+        let shapes: Vec<_> = axes.iter().map(|a| Shape::linear(a.cross_matrix())).collect();
+        moves_mass(&piece, &shapes).map_err(at(place, Field::Axes))?;
+        Ok(Mover {
+            piece,
+            base: hinge,
+            shapes,
+            curvature: curvature(&axes),
+            coordinates: (1..=axes.len())
+                .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
+                .collect(),
+            marker: (self.name.clone(), farthest(&piece, center)),
+        })
+    }
+
+    pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {
+        let place = Place::Hinged(index);
+        let count = self.axes.len();
+        let stiffness =
+            coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::Stiffness))?;
+        let damping = coefficient::hinge_matrix(&self.damping, count).map_err(at(place, Field::Damping))?;
+        let rows = |matrix: nalgebra::DMatrix<f64>| {
+            matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+        };
+        Ok(Block {
+            columns: (start..start + count).collect(),
+            stiffness: rows(stiffness),
+            damping: rows(damping),
+        })
+    }
+
+    fn unit_axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {
+        let axes = self.axes.iter().map(|axis| coefficient::unit(*axis)).collect::<Result<Vec<_>, _>>()?;
+        let independence = match axes.as_slice() {
+            [_] => 1.0,
+            [a, b] => a.cross(b).norm(),
+            [a, b, c] => a.cross(b).dot(c).abs(),
+            _ => return Err(Problem::AxisCount { count: axes.len() }),
+        };
+        if independence > INDEPENDENT { Ok(axes) } else { Err(Problem::DependentAxes) }
+    }
+}
+
+/// Curvature of the paths: `G_jk s = a_j × (a_k × s)` for `j ≤ k`, outer axis first, symmetric. (I8)
+fn curvature(axes: &[Vector3<f64>]) -> Vec<Vec<Shape>> {
+    let turn = |j: usize, k: usize| -> Matrix3<f64> { axes[j].cross_matrix() * axes[k].cross_matrix() };
+    (0..axes.len())
+        .map(|j| (0..axes.len()).map(|k| Shape::linear(turn(j.min(k), j.max(k)))).collect())
+        .collect()
+}
+
+fn moves_mass(piece: &Piece, shapes: &[Shape]) -> Result<(), Problem> {
+    let largest = piece.second.trace();
+    let still = shapes.iter().position(|H| !(piece.dot(H, H) > MASSIVE * largest));
+    still.map_or(Ok(()), |axis| Err(Problem::MasslessAxis { axis: axis + 1 }))
+}
+
+/// Where the appendage moves most: one radius of gyration from the hinge along the line most of its mass lies on.
+fn farthest(piece: &Piece, center: Vector3<f64>) -> Vector3<f64> {
+    let eigen = piece.second.symmetric_eigen();
+    let longest = eigen.eigenvalues.imax();
+    let gyration = (eigen.eigenvalues[longest].max(0.0) / piece.mass).sqrt();
+    let line = eigen.eigenvectors.column(longest);
+    gyration * line * line.dot(&center).signum()
 }

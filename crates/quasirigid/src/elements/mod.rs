@@ -1,7 +1,9 @@
 //! The parts a body is made of, and their assembly into a flexible body.
 
+mod affine;
 mod assembly;
 mod carrier;
+mod coefficient;
 mod error;
 mod hinged;
 mod point;

@@ -1,3 +1,11 @@
+use nalgebra::Vector3;
+
+use super::affine::{Field as Shape, Piece};
+use super::assembly::{Mover, at};
+use super::coefficient;
+use super::error::{ElementError, Field, Place, Problem};
+use crate::model::Coordinate;
+
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -20,4 +28,45 @@ pub enum Motion {
     Line([f64; 3]),
     /// In a plane with this normal (any length but zero): two coordinates.
     Plane([f64; 3]),
+}
+
+impl Point {
+    /// Unit vectors along which the point moves, with the name of each.
+    pub(super) fn directions(&self) -> Result<Vec<(Vector3<f64>, &'static str)>, Problem> {
+        Ok(match self.motion {
+            Motion::Free => vec![(Vector3::x(), "x"), (Vector3::y(), "y"), (Vector3::z(), "z")],
+            Motion::Line(direction) => vec![(coefficient::unit(direction)?, "along its line")],
+            Motion::Plane(normal) => {
+                let normal = coefficient::unit(normal)?;
+                let first = least_axis(normal).cross(&normal).normalize();
+                vec![(first, "in its plane, first"), (normal.cross(&first), "in its plane, second")]
+            }
+        })
+    }
+
+    pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
+        let place = Place::Point(index);
+        coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
+        coefficient::finite(&self.position).map_err(at(place, Field::Position))?;
+        let directions = self.directions().map_err(at(place, Field::Motion))?;
+        let still = vec![Shape::constant(Vector3::zeros()); directions.len()];
+        Ok(Mover {
+            piece: Piece::point(self.mass),
+            base: self.position.into(),
+            shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
+            curvature: vec![still; directions.len()],
+            coordinates: directions
+                .iter()
+                .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })
+                .collect(),
+            marker: (self.name.clone(), Vector3::zeros()),
+        })
+    }
+}
+
+/// The axis of the frame that is farthest from a direction.
+fn least_axis(direction: Vector3<f64>) -> Vector3<f64> {
+    let mut axis = Vector3::zeros();
+    axis[direction.iamin()] = 1.0;
+    axis
 }

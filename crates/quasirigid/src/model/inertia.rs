@@ -18,7 +18,9 @@ pub enum InertiaError {
         value: f64,
     },
     /// The matrix is not symmetric.
-    #[error("the inertia tensor is not symmetric: two entries that should be equal differ by {asymmetry:e} kg m^2")]
+    #[error(
+        "the inertia tensor is not symmetric: two entries that should be equal differ by {asymmetry:e} kg m^2"
+    )]
     NotSymmetric {
         /// Largest difference between an entry and its mirror image (kg·m²).
         asymmetry: f64,
@@ -90,9 +92,5 @@ impl Inertia {
     /// Second moments `∫ s sᵀ dm = ½ tr(J) 1 − J` (kg·m²) about the same point.
     pub(crate) fn second_moments(&self) -> Matrix3<f64> {
         0.5 * self.0.trace() * Matrix3::identity() - self.0
-    }
-
-    pub(crate) fn matrix(&self) -> Matrix3<f64> {
-        self.0
     }
 }

@@ -1,7 +1,17 @@
 //! What a body *is*.
 
+mod equations;
+mod flexible;
 mod inertia;
+mod invariants;
+mod principal;
+mod reduced;
 mod support;
 
+pub use equations::Motion;
+pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Marker, Parts};
 pub use inertia::{Inertia, InertiaError};
+pub use invariants::{Invariants, Pair};
+pub use principal::{Polhode, Principal};
+pub use reduced::ReducedBody;
 pub use support::Support;

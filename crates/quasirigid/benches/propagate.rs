@@ -1,0 +1,96 @@
+//! Speed of the reduced equations: one right-hand side, and a propagation at a known error.
+#![allow(non_snake_case, missing_docs)]
+
+use std::hint::black_box;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use quasirigid::dynamics::{Form, Options, spin_path};
+use quasirigid::math::polynomial::{Kernel, Series};
+use quasirigid::math::simd::{Arithmetic, Task, dispatch};
+use quasirigid::math::sym::cross;
+use quasirigid::problems::QuarticQuintic;
+
+fn main() {
+    let problem = QuarticQuintic::published();
+    for tolerance in TOLERANCES {
+        let (error, steps) = error(&problem, tolerance);
+        println!("tolerance {tolerance:7.0e}: error {error:.1e} after 1000 s, {steps} steps");
+    }
+    divan::main();
+}
+
+const TOLERANCES: [f64; 6] = [1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14];
+const EVALUATIONS: usize = 100_000;
+
+/// Largest error of the spin over the reference times.
+fn error(problem: &QuarticQuintic, tolerance: f64) -> (f64, u64) {
+    let times: Vec<f64> = problem.reference.iter().map(|(t, _)| *t).collect();
+    let options = Options { form: Form::Paper, tolerance, ..Options::default() };
+    let path = spin_path(&problem.body, problem.omega, &times, options).expect("a published problem runs");
+    let errors = path
+        .omega
+        .iter()
+        .zip(&problem.reference)
+        .flat_map(|(found, (_, expected))| (0..3).map(move |axis| (found[axis] - expected[axis]).abs()));
+    (errors.fold(0.0, f64::max), path.work.steps)
+}
+
+/// Items are seconds of motion.
+#[divan::bench(args = TOLERANCES)]
+fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
+    let problem = QuarticQuintic::published();
+    let options = Options { form: Form::Paper, tolerance, ..Options::default() };
+    bencher
+        .counter(ItemsCount::new(1000_usize))
+        .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], options));
+}
+
+/// Many right-hand sides, each waiting for the one before.
+struct Chain<'a> {
+    kernel: &'a Kernel,
+    momentum: bool,
+}
+
+impl Task for Chain<'_> {
+    type Output = [f64; 3];
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> [f64; 3] {
+        let mut x = black_box([0.3, 1.5, 0.2]);
+        for _ in 0..EVALUATIONS {
+            let [a, b, c, _] = self.kernel.value::<A>(x);
+            let rate = if self.momentum { cross(x, [a, b, c]) } else { [a, b, c] };
+            x = std::array::from_fn(|i| x[i] + 1e-9 * rate[i]);
+        }
+        x
+    }
+}
+
+fn dense(degrees: &[usize]) -> Kernel {
+    let mut map = Series::zero(degrees[degrees.len() - 1], 3);
+    for &degree in degrees {
+        let mut part = map.part(degree).clone();
+        part.coefficients_mut().iter_mut().enumerate().for_each(|(i, c)| *c = 1e-3 * (i as f64).sin());
+        map.set(part);
+    }
+    Kernel::new(&map)
+}
+
+/// Items are right-hand sides `f₂ + f₄ + f₅`.
+#[divan::bench]
+fn right_hand_side_of_the_papers_form(bencher: Bencher) {
+    let kernel = dense(&[2, 4, 5]);
+    bencher
+        .counter(ItemsCount::new(EVALUATIONS))
+        .bench(|| dispatch(Chain { kernel: &kernel, momentum: false }));
+}
+
+/// Items are right-hand sides `K × (Ω₁ + Ω₃ + Ω₄)`.
+#[divan::bench]
+fn right_hand_side_of_the_momentum_form(bencher: Bencher) {
+    let kernel = dense(&[1, 3, 4]);
+    bencher
+        .counter(ItemsCount::new(EVALUATIONS))
+        .bench(|| dispatch(Chain { kernel: &kernel, momentum: true }));
+}

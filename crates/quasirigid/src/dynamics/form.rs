@@ -1,0 +1,165 @@
+//! The two forms of the reduced equations, compiled for integration.
+
+use crate::math::polynomial::{Homogeneous, Kernel, Series};
+use crate::math::simd::Arithmetic;
+use crate::math::sym::{self, Sym, cross, dot};
+use crate::model::ReducedBody;
+
+/// Which variable the reduced equations are integrated in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// The momentum in body axes, `K̇ = K × Ω(K)`: `|K|` is exact. (P1)
+    #[default]
+    Momentum,
+    /// The spin, `J ω̇ + ω × Jω = μ(ω)`, as in the paper. (P2)
+    Paper,
+}
+
+/// A form of the reduced equations: how its state `x` moves, and what it means.
+pub(super) trait Equations {
+    /// Rate of the state.
+    fn rate<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
+
+    /// Spin (rad/s).
+    fn omega<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
+
+    /// Rate of the form's energy along its own field (W). (P4)
+    fn energy_rate<A: Arithmetic>(&self, x: [f64; 3]) -> f64;
+
+    /// Energy (J).
+    fn energy(&self, x: [f64; 3]) -> f64;
+
+    /// Momentum (N·m·s, body axes).
+    fn momentum(&self, x: [f64; 3]) -> [f64; 3];
+}
+
+/// `K̇ = K × Ω(K)`. (P1)
+#[derive(Clone, Debug)]
+pub(super) struct MomentumForm {
+    Omega: Kernel,
+    gradient: Kernel,
+    /// `Ω − ∇E`: the part of the spin that changes the energy, kept apart so that no digits cancel.
+    working: Kernel,
+    energy: Series,
+}
+
+impl MomentumForm {
+    pub fn new(body: &ReducedBody) -> Self {
+        let gradient = gradient(&body.energy_of_momentum);
+        let mut working = body.Omega.clone();
+        for degree in 0..=working.degree() {
+            let mut part = working.part(degree).clone();
+            part.add_scaled(-1.0, gradient.part(degree));
+            working.set(if degree == 1 { Homogeneous::zero(1, 3) } else { part });
+        }
+        Self {
+            Omega: Kernel::new(&body.Omega),
+            gradient: Kernel::new(&gradient),
+            working: Kernel::new(&working),
+            energy: body.energy_of_momentum.clone(),
+        }
+    }
+}
+
+impl Equations for MomentumForm {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
+        cross(K, self.omega::<A>(K))
+    }
+
+    #[inline(always)]
+    fn omega<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
+        vector(self.Omega.value::<A>(K))
+    }
+
+    #[inline(always)]
+    fn energy_rate<A: Arithmetic>(&self, K: [f64; 3]) -> f64 {
+        let working = vector(self.working.value::<A>(K));
+        dot(vector(self.gradient.value::<A>(K)), cross(K, working))
+    }
+
+    fn energy(&self, K: [f64; 3]) -> f64 {
+        self.energy.scalar(K)
+    }
+
+    fn momentum(&self, K: [f64; 3]) -> [f64; 3] {
+        K
+    }
+}
+
+/// `J ω̇ + ω × Jω = μ(ω)`. (P2)
+#[derive(Clone, Debug)]
+pub(super) struct PaperForm {
+    J: Sym,
+    inverse: Sym,
+    mu: Kernel,
+    /// `∇E − Jω`.
+    gradient: Kernel,
+    energy: Series,
+    momentum: Series,
+}
+
+impl PaperForm {
+    pub fn new(body: &ReducedBody) -> Self {
+        let mut mu = Series::zero(body.f.degree(), 3);
+        for degree in 3..=body.f.degree() {
+            mu.set(body.mu(degree));
+        }
+        let mut gradient = gradient(&body.energy);
+        gradient.set(Homogeneous::zero(1, 3));
+        Self {
+            J: body.J,
+            inverse: sym::inverse(body.J),
+            mu: Kernel::new(&mu),
+            gradient: Kernel::new(&gradient),
+            energy: body.energy.clone(),
+            momentum: body.K.clone(),
+        }
+    }
+}
+
+impl Equations for PaperForm {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
+        let mu = vector(self.mu.value::<A>(omega));
+        let gyroscopic = cross(sym::times(self.J, omega), omega);
+        sym::times(self.inverse, sym::add(gyroscopic, mu))
+    }
+
+    #[inline(always)]
+    fn omega<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
+        omega
+    }
+
+    #[inline(always)]
+    fn energy_rate<A: Arithmetic>(&self, omega: [f64; 3]) -> f64 {
+        let mu = vector(self.mu.value::<A>(omega));
+        dot(omega, mu) + dot(vector(self.gradient.value::<A>(omega)), self.rate::<A>(omega))
+    }
+
+    fn energy(&self, omega: [f64; 3]) -> f64 {
+        self.energy.scalar(omega)
+    }
+
+    fn momentum(&self, omega: [f64; 3]) -> [f64; 3] {
+        self.momentum.vector(omega)
+    }
+}
+
+/// Gradient of a map of one row.
+fn gradient(map: &Series) -> Series {
+    let mut gradient = Series::zero(map.degree() - 1, 3);
+    for degree in 1..=map.degree() {
+        let mut part = Homogeneous::zero(degree - 1, 3);
+        for axis in 0..3 {
+            part.add_row(axis, 1.0, (&map.part(degree).partial(axis), 0));
+        }
+        gradient.set(part);
+    }
+    gradient
+}
+
+#[inline(always)]
+pub(super) fn vector([x, y, z, _]: [f64; 4]) -> [f64; 3] {
+    [x, y, z]
+}

@@ -1,0 +1,69 @@
+//! The systems that are integrated: the spin alone, or the spin with attitude and energy accounts.
+
+use super::form::{Equations, vector};
+use crate::math::ode::System;
+use crate::math::polynomial::Kernel;
+use crate::math::rotation;
+use crate::math::simd::Arithmetic;
+use crate::math::sym::norm;
+
+/// Spin alone; the fourth component is idle and fills a vector register.
+pub(super) struct SpinOnly<'a, E>(pub &'a E);
+
+impl<E: Equations> System<4> for SpinOnly<'_, E> {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+        let [x, y, z] = self.0.rate::<A>(vector(*y));
+        [x, y, z, 0.0]
+    }
+}
+
+/// Spin with attitude and accounts.
+pub(super) struct Accounted<'a, E> {
+    pub equations: &'a E,
+    /// Power taken by the dashpots, as a function of the spin.
+    pub power: &'a Kernel,
+}
+
+/// State of [`Accounted`], in its order.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Accounts {
+    /// Variable of the form.
+    pub x: [f64; 3],
+    /// Attitude, `R_NB`.
+    pub attitude: [f64; 4],
+    /// Energy taken by the dashpots, `∫P dt` (J).
+    pub dissipated: f64,
+    /// Change of energy along the field, `∫∇E·F dt` (J).
+    pub energy_change: f64,
+    /// Angle turned, `∫|ω| dt` (rad).
+    pub angle: f64,
+}
+
+impl Accounts {
+    pub fn pack(self) -> [f64; 12] {
+        let [x, y, z] = self.x;
+        let [s, i, j, k] = self.attitude;
+        [x, y, z, 0.0, s, i, j, k, self.dissipated, self.energy_change, self.angle, 0.0]
+    }
+
+    pub fn unpack([x, y, z, _, s, i, j, k, dissipated, energy_change, angle, _]: [f64; 12]) -> Self {
+        Self { x: [x, y, z], attitude: [s, i, j, k], dissipated, energy_change, angle }
+    }
+}
+
+impl<E: Equations> System<12> for Accounted<'_, E> {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 12]) -> [f64; 12] {
+        let Accounts { x, attitude, .. } = Accounts::unpack(*y);
+        let omega = self.equations.omega::<A>(x);
+        let rate = Accounts {
+            x: self.equations.rate::<A>(x),
+            attitude: rotation::rate(attitude, omega),
+            dissipated: self.power.value::<A>(omega)[0],
+            energy_change: self.equations.energy_rate::<A>(x),
+            angle: norm(omega),
+        };
+        rate.pack()
+    }
+}

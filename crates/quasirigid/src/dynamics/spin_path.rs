@@ -1,0 +1,78 @@
+use std::ops::ControlFlow;
+
+use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
+use super::propagate::{Options, PropagateError, check};
+use super::spin::SpinOnly;
+use super::start::start;
+use crate::math::ode::{Dop853, Ending, Watcher, Work, integrate};
+use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
+use crate::math::sym::norm;
+use crate::model::ReducedBody;
+
+/// Spin (rad/s, body axes) at the times asked for, without attitude and accounts: the fast road for ensembles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpinPath {
+    /// One spin per time reached.
+    pub omega: Vec<[f64; 3]>,
+    /// Why the path ends.
+    pub outcome: Ending,
+    /// Work done.
+    pub work: Work,
+}
+
+/// Follows the spin of a reduced body from `t = 0` to the last of the times (s). (P1), (P2)
+///
+/// # Errors
+/// [`PropagateError`], as for [`propagate`](super::propagate).
+pub fn spin_path(
+    body: &ReducedBody,
+    omega: [f64; 3],
+    times: &[f64],
+    options: Options,
+) -> Result<SpinPath, PropagateError> {
+    check(omega, times, options)?;
+    let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
+    Ok(match options.form {
+        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, times, options }),
+        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, times, options }),
+    })
+}
+
+struct Path<'a, E> {
+    equations: &'a E,
+    x: [f64; 3],
+    times: &'a [f64],
+    options: Options,
+}
+
+impl<E: Equations> Task for Path<'_, E> {
+    type Output = SpinPath;
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> SpinPath {
+        let Self { equations, x: [x, y, z], times, options } = self;
+        let system = SpinOnly(equations);
+        let error = options.tolerance * norm(self.x);
+        let allowed = [error, error, error, f64::INFINITY];
+        let mut solver = Dop853::new::<A>(&system, 0.0, [x, y, z, 0.0], allowed);
+        let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };
+        let outcome = integrate::<A, 4>(&mut solver, &system, times, options.most_steps, &mut collector);
+        SpinPath { omega: collector.omega, outcome, work: solver.work() }
+    }
+}
+
+struct Collector<'a, E> {
+    equations: &'a E,
+    omega: Vec<[f64; 3]>,
+}
+
+impl<E: Equations> Watcher<4> for Collector<'_, E> {
+    fn output(&mut self, _: f64, y: [f64; 4]) {
+        self.omega.push(self.equations.omega::<Plain>(vector(y)));
+    }
+
+    #[inline(always)]
+    fn stepped(&mut self, _: &mut Dop853<4>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}

@@ -1,0 +1,39 @@
+use nalgebra::{Matrix3, Vector3};
+
+use super::form::Form;
+use crate::math::polynomial::{Jet, Series};
+use crate::math::sym::norm;
+use crate::model::ReducedBody;
+
+/// Newton steps allowed; the series is a small change of a linear map, so a handful do.
+const NEWTON_STEPS: usize = 30;
+
+/// The state of a form whose spin is exactly `omega`: the spin itself, or the momentum that solves `Ω(K) = ω`.
+pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[f64; 3]> {
+    if form == Form::Paper {
+        return Some(omega);
+    }
+    let mut K = body.momentum(omega);
+    let mut best = f64::INFINITY;
+    for _ in 0..NEWTON_STEPS {
+        let Omega = body.Omega.vector(K);
+        let gap: [f64; 3] = std::array::from_fn(|i| omega[i] - Omega[i]);
+        if norm(gap) >= 0.5 * best {
+            break;
+        }
+        best = norm(gap);
+        let step = jacobian(&body.Omega, K).lu().solve(&Vector3::from(gap))?;
+        K = std::array::from_fn(|i| K[i] + step[i]);
+    }
+    (best < 1e-12 * norm(omega) && K.iter().all(|K| K.is_finite())).then_some(K)
+}
+
+/// Jacobian of a map of three rows.
+pub(super) fn jacobian(map: &Series, x: [f64; 3]) -> Matrix3<f64> {
+    let column = |axis: usize| {
+        let direction =
+            std::array::from_fn(|i| Jet { value: x[i], first: f64::from(u8::from(i == axis)), second: 0.0 });
+        Vector3::from(map.vector(direction).map(|row| row.first))
+    };
+    Matrix3::from_columns(&[column(0), column(1), column(2)])
+}

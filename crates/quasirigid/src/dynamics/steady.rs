@@ -1,0 +1,88 @@
+use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
+
+use super::start::jacobian;
+use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sym::{dot, norm};
+use crate::model::{Principal, ReducedBody};
+
+/// Steady spin near a principal axis, and what becomes of a small nutation about it. (P5)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadySpin {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Growth rate of the nutation angle (1/s): positive if the spin leaves this axis.
+    pub growth: f64,
+    /// Frequency of the nutation in the body frame (rad/s); zero if it does not oscillate.
+    pub frequency: f64,
+}
+
+const NEWTON_STEPS: usize = 30;
+
+/// Steady spins of a reduced body with the momentum `|K|` (N·m·s), one near each principal axis, in the order of
+/// ascending moments. None where the axis is not determined, as across the axis of a body of revolution.
+#[must_use]
+pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3] {
+    let principal = Principal::of(body.J);
+    principal.axes.map(|axis| {
+        let K = steady_momentum(&body.Omega, axis, momentum)?;
+        Some(nutation(&body.Omega, K))
+    })
+}
+
+/// Solves `Ω(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
+fn steady_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64>> {
+    let mut K = G * Vector3::from(axis);
+    let spin = Vector3::from(Omega.vector(K.into()));
+    let mut rate = spin.dot(&K) / (G * G);
+    let scale = spin.norm();
+    for _ in 0..NEWTON_STEPS {
+        let gap = Vector3::from(Omega.vector(K.into())) - rate * K;
+        let length = 0.5 * (G * G - K.norm_squared());
+        if gap.norm() < 1e-14 * scale && length.abs() < 1e-14 * G * G {
+            return Some(K);
+        }
+        let mut system = Matrix4::zeros();
+        let slope = jacobian(Omega, K.into()) - rate * Matrix3::identity();
+        system.fixed_view_mut::<3, 3>(0, 0).copy_from(&slope);
+        system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-K);
+        system.fixed_view_mut::<1, 3>(3, 0).copy_from(&K.transpose());
+        let right = Vector4::new(-gap[0], -gap[1], -gap[2], length);
+        let step = system.lu().solve(&right)?;
+        K += step.fixed_rows::<3>(0);
+        rate += step[3];
+        if !(K - G * Vector3::from(axis)).norm().is_finite() || K.dot(&Vector3::from(axis)) < 0.5 * G {
+            return None;
+        }
+    }
+    let gap = Vector3::from(Omega.vector(K.into())) - rate * K;
+    (gap.norm() < 1e-11 * scale).then_some(K)
+}
+
+/// Growth and frequency of a small nutation about a steady spin.
+fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
+    let G = K.norm();
+    let omega = Omega.vector(K.into());
+    let rate = dot(omega, K.into()) / (G * G);
+    let (first, second) = across(K / G);
+    let mut deviation = Omega.clone();
+    deviation.set(Homogeneous::zero(1, 3));
+    let linear = jacobian(&Omega.truncated(1), K.into()) - rate * Matrix3::identity();
+    let bent = jacobian(&deviation, K.into());
+    let M = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(linear * b)) + a.dot(&(bent * b));
+    let determinant = M(&first, &first) * M(&second, &second) - M(&first, &second) * M(&second, &first);
+    // The linear map is symmetric: its part of the difference is left out, since only its rounding would remain.
+    let damping = 0.5 * G * (first.dot(&(bent * second)) - second.dot(&(bent * first)));
+    let square = damping * damping - G * G * determinant;
+    let (growth, frequency) =
+        if square < 0.0 { (damping, (-square).sqrt()) } else { (damping + square.sqrt(), 0.0) };
+    SteadySpin { omega, growth, frequency }
+}
+
+/// Two unit vectors that with a third make a right-handed frame: `e₁ × e₂ = e`.
+fn across(e: Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    let mut helper = [0.0; 3];
+    helper[e.iamin()] = 1.0;
+    let first = Vector3::from(helper).cross(&e).normalize();
+    debug_assert!(norm(first.into()) > 0.0);
+    (first, e.cross(&first))
+}

@@ -1,0 +1,100 @@
+//! A rigid piece of mass whose displacement is an affine function of place: every invariant of it in closed form. (I7)
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::math::sym::Sym;
+use crate::model::{Inertia, Pair};
+
+/// A rigid piece: its mass, first and second moments about a base point of its own.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    /// Mass `m` (kg).
+    pub mass: f64,
+    /// `d = ∫ s dm` (kg·m), `s` from the base.
+    pub first: Vector3<f64>,
+    /// `P = ∫ s sᵀ dm` (kg·m²).
+    pub second: Matrix3<f64>,
+}
+
+/// A vector field `constant + linear · s` on a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Field {
+    pub constant: Vector3<f64>,
+    pub linear: Matrix3<f64>,
+}
+
+impl Piece {
+    /// All mass at the base.
+    pub fn point(mass: f64) -> Self {
+        Self { mass, first: Vector3::zeros(), second: Matrix3::zeros() }
+    }
+
+    /// A rigid body with this inertia about its centre of mass, which is at `center` from the base.
+    pub fn rigid(mass: f64, center: Vector3<f64>, inertia: &Inertia) -> Self {
+        let second = inertia.second_moments() + mass * center * center.transpose();
+        Self { mass, first: mass * center, second }
+    }
+
+    /// `∫ u dm`.
+    pub fn sum(&self, u: &Field) -> [f64; 3] {
+        (self.mass * u.constant + u.linear * self.first).into()
+    }
+
+    /// `∫ u × v dm`.
+    pub fn cross(&self, u: &Field, v: &Field) -> [f64; 3] {
+        let W = self.moment(u, v);
+        [W[(1, 2)] - W[(2, 1)], W[(2, 0)] - W[(0, 2)], W[(0, 1)] - W[(1, 0)]]
+    }
+
+    /// `∫ u · v dm`.
+    pub fn dot(&self, u: &Field, v: &Field) -> f64 {
+        self.moment(u, v).trace()
+    }
+
+    /// `∫ [2(u·v) 1 − u vᵀ − v uᵀ] dm`.
+    pub fn inertia(&self, u: &Field, v: &Field) -> Sym {
+        let W = self.moment(u, v);
+        let form = 2.0 * W.trace() * Matrix3::identity() - W - W.transpose();
+        [form[(0, 0)], form[(1, 1)], form[(2, 2)], form[(1, 2)], form[(2, 0)], form[(0, 1)]]
+    }
+
+    /// Invariants of the pair of coordinates with shapes `H_j`, `H_k` and path curvature `G_jk`, for a piece whose
+    /// equilibrium position is the field `rho`. (I4)–(I6)
+    pub fn pair(&self, rho: &Field, H_j: &Field, H_k: &Field, G_jk: &Field) -> Pair {
+        let stretched = self.inertia(H_j, H_k);
+        let curved = self.inertia(rho, G_jk);
+        let coriolis = self.cross(H_j, H_k);
+        let turned = self.cross(rho, G_jk);
+        Pair {
+            A: self.dot(H_j, H_k),
+            J2: std::array::from_fn(|i| 0.5 * (stretched[i] + curved[i])),
+            Z: std::array::from_fn(|i| coriolis[i] + turned[i]),
+            S2: self.sum(G_jk),
+        }
+    }
+
+    /// `∫ u vᵀ dm`.
+    fn moment(&self, u: &Field, v: &Field) -> Matrix3<f64> {
+        self.mass * u.constant * v.constant.transpose()
+            + u.constant * (v.linear * self.first).transpose()
+            + (u.linear * self.first) * v.constant.transpose()
+            + u.linear * self.second * v.linear.transpose()
+    }
+}
+
+impl Field {
+    /// The same vector everywhere.
+    pub fn constant(vector: Vector3<f64>) -> Self {
+        Self { constant: vector, linear: Matrix3::zeros() }
+    }
+
+    /// Position, for a piece whose base is at `base`.
+    pub fn position(base: Vector3<f64>) -> Self {
+        Self { constant: base, linear: Matrix3::identity() }
+    }
+
+    /// A linear function of `s`.
+    pub fn linear(linear: Matrix3<f64>) -> Self {
+        Self { constant: Vector3::zeros(), linear }
+    }
+}

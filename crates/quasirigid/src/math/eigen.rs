@@ -1,0 +1,139 @@
+//! Eigenvalues of dense matrices; the only file that names the dense library.
+
+use faer::{Mat, Side};
+use thiserror::Error;
+
+/// The iteration of an eigenvalue solver did not converge.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error(
+    "the eigenvalues of a {size} x {size} matrix did not converge; look for entries of very different size in the model"
+)]
+pub struct NoConvergence {
+    /// Size of the matrix.
+    pub size: usize,
+}
+
+/// Square matrix of numbers, by rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dense {
+    size: usize,
+    entries: Vec<f64>,
+}
+
+impl Dense {
+    /// Zero.
+    #[must_use]
+    pub fn zero(size: usize) -> Self {
+        Self { size, entries: vec![0.0; size * size] }
+    }
+
+    /// Number of rows and columns.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// An entry.
+    #[must_use]
+    pub fn at(&self, row: usize, column: usize) -> f64 {
+        self.entries[row * self.size + column]
+    }
+
+    /// Adds to an entry.
+    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+        self.entries[row * self.size + column] += value;
+    }
+
+    fn mat(&self) -> Mat<f64> {
+        Mat::from_fn(self.size, self.size, |row, column| self.at(row, column))
+    }
+}
+
+/// Vibration modes of `C x = Ω² A x`: frequencies ascending, and modes with unit modal mass, one per column.
+#[derive(Clone, Debug)]
+pub struct Modes {
+    /// Frequencies `Ω`, ascending.
+    pub frequencies: Vec<f64>,
+    /// Modes, one per column; `xᵀ A x = 1`.
+    pub shapes: Dense,
+}
+
+/// Solves `C x = Ω² A x` for symmetric positive definite `C` and positive semi-definite `A`. (V2)
+///
+/// Works with `1/Ω²`, so the lowest frequencies, which decide how far the theory holds, are the most accurate. A
+/// coordinate without mass has an infinite frequency.
+///
+/// # Errors
+/// [`NoConvergence`] if the solver fails or `C` is not positive definite.
+pub fn modes(A: &Dense, C: &Dense) -> Result<Modes, NoConvergence> {
+    let size = A.size();
+    let failed = NoConvergence { size };
+    if size == 0 {
+        return Ok(Modes { frequencies: Vec::new(), shapes: Dense::zero(0) });
+    }
+    let scale: Vec<f64> = (0..size).map(|i| C.at(i, i).sqrt().recip()).collect();
+    let scaled = |matrix: &Dense| Mat::from_fn(size, size, |i, j| matrix.at(i, j) * scale[i] * scale[j]);
+    let factor = scaled(C).llt(Side::Lower).map_err(|_| failed)?;
+    let L = factor.L();
+    let mut inner = scaled(A);
+    L.solve_lower_triangular_in_place(inner.as_mut());
+    inner = inner.transpose().to_owned();
+    L.solve_lower_triangular_in_place(inner.as_mut());
+    let eigen = inner.self_adjoint_eigen(Side::Lower).map_err(|_| failed)?;
+    let mut vectors = eigen.U().to_owned();
+    L.transpose().solve_upper_triangular_in_place(vectors.as_mut());
+    let mut modes = Modes { frequencies: Vec::with_capacity(size), shapes: Dense::zero(size) };
+    for (column, from) in (0..size).rev().enumerate() {
+        let frequency = eigen.S()[from].max(0.0).sqrt().recip();
+        modes.frequencies.push(frequency);
+        for row in 0..size {
+            modes.shapes.add(row, column, vectors[(row, from)] * scale[row] * frequency);
+        }
+    }
+    Ok(modes)
+}
+
+/// Eigenvalues of a square matrix as pairs (real part, imaginary part), in no particular order.
+///
+/// # Errors
+/// [`NoConvergence`] if the solver fails.
+pub fn eigenvalues(matrix: &Dense) -> Result<Vec<[f64; 2]>, NoConvergence> {
+    if matrix.size() == 0 {
+        return Ok(Vec::new());
+    }
+    let values = matrix.mat().eigenvalues().map_err(|_| NoConvergence { size: matrix.size() })?;
+    Ok(values.iter().map(|value| [value.re, value.im]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_masses_on_a_line_have_their_textbook_modes() {
+        let (mut A, mut C) = (Dense::zero(2), Dense::zero(2));
+        for (i, j, a, c) in [(0, 0, 2.0, 6.0), (1, 1, 2.0, 6.0), (0, 1, 0.0, -4.0), (1, 0, 0.0, -4.0)] {
+            A.add(i, j, a);
+            C.add(i, j, c);
+        }
+        let modes = modes(&A, &C).unwrap();
+        assert!((modes.frequencies[0] - 1.0).abs() < 1e-14);
+        assert!((modes.frequencies[1] - 5.0_f64.sqrt()).abs() < 1e-14);
+        let (x, y) = (modes.shapes.at(0, 0), modes.shapes.at(1, 0));
+        assert!((x - y).abs() < 1e-14 && (2.0 * (x * x + y * y) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_damped_oscillator_has_a_conjugate_pair() {
+        let mut matrix = Dense::zero(2);
+        matrix.add(0, 1, 1.0);
+        matrix.add(1, 0, -1.0);
+        matrix.add(1, 1, -0.2);
+        let values = eigenvalues(&matrix).unwrap();
+        assert!(
+            values
+                .iter()
+                .all(|[re, im]| (re + 0.1).abs() < 1e-14 && (im.abs() - 0.99_f64.sqrt()).abs() < 1e-14)
+        );
+    }
+}

@@ -1,0 +1,11 @@
+//! Mathematics that knows no physics.
+
+pub mod cholesky;
+pub mod eigen;
+pub mod elliptic;
+pub mod ode;
+pub mod polynomial;
+pub mod rotation;
+pub mod simd;
+pub mod sparse;
+pub mod sym;

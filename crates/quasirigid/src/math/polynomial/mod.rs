@@ -1,0 +1,12 @@
+//! Polynomial maps of three variables, graded by degree.
+
+mod homogeneous;
+mod kernel;
+pub mod monomial;
+mod scalar;
+mod series;
+
+pub use homogeneous::Homogeneous;
+pub use kernel::Kernel;
+pub use scalar::{Jet, Scalar};
+pub use series::Series;

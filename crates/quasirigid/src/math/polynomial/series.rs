@@ -1,0 +1,133 @@
+use super::{Homogeneous, Scalar};
+
+/// A polynomial map of three variables, kept degree by degree; degrees above the last are zero or unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    rows: usize,
+    parts: Vec<Homogeneous>,
+}
+
+impl Series {
+    /// Zero with parts of the degrees `0..=degree`.
+    #[must_use]
+    pub fn zero(degree: usize, rows: usize) -> Self {
+        Self { rows, parts: (0..=degree).map(|d| Homogeneous::zero(d, rows)).collect() }
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Highest degree kept.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.parts.len() - 1
+    }
+
+    /// The part of one degree.
+    ///
+    /// # Panics
+    /// If `degree` is above [`Self::degree`].
+    #[must_use]
+    pub fn part(&self, degree: usize) -> &Homogeneous {
+        &self.parts[degree]
+    }
+
+    /// Sets the part of one degree.
+    pub fn set(&mut self, part: Homogeneous) {
+        debug_assert_eq!(part.rows(), self.rows);
+        let degree = part.degree();
+        self.parts[degree] = part;
+    }
+
+    /// The same map without the parts above a degree.
+    #[must_use]
+    pub fn truncated(&self, degree: usize) -> Self {
+        Self { rows: self.rows, parts: self.parts.iter().take(degree + 1).cloned().collect() }
+    }
+
+    /// Value at a point.
+    #[must_use]
+    pub fn value<T: Scalar>(&self, x: [T; 3]) -> Vec<T> {
+        let mut value = vec![T::from(0.0); self.rows];
+        for part in &self.parts {
+            part.add_value(x, &mut value);
+        }
+        value
+    }
+
+    /// Value at a point of a map with three rows.
+    #[must_use]
+    pub fn vector<T: Scalar>(&self, x: [T; 3]) -> [T; 3] {
+        let mut value = [T::from(0.0); 3];
+        for part in &self.parts {
+            part.add_value(x, &mut value);
+        }
+        value
+    }
+
+    /// Value at a point of a map with one row.
+    #[must_use]
+    pub fn scalar<T: Scalar>(&self, x: [T; 3]) -> T {
+        let mut value = [T::from(0.0)];
+        for part in &self.parts {
+            part.add_value(x, &mut value);
+        }
+        value[0]
+    }
+
+    /// The part of one degree of the derivative along a field, as far as the known parts give it:
+    /// `Σ ∇self_a · field_b` over `a + b = degree + 1`. (R3)
+    #[must_use]
+    pub fn rate(&self, field: &Self, degree: usize) -> Homogeneous {
+        let mut rate = Homogeneous::zero(degree, self.rows);
+        for (a, b) in pairs(1, self.degree(), degree + 1, field.degree()) {
+            if b > 0 && self.part(a).amax() > 0.0 && field.part(b).amax() > 0.0 {
+                rate.add_scaled(1.0, &self.part(a).along(field.part(b)));
+            }
+        }
+        rate
+    }
+
+    /// The part of one degree of the cross product with another map.
+    #[must_use]
+    pub fn cross(&self, other: &Self, degree: usize) -> Homogeneous {
+        let mut sum = Homogeneous::zero(degree, 3);
+        for (a, b) in pairs(0, self.degree(), degree, other.degree()) {
+            sum.add_scaled(1.0, &self.part(a).cross(other.part(b)));
+        }
+        sum
+    }
+
+    /// The part of one degree of the product of a row with a row of another map, as a map of one row.
+    #[must_use]
+    pub fn row_product(&self, row: usize, other: &Self, other_row: usize, degree: usize) -> Homogeneous {
+        let mut sum = Homogeneous::zero(degree, 1);
+        for (a, b) in pairs(0, self.degree(), degree, other.degree()) {
+            sum.add_product(0, 1.0, (self.part(a), row), (other.part(b), other_row));
+        }
+        sum
+    }
+
+    /// The part of one degree of the scalar product with another map.
+    #[must_use]
+    pub fn dot(&self, other: &Self, degree: usize) -> Homogeneous {
+        let mut sum = Homogeneous::zero(degree, 1);
+        for (a, b) in pairs(0, self.degree(), degree, other.degree()) {
+            sum.add_scaled(1.0, &self.part(a).dot(other.part(b)));
+        }
+        sum
+    }
+}
+
+/// Pairs of degrees `(a, b)` with `a + b = sum`, `lowest ≤ a ≤ highest_a` and `b ≤ highest_b`.
+fn pairs(
+    lowest: usize,
+    highest_a: usize,
+    sum: usize,
+    highest_b: usize,
+) -> impl Iterator<Item = (usize, usize)> {
+    (lowest..=highest_a.min(sum)).map(move |a| (a, sum - a)).filter(move |(_, b)| *b <= highest_b)
+}

@@ -1,0 +1,83 @@
+//! Attitude quaternions, scalar first: `R_NB` takes body components of a vector to inertial ones. The only place
+//! where the convention stands.
+
+use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
+
+/// Unit quaternion, scalar first.
+pub type Attitude = [f64; 4];
+
+/// Body and inertial axes coincide.
+pub const ALIGNED: Attitude = [1.0, 0.0, 0.0, 0.0];
+
+/// Inertial components of a vector given in body components.
+#[must_use]
+pub fn to_inertial(attitude: Attitude, vector: [f64; 3]) -> [f64; 3] {
+    unit(attitude).transform_vector(&Vector3::from(vector)).into()
+}
+
+/// Rate of the attitude at a spin in body axes, `½ q ⊗ (0, ω)`. (P3)
+#[inline(always)]
+#[must_use]
+pub fn rate([s, x, y, z]: Attitude, [wx, wy, wz]: [f64; 3]) -> Attitude {
+    [
+        -0.5 * (x * wx + y * wy + z * wz),
+        0.5 * (s * wx + y * wz - z * wy),
+        0.5 * (s * wy + z * wx - x * wz),
+        0.5 * (s * wz + x * wy - y * wx),
+    ]
+}
+
+/// The attitude turned as little as possible so that `body` has the inertial direction of `inertial`, which it must
+/// nearly have already. (P3)
+#[must_use]
+pub fn aligned(attitude: Attitude, body: [f64; 3], inertial: [f64; 3]) -> Attitude {
+    let attitude = unit(attitude);
+    let now = attitude.transform_vector(&Vector3::from(body)).normalize();
+    let then = Vector3::from(inertial).normalize();
+    let turn = Unit::new_normalize(Quaternion::from_parts(1.0 + now.dot(&then), now.cross(&then)));
+    let q = turn * attitude;
+    [q.w, q.i, q.j, q.k]
+}
+
+/// The attitude reached from `attitude` by a rotation vector in inertial axes (rad).
+#[must_use]
+pub fn turned(attitude: Attitude, rotation: [f64; 3]) -> Attitude {
+    let q = UnitQuaternion::from_scaled_axis(Vector3::from(rotation)) * unit(attitude);
+    [q.w, q.i, q.j, q.k]
+}
+
+/// Angle (rad) between two directions, without loss of digits near 0 and π.
+#[must_use]
+pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let (a, b) = (Vector3::from(a), Vector3::from(b));
+    a.cross(&b).norm().atan2(a.dot(&b))
+}
+
+fn unit([s, x, y, z]: Attitude) -> UnitQuaternion<f64> {
+    Unit::new_normalize(Quaternion::new(s, x, y, z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rate_is_the_derivative_of_a_turn() {
+        let start = turned(ALIGNED, [0.3, -0.7, 0.2]);
+        let omega = [0.4, 1.1, -0.6];
+        let h = 1e-5;
+        let turn = to_inertial(start, omega).map(|w| w * h);
+        let (ahead, behind) = (turned(start, turn), turned(start, turn.map(|w| -w)));
+        let expected = rate(start, omega);
+        for i in 0..4 {
+            assert!(((ahead[i] - behind[i]) / (2.0 * h) - expected[i]).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn alignment_moves_one_direction_onto_another() {
+        let attitude = turned(ALIGNED, [0.3, -0.7, 0.2]);
+        let aligned = aligned(attitude, [1.0, 2.0, 3.0], [-1.0, 2.5, 1.0]);
+        assert!(angle(to_inertial(aligned, [1.0, 2.0, 3.0]), [-1.0, 2.5, 1.0]) < 1e-15);
+    }
+}

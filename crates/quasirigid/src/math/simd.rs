@@ -1,0 +1,64 @@
+//! Choice of the processor's fastest arithmetic at run time.
+//!
+//! A task is compiled twice: for any x86-64 (or other) processor, and for those with fused multiply-add on four numbers
+//! at once. The two round differently in the last bit; one machine always takes the same one.
+
+/// How `a·b + c` is computed.
+pub trait Arithmetic: Copy + Default {
+    /// `a·b + c`.
+    fn mul_add(a: f64, b: f64, c: f64) -> f64;
+}
+
+/// Two roundings.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Plain;
+
+/// One rounding, in one instruction.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Fused;
+
+impl Arithmetic for Plain {
+    #[inline(always)]
+    fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+        a * b + c
+    }
+}
+
+impl Arithmetic for Fused {
+    #[inline(always)]
+    fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+}
+
+/// Work that gains from the processor's vector arithmetic.
+pub trait Task {
+    /// What the work gives.
+    type Output;
+
+    /// Does the work; mark it `#[inline(always)]`, so that it is compiled for the arithmetic chosen.
+    fn run<A: Arithmetic>(self) -> Self::Output;
+}
+
+/// Runs a task with the fastest arithmetic this processor has.
+pub fn dispatch<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has the features that the function is compiled for.
+        return unsafe { fused(task) };
+    }
+    task.run::<Plain>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn fused<T: Task>(task: T) -> T::Output {
+    task.run::<Fused>()
+}
+
+/// `a·b + c`, component by component.
+#[inline(always)]
+#[must_use]
+pub fn scaled_sum<A: Arithmetic, const N: usize>(a: [f64; N], b: f64, c: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| A::mul_add(a[i], b, c[i]))
+}

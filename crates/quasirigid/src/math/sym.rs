@@ -1,0 +1,61 @@
+//! Symmetric 3×3 matrices as their six entries xx, yy, zz, yz, zx, xy.
+
+use super::polynomial::Scalar;
+
+/// Entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
+pub type Sym = [f64; 6];
+
+/// Rows of the matrix.
+#[must_use]
+pub fn rows([xx, yy, zz, yz, zx, xy]: Sym) -> [[f64; 3]; 3] {
+    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]
+}
+
+/// Matrix times vector.
+#[inline(always)]
+#[must_use]
+pub fn times<T: Scalar>(matrix: Sym, x: [T; 3]) -> [T; 3] {
+    rows(matrix).map(|row| dot(row.map(T::from), x))
+}
+
+/// Scalar product.
+#[inline(always)]
+#[must_use]
+pub fn dot<T: Scalar>(a: [T; 3], b: [T; 3]) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Vector product.
+#[inline(always)]
+#[must_use]
+pub fn cross<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Sum of two vectors.
+#[inline(always)]
+#[must_use]
+pub fn add<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// Multiple of a vector.
+#[must_use]
+pub fn scale<T: Scalar>(factor: T, a: [T; 3]) -> [T; 3] {
+    a.map(|entry| factor * entry)
+}
+
+/// Length.
+#[must_use]
+pub fn norm(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Inverse of a symmetric positive definite matrix.
+#[must_use]
+pub fn inverse([xx, yy, zz, yz, zx, xy]: Sym) -> Sym {
+    let minors = [yy * zz - yz * yz, zz * xx - zx * zx, xx * yy - xy * xy];
+    let mixed = [zx * xy - yz * xx, xy * yz - zx * yy, yz * zx - xy * zz];
+    let determinant = xx * minors[0] + xy * mixed[2] + zx * mixed[1];
+    [minors[0], minors[1], minors[2], mixed[0], mixed[1], mixed[2]].map(|cofactor| cofactor / determinant)
+}

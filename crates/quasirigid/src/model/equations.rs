@@ -1,0 +1,104 @@
+//! The full equations (S2)–(S6) in numbers: momentum, generalised momentum, load and energy of any state.
+
+use super::FlexibleBody;
+use crate::math::polynomial::Scalar;
+use crate::math::sym::{add, cross, dot, scale, times};
+
+/// A state of the full system: spin (rad/s, body axes), internal coordinates and their rates.
+///
+/// The numbers may be truncated Taylor series in time, which gives the rates of everything below.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a, T> {
+    /// Spin `ω` (rad/s).
+    pub omega: [T; 3],
+    /// Internal coordinates `q`.
+    pub q: &'a [T],
+    /// Rates `q̇`.
+    pub rate: &'a [T],
+}
+
+impl FlexibleBody {
+    /// Angular momentum about the pole, body axes (N·m·s). (S2)
+    #[must_use]
+    pub fn momentum<T: Scalar>(&self, motion: Motion<T>) -> [T; 3] {
+        let Motion { omega, q, rate } = motion;
+        let invariants = self.invariants();
+        let mut K = times(invariants.J, omega);
+        for (j, (J1, h)) in invariants.J1.iter().zip(&invariants.h).enumerate() {
+            K = add(K, scale(q[j], times(*J1, omega)));
+            K = add(K, scale(rate[j], h.map(T::from)));
+        }
+        for (j, k, pair) in invariants.pairs.iter() {
+            K = add(K, scale(q[j] * q[k], times(pair.J2, omega)));
+            K = add(K, scale(q[j] * rate[k], pair.Z.map(T::from)));
+        }
+        if let Some(per_mass) = self.translation() {
+            let (s, u) = self.translation_of(motion);
+            K = add(K, scale(T::from(-per_mass), cross(s, u)));
+        }
+        K
+    }
+
+    /// Generalised momenta `∂L/∂q̇_j = A q̇ + h(q)·ω`. (S4)
+    #[must_use]
+    pub fn generalized_momentum<T: Scalar>(&self, motion: Motion<T>) -> Vec<T> {
+        let Motion { omega, q, rate } = motion;
+        let invariants = self.invariants();
+        let mut p: Vec<T> = invariants.h.iter().map(|h| dot(h.map(T::from), omega)).collect();
+        for (j, k, pair) in invariants.pairs.iter() {
+            p[j] = p[j] + T::from(pair.A) * rate[k];
+            p[k] = p[k] + q[j] * dot(pair.Z.map(T::from), omega);
+        }
+        if let Some(per_mass) = self.translation() {
+            let (_, u) = self.translation_of(motion);
+            for (p, S) in p.iter_mut().zip(&invariants.S) {
+                *p = *p - T::from(per_mass) * dot(S.map(T::from), u);
+            }
+        }
+        p
+    }
+
+    /// Loads `∂L/∂q_j + ∂U/∂q_j`: centrifugal and Coriolis forces on the coordinates, without spring and dashpot. (S4)
+    #[must_use]
+    pub fn load<T: Scalar>(&self, motion: Motion<T>) -> Vec<T> {
+        let Motion { omega, q, rate } = motion;
+        let invariants = self.invariants();
+        let half = T::from(0.5);
+        let mut Q: Vec<T> = invariants.J1.iter().map(|J1| half * dot(omega, times(*J1, omega))).collect();
+        for (j, k, pair) in invariants.pairs.iter() {
+            Q[j] = Q[j] + dot(omega, times(pair.J2, omega)) * q[k];
+            Q[j] = Q[j] + dot(omega, pair.Z.map(T::from)) * rate[k];
+        }
+        if let Some(per_mass) = self.translation() {
+            let (_, u) = self.translation_of(motion);
+            let turned = cross(u, omega);
+            for (Q, S) in Q.iter_mut().zip(&invariants.S) {
+                *Q = *Q - T::from(per_mass) * dot(S.map(T::from), turned);
+            }
+        }
+        Q
+    }
+
+    /// Energy of the whole system (J): kinetic and elastic. (S5)
+    #[must_use]
+    pub fn energy(&self, motion: Motion<f64>) -> f64 {
+        let Motion { omega, q, rate } = motion;
+        let K = self.momentum(motion);
+        let p = self.generalized_momentum(motion);
+        let kinetic = dot(omega, K) + p.iter().zip(rate).map(|(p, v)| p * v).sum::<f64>();
+        let elastic: f64 = self.stiffness().times(q).iter().zip(q).map(|(force, q)| force * q).sum();
+        0.5 * (kinetic + elastic)
+    }
+
+    /// First moment `s = Σ q_j S_j` of the displacement and its inertial rate `u = ṡ + ω × s`. (S6)
+    #[must_use]
+    fn translation_of<T: Scalar>(&self, Motion { omega, q, rate }: Motion<T>) -> ([T; 3], [T; 3]) {
+        let zero = [T::from(0.0); 3];
+        let (mut s, mut u) = (zero, zero);
+        for (j, S) in self.invariants().S.iter().enumerate() {
+            s = add(s, scale(q[j], S.map(T::from)));
+            u = add(u, scale(rate[j], S.map(T::from)));
+        }
+        (s, add(u, cross(omega, s)))
+    }
+}

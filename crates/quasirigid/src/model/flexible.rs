@@ -1,0 +1,205 @@
+use thiserror::Error;
+
+use super::{Invariants, Support};
+use crate::math::cholesky::Cholesky;
+use crate::math::eigen::Dense;
+use crate::math::sparse::SparseRows;
+use crate::math::sym;
+
+/// A body that bends and dissipates, as its dynamics sees it: the first waist of the program.
+///
+/// The body frame has the axes of the model file and its origin at the pole `O`. `n` internal coordinates `q` with
+/// mass, damping and stiffness matrices `A, B, C` (paper, (1.3)–(1.5)).
+#[derive(Clone, Debug)]
+pub struct FlexibleBody {
+    support: Support,
+    pole: [f64; 3],
+    center_of_mass: [f64; 3],
+    invariants: Invariants,
+    damping: SparseRows<f64>,
+    stiffness: SparseRows<f64>,
+    factor: Cholesky,
+    coordinates: Vec<Coordinate>,
+    markers: Vec<Marker>,
+}
+
+/// An internal coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coordinate {
+    /// What moves, in words: `tip x`, `boom hinge 1`.
+    pub name: String,
+    /// Unit of its value, `m` or `rad`.
+    pub unit: &'static str,
+}
+
+/// A place on the body whose displacement says whether the body stays nearly rigid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marker {
+    /// What it marks.
+    pub name: String,
+    /// Equilibrium position from the pole (m).
+    pub position: [f64; 3],
+    /// Coordinates that move it, with the displacement per unit `H_j` of each.
+    pub shapes: Vec<(usize, [f64; 3])>,
+}
+
+/// Matrices that do not belong to a body with an equilibrium.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FlexibleError {
+    /// Some motion of the coordinates meets no stiffness.
+    #[error("a mechanism: no spring resists the motion of {coordinates}")]
+    Mechanism {
+        /// The coordinates that move, by name.
+        coordinates: String,
+    },
+}
+
+/// The parts of a [`FlexibleBody`].
+#[derive(Clone, Debug)]
+pub struct Parts {
+    /// How the body is held.
+    pub support: Support,
+    /// Pole `O` (m), in the file's frame.
+    pub pole: [f64; 3],
+    /// Centre of mass of the frozen body (m), in the file's frame.
+    pub center_of_mass: [f64; 3],
+    /// Inertia invariants about the pole.
+    pub invariants: Invariants,
+    /// Damping matrix `B`.
+    pub damping: SparseRows<f64>,
+    /// Stiffness matrix `C`.
+    pub stiffness: SparseRows<f64>,
+    /// One per coordinate.
+    pub coordinates: Vec<Coordinate>,
+    /// Places whose displacement is watched.
+    pub markers: Vec<Marker>,
+}
+
+/// Components of a null direction below this share of the largest are not named.
+const NAMED: f64 = 0.1;
+/// Coordinates named in an error, at most.
+const MOST_NAMES: usize = 6;
+
+impl FlexibleBody {
+    /// Joins the parts of a body.
+    ///
+    /// # Errors
+    /// [`FlexibleError::Mechanism`] names the coordinates that no spring holds.
+    pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
+        let factor = Cholesky::new(&parts.stiffness)
+            .map_err(|singular| mechanism(&parts.coordinates, &singular.direction))?;
+        let Parts { support, pole, center_of_mass, invariants, damping, stiffness, coordinates, markers } =
+            parts;
+        Ok(Self {
+            support,
+            pole,
+            center_of_mass,
+            invariants,
+            damping,
+            stiffness,
+            factor,
+            coordinates,
+            markers,
+        })
+    }
+
+    /// How the body is held.
+    #[must_use]
+    pub fn support(&self) -> Support {
+        self.support
+    }
+
+    /// Pole `O` (m), in the file's frame.
+    #[must_use]
+    pub fn pole(&self) -> [f64; 3] {
+        self.pole
+    }
+
+    /// Centre of mass of the frozen body `S*` (m), in the file's frame.
+    #[must_use]
+    pub fn center_of_mass(&self) -> [f64; 3] {
+        self.center_of_mass
+    }
+
+    /// Inertia invariants about the pole.
+    #[must_use]
+    pub fn invariants(&self) -> &Invariants {
+        &self.invariants
+    }
+
+    /// Inertia tensor `J` of the frozen body about the pole (kg·m²).
+    #[must_use]
+    pub fn inertia(&self) -> [[f64; 3]; 3] {
+        sym::rows(self.invariants.J)
+    }
+
+    /// Damping matrix `B`, as the springs give it.
+    #[must_use]
+    pub fn damping(&self) -> &SparseRows<f64> {
+        &self.damping
+    }
+
+    /// Stiffness matrix `C`.
+    #[must_use]
+    pub fn stiffness(&self) -> &SparseRows<f64> {
+        &self.stiffness
+    }
+
+    /// Internal coordinates.
+    #[must_use]
+    pub fn coordinates(&self) -> &[Coordinate] {
+        &self.coordinates
+    }
+
+    /// Places whose displacement is watched.
+    #[must_use]
+    pub fn markers(&self) -> &[Marker] {
+        &self.markers
+    }
+
+    /// `1/m*` for a free body, whose translation is eliminated (S6); none where a point is fixed.
+    #[must_use]
+    pub fn translation(&self) -> Option<f64> {
+        match self.support {
+            Support::Free => Some(self.invariants.mass.recip()),
+            Support::FixedPoint { .. } => None,
+        }
+    }
+
+    /// Solves `C x = right` in place for right-hand sides stored coordinate by coordinate, `width` to a row.
+    pub fn solve_stiffness(&self, right: &mut [f64], width: usize) {
+        self.factor.solve(right, width);
+    }
+
+    /// Mass matrix `A` with the translation of a free body eliminated, `A − S Sᵀ/m*`. (S6)
+    #[must_use]
+    pub fn mass_matrix(&self) -> Dense {
+        let mut A = Dense::zero(self.coordinates.len());
+        for (row, column, pair) in self.invariants.pairs.iter() {
+            A.add(row, column, pair.A);
+        }
+        if let Some(per_mass) = self.translation() {
+            for (row, S_row) in self.invariants.S.iter().enumerate() {
+                for (column, S_column) in self.invariants.S.iter().enumerate() {
+                    A.add(row, column, -per_mass * sym::dot(*S_row, *S_column));
+                }
+            }
+        }
+        A
+    }
+}
+
+fn mechanism(coordinates: &[Coordinate], direction: &[f64]) -> FlexibleError {
+    let moving: Vec<_> = coordinates
+        .iter()
+        .zip(direction)
+        .filter(|(_, amount)| amount.abs() > NAMED)
+        .map(|(coordinate, _)| coordinate.name.as_str())
+        .collect();
+    let mut names = moving[..moving.len().min(MOST_NAMES)].join(", ");
+    if moving.len() > MOST_NAMES {
+        names.push_str(&format!(" and {} more", moving.len() - MOST_NAMES));
+    }
+    FlexibleError::Mechanism { coordinates: names }
+}

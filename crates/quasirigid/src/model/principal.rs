@@ -1,0 +1,103 @@
+use nalgebra::Matrix3;
+
+use crate::math::elliptic;
+use crate::math::sym::{self, Sym, dot};
+
+/// Principal moments and axes of an inertia tensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Principal {
+    /// Moments (kg·m²), ascending.
+    pub moments: [f64; 3],
+    /// Unit vectors of the axes in the order of the moments, right-handed; each axis has its largest component
+    /// positive, but for the last one.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// Periodic motion of the spin of the frozen body in the body frame. (V8)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polhode {
+    /// Frequency `Ω_p` (rad/s).
+    pub frequency: f64,
+    /// Nome: harmonic `n` of the loads is weaker by about its power `n/2`.
+    pub nome: f64,
+}
+
+impl Principal {
+    /// Principal axes of a tensor.
+    #[must_use]
+    pub fn of(J: Sym) -> Self {
+        let eigen = Matrix3::from(sym::rows(J)).symmetric_eigen();
+        let mut order = [0, 1, 2];
+        order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+        let axis = |i: usize| {
+            let column = eigen.eigenvectors.column(order[i]);
+            let sign = column[column.iamax()].signum();
+            [sign * column[0], sign * column[1], sign * column[2]]
+        };
+        let (first, second) = (axis(0), axis(1));
+        Self {
+            moments: order.map(|i| eigen.eigenvalues[i]),
+            axes: [first, second, sym::cross(first, second)],
+        }
+    }
+
+    /// Motion of the spin of the frozen body that starts with `omega` (rad/s); none if the spin does not move in the
+    /// body or takes for ever, as about a principal axis of a sphere and on the separatrix.
+    #[must_use]
+    pub fn polhode(&self, omega: [f64; 3]) -> Option<Polhode> {
+        let [I1, I2, I3] = self.moments;
+        let w: [f64; 3] = self.axes.map(|axis| dot(axis, omega).powi(2));
+        let above = I2 * (I2 - I1) * w[1] + I3 * (I3 - I1) * w[2]; // G² − 2E I₁
+        let below = I1 * (I3 - I1) * w[0] + I2 * (I3 - I2) * w[1]; // 2E I₃ − G²
+        let (short, long) = ((I3 - I2) * above, (I2 - I1) * below);
+        let (fast, slow) = (short.max(long), short.min(long));
+        let m = slow / fast;
+        let nu = (fast / (I1 * I2 * I3)).sqrt();
+        let frequency = std::f64::consts::PI * nu / (2.0 * elliptic::complete_first(m));
+        (frequency > 0.0).then(|| Polhode { frequency, nome: elliptic::nome(m) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_wobble_has_the_textbook_frequency() {
+        let [a, b, c] = [2.0, 3.0, 4.0];
+        let turned = Principal::of([a, b, c, 0.0, 0.0, 0.0]);
+        let polhode = turned.polhode([1e-6, 1e-6, 0.7]).unwrap();
+        let expected = 0.7 * ((c - a) * (c - b) / (a * b)).sqrt();
+        assert!((polhode.frequency / expected - 1.0).abs() < 1e-10);
+        assert!(polhode.nome < 1e-11);
+    }
+
+    #[test]
+    fn period_is_that_of_the_integrated_motion() {
+        let J = [2.0, 3.0, 4.0];
+        let euler = |w: [f64; 3]| {
+            [
+                (J[1] - J[2]) / J[0] * w[1] * w[2],
+                (J[2] - J[0]) / J[1] * w[2] * w[0],
+                (J[0] - J[1]) / J[2] * w[0] * w[1],
+            ]
+        };
+        for start in [[0.4, 0.0, 0.9], [0.9, 0.0, 0.4]] {
+            let polhode = Principal::of([2.0, 3.0, 4.0, 0.0, 0.0, 0.0]).polhode(start).unwrap();
+            let steps = 20_000;
+            let h = std::f64::consts::TAU / polhode.frequency / f64::from(steps);
+            let mut w = start;
+            for _ in 0..steps {
+                let add = |w: [f64; 3], k: [f64; 3], s: f64| -> [f64; 3] {
+                    std::array::from_fn(|i| w[i] + s * k[i])
+                };
+                let k1 = euler(w);
+                let k2 = euler(add(w, k1, h / 2.0));
+                let k3 = euler(add(w, k2, h / 2.0));
+                let k4 = euler(add(w, k3, h));
+                w = std::array::from_fn(|i| w[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+            }
+            assert!((0..3).all(|i| (w[i] - start[i]).abs() < 1e-11), "{w:?}");
+        }
+    }
+}

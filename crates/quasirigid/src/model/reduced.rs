@@ -1,0 +1,73 @@
+use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sym::{self, Sym};
+
+/// The reduced equations of a nearly rigid body to order `p`: the second waist of the program.
+///
+/// Polynomials in the spin `ω` (rad/s, body axes), kept degree by degree. Everything that uses the reduced equations
+/// takes this type and asks no more how it was made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReducedBody {
+    /// Order `p`: the motion over a fixed time is in error by `ε^{p+1}`.
+    pub order: usize,
+    /// Mass `m*` (kg).
+    pub mass: f64,
+    /// Inertia tensor `J` of the frozen body about the pole (kg·m²): xx, yy, zz, yz, zx, xy.
+    pub J: Sym,
+    /// Spin rate `ω̇ = f(ω)` (rad/s²), degrees 2 to `p + 2`. (R2)
+    pub f: Series,
+    /// Angular momentum `K(ω)` (N·m·s), degrees 1 to `p + 1`. (R5)
+    pub K: Series,
+    /// Spin `Ω(K)` (rad/s) as a polynomial in the momentum (N·m·s), degrees 1 to `p + 1`. (R11)
+    pub Omega: Series,
+    /// Energy (J), degrees 2 to `p + 2`. (R10)
+    pub energy: Series,
+    /// Energy (J) as a polynomial in the momentum (N·m·s), degrees 2 to `p + 2`. (R11)
+    pub energy_of_momentum: Series,
+    /// Power dissipated (W), a sum of squares, degrees 6 to `2p`; none below `p = 3`. (R9)
+    pub power: Series,
+    /// Force `φ` on the pole of a free body (N), degrees 4 to `p + 2`; zero where a point is fixed. (R8)
+    pub phi: Series,
+    /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`. (R4)
+    pub q: Series,
+    /// Their rates `q̇(ω)`, degrees 3 to `p + 1`. (R3)
+    pub rate: Series,
+}
+
+impl ReducedBody {
+    /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations. (R7)
+    ///
+    /// # Panics
+    /// If `degree` is above `p + 2`.
+    #[must_use]
+    pub fn mu(&self, degree: usize) -> Homogeneous {
+        self.f.part(degree).contracted(&sym::rows(self.J))
+    }
+
+    /// The whole deviation torque `μ(ω)` (N·m) at a spin (rad/s).
+    #[must_use]
+    pub fn torque(&self, omega: [f64; 3]) -> [f64; 3] {
+        let mut f = [0.0; 3];
+        for degree in 3..=self.f.degree() {
+            self.f.part(degree).add_value(omega, &mut f);
+        }
+        sym::times(self.J, f)
+    }
+
+    /// Angular momentum (N·m·s, body axes) on the slow manifold at a spin (rad/s).
+    #[must_use]
+    pub fn momentum(&self, omega: [f64; 3]) -> [f64; 3] {
+        self.K.vector(omega)
+    }
+
+    /// Energy (J) of the whole body on the slow manifold at a spin (rad/s).
+    #[must_use]
+    pub fn energy(&self, omega: [f64; 3]) -> f64 {
+        self.energy.scalar(omega)
+    }
+
+    /// Power (W) taken by the dashpots at a spin (rad/s); never negative.
+    #[must_use]
+    pub fn dissipated_power(&self, omega: [f64; 3]) -> f64 {
+        self.power.scalar(omega)
+    }
+}

@@ -1,0 +1,9 @@
+//! Problems with known answers, each with its source.
+
+mod axial_mass;
+mod explorer1;
+mod quartic_quintic;
+
+pub use axial_mass::AxialMass;
+pub use explorer1::Explorer1;
+pub use quartic_quintic::QuarticQuintic;

@@ -1,0 +1,101 @@
+//! Energy, dissipated power and force on the pole along the slow manifold.
+
+use super::manifold::Manifold;
+use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sym;
+use crate::model::FlexibleBody;
+
+/// Energy on the slow manifold, degrees 2 to `p + 2`. (R10)
+///
+/// Twice the kinetic energy is `ω·K + p·q̇`, with the momenta that belong to `ω` and `q̇`.
+pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+    let mut energy = Series::zero(order + 2, 1);
+    for degree in 2..=order + 2 {
+        let mut part = Homogeneous::identity().dot(manifold.K.part(degree - 1));
+        part.add_scaled(1.0, &internal(body, manifold, degree));
+        part.scale(0.5);
+        energy.set(part);
+    }
+    energy
+}
+
+/// `[q̇·(A q̇ + h(q)·ω) + q·C q]_d`.
+fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
+    let Manifold { q, rate, u, .. } = manifold;
+    let invariants = body.invariants();
+    let omega = Homogeneous::identity();
+    let mut sum = Homogeneous::zero(degree, 1);
+    let turning = rate.part(degree - 1).contracted(&invariants.h);
+    sum.add_scaled(1.0, &omega.dot(&turning));
+    for (j, k, pair) in invariants.pairs.iter() {
+        sum.add_scaled(pair.A, &rate.row_product(j, rate, k, degree));
+        let moving = q.row_product(j, rate, k, degree - 1);
+        sum.add_product(0, 1.0, (&Homogeneous::linear(&[pair.Z]), 0), (&moving, 0));
+    }
+    for (j, k, C) in body.stiffness().iter() {
+        sum.add_scaled(*C, &q.row_product(j, q, k, degree));
+    }
+    if let Some(per_mass) = body.translation() {
+        let mut moving = Series::zero(rate.degree(), 3);
+        for part in 0..=rate.degree() {
+            moving.set(rate.part(part).contracted(&invariants.S));
+        }
+        sum.add_scaled(-per_mass, &moving.dot(u, degree));
+    }
+    sum
+}
+
+/// Power `q̇ᵀB q̇` with `q̇` to degree `p`: a sum of squares, degrees 6 to `2p`. (R9)
+pub(super) fn power(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+    let rate = manifold.rate.truncated(order);
+    let mut power = Series::zero((2 * order).max(2), 1);
+    for degree in 6..=2 * order {
+        let mut part = Homogeneous::zero(degree, 1);
+        for (j, k, B) in body.damping().iter() {
+            part.add_scaled(*B, &rate.row_product(j, &rate, k, degree));
+        }
+        power.set(part);
+    }
+    power
+}
+
+/// Force `φ = −Σ mᵢ r̈ᵢ` on the pole of a free body, degrees 4 to `p + 2`. (R8)
+///
+/// The first moment of the displacement counts the curvature of the paths too, `S_j q_j + ½ Γ_jk q_j q_k`.
+pub(super) fn force(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+    let mut phi = Series::zero(order + 2, 3);
+    if body.translation().is_none() {
+        return phi;
+    }
+    let Manifold { q, f, .. } = manifold;
+    let omega = Homogeneous::identity();
+    let mut moment = Series::zero(order, 3);
+    for degree in 2..=order {
+        moment.set(first_moment(body, q, degree));
+    }
+    let mut velocity = Series::zero(order + 1, 3);
+    for degree in 2..=order + 1 {
+        let mut part = moment.rate(f, degree);
+        part.add_scaled(1.0, &omega.cross(moment.part(degree - 1)));
+        velocity.set(part);
+    }
+    for degree in 4..=order + 2 {
+        let mut part = velocity.rate(f, degree);
+        part.add_scaled(1.0, &omega.cross(velocity.part(degree - 1)));
+        part.scale(-1.0);
+        phi.set(part);
+    }
+    phi
+}
+
+fn first_moment(body: &FlexibleBody, q: &Series, degree: usize) -> Homogeneous {
+    let invariants = body.invariants();
+    let mut moment = q.part(degree).contracted(&invariants.S);
+    for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| sym::norm(pair.S2) > 0.0) {
+        let product = q.row_product(j, q, k, degree);
+        for (axis, curvature) in pair.S2.iter().enumerate() {
+            moment.add_row(axis, 0.5 * curvature, (&product, 0));
+        }
+    }
+    moment
+}

@@ -1,0 +1,172 @@
+use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sym::{self, Sym};
+use crate::model::FlexibleBody;
+
+/// The slow manifold: internal coordinates and spin rate as polynomials in the spin `ω`, degree by degree. (R1)
+#[derive(Clone, Debug)]
+pub(super) struct Manifold {
+    /// Internal coordinates `q`, to degree `p`.
+    pub q: Series,
+    /// Their rates `q̇`, to degree `p + 1`.
+    pub rate: Series,
+    /// Spin rate `ω̇ = f(ω)`, to degree `p + 2`.
+    pub f: Series,
+    /// Angular momentum `K(ω)`, to degree `p + 1`.
+    pub K: Series,
+    /// First moment `s` of the displacement and its inertial rate `u`, to degree `p + 1`. (S6)
+    pub s: Series,
+    pub u: Series,
+}
+
+/// The recursion (R2)–(R5) at work on a body.
+struct Recursion<'a> {
+    body: &'a FlexibleBody,
+    order: usize,
+    inverse_inertia: Sym,
+    manifold: Manifold,
+    /// Generalised momenta `A q̇ + h(q)·ω`, without the translation.
+    p: Series,
+}
+
+impl Manifold {
+    /// Follows the recursion to order `p`.
+    pub fn of(body: &FlexibleBody, order: usize) -> Self {
+        let n = body.coordinates().len();
+        let mut recursion = Recursion {
+            body,
+            order,
+            inverse_inertia: sym::inverse(body.invariants().J),
+            manifold: Self {
+                q: Series::zero(order, n),
+                rate: Series::zero(order + 1, n),
+                f: Series::zero(order + 2, 3),
+                K: Series::zero(order + 1, 3),
+                s: Series::zero(order, 3),
+                u: Series::zero(order + 1, 3),
+            },
+            p: Series::zero(order, n),
+        };
+        recursion.manifold.K.set(Homogeneous::linear(&body.inertia()));
+        if order > 0 {
+            recursion.p.set(Homogeneous::linear(&body.invariants().h));
+        }
+        for degree in 2..=order + 2 {
+            recursion.spin_rate(degree);
+            if degree <= order + 1 {
+                recursion.rates(degree);
+                recursion.coordinates(degree);
+                recursion.momentum(degree);
+            }
+        }
+        recursion.manifold
+    }
+}
+
+impl Recursion<'_> {
+    /// `J f_d = −[ω × K]_d − [d/dt (K − Jω)]_d`. (R2)
+    fn spin_rate(&mut self, degree: usize) {
+        let Manifold { f, K, .. } = &self.manifold;
+        let mut torque = Homogeneous::identity().cross(K.part(degree - 1));
+        let mut deviation = K.clone();
+        deviation.set(Homogeneous::zero(1, 3));
+        torque.add_scaled(1.0, &deviation.rate(f, degree));
+        self.manifold.f.set(mapped(self.inverse_inertia, -1.0, &torque));
+    }
+
+    /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, and what follows from it for the translation. (R3)
+    fn rates(&mut self, degree: usize) {
+        let Manifold { q, f, s, .. } = &self.manifold;
+        let rate = q.rate(f, degree);
+        let mut u = rate.contracted(&self.body.invariants().S);
+        u.add_scaled(1.0, &Homogeneous::identity().cross(s.part(degree - 1)));
+        self.manifold.rate.set(rate);
+        self.manifold.u.set(u);
+    }
+
+    /// `C q_d = [load]_d − [d/dt (A q̇ + h(q)·ω)]_d − B [q̇]_d`. (R4)
+    fn coordinates(&mut self, degree: usize) {
+        if degree > self.order {
+            return;
+        }
+        let mut right = self.load(degree);
+        right.add_scaled(-1.0, &self.p.rate(&self.manifold.f, degree));
+        let rate = self.manifold.rate.part(degree);
+        for (j, k, B) in self.body.damping().iter() {
+            right.add_row(j, -B, (rate, k));
+        }
+        self.body.solve_stiffness(right.coefficients_mut(), Homogeneous::width(degree));
+        self.manifold.s.set(right.contracted(&self.body.invariants().S));
+        self.manifold.q.set(right);
+        self.p.set(self.generalized_momentum(degree));
+    }
+
+    /// `[½ ωᵀJ_jω + ωᵀJ_jkω q_k + ω·Z_jk q̇_k]_d`, and `S_j·(u̇ + ω×u)/m*` for a free body. (R4), (S6)
+    fn load(&self, degree: usize) -> Homogeneous {
+        let Manifold { q, rate, f, u, .. } = &self.manifold;
+        let invariants = self.body.invariants();
+        if degree == 2 {
+            return Homogeneous::half_quadratic(&invariants.J1);
+        }
+        let mut load = Homogeneous::zero(degree, q.rows());
+        for (j, k, pair) in invariants.pairs.iter() {
+            let form = Homogeneous::half_quadratic(&[pair.J2.map(|entry| 2.0 * entry)]);
+            load.add_product(j, 1.0, (&form, 0), (q.part(degree - 2), k));
+            let coriolis = Homogeneous::linear(&[pair.Z]);
+            load.add_product(j, 1.0, (&coriolis, 0), (rate.part(degree - 1), k));
+        }
+        if let Some(per_mass) = self.body.translation() {
+            let mut acceleration = u.rate(f, degree);
+            acceleration.add_scaled(1.0, &Homogeneous::identity().cross(u.part(degree - 1)));
+            for (j, S) in invariants.S.iter().enumerate() {
+                for (axis, weight) in S.iter().enumerate() {
+                    load.add_row(j, per_mass * weight, (&acceleration, axis));
+                }
+            }
+        }
+        load
+    }
+
+    /// `[A q̇ + h(q)·ω]_d`. (S4)
+    fn generalized_momentum(&self, degree: usize) -> Homogeneous {
+        let Manifold { q, rate, .. } = &self.manifold;
+        let mut p = Homogeneous::zero(degree, q.rows());
+        for (j, k, pair) in self.body.invariants().pairs.iter() {
+            p.add_row(j, pair.A, (rate.part(degree), k));
+            p.add_product(k, 1.0, (&Homogeneous::linear(&[pair.Z]), 0), (q.part(degree - 1), j));
+        }
+        p
+    }
+
+    /// `K_d = [q_jJ_jω + q_jq_kJ_jkω + h_j(q) q̇_j]_d`, less `s × u/m*` for a free body. (R5), (S6)
+    fn momentum(&mut self, degree: usize) {
+        let Manifold { q, rate, s, u, .. } = &self.manifold;
+        let invariants = self.body.invariants();
+        let mut K = rate.part(degree).contracted(&invariants.h);
+        for (j, J1) in invariants.J1.iter().enumerate() {
+            let turned = Homogeneous::linear(&sym::rows(*J1));
+            for axis in 0..3 {
+                K.add_product(axis, 1.0, (&turned, axis), (q.part(degree - 1), j));
+            }
+        }
+        for (j, k, pair) in invariants.pairs.iter() {
+            let turned = Homogeneous::linear(&sym::rows(pair.J2));
+            let displaced = q.row_product(j, q, k, degree - 1);
+            let moving = q.row_product(j, rate, k, degree);
+            for (axis, Z) in pair.Z.iter().enumerate() {
+                K.add_product(axis, 1.0, (&turned, axis), (&displaced, 0));
+                K.add_row(axis, *Z, (&moving, 0));
+            }
+        }
+        if let Some(per_mass) = self.body.translation() {
+            K.add_scaled(-per_mass, &s.cross(u, degree));
+        }
+        self.manifold.K.set(K);
+    }
+}
+
+/// `factor · matrix · map`.
+pub(super) fn mapped(matrix: Sym, factor: f64, map: &Homogeneous) -> Homogeneous {
+    let mut image = map.contracted(&sym::rows(matrix));
+    image.scale(factor);
+    image
+}

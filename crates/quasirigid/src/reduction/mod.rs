@@ -1,0 +1,20 @@
+//! From a flexible body to its reduced equations, and how far they hold.
+
+mod criterion;
+mod degrees;
+mod energetics;
+mod manifold;
+mod momentum_form;
+mod reduce;
+mod residual;
+mod resonance;
+mod validity;
+mod vibration;
+
+pub use criterion::{Comparison, Criterion, Verdict};
+pub use degrees::{DegreeSize, degree_sizes, optimal_order};
+pub use reduce::{MAX_ORDER, ReductionError, reduce};
+pub use residual::{Residual, residual};
+pub use resonance::{Resonance, resonances};
+pub use validity::{Validity, ValidityError};
+pub use vibration::Vibrations;

@@ -1,0 +1,50 @@
+use thiserror::Error;
+
+use super::manifold::Manifold;
+use super::{energetics, momentum_form};
+use crate::model::{FlexibleBody, ReducedBody};
+
+/// A reduction that cannot be made.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum ReductionError {
+    /// The order is zero or above [`MAX_ORDER`].
+    #[error("order {order} is not available; choose 1 (rigid) to {MAX_ORDER}, 3 is the paper's")]
+    Order {
+        /// Order asked for.
+        order: usize,
+    },
+}
+
+/// Highest order offered. The series is asymptotic: long before this its terms stop falling.
+pub const MAX_ORDER: usize = 12;
+
+/// Derives the reduced equations of a body to order `p`. (R1)–(R11)
+///
+/// `p = 1` is the rigid body `S*`, `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
+///
+/// # Errors
+/// [`ReductionError::Order`] for an order that is not offered.
+pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {
+    if order == 0 || order > MAX_ORDER {
+        return Err(ReductionError::Order { order });
+    }
+    let manifold = Manifold::of(body, order);
+    let J = body.invariants().J;
+    let Omega = momentum_form::reverted(&manifold.K, J);
+    let energy = energetics::energy(body, &manifold, order);
+    Ok(ReducedBody {
+        order,
+        mass: body.invariants().mass,
+        J,
+        energy_of_momentum: momentum_form::of_momentum(&energy, &Omega),
+        Omega,
+        energy,
+        power: energetics::power(body, &manifold, order),
+        phi: energetics::force(body, &manifold, order),
+        f: manifold.f,
+        K: manifold.K,
+        q: manifold.q,
+        rate: manifold.rate,
+    })
+}

@@ -1,0 +1,53 @@
+use crate::math::polynomial::{Jet, Series};
+use crate::math::sym::{add, cross, norm};
+use crate::model::{FlexibleBody, Motion, ReducedBody};
+
+/// How far the reduced equations are from solving the full ones at one spin. (R12)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual {
+    /// Left-over force on the coordinates over the elastic load, both measured by the energy they would store;
+    /// of order `ω^{p−1}`. Zero where nothing loads the coordinates.
+    pub elastic: f64,
+    /// Left-over torque `|K̇ + ω × K|` (N·m), of order `ω^{p+3}`.
+    pub torque: f64,
+}
+
+/// Puts the slow manifold into the full equations (S3), (S4) at a spin (rad/s).
+///
+/// It does not use the recursion that made the manifold: the polynomials are followed along the motion as truncated
+/// Taylor series in time, and enter the equations as numbers.
+#[must_use]
+pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Residual {
+    let spin = along(&reduced.f, omega);
+    let q = reduced.q.value(spin);
+    let rate: Vec<Jet> = q.iter().map(|q| Jet { value: q.first, first: q.second, second: 0.0 }).collect();
+    let motion = Motion { omega: spin, q: &q, rate: &rate };
+    let K = body.momentum(motion);
+    let torque = norm(add(K.map(|K| K.first), cross(omega, K.map(|K| K.value))));
+
+    let momenta = body.generalized_momentum(motion);
+    let load = body.load(motion);
+    let inertial: Vec<f64> =
+        load.iter().zip(&momenta).map(|(load, momentum)| load.value - momentum.first).collect();
+    let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
+    let dashpot = body.damping().times(&rate.iter().map(|rate| rate.value).collect::<Vec<_>>());
+    let left: Vec<f64> = (0..q.len()).map(|j| inertial[j] - dashpot[j] - spring[j]).collect();
+    let whole = stored(body, &inertial);
+    let elastic = if whole > 0.0 { stored(body, &left) / whole } else { 0.0 };
+    Residual { elastic, torque }
+}
+
+/// Spin as a Taylor series in time along `ω̇ = f(ω)`.
+fn along(f: &Series, omega: [f64; 3]) -> [Jet; 3] {
+    let first = f.vector(omega);
+    let linear = std::array::from_fn(|i| Jet { value: omega[i], first: first[i], second: 0.0 });
+    let second = f.vector(linear);
+    std::array::from_fn(|i| Jet { second: second[i].first, ..linear[i] })
+}
+
+/// Root of twice the elastic energy that a static force would store, `√(FᵀC⁻¹F)`.
+fn stored(body: &FlexibleBody, force: &[f64]) -> f64 {
+    let mut response = force.to_vec();
+    body.solve_stiffness(&mut response, 1);
+    force.iter().zip(&response).map(|(force, response)| force * response).sum::<f64>().max(0.0).sqrt()
+}

@@ -1,0 +1,122 @@
+use thiserror::Error;
+
+use super::criterion::{Comparison, Criterion, Verdict};
+use super::degrees::{DegreeSize, degree_sizes, momentum_ratio, optimal_order};
+use super::reduce::{MAX_ORDER, ReductionError, reduce};
+use super::residual::residual;
+use super::resonance::{Resonance, resonances};
+use super::vibration::Vibrations;
+use crate::math::eigen::NoConvergence;
+use crate::math::sym::{add, norm, scale};
+use crate::model::{FlexibleBody, Principal, ReducedBody};
+
+/// How far the reduced equations hold at a spin. (V1)–(V9)
+#[derive(Clone, Debug, PartialEq)]
+pub struct Validity {
+    /// Longest period of free vibration (s); zero for a rigid body. (V1)
+    pub T1: f64,
+    /// Time in which the slowest free vibration decays by e (s); infinite if one does not decay. (V1)
+    pub T2: f64,
+    /// Time of the spin, `1/|ω|` (s). (V1)
+    pub T3: f64,
+    /// Free vibrations.
+    pub vibrations: Vibrations,
+    /// Every criterion with its number.
+    pub criteria: Vec<Criterion>,
+    /// Harmonics of the polhode near an elastic frequency, strongest first.
+    pub resonances: Vec<Resonance>,
+    /// Place with the largest displacement, and the displacement (m).
+    pub displacement: Option<(String, f64)>,
+    /// Size of each degree of `f`, from 2 to at least `p + 4`. (R14)
+    pub degrees: Vec<DegreeSize>,
+    /// The order at which the terms left out are smallest, of those that the sizes can judge. (R14)
+    pub optimal_order: usize,
+}
+
+/// A validity that cannot be told.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum ValidityError {
+    /// The body does not turn, or its spin is no number.
+    #[error("the angular velocity {omega:?} rad/s is not a spin; give a finite one that is not zero")]
+    NoSpin {
+        /// Spin asked for (rad/s).
+        omega: [f64; 3],
+    },
+    /// The frequencies could not be found.
+    #[error(transparent)]
+    NoConvergence(#[from] NoConvergence),
+    /// The order is not offered.
+    #[error(transparent)]
+    Reduction(#[from] ReductionError),
+}
+
+/// Degrees that the search for the optimal order looks beyond the order asked for.
+const LOOK_AHEAD: usize = 4;
+
+impl Validity {
+    /// How far the equations of order `p` hold at a spin (rad/s).
+    ///
+    /// # Errors
+    /// [`ValidityError`] if the spin is zero or not finite, the order is not offered, or an eigenvalue solver fails.
+    pub fn of(body: &FlexibleBody, order: usize, omega: [f64; 3]) -> Result<Self, ValidityError> {
+        let spin = norm(omega);
+        if !spin.is_finite() || spin == 0.0 {
+            return Err(ValidityError::NoSpin { omega });
+        }
+        let reduced = reduce(body, order)?;
+        let ahead = reduce(body, (order + LOOK_AHEAD).min(MAX_ORDER))?;
+        let vibrations = Vibrations::of(body)?;
+        let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
+        let decay = vibrations.decay_rates.first().map_or(f64::INFINITY, |rate| rate.max(0.0));
+        let resonances = resonances(&Principal::of(reduced.J), &vibrations.free_frequencies, omega);
+        let displacement = displacement(body, &reduced, omega);
+        let momentum = norm(reduced.momentum(omega));
+        let series = momentum_ratio(&ahead, momentum, [1, 3]).max(momentum_ratio(&ahead, momentum, [3, 5]));
+        let criteria = [
+            (Comparison::Spin, spin / slowest),
+            (Comparison::Damping, spin * vibrations.damping_time),
+            (Comparison::Series, series),
+            (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
+            (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
+            (Comparison::Residual, if order > 1 { residual(body, &reduced, omega).elastic } else { 0.0 }),
+            (Comparison::Forgetting, spin / decay),
+        ];
+        let degrees = degree_sizes(&ahead, omega);
+        Ok(Self {
+            T1: std::f64::consts::TAU / slowest,
+            T2: decay.recip(),
+            T3: spin.recip(),
+            vibrations,
+            criteria: criteria.map(|(comparison, value)| Criterion { comparison, value }).to_vec(),
+            resonances,
+            displacement,
+            optimal_order: optimal_order(&degrees),
+            degrees,
+        })
+    }
+
+    /// The worst of the criteria that concern the motion on the slow manifold.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let forced = self.criteria.iter().filter(|criterion| criterion.comparison != Comparison::Forgetting);
+        forced.map(Criterion::verdict).max().unwrap_or(Verdict::Holds)
+    }
+}
+
+/// The place that is displaced most on the slow manifold, and by how much (m).
+fn displacement(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Option<(String, f64)> {
+    let q = reduced.q.value(omega);
+    let moved = body.markers().iter().map(|marker| {
+        let r = marker.shapes.iter().fold([0.0; 3], |r, (j, H)| add(r, scale(q[*j], *H)));
+        (marker.name.clone(), norm(r))
+    });
+    moved.max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+/// Size of the body: the largest distance of a marker or of the gyration of the whole body from the pole.
+fn size(body: &FlexibleBody) -> f64 {
+    let [xx, yy, zz, ..] = body.invariants().J;
+    let gyration = (0.5 * (xx + yy + zz) / body.invariants().mass).sqrt();
+    body.markers().iter().map(|marker| norm(marker.position)).fold(gyration, f64::max)
+}

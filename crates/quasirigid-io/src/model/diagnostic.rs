@@ -1,0 +1,101 @@
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// Most diagnostics kept for one file: a file with more has one mistake made many times.
+const MOST: usize = 100;
+
+/// Something wrong in a model file, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Bytes of the file it is about.
+    pub span: Range<usize>,
+    /// What is wrong, with the offending value.
+    pub message: String,
+    /// A few words to stand beside the place.
+    pub label: String,
+    /// What to try.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    pub(super) fn new(
+        span: Range<usize>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Self {
+        Self {
+            span,
+            message: message.into(),
+            label: label.into(),
+            help: None,
+        }
+    }
+
+    pub(super) fn help(self, help: impl Into<String>) -> Self {
+        Self {
+            help: Some(help.into()),
+            ..self
+        }
+    }
+
+    /// Line and column at which it starts in `text`, both from 1, the column in characters.
+    #[must_use]
+    pub fn position(&self, text: &str) -> (usize, usize) {
+        let before = &text[..text.floor_char_boundary(self.span.start)];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let lines = before.bytes().filter(|byte| *byte == b'\n').count();
+        (lines + 1, before[line_start..].chars().count() + 1)
+    }
+}
+
+/// The diagnostics found so far in a file. All its readers share one, so that none stops at the first.
+#[derive(Debug)]
+pub(super) struct Problems<'a> {
+    text: &'a str,
+    found: RefCell<Vec<Diagnostic>>,
+}
+
+impl<'a> Problems<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            found: RefCell::default(),
+        }
+    }
+
+    pub(super) fn report(&self, diagnostic: Diagnostic) {
+        let mut found = self.found.borrow_mut();
+        if found.len() <= MOST {
+            found.push(diagnostic);
+        }
+    }
+
+    /// Whether more would not be kept.
+    pub(super) fn full(&self) -> bool {
+        self.found.borrow().len() > MOST
+    }
+
+    /// Line of the file, from 1, at which a span starts.
+    pub(super) fn line(&self, span: Range<usize>) -> usize {
+        Diagnostic::new(span, "", "").position(self.text).0
+    }
+
+    /// The diagnostics in the order of the file, each once.
+    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
+        let mut found = self.found.into_inner();
+        found.sort_by_key(|diagnostic| diagnostic.span.start);
+        let full = found.len() > MOST;
+        found.dedup();
+        if full {
+            found.truncate(MOST);
+            if let Some(last) = found.last().map(|diagnostic| diagnostic.span.clone()) {
+                found.push(Diagnostic::new(
+                    last,
+                    "there are more problems like these",
+                    "and more",
+                ));
+            }
+        }
+        found
+    }
+}

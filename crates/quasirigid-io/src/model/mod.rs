@@ -1,0 +1,192 @@
+//! Model files: a body, its initial state and what to compute, as a TOML text.
+//!
+//! Reading checks what concerns the file: keys, types, units, names, finite numbers. The laws of mechanics are
+//! checked by [`quasirigid`]; [`Model::diagnose`] finds the place in the file that they speak of.
+
+mod body;
+mod diagnostic;
+mod error;
+mod hinged;
+mod names;
+mod physics;
+mod settings;
+mod source;
+mod spans;
+mod spring;
+mod syntax;
+mod table;
+mod value;
+
+use std::path::Path;
+
+use quasirigid::elements::{Assembly, ElementError};
+
+pub use diagnostic::Diagnostic;
+pub use error::{FileProblem, ModelError};
+pub use settings::{Form, Initial, Run};
+pub use source::Source;
+
+use diagnostic::Problems;
+use spans::Spans;
+use table::{Keys, Table};
+
+const FILE: Keys = Keys {
+    known: &[
+        "body", "carrier", "point", "spring", "hinged", "support", "initial", "run",
+    ],
+    later: &[
+        ("force", "[[force]]"),
+        ("beam", "[[beam]]"),
+        ("panel", "[[panel]]"),
+        ("solid", "[[solid]]"),
+        ("surface", "[[surface]]"),
+        ("ellipsoid", "[[ellipsoid]]"),
+        ("matrices", "[[matrices]]"),
+        ("cavity", "[[cavity]]"),
+        ("rotor", "[[rotor]]"),
+        ("wheel", "[[wheel]]"),
+        ("material", "[material]"),
+    ],
+};
+
+/// A model file, read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    /// Name of the body; the file's own name if it gives none.
+    pub name: String,
+    /// The body.
+    pub assembly: Assembly,
+    /// Its state at time zero.
+    pub initial: Initial,
+    /// What to compute.
+    pub run: Run,
+    /// What is suspect but not wrong.
+    pub notes: Vec<String>,
+    /// The text it was read from.
+    pub source: Source,
+    spans: Spans,
+}
+
+impl Model {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// [`ModelError::Unreadable`] if there is no text to read, [`ModelError::Invalid`] with every mistake in it.
+    pub fn read(path: &Path) -> Result<Self, ModelError> {
+        Self::new(Source::read(path)?)
+    }
+
+    /// Reads the text of a model file; `file` stands in messages and names a nameless body.
+    ///
+    /// # Errors
+    /// [`ModelError::Invalid`] with every mistake in the text.
+    pub fn parse(file: &Path, text: &str) -> Result<Self, ModelError> {
+        Self::new(Source::new(file, text.to_owned()))
+    }
+
+    /// The same error for a user of the file: where it stands there, and what to try.
+    #[must_use]
+    pub fn diagnose(&self, error: &ElementError) -> ModelError {
+        self.diagnose_all(std::slice::from_ref(error))
+    }
+
+    /// The same errors for a user of the file, in its order.
+    #[must_use]
+    pub fn diagnose_all(&self, errors: &[ElementError]) -> ModelError {
+        let mut diagnostics: Vec<Diagnostic> = errors
+            .iter()
+            .map(|error| physics::diagnostic(error, &self.assembly, &self.spans))
+            .collect();
+        diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
+        ModelError::Invalid {
+            model: self.source.clone(),
+            diagnostics,
+        }
+    }
+
+    fn new(source: Source) -> Result<Self, ModelError> {
+        let problems = Problems::new(&source.text);
+        let content = content(&source.text, &problems);
+        let diagnostics = problems.into_diagnostics();
+        match content {
+            Some(Content {
+                name,
+                assembly,
+                spans,
+                initial,
+                run,
+                notes,
+            }) if diagnostics.is_empty() => {
+                let name = name.unwrap_or_else(|| stem(&source.file));
+                Ok(Self {
+                    name,
+                    assembly,
+                    initial,
+                    run,
+                    notes,
+                    source,
+                    spans,
+                })
+            }
+            _ => Err(ModelError::Invalid {
+                model: source,
+                diagnostics,
+            }),
+        }
+    }
+}
+
+/// What a file says.
+struct Content {
+    name: Option<String>,
+    assembly: Assembly,
+    spans: Spans,
+    initial: Initial,
+    run: Run,
+    notes: Vec<String>,
+}
+
+fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
+    let tree = syntax::tree(text, problems)?;
+    if tree.is_empty() {
+        let message = if text.trim().is_empty() {
+            "the file is empty"
+        } else {
+            "the file has comments but no model"
+        };
+        let help = "a model has at least a [carrier] with mass, center_of_mass and inertia";
+        problems.report(Diagnostic::new(0..0, message, "nothing to read").help(help));
+        return None;
+    }
+    let file = Table::new("the file", 0..0, &tree, &FILE, problems);
+    let mut notes = Vec::new();
+    let name = file
+        .table("body", "[body]", &settings::BODY)
+        .and_then(|table| table.get("name"));
+    let name = name.and_then(|value| value.text()).map(str::to_owned);
+    let body = body::assembly(&file, problems);
+    let initial = match file.table("initial", "[initial]", &settings::INITIAL) {
+        Some(table) => settings::initial(&table, &mut notes),
+        None => Some(Initial::default()),
+    };
+    let run = match file.table("run", "[run]", &settings::RUN) {
+        Some(table) => settings::run(&table),
+        None => Some(Run::default()),
+    };
+    let (assembly, spans) = body?;
+    Some(Content {
+        name,
+        assembly,
+        spans,
+        initial: initial?,
+        run: run?,
+        notes,
+    })
+}
+
+fn stem(file: &Path) -> String {
+    file.file_stem().map_or_else(
+        || "body".to_owned(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
+}

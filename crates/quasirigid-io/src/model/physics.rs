@@ -1,0 +1,106 @@
+use quasirigid::elements::{Assembly, ElementError, Place, Problem};
+use quasirigid::model::{InertiaError, Support};
+
+use super::Diagnostic;
+use super::spans::Spans;
+
+/// What a law of mechanics says against an element, at the place of the file it is about.
+pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Spans) -> Diagnostic {
+    let ElementError {
+        place,
+        field,
+        problem,
+    } = error;
+    let span = spans.find(*place, *field);
+    let message = match problem {
+        Problem::Mechanism { .. } | Problem::NoInertia { .. } => problem.to_string(),
+        _ => format!("`{field}` of {}: {problem}", described(*place, assembly)),
+    };
+    let diagnostic = Diagnostic::new(span, message, label(problem));
+    match advice(problem) {
+        Some(help) => diagnostic.help(help),
+        None => diagnostic,
+    }
+}
+
+/// An element as its user knows it: by its name, a spring by its number.
+fn described(place: Place, assembly: &Assembly) -> String {
+    let named = match place {
+        Place::Point(index) => assembly
+            .points
+            .get(index)
+            .map(|point| format!("point {:?}", point.name)),
+        Place::Hinged(index) => assembly
+            .hinged
+            .get(index)
+            .map(|part| format!("appendage {:?}", part.name)),
+        Place::Carrier | Place::Spring(_) | Place::Support => None,
+    };
+    named.unwrap_or_else(|| {
+        format!(
+            "{}{place}",
+            if matches!(place, Place::Spring(_)) {
+                ""
+            } else {
+                "the "
+            }
+        )
+    })
+}
+
+fn label(problem: &Problem) -> &'static str {
+    match problem {
+        Problem::NotFinite { .. } => "not finite",
+        Problem::NotAMass { .. } => "must be positive",
+        Problem::Inertia(InertiaError::Impossible { .. }) => "no body has this inertia",
+        Problem::Inertia(InertiaError::NotSymmetric { .. }) | Problem::NotSymmetric { .. } => {
+            "not symmetric"
+        }
+        Problem::Indefinite { .. } => "gives energy",
+        Problem::Mechanism { .. } => "held by no spring",
+        Problem::NoSuchPoint { .. } => "no such point",
+        Problem::DuplicateName { .. } => "used twice",
+        Problem::NoAnchor => "needs an `anchor`",
+        _ => "here",
+    }
+}
+
+fn advice(problem: &Problem) -> Option<&'static str> {
+    Some(match problem {
+        Problem::NotFinite { .. } => "write a finite number",
+        Problem::NotAMass { .. } => "write a positive mass, or leave the element out",
+        Problem::Inertia(InertiaError::NotFinite { .. }) => "write finite numbers",
+        Problem::Inertia(InertiaError::NotSymmetric { .. }) | Problem::NotSymmetric { .. } => {
+            "write the same value at [i][j] and [j][i], or only the three values of the axes"
+        }
+        Problem::Inertia(InertiaError::Impossible { .. }) => {
+            "check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass"
+        }
+        Problem::ZeroDirection => "write a direction such as [0, 0, 1]; its length does not matter",
+        Problem::Indefinite { .. } => {
+            "check the signs; the eigenvalues of the matrix must be zero or positive"
+        }
+        Problem::SameEnds => "a spring joins two points, or a point and the carrier",
+        Problem::NoLine => "move one end, or leave out axial = true",
+        Problem::NoAnchor => "add anchor = [x, y, z], the place of the spring's end on the carrier",
+        Problem::AxisCount { .. } => "write one to three axes, for example axes = [[0, 0, 1]]",
+        Problem::DependentAxes => "no axis may be a combination of the others",
+        Problem::ValuePerAxis { .. } => {
+            "write one number for all axes, one per axis, or a square matrix with a row per axis"
+        }
+        Problem::MasslessAxis { .. } => "or give the appendage an inertia about it",
+        Problem::DuplicateName { .. } => "give each element its own name",
+        Problem::Mechanism { .. } => {
+            "add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }"
+        }
+        Problem::NoInertia {
+            support: Support::Free,
+            ..
+        } => "check the masses and the inertia of the carrier",
+        Problem::NoInertia {
+            support: Support::FixedPoint { .. },
+            ..
+        } => "check the inertia of the carrier and the place of the fixed point",
+        _ => return None,
+    })
+}

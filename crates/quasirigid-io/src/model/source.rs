@@ -1,0 +1,84 @@
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use super::{Diagnostic, FileProblem, ModelError};
+
+/// Largest model file that is read (bytes): ten times what 10⁵ points need.
+const LARGEST: u64 = 256 * 1024 * 1024;
+
+/// The text a model was read from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Path as the user gave it.
+    pub file: PathBuf,
+    /// Whole text of the file.
+    pub text: String,
+    /// SHA-256 of the text, in hexadecimal.
+    pub sha256: String,
+}
+
+impl Source {
+    pub(super) fn new(file: &Path, text: String) -> Self {
+        let sha256 = Sha256::digest(text.as_bytes())
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect();
+        Self {
+            file: file.to_owned(),
+            text,
+            sha256,
+        }
+    }
+
+    /// Reads a file, and no more of it than a model file may have.
+    pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
+        let unreadable = |problem| ModelError::Unreadable {
+            file: file.to_owned(),
+            problem,
+        };
+        let refused = |error: std::io::Error| unreadable(FileProblem::from(error.kind()));
+        let metadata = std::fs::metadata(file).map_err(refused)?;
+        if metadata.is_dir() {
+            return Err(unreadable(FileProblem::Folder));
+        }
+        if metadata.len() > LARGEST {
+            return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
+        }
+        let mut bytes = Vec::new();
+        File::open(file)
+            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
+            .map_err(refused)?;
+        if bytes.len() as u64 > LARGEST {
+            return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
+        }
+        String::from_utf8(bytes)
+            .map(|text| Self::new(file, text))
+            .map_err(|error| Self::not_text(file, &error))
+    }
+
+    fn not_text(file: &Path, error: &std::string::FromUtf8Error) -> ModelError {
+        let start = error.utf8_error().valid_up_to();
+        let byte = error.as_bytes().get(start).copied().unwrap_or_default();
+        let message =
+            format!("the file is not UTF-8 text: the byte 0x{byte:02X} cannot stand here");
+        let help = "a model file is a TOML text; save it with the encoding UTF-8";
+        let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+        let end = start + char::REPLACEMENT_CHARACTER.len_utf8();
+        ModelError::Invalid {
+            model: Self::new(file, text),
+            diagnostics: vec![Diagnostic::new(start..end, message, "not UTF-8").help(help)],
+        }
+    }
+}
+
+impl From<ErrorKind> for FileProblem {
+    fn from(kind: ErrorKind) -> Self {
+        match kind {
+            ErrorKind::NotFound => Self::Missing,
+            kind => Self::Refused { kind },
+        }
+    }
+}

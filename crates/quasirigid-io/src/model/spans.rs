@@ -1,0 +1,42 @@
+use std::ops::Range;
+
+use quasirigid::elements::{Field, Place};
+
+/// Where the elements of a model stand in its file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Spans {
+    pub(super) carrier: ElementSpans,
+    pub(super) points: Vec<ElementSpans>,
+    pub(super) springs: Vec<ElementSpans>,
+    pub(super) hinged: Vec<ElementSpans>,
+    pub(super) support: ElementSpans,
+}
+
+/// Where an element and its values stand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct ElementSpans {
+    /// Header of its table.
+    pub(super) header: Range<usize>,
+    /// Its values, by key.
+    pub(super) values: Vec<(&'static str, Range<usize>)>,
+}
+
+impl Spans {
+    /// The place of a value; that of its element where the file leaves the value out; the start of the file where it
+    /// leaves the element out.
+    pub(super) fn find(&self, place: Place, field: Field) -> Range<usize> {
+        let element = match place {
+            Place::Carrier => Some(&self.carrier),
+            Place::Point(index) => self.points.get(index),
+            Place::Spring(index) => self.springs.get(index),
+            Place::Hinged(index) => self.hinged.get(index),
+            Place::Support => Some(&self.support),
+        };
+        let Some(element) = element else {
+            return 0..0;
+        };
+        let key = field.to_string();
+        let value = element.values.iter().find(|(known, _)| *known == key);
+        value.map_or_else(|| element.header.clone(), |(_, span)| span.clone())
+    }
+}

@@ -1,0 +1,110 @@
+use quasirigid::elements::{Coefficient, Law, Spring};
+
+use super::names::Names;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const SPRING: Keys = Keys {
+    known: &["from", "to", "stiffness", "damping", "axial", "anchor"],
+    later: &[],
+};
+
+/// Reads a `[[spring]]`.
+pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
+    let from = table
+        .required("from", "from = \"tip\"")
+        .and_then(|value| names.end(&value));
+    let to = table
+        .required("to", "to = \"carrier\"")
+        .and_then(|value| names.end(&value));
+    let axial = table
+        .get("axial")
+        .map_or(Some(false), |value| value.boolean());
+    let law = axial.and_then(|axial| {
+        if axial {
+            along_the_line(table)
+        } else {
+            in_space(table)
+        }
+    });
+    let (from, to) = (from?, to?);
+    if from == to {
+        let message = "both ends of the spring are the same".to_owned();
+        let help = "a spring joins two points, or a point and the carrier".to_owned();
+        return table
+            .get("to")?
+            .refuse(message, "the same as `from`", Some(help));
+    }
+    Some(Spring {
+        from,
+        to,
+        law: law?,
+    })
+}
+
+fn in_space(table: &Table<'_>) -> Option<Law> {
+    let stiffness = stiffness(table).and_then(|value| coefficient(&value, Dimension::STIFFNESS));
+    let damping = match table.get("damping") {
+        Some(value) => coefficient(&value, Dimension::DAMPING),
+        None => Some(Coefficient::Isotropic(0.0)),
+    };
+    if let Some(anchor) = table.get("anchor") {
+        let message =
+            "`anchor` is the carrier's end of an axial spring, and this spring is not axial"
+                .to_owned();
+        return anchor.refuse(
+            message,
+            "not for this spring",
+            Some("add axial = true, or leave it out".to_owned()),
+        );
+    }
+    Some(Law::Spatial {
+        stiffness: stiffness?,
+        damping: damping?,
+    })
+}
+
+fn along_the_line(table: &Table<'_>) -> Option<Law> {
+    let stiffness = stiffness(table).and_then(|value| scalar(&value, Dimension::STIFFNESS));
+    let damping = table
+        .get("damping")
+        .map_or(Some(0.0), |value| scalar(&value, Dimension::DAMPING));
+    let anchor = match table.get("anchor") {
+        Some(value) => value.vector(Dimension::LENGTH).map(Some),
+        None => Some(None),
+    };
+    Some(Law::Axial {
+        stiffness: stiffness?,
+        damping: damping?,
+        anchor: anchor?,
+    })
+}
+
+fn stiffness<'a>(table: &Table<'a>) -> Option<Value<'a>> {
+    table.required("stiffness", "stiffness = 600.0")
+}
+
+fn scalar(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
+    if value.is_array() {
+        let help = "write one number: an axial spring acts only along the line that joins its ends";
+        return value.mismatch("one number, since the spring is axial", help);
+    }
+    value.non_negative(dimension)
+}
+
+fn coefficient(value: &Value<'_>, dimension: Dimension) -> Option<Coefficient> {
+    let Some(items) = value.items() else {
+        return value.non_negative(dimension).map(Coefficient::Isotropic);
+    };
+    if items.len() != 3 {
+        let help = "write k, [kx, ky, kz] or three rows of a symmetric matrix";
+        return value.mismatch("a number, 3 numbers or a 3x3 matrix", help);
+    }
+    if items.iter().any(Value::is_array) {
+        return value.matrix(dimension).map(Coefficient::Full);
+    }
+    value
+        .array("numbers", |item| item.non_negative(dimension))
+        .map(Coefficient::Diagonal)
+}

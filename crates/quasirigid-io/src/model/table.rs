@@ -1,0 +1,164 @@
+use std::ops::Range;
+
+use toml::de::DeTable;
+
+use super::Diagnostic;
+use super::diagnostic::Problems;
+use super::spans::ElementSpans;
+use super::value::Value;
+use crate::nearest::nearest;
+
+/// The keys a table can have.
+pub(super) struct Keys {
+    /// Those this version reads.
+    pub(super) known: &'static [&'static str],
+    /// Those of the model format that this version does not read yet, as the user writes them.
+    pub(super) later: &'static [(&'static str, &'static str)],
+}
+
+/// A table of the file whose keys have been checked.
+pub(super) struct Table<'a> {
+    title: &'static str,
+    header: Range<usize>,
+    entries: &'a DeTable<'a>,
+    /// Known keys that the table probably has, misspelt.
+    misspelt: Vec<&'static str>,
+    keys: &'static Keys,
+    problems: &'a Problems<'a>,
+}
+
+impl<'a> Table<'a> {
+    /// Reports every key that is not one of `keys`.
+    pub(super) fn new(
+        title: &'static str,
+        header: Range<usize>,
+        entries: &'a DeTable<'a>,
+        keys: &'static Keys,
+        problems: &'a Problems<'a>,
+    ) -> Self {
+        let mut misspelt = Vec::new();
+        for key in entries
+            .keys()
+            .filter(|key| !keys.known.contains(&key.get_ref().as_ref()))
+        {
+            if problems.full() {
+                break;
+            }
+            let meant = nearest(key.get_ref(), keys.known.iter().copied());
+            problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
+            misspelt.extend(meant);
+        }
+        Self {
+            title,
+            header,
+            entries,
+            misspelt,
+            keys,
+            problems,
+        }
+    }
+
+    /// Where the table starts.
+    pub(super) fn header(&self) -> Range<usize> {
+        self.header.clone()
+    }
+
+    /// Where its values stand.
+    pub(super) fn spans(&self) -> ElementSpans {
+        let values = self
+            .keys
+            .known
+            .iter()
+            .filter_map(|key| Some((*key, self.get(key)?.span())))
+            .collect();
+        ElementSpans {
+            header: self.header(),
+            values,
+        }
+    }
+
+    /// The value of a key, if the table has it.
+    pub(super) fn get(&self, key: &'static str) -> Option<Value<'a>> {
+        let value = self.entries.get(key)?;
+        Some(Value::new(key, value, self.problems))
+    }
+
+    /// The value of a key that must be there; a line such as `example` is missing otherwise.
+    pub(super) fn required(&self, key: &'static str, example: &str) -> Option<Value<'a>> {
+        let value = self.get(key);
+        if value.is_none() && !self.misspelt.contains(&key) {
+            let message = format!("{} has no `{key}`", self.title);
+            let label = format!("`{key}` is missing here");
+            let help = format!("add a line such as: {example}");
+            self.problems
+                .report(Diagnostic::new(self.header(), message, label).help(help));
+        }
+        value
+    }
+
+    /// The table under a key that stands once, as in `[carrier]`.
+    pub(super) fn table(
+        &self,
+        key: &'static str,
+        title: &'static str,
+        keys: &'static Keys,
+    ) -> Option<Table<'a>> {
+        let value = self.get(key)?;
+        if value.is_array() {
+            let message = format!("there is one {title}, not a list of them");
+            let help = format!("write {title} once, with single brackets");
+            self.problems
+                .report(Diagnostic::new(value.span(), message, "a list").help(help));
+            return None;
+        }
+        value.table(title, keys)
+    }
+
+    /// The tables under a key that can stand any number of times, as in `[[point]]`.
+    pub(super) fn tables(
+        &self,
+        key: &'static str,
+        title: &'static str,
+        keys: &'static Keys,
+    ) -> Vec<Table<'a>> {
+        let Some(value) = self.get(key) else {
+            return Vec::new();
+        };
+        let Some(items) = value.items() else {
+            let message = format!(
+                "`{key}` is a list of tables, but {} stands here",
+                value.found()
+            );
+            let help = format!("write {title}, with double brackets, once for each");
+            self.problems
+                .report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
+            return Vec::new();
+        };
+        items
+            .iter()
+            .filter_map(|item| item.table(title, keys))
+            .collect()
+    }
+}
+
+fn unknown_key(
+    title: &str,
+    key: &str,
+    span: Range<usize>,
+    keys: &Keys,
+    meant: Option<&str>,
+) -> Diagnostic {
+    if let Some((_, written)) = keys.later.iter().find(|(later, _)| *later == key) {
+        let message = format!(
+            "`{written}` is part of the model format, but this version of quasirigid does not support it yet"
+        );
+        return Diagnostic::new(span, message, "not supported yet");
+    }
+    let message = format!("unknown key {key:?} in {title}");
+    let list = format!("the keys are {}", keys.known.join(", "));
+    let help = match meant {
+        Some(known) => format!("did you mean `{known}`? {list}"),
+        None => list,
+    };
+    Diagnostic::new(span, message, "unknown key").help(help)
+}

@@ -1,0 +1,303 @@
+use std::ops::{Range, RangeInclusive};
+
+use toml::Spanned;
+use toml::de::{DeInteger, DeValue};
+
+use super::Diagnostic;
+use super::diagnostic::Problems;
+use super::table::{Keys, Table};
+use crate::units::{Dimension, quantity};
+
+/// A value of the file and the key it stands under. Every reading of it that fails reports why and returns nothing.
+#[derive(Clone, Copy)]
+pub(super) struct Value<'a> {
+    key: &'static str,
+    inner: &'a Spanned<DeValue<'a>>,
+    problems: &'a Problems<'a>,
+}
+
+impl<'a> Value<'a> {
+    pub(super) fn new(
+        key: &'static str,
+        inner: &'a Spanned<DeValue<'a>>,
+        problems: &'a Problems<'a>,
+    ) -> Self {
+        Self {
+            key,
+            inner,
+            problems,
+        }
+    }
+
+    /// Where it stands.
+    pub(super) fn span(&self) -> Range<usize> {
+        self.inner.span()
+    }
+
+    pub(super) fn is_array(&self) -> bool {
+        self.inner.get_ref().is_array()
+    }
+
+    /// Whether it is this text.
+    pub(super) fn is_word(&self, word: &str) -> bool {
+        self.inner.get_ref().as_str() == Some(word)
+    }
+
+    pub(super) fn is_table(&self) -> bool {
+        self.inner.get_ref().is_table()
+    }
+
+    /// The elements of an array.
+    pub(super) fn items(&self) -> Option<Vec<Self>> {
+        let items = self.inner.get_ref().as_array()?;
+        Some(items.iter().map(|inner| Self { inner, ..*self }).collect())
+    }
+
+    /// A table.
+    pub(super) fn table(&self, title: &'static str, keys: &'static Keys) -> Option<Table<'a>> {
+        match self.inner.get_ref().as_table() {
+            Some(entries) => Some(Table::new(title, self.span(), entries, keys, self.problems)),
+            None => self.mismatch("a table", &format!("write {title} with its keys below")),
+        }
+    }
+
+    /// A text.
+    pub(super) fn text(&self) -> Option<&'a str> {
+        let help = format!("write the {} in quotes", self.key);
+        match self.inner.get_ref().as_str() {
+            Some("") => self.refuse(
+                format!("`{}` is empty", self.key),
+                "an empty text",
+                Some(help),
+            ),
+            Some(text) => Some(text),
+            None => self.mismatch("a text", &help),
+        }
+    }
+
+    /// One of several words; a word without a value is part of the format but not of this version.
+    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, Option<T>)]) -> Option<T> {
+        let text = self.text()?;
+        let available: Vec<String> = choices
+            .iter()
+            .filter(|(_, value)| value.is_some())
+            .map(|(word, _)| format!("{word:?}"))
+            .collect();
+        let help = Some(format!("write {}", available.join(" or ")));
+        match choices.iter().find(|(word, _)| *word == text) {
+            Some((_, Some(value))) => Some(*value),
+            Some((_, None)) => {
+                let message = format!(
+                    "`{}` = {text:?} is part of the model format, but this version of quasirigid does not support it yet",
+                    self.key
+                );
+                self.refuse(message, "not supported yet", help)
+            }
+            None => self.refuse(
+                format!("`{}` cannot be {text:?}", self.key),
+                "unknown word",
+                help,
+            ),
+        }
+    }
+
+    /// `true` or `false`.
+    pub(super) fn boolean(&self) -> Option<bool> {
+        match self.inner.get_ref().as_bool() {
+            Some(boolean) => Some(boolean),
+            None => self.mismatch("true or false", "write true or false, without quotes"),
+        }
+    }
+
+    /// An integer in a range.
+    pub(super) fn integer(&self, range: RangeInclusive<usize>) -> Option<usize> {
+        let expected = format!("an integer from {} to {}", range.start(), range.end());
+        let DeValue::Integer(integer) = self.inner.get_ref() else {
+            return self.mismatch(&expected, &format!("write {expected}"));
+        };
+        match usize::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(value) if range.contains(&value) => Some(value),
+            _ => self.refuse(
+                format!("`{}` is {integer}, but must be {expected}", self.key),
+                "out of range",
+                Some(format!("write {expected}")),
+            ),
+        }
+    }
+
+    /// A finite number: plain in SI units, or a text with its unit.
+    pub(super) fn quantity(&self, dimension: Dimension) -> Option<f64> {
+        let (number, written) = match self.inner.get_ref() {
+            DeValue::Float(float) => (
+                float.as_str().parse().unwrap_or(f64::NAN),
+                float.to_string(),
+            ),
+            DeValue::Integer(integer) => (nearest_number(integer), integer.to_string()),
+            DeValue::String(text) => return self.quantity_in_words(text, dimension),
+            _ => return self.mismatch(dimension.name(), &advice(dimension)),
+        };
+        if number.is_finite() {
+            Some(number)
+        } else {
+            let message = format!("`{}` is {written}, which is not a finite number", self.key);
+            self.refuse(message, "not a finite number", Some(advice(dimension)))
+        }
+    }
+
+    /// A quantity above zero.
+    pub(super) fn positive(&self, dimension: Dimension) -> Option<f64> {
+        let number = self.quantity(dimension)?;
+        if number > 0.0 {
+            Some(number)
+        } else {
+            self.outside(number, dimension, "positive", advice(dimension))
+        }
+    }
+
+    /// A quantity that is zero or above.
+    pub(super) fn non_negative(&self, dimension: Dimension) -> Option<f64> {
+        let number = self.quantity(dimension)?;
+        let help = "a positive value resists the motion, as every spring and dashpot does";
+        if number >= 0.0 {
+            Some(number)
+        } else {
+            self.outside(number, dimension, "zero or positive", help.to_owned())
+        }
+    }
+
+    /// Three quantities.
+    pub(super) fn vector(&self, dimension: Dimension) -> Option<[f64; 3]> {
+        self.numbers(dimension)
+    }
+
+    /// An array of exactly `N` quantities.
+    pub(super) fn numbers<const N: usize>(&self, dimension: Dimension) -> Option<[f64; N]> {
+        self.array("numbers", |item| item.quantity(dimension))
+    }
+
+    /// Three rows of three quantities.
+    pub(super) fn matrix(&self, dimension: Dimension) -> Option<[[f64; 3]; 3]> {
+        self.array("rows", |row| row.vector(dimension))
+    }
+
+    /// An array of exactly `N` values, each read by `read`.
+    pub(super) fn array<T, const N: usize>(
+        &self,
+        noun: &str,
+        read: impl Fn(Self) -> Option<T>,
+    ) -> Option<[T; N]> {
+        let items = match self.items() {
+            Some(items) if items.len() == N => items,
+            _ => {
+                let help = format!("write {N} {noun} in brackets, with commas between them");
+                return self.mismatch(&format!("an array of {N} {noun}"), &help);
+            }
+        };
+        all(items.into_iter().map(read).collect())?.try_into().ok()
+    }
+
+    /// An array of any number of values, each read by `read`.
+    pub(super) fn list<T>(
+        &self,
+        expected: &str,
+        read: impl Fn(Self) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        match self.items() {
+            Some(items) => all(items.into_iter().map(read).collect()),
+            None => self.mismatch(expected, &format!("write {expected}")),
+        }
+    }
+
+    /// Reports that the value is of another kind than expected.
+    pub(super) fn mismatch<T>(&self, expected: &str, help: &str) -> Option<T> {
+        let found = self.found();
+        self.refuse(
+            format!("`{}`: found {found}, expected {expected}", self.key),
+            &found,
+            Some(help.to_owned()),
+        )
+    }
+
+    /// Reports what is wrong with the value.
+    pub(super) fn refuse<T>(
+        &self,
+        message: String,
+        label: &str,
+        help: Option<String>,
+    ) -> Option<T> {
+        self.problems.report(Diagnostic {
+            help,
+            ..Diagnostic::new(self.span(), message, label)
+        });
+        None
+    }
+
+    /// What kind of value it is, in words.
+    pub(super) fn found(&self) -> String {
+        match self.inner.get_ref() {
+            DeValue::String(_) => "a text".to_owned(),
+            DeValue::Integer(_) => "an integer".to_owned(),
+            DeValue::Float(_) => "a decimal number".to_owned(),
+            DeValue::Boolean(boolean) => boolean.to_string(),
+            DeValue::Datetime(_) => "a date or time".to_owned(),
+            DeValue::Array(items) if items.len() == 1 => "an array of 1 value".to_owned(),
+            DeValue::Array(items) => format!("an array of {} values", items.len()),
+            DeValue::Table(_) => "a table".to_owned(),
+        }
+    }
+
+    fn quantity_in_words(&self, text: &str, dimension: Dimension) -> Option<f64> {
+        match quantity(text, dimension) {
+            Ok(number) => Some(number),
+            Err(error) => {
+                let message = format!("`{}`: {error}", self.key);
+                self.refuse(
+                    message,
+                    &format!("{} is needed", dimension.name()),
+                    Some(error.advice()),
+                )
+            }
+        }
+    }
+
+    fn outside<T>(
+        &self,
+        number: f64,
+        dimension: Dimension,
+        allowed: &str,
+        help: String,
+    ) -> Option<T> {
+        let unit = dimension.unit();
+        let space = if unit.is_empty() { "" } else { " " };
+        let message = format!(
+            "`{}` is {number}{space}{unit}, but must be {allowed}",
+            self.key
+        );
+        self.refuse(message, &format!("must be {allowed}"), Some(help))
+    }
+}
+
+/// All values, if none is missing.
+fn all<T>(values: Vec<Option<T>>) -> Option<Vec<T>> {
+    values.into_iter().collect()
+}
+
+fn nearest_number(integer: &DeInteger<'_>) -> f64 {
+    match i128::from_str_radix(integer.as_str(), integer.radix()) {
+        Ok(number) => number as f64,
+        Err(_) if integer.radix() == 10 => integer.as_str().parse().unwrap_or(f64::NAN),
+        Err(_) => f64::INFINITY,
+    }
+}
+
+fn advice(dimension: Dimension) -> String {
+    if dimension.unit().is_empty() {
+        "write a number".to_owned()
+    } else {
+        format!(
+            "write a number in {}, or a text with its unit such as \"{}\"",
+            dimension.unit(),
+            dimension.example()
+        )
+    }
+}

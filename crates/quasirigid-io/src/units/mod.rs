@@ -1,0 +1,123 @@
+//! Numbers with units: `"750 rpm"`, `"22 in"`, `"12.5 lbf/in"`, `"0.565 N m/rad"`.
+//!
+//! A unit is a product of symbols. A space, `*` or `·` multiplies, `/` divides by the next factor alone, `^` or `**`
+//! raises to an integer power, and parentheses group. SI prefixes stand before SI symbols.
+
+mod dimension;
+mod error;
+mod expression;
+mod symbols;
+
+pub use dimension::Dimension;
+pub use error::UnitError;
+
+use expression::Expression;
+
+/// Longest text that is read; no unit that means something comes near it.
+const LONGEST_TEXT: usize = 200;
+
+/// The SI value of a number with its unit.
+///
+/// ```
+/// use quasirigid_io::units::{Dimension, quantity};
+///
+/// assert_eq!(quantity("22 in", Dimension::LENGTH)?, 0.5588);
+/// # Ok::<(), quasirigid_io::units::UnitError>(())
+/// ```
+///
+/// The radian may be left out where the dimension has it: `"N m"` is a rotational stiffness as well as `"N m/rad"`.
+///
+/// # Errors
+/// [`UnitError`] says what is wrong with the text, and its [`advice`](UnitError::advice) what to write.
+pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
+    if text.len() > LONGEST_TEXT {
+        return Err(UnitError::TooLong { length: text.len() });
+    }
+    let (number, unit) = split(text.trim(), dimension)?;
+    let expression = Expression::parse(unit)?;
+    if expression.hertz && dimension == Dimension::ANGULAR_VELOCITY {
+        return Err(UnitError::Hertz {
+            text: text.to_owned(),
+        });
+    }
+    if !dimension.accepts(expression.exponents) {
+        return Err(UnitError::WrongDimension {
+            text: text.to_owned(),
+            found: Dimension::describe(expression.exponents),
+            needed: dimension,
+        });
+    }
+    let value = expression.in_si(number);
+    if value.is_finite() && (value != 0.0 || number == 0.0) {
+        Ok(value)
+    } else {
+        Err(UnitError::OutOfRange {
+            text: text.to_owned(),
+        })
+    }
+}
+
+/// The number at the start of a text, and the unit after it.
+fn split(text: &str, dimension: Dimension) -> Result<(f64, &str), UnitError> {
+    if text.is_empty() {
+        return Err(UnitError::Empty { dimension });
+    }
+    let (digits, unit) = text.split_at(number_length(text));
+    let Ok(number) = digits.parse::<f64>() else {
+        let word = text.trim_start_matches(['+', '-']).to_lowercase();
+        return Err(if word.starts_with("nan") || word.starts_with("inf") {
+            UnitError::NotFinite {
+                text: text.to_owned(),
+            }
+        } else {
+            UnitError::NotANumber {
+                text: text.to_owned(),
+                dimension,
+            }
+        });
+    };
+    if !number.is_finite() {
+        return Err(UnitError::OutOfRange {
+            text: text.to_owned(),
+        });
+    }
+    match unit.trim() {
+        "" => Err(UnitError::NoUnit {
+            text: text.to_owned(),
+            dimension,
+        }),
+        unit if unit.starts_with([',', '_', '\'']) => Err(UnitError::NotANumber {
+            text: text.to_owned(),
+            dimension,
+        }),
+        unit => Ok((number, unit)),
+    }
+}
+
+/// Length of the decimal number a text starts with: sign, digits with a point, and an exponent if it has digits.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        bytes
+            .iter()
+            .skip(from)
+            .take_while(|byte| byte.is_ascii_digit())
+            .count()
+    };
+    let sign = |at: usize| usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    let mut end = sign(0);
+    end += digits(end);
+    if bytes.get(end) == Some(&b'.') {
+        end += 1 + digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let exponent = end + 1 + sign(end + 1);
+        if digits(exponent) > 0 {
+            end = exponent + digits(exponent);
+        }
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,176 @@
+use insta::assert_snapshot;
+use quasirigid::elements::HingeCoefficient;
+
+use super::{CARRIER, HINGED, POINT, read, refusal, refusal_of, refusal_of_spring};
+
+#[test]
+fn an_unknown_name_is_refused_with_those_there_are() {
+    assert_snapshot!(refusal_of("[[spring]]\nfrom = \"tpi\"\nto = \"ground\"\nstiffness = 1\n"), @r#"
+    model.toml:10:8: there is no point "tpi"
+      did you mean "tip"? there are carrier, tip
+    model.toml:11:6: there is no point "ground"
+      there are carrier, tip
+    "#);
+    assert_snapshot!(refusal(&format!("{CARRIER}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 1\n")), @r#"
+    model.toml:6:8: there is no point "tip"
+      the file has no [[point]]; a spring joins points and the carrier
+    "#);
+    let spring = "[[spring]]\nfrom = \"boom\"\nto = \"tip\"\nstiffness = 1\n";
+    assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n{spring}")), @r#"
+    model.toml:18:8: "boom" is a hinged appendage, but a spring joins points and the carrier
+      give the hinge its own `stiffness` instead
+    "#);
+}
+
+#[test]
+fn a_long_list_of_names_is_cut_short() {
+    let points: String = (0..5000)
+        .map(|index| format!("[[point]]\nname = \"p{index}\"\nmass = 1\nposition = [0, 0, 1]\n"))
+        .collect();
+    let spring = "[[spring]]\nfrom = \"p4\"\nto = \"carier\"\nstiffness = 1\n";
+    assert_snapshot!(refusal(&format!("{CARRIER}{points}{spring}")), @r#"
+    model.toml:20007:6: there is no point "carier"
+      did you mean "carrier"? there are carrier, p0, p1, p2, p3, p4, p5, p6, p7, p8, …
+    "#);
+}
+
+#[test]
+fn a_name_given_twice_is_refused_at_both_places() {
+    assert_snapshot!(refusal_of(POINT), @r#"
+    model.toml:10:8: the name "tip" is used twice; it stands first in line 6
+      give each element its own name
+    "#);
+    assert_snapshot!(refusal_of(&POINT.replace("tip", "carrier")), @r#"
+    model.toml:10:8: the name "carrier" is that of the carrier
+      choose another name
+    "#);
+    let unnamed = POINT.replace("name = \"tip\"\n", "");
+    assert_snapshot!(refusal(&format!("{CARRIER}{}{unnamed}", POINT.replace("tip", "point 2"))), @r#"
+    model.toml:9:1: the name "point 2" is used twice; it stands first in line 6
+      give each element its own name
+    "#);
+    let boom = HINGED.replace("boom", "tip");
+    assert_snapshot!(refusal_of(&format!("{boom}axes = [[0, 0, 1]]\nstiffness = 3\n")), @r#"
+    model.toml:10:8: the name "tip" is used twice; it stands first in line 6
+      give each element its own name
+    "#);
+}
+
+#[test]
+fn a_spring_from_an_end_to_itself_is_refused() {
+    assert_snapshot!(refusal_of("[[spring]]\nfrom = \"tip\"\nto = \"tip\"\nstiffness = 1\n"), @r#"
+    model.toml:11:6: both ends of the spring are the same
+      a spring joins two points, or a point and the carrier
+    "#);
+    assert_snapshot!(refusal_of("[[spring]]\nfrom = \"carrier\"\nto = \"carrier\"\nstiffness = 1\n"), @r#"
+    model.toml:11:6: both ends of the spring are the same
+      a spring joins two points, or a point and the carrier
+    "#);
+}
+
+#[test]
+fn an_axial_spring_has_one_stiffness_and_alone_an_anchor() {
+    assert_snapshot!(refusal_of_spring("axial = true\nstiffness = [1, 2, 3]\ndamping = [[1]]\n"), @r#"
+    model.toml:13:13: `stiffness`: found an array of 3 values, expected one number, since the spring is axial
+      write one number: an axial spring acts only along the line that joins its ends
+    model.toml:14:11: `damping`: found an array of 1 value, expected one number, since the spring is axial
+      write one number: an axial spring acts only along the line that joins its ends
+    "#);
+    assert_snapshot!(refusal_of_spring("stiffness = 1\nanchor = [0, 0, 1]\n"), @r#"
+    model.toml:13:10: `anchor` is the carrier's end of an axial spring, and this spring is not axial
+      add axial = true, or leave it out
+    "#);
+}
+
+#[test]
+fn a_negative_stiffness_or_damping_is_refused() {
+    assert_snapshot!(refusal_of_spring("stiffness = -600\ndamping = [1, \"-2 N s/m\", 3]\n"), @r#"
+    model.toml:12:13: `stiffness` is -600 N/m, but must be zero or positive
+      a positive value resists the motion, as every spring and dashpot does
+    model.toml:13:15: `damping` is -2 N s/m, but must be zero or positive
+      a positive value resists the motion, as every spring and dashpot does
+    "#);
+    assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = -3\ndamping = [-1]\n")), @r#"
+    model.toml:16:13: `stiffness` is -3 N m/rad, but must be zero or positive
+      a positive value resists the motion, as every spring and dashpot does
+    model.toml:17:12: `damping` is -1 N m s/rad, but must be zero or positive
+      a positive value resists the motion, as every spring and dashpot does
+    "#);
+}
+
+#[test]
+fn a_stiffness_of_another_shape_is_refused() {
+    assert_snapshot!(refusal_of_spring("stiffness = [1, 2]\ndamping = [[1, 0, 0], [0, 1, 0], [0, 0]]\n"), @r#"
+    model.toml:12:13: `stiffness`: found an array of 2 values, expected a number, 3 numbers or a 3x3 matrix
+      write k, [kx, ky, kz] or three rows of a symmetric matrix
+    model.toml:13:34: `damping`: found an array of 2 values, expected an array of 3 numbers
+      write 3 numbers in brackets, with commas between them
+    "#);
+    assert_snapshot!(refusal_of_spring("stiffness = { x = 1 }\n"), @r#"
+    model.toml:12:13: `stiffness`: found a table, expected a stiffness
+      write a number in N/m, or a text with its unit such as "12.5 lbf/in"
+    "#);
+}
+
+#[test]
+fn a_motion_is_free_or_along_one_line_or_in_one_plane() {
+    assert_snapshot!(refusal_of("[[point]]\nmass = 1\nposition = [0, 0, 1]\nmotion = \"fixed\"\n"), @r#"
+    model.toml:12:10: `motion`: found a text, expected "free", a line or a plane
+      write "free", { line = [1, 0, 0] } or { plane = [0, 0, 1] }
+    "#);
+    assert_snapshot!(refusal_of("[[point]]\nmass = 1\nposition = [0, 0, 1]\nmotion = 3\n"), @r#"
+    model.toml:12:10: `motion`: found an integer, expected "free", a line or a plane
+      write "free", { line = [1, 0, 0] } or { plane = [0, 0, 1] }
+    "#);
+    assert_snapshot!(refusal_of("[[point]]\nmass = 1\nposition = [0, 0, 1]\nmotion = { lines = [0, 0, 1] }\n"), @r#"
+    model.toml:12:10: `motion` needs either a line or a plane
+      write "free", { line = [1, 0, 0] } or { plane = [0, 0, 1] }
+    model.toml:12:12: unknown key "lines" in `motion`
+      did you mean `line`? the keys are line, plane
+    "#);
+    assert_snapshot!(refusal_of("[[point]]\nmass = 1\nposition = [0, 0, 1]\nmotion = { line = [0, 0, \"1 m\"] }\n"), @r#"
+    model.toml:12:26: `line`: "1 m" is a length, but a plain number is needed
+      write a number without quotes
+    "#);
+}
+
+#[test]
+fn hinge_axes_are_a_list_of_directions() {
+    assert_snapshot!(refusal_of(&format!("{HINGED}axes = [0, 0, 1]\nstiffness = 3\n")), @r#"
+    model.toml:15:8: `axes`: found an array of 3 values, expected a list of axes, each an array of 3 numbers
+      write for example [[0, 0, 1]] for one axis along z
+    "#);
+    assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0]]\nstiffness = \"3 N/m\"\n")), @r#"
+    model.toml:15:9: `axes`: found an array of 2 values, expected an array of 3 numbers
+      write 3 numbers in brackets, with commas between them
+    model.toml:16:13: `stiffness`: "3 N/m" is a stiffness, but a rotational stiffness is needed
+      write for example "0.565 N m/rad", or a plain number in N m/rad
+    "#);
+}
+
+#[test]
+fn a_hinge_can_have_a_stiffness_matrix() {
+    let model = read(&format!(
+        "{CARRIER}{HINGED}axes = [[0, 1, 0], [0, 0, 1]]\nstiffness = [[3, 1], [1, \"4 N m/rad\"]]\n"
+    ));
+    assert_eq!(
+        model.assembly.hinged[0].stiffness,
+        HingeCoefficient::Full(vec![vec![3.0, 1.0], vec![1.0, 4.0]])
+    );
+    assert_eq!(
+        model.assembly.hinged[0].damping,
+        HingeCoefficient::PerAxis(vec![0.0, 0.0])
+    );
+}
+
+#[test]
+fn a_free_body_has_no_fixed_point() {
+    assert_snapshot!(refusal_of("[support]\nkind = \"free\"\npoint = [0, 0, 0]\n"), @r#"
+    model.toml:11:9: a free body has no fixed `point`
+      leave it out, or write kind = "fixed-point"
+    "#);
+    assert_snapshot!(refusal_of("[support]\nkind = \"pinned\"\n"), @r#"
+    model.toml:10:8: `kind` cannot be "pinned"
+      write "free" or "fixed-point"
+    "#);
+}

@@ -1,2 +1,53 @@
-//! Placeholder.
-fn main() {}
+//! The `quasirigid` program: reads its arguments, calls the library, prints.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod args;
+mod commands;
+mod describe;
+mod failure;
+mod message;
+mod output;
+mod progress;
+mod record;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Arguments, Command};
+use failure::Failure;
+
+/// How a command ended when it could run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// Everything asked for was done and holds.
+    Done,
+    /// Done, but a check asked for failed.
+    CheckFailed,
+}
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let code = if error.use_stderr() { 2 } else { 0 };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let result = match &arguments.command {
+        Command::Run(run) => commands::run::run(run),
+        Command::Check(check) => commands::check::check(check),
+        Command::Derive(derive) => commands::derive::derive(derive),
+        Command::Simulate(simulate) => commands::simulate::simulate(simulate),
+    };
+    match result {
+        Ok(Ending::Done) => ExitCode::SUCCESS,
+        Ok(Ending::CheckFailed) => ExitCode::from(1),
+        Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Err(failure) => {
+            message::print(&failure);
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Model files, records and exports.
 #![allow(non_snake_case)]
 
+pub mod export;
 pub mod model;
 mod nearest;
 pub mod record;

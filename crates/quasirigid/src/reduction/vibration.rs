@@ -18,6 +18,14 @@ pub struct Vibrations {
     pub softest: Option<String>,
 }
 
+/// Undamped natural frequencies with the attitude held (rad/s), ascending. (V2)
+///
+/// # Errors
+/// [`NoConvergence`] if the eigenvalue solver fails.
+pub fn frequencies(body: &FlexibleBody) -> Result<Vec<f64>, NoConvergence> {
+    Ok(modes(&body.mass_matrix(), &dense(body.stiffness()))?.frequencies)
+}
+
 impl Vibrations {
     /// Free vibrations of a body.
     ///

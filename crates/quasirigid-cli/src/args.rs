@@ -1,0 +1,148 @@
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
+///
+/// Reads a model of the body (TOML), derives its reduced equations of motion after Chernousko (1978), says how far they
+/// hold, and integrates them.
+#[derive(Debug, Parser)]
+#[command(name = "quasirigid", version, max_term_width = 100)]
+#[command(after_help = "Exit codes: 0 done, 1 done but a requested check failed, 2 could not run.")]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// The main job: check, reduce, propagate, and write a record with its report
+    #[command(after_help = "Example:\n  quasirigid run examples/three-masses/model.toml -o spin")]
+    Run(Run),
+    /// Say how far the reduced equations hold, in words and numbers
+    #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
+    Check(Check),
+    /// Print the reduced equations
+    #[command(after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json")]
+    Derive(Derive),
+    /// Propagate the spin and print a table
+    #[command(
+        after_help = "Example:\n  quasirigid simulate examples/three-masses/model.toml --system reduced --duration 60 --samples 7"
+    )]
+    Simulate(Simulate),
+}
+
+/// The model, and what holds for every command.
+#[derive(Args, Debug)]
+pub struct Common {
+    /// Model file
+    #[arg(value_name = "MODEL.toml")]
+    pub model: PathBuf,
+    /// Order p of the reduced equations, 1 (rigid) to 12; the file's own, or 3 (the paper's)
+    #[arg(long, value_name = "P")]
+    pub order: Option<usize>,
+    /// Print results for machines, as one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but results and errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// What a propagation needs.
+#[derive(Args, Debug)]
+pub struct Propagation {
+    /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred turns
+    #[arg(long, value_name = "T")]
+    pub duration: Option<String>,
+    /// Error allowed per step, relative, 1e-15 to 1e-2 [default: 1e-12]
+    #[arg(long, value_name = "X")]
+    pub tolerance: Option<f64>,
+    /// Number of output times, spread evenly from the start to the end
+    #[arg(long, value_name = "N")]
+    pub samples: Option<usize>,
+    /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
+    #[arg(long, value_enum)]
+    pub form: Option<Form>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    Momentum,
+    Paper,
+}
+
+#[derive(Args, Debug)]
+pub struct Run {
+    #[command(flatten)]
+    pub common: Common,
+    #[command(flatten)]
+    pub propagation: Propagation,
+    /// Folder for the record and report.html [default: the model's name with -run]
+    #[arg(long, short, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace the folder if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Check {
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Args, Debug)]
+pub struct Derive {
+    #[command(flatten)]
+    pub common: Common,
+    /// Form of the result
+    #[arg(long, value_enum, default_value_t = DeriveFormat::Text)]
+    pub format: DeriveFormat,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DeriveFormat {
+    /// Tables for people
+    Text,
+    /// One JSON object with every coefficient
+    Json,
+    /// Displays for a document that loads amsmath
+    Latex,
+}
+
+#[derive(Args, Debug)]
+pub struct Simulate {
+    #[command(flatten)]
+    pub common: Common,
+    #[command(flatten)]
+    pub propagation: Propagation,
+    /// Which equations to integrate
+    #[arg(long, value_enum, default_value_t = System::Reduced)]
+    pub system: System,
+    /// Output times in seconds, separated by commas
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', conflicts_with_all = ["duration", "samples"])]
+    pub times: Option<Vec<f64>>,
+    /// Form of the table
+    #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
+    pub format: TableFormat,
+    /// File for the table [default: standard output, or none with --json]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum System {
+    /// The reduced equations of the nearly rigid body
+    Reduced,
+    /// The body frozen in its equilibrium shape
+    Rigid,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    Csv,
+}

@@ -1,0 +1,163 @@
+use std::fmt::{self, Write};
+
+use quasirigid::dynamics::{SteadySpin, steady_spins};
+use quasirigid::math::rotation::angle;
+use quasirigid::math::sym::norm;
+use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::reduction::{Validity, Verdict, reduce};
+use serde_json::json;
+
+use super::{Loaded, initial, load};
+use crate::args::Check;
+use crate::describe::{criterion, reasons, significant, time, verdict, word};
+use crate::failure::Failure;
+use crate::{Ending, output};
+
+/// Columns of the terminal that texts keep to.
+const WIDTH: usize = 79;
+/// Frequencies printed one by one.
+const LISTED: usize = 9;
+
+/// Says how far the reduced equations hold.
+pub fn check(arguments: &Check) -> Result<Ending, Failure> {
+    let Loaded { model, body, order } = load(&arguments.common)?;
+    let omega = initial(&model, &arguments.common.model)?.omega;
+    let validity = Validity::of(&body, order, omega)?;
+    let reduced = reduce(&body, order)?;
+    let text = if arguments.common.json {
+        object(&model.name, order, &validity)
+    } else {
+        let mut text = String::new();
+        write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        text
+    };
+    output::print(&text)?;
+    Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
+}
+
+fn object(name: &str, order: usize, validity: &Validity) -> String {
+    let criteria: Vec<_> = validity
+        .criteria
+        .iter()
+        .map(|each| {
+            let words = criterion(each, validity);
+            json!({
+                "name": words.name, "symbol": words.symbol, "value": each.value, "limit": each.limit(),
+                "verdict": word(each.verdict()), "sentence": words.sentence,
+            })
+        })
+        .collect();
+    let finite = |value: f64| value.is_finite().then_some(value);
+    let object = json!({
+        "name": name,
+        "order": order,
+        "valid": validity.verdict() != Verdict::Fails,
+        "verdict": word(validity.verdict()),
+        "reasons": reasons(validity),
+        "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,
+        "frequencies": validity.vibrations.frequencies,
+        "free_frequencies": validity.vibrations.free_frequencies,
+        "decay_rates": validity.vibrations.decay_rates,
+        "criteria": criteria,
+        "degrees": validity.degrees.iter()
+            .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
+        "optimal_order": validity.optimal_order,
+    });
+    format!("{object:#}\n")
+}
+
+fn write(
+    out: &mut String,
+    name: &str,
+    reduced: &ReducedBody,
+    omega: [f64; 3],
+    validity: &Validity,
+) -> fmt::Result {
+    writeln!(out, "{name}: {}", verdict(validity))?;
+    for reason in reasons(validity) {
+        let indent = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
+        writeln!(out, "{}", textwrap::fill(&reason, indent))?;
+    }
+    times(out, validity)?;
+    writeln!(out, "\nCriteria                            symbol                 value  limit  verdict")?;
+    for each in &validity.criteria {
+        let words = criterion(each, validity);
+        let (value, limit) = (significant(each.value, 3), significant(each.limit(), 1));
+        let verdict = word(each.verdict());
+        let shown = if each.verdict() == Verdict::Fails { verdict.to_uppercase() } else { verdict.into() };
+        writeln!(out, "  {:<33} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
+    }
+    vibrations(out, validity)?;
+    series(out, reduced.order, validity)?;
+    spin(out, reduced, omega)
+}
+
+fn times(out: &mut String, validity: &Validity) -> fmt::Result {
+    writeln!(out, "\nTimes")?;
+    let rows = [
+        ("T1", validity.T1, "period of the slowest vibration"),
+        ("T2", validity.T2, "decay of the slowest vibration"),
+        ("T3", validity.T3, "the spin, 1/|w|"),
+    ];
+    rows.iter().try_for_each(|(symbol, seconds, meaning)| writeln!(out, "  {symbol}  {:<16} {meaning}", time(*seconds)))
+}
+
+fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
+    let vibrations = &validity.vibrations;
+    if vibrations.frequencies.is_empty() {
+        return writeln!(out, "\nNo vibrations: the body is rigid.");
+    }
+    writeln!(out, "\nVibrations")?;
+    list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
+    list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
+    list(out, "decay rates", &vibrations.decay_rates, "1/s")
+}
+
+fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Result {
+    let shown: Vec<_> = values.iter().take(LISTED).map(|value| significant(*value, 4)).collect();
+    let more = if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
+    let text = format!("{title} ({unit}): {}{more}", shown.join(" "));
+    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("      ");
+    writeln!(out, "{}", textwrap::fill(&text, indent))
+}
+
+fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
+    writeln!(out, "\nSize of the terms of w' at this spin (rad/s^2)")?;
+    let sizes = validity.degrees.iter().map(|d| format!("f{} {:.1e}", d.degree, d.size));
+    let text = sizes.collect::<Vec<_>>().join("   ");
+    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    writeln!(out, "{}", textwrap::fill(&text, indent))?;
+    let highest = validity.degrees.last().map_or(0, |d| d.degree).saturating_sub(4);
+    let best = validity.optimal_order;
+    let beyond = if best == highest { " or above" } else { "" };
+    writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
+}
+
+fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result {
+    let principal = Principal::of(reduced.J);
+    let K = reduced.momentum(omega);
+    writeln!(out, "\nSteady spins at this momentum, after the reduced equations")?;
+    let names = ["least", "middle", "greatest"];
+    let steady = steady_spins(reduced, norm(K));
+    for ((name, moment), steady) in names.iter().zip(principal.moments).zip(steady) {
+        let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
+        writeln!(out, "  {about:<51} {}", steady.map_or("not determined".into(), |spin| fate(&spin)))?;
+    }
+    let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
+        let off = angle(K, *axis);
+        (off.min(std::f64::consts::PI - off).to_degrees(), name)
+    });
+    let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+    writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
+}
+
+/// What becomes of a small nutation about a steady spin.
+fn fate(spin: &SteadySpin) -> String {
+    if spin.growth == 0.0 {
+        "stays".into()
+    } else if spin.growth > 0.0 {
+        format!("grows e-fold in {}", time(spin.growth.recip()))
+    } else {
+        format!("decays e-fold in {}", time(-spin.growth.recip()))
+    }
+}

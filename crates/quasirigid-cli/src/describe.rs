@@ -1,0 +1,142 @@
+//! Numbers and criteria in words.
+
+use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
+
+/// A criterion in words.
+pub struct Words {
+    /// What is compared.
+    pub name: &'static str,
+    /// The same in symbols.
+    pub symbol: &'static str,
+    /// What its number means, in one sentence.
+    pub sentence: String,
+}
+
+/// Says what a criterion means for this body and spin.
+pub fn criterion(criterion: &Criterion, validity: &Validity) -> Words {
+    let (name, symbol) = names(criterion.comparison);
+    Words { name, symbol, sentence: sentence(criterion, validity) }
+}
+
+fn names(comparison: Comparison) -> (&'static str, &'static str) {
+    match comparison {
+        Comparison::Spin => ("spin against slowest vibration", "|w|/Omega_min"),
+        Comparison::Damping => ("spin against damping", "beta |w|"),
+        Comparison::Series => ("convergence of the series", "Omega_d+2/Omega_d"),
+        Comparison::Resonance => ("harmonics near resonance", "nome^(n/2)"),
+        Comparison::Linearity => ("displacement against size", "max|r|/max|rho|"),
+        Comparison::Residual => ("residual of the full equations", "|residual|/|load|"),
+        Comparison::Forgetting => ("decay of initial vibrations", "T2/T3"),
+    }
+}
+
+fn sentence(criterion: &Criterion, validity: &Validity) -> String {
+    let verdict = criterion.verdict();
+    let ratio = significant(criterion.value, 3);
+    let spin = significant(validity.T3.recip(), 4);
+    match criterion.comparison {
+        Comparison::Spin => match validity.vibrations.frequencies.first() {
+            None => "Nothing on this body vibrates.".into(),
+            Some(slowest) => {
+                let softest = validity.vibrations.softest.as_deref().unwrap_or("the softest coordinate");
+                let slowest = significant(*slowest, 4);
+                format!(
+                    "The spin, {spin} rad/s, is {ratio} times the slowest elastic frequency, {slowest} rad/s ({softest})."
+                )
+            }
+        },
+        Comparison::Damping => {
+            let time = significant(validity.vibrations.damping_time, 3);
+            format!("Dashpots delay the springs by up to {time} s, which is {ratio} of the time 1/|w| of the spin.")
+        }
+        Comparison::Series => format!("Successive terms of the same kind in Omega(K) have the ratio {ratio} at this spin."),
+        Comparison::Resonance => resonance(validity),
+        Comparison::Linearity => match &validity.displacement {
+            None => "Nothing on this body is displaced.".into(),
+            Some((place, r)) => format!(
+                "The largest displacement, of {place}, is {} m: {ratio} of the size of the body.",
+                significant(*r, 3)
+            ),
+        },
+        Comparison::Residual => {
+            format!("Put into the full equations, the reduced ones leave {ratio} of the elastic load unbalanced.")
+        }
+        Comparison::Forgetting if verdict == Verdict::Holds => {
+            "Vibrations excited at the start die out before the body has turned by a radian.".into()
+        }
+        Comparison::Forgetting if validity.T2.is_infinite() => {
+            "Vibrations excited at the start last for ever; a start on the slow manifold excites none.".into()
+        }
+        Comparison::Forgetting => format!(
+            "Vibrations excited at the start last while the body turns by {ratio} rad; a start on the slow manifold excites none."
+        ),
+    }
+}
+
+fn resonance(validity: &Validity) -> String {
+    let Some(strongest) = validity.resonances.first() else {
+        return "No harmonic of the polhode frequency that is alive comes within 10 % of an elastic frequency.".into();
+    };
+    format!(
+        "Harmonic {} of the polhode frequency, {} rad/s, is near the elastic frequency {} rad/s; its strength is {} of the load.",
+        strongest.harmonic,
+        significant(strongest.forcing, 4),
+        significant(strongest.frequency, 4),
+        significant(strongest.strength, 2)
+    )
+}
+
+/// The verdict on the whole, in one sentence.
+pub fn verdict(validity: &Validity) -> &'static str {
+    match validity.verdict() {
+        Verdict::Holds => "The reduced equations hold at this spin.",
+        Verdict::Marginal => "The reduced equations are at the edge of their range at this spin.",
+        Verdict::Fails => "The reduced equations DO NOT HOLD at this spin.",
+    }
+}
+
+/// Sentences of the criteria that do not hold, the worst first.
+pub fn reasons(validity: &Validity) -> Vec<String> {
+    let mut failing: Vec<_> = validity
+        .criteria
+        .iter()
+        .filter(|criterion| criterion.comparison != Comparison::Forgetting)
+        .filter(|criterion| criterion.verdict() != Verdict::Holds)
+        .collect();
+    failing.sort_by_key(|criterion| std::cmp::Reverse(criterion.verdict()));
+    failing.iter().map(|criterion| sentence(criterion, validity)).collect()
+}
+
+/// A verdict in one word.
+pub fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "holds",
+        Verdict::Marginal => "marginal",
+        Verdict::Fails => "fails",
+    }
+}
+
+/// A number with so many significant digits, without an exponent where that is readable.
+pub fn significant(value: f64, digits: i32) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        let decimals = (digits - 1).max(0) as usize;
+        return format!("{value:.decimals$e}");
+    }
+    let decimals = (digits - 1 - size.log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// A time (s) in the unit a person would choose.
+pub fn time(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 6] =
+        [(31_557_600e6, "Myr"), (31_557_600.0, "yr"), (86_400.0, "d"), (3_600.0, "h"), (60.0, "min"), (1.0, "s")];
+    if seconds.is_infinite() {
+        return "for ever".into();
+    }
+    let (size, unit) = UNITS.into_iter().find(|(size, _)| seconds.abs() >= 2.0 * size).unwrap_or((1.0, "s"));
+    format!("{} {unit}", significant(seconds / size, 4))
+}

@@ -1,0 +1,44 @@
+use std::path::PathBuf;
+
+use quasirigid::dynamics::PropagateError;
+use quasirigid::math::eigen::NoConvergence;
+use quasirigid::reduction::{ReductionError, ValidityError};
+use quasirigid_io::model::ModelError;
+use quasirigid_io::record::RecordError;
+use quasirigid_io::units::UnitError;
+use thiserror::Error;
+
+/// Why a command could not run.
+#[derive(Debug, Error)]
+pub enum Failure {
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    #[error(transparent)]
+    Reduction(#[from] ReductionError),
+    #[error(transparent)]
+    Validity(#[from] ValidityError),
+    #[error(transparent)]
+    Vibration(#[from] NoConvergence),
+    #[error(transparent)]
+    Propagate(#[from] PropagateError),
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    #[error("--duration {text}: {cause}")]
+    Duration { text: String, cause: UnitError },
+    #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
+    NoDuration { seconds: f64 },
+    #[error("--samples {samples} is out of range; give 2 to 10000000")]
+    Samples { samples: usize },
+    #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
+    NoSpin { file: PathBuf },
+    #[error("{path} is there already; choose another with {option}, or add --overwrite", path = path.display())]
+    Exists { path: PathBuf, option: &'static str },
+    #[error("{path} is not a record of quasirigid, so --overwrite will not remove it; choose another folder with -o", path = path.display())]
+    Foreign { path: PathBuf },
+    #[error("cannot write {path}: {cause}", path = path.display())]
+    Write { path: PathBuf, cause: std::io::Error },
+    #[error("cannot listen for Ctrl-C: {0}")]
+    Signals(#[from] ctrlc::Error),
+    #[error("the reader of the output went away")]
+    BrokenPipe,
+}

@@ -1,0 +1,42 @@
+use std::io::IsTerminal;
+
+use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
+use quasirigid_io::model::{Diagnostic, ModelError};
+
+use crate::failure::Failure;
+
+/// Prints a failure on standard error: for a mistake in a model file with the line it is on.
+pub fn print(failure: &Failure) {
+    if let Failure::Model(ModelError::Invalid { model, diagnostics }) = failure {
+        let file = model.file.display().to_string();
+        for diagnostic in diagnostics {
+            eprintln!("{}", located(&file, &model.text, diagnostic));
+        }
+        let count = diagnostics.len();
+        let problems = if count == 1 { "1 problem".into() } else { format!("{count} problems") };
+        eprintln!("quasirigid: {file}: {problems}; nothing was computed");
+    } else {
+        eprintln!("quasirigid: {failure}");
+    }
+}
+
+/// A diagnostic as `file:line:column: message`, the source line, and what to try.
+fn located(file: &str, text: &str, diagnostic: &Diagnostic) -> String {
+    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let config = Config::default().with_color(colour).with_index_type(IndexType::Byte);
+    let span = (file, diagnostic.span.clone());
+    let mut report = Report::build(ReportKind::Error, span.clone())
+        .with_config(config)
+        .with_message(&diagnostic.message)
+        .with_label(Label::new(span).with_message(&diagnostic.label).with_color(Color::Red));
+    if let Some(help) = &diagnostic.help {
+        report = report.with_help(help);
+    }
+    let mut bytes = Vec::new();
+    let written = report.finish().write((file, Source::from(text)), &mut bytes);
+    let (line, column) = diagnostic.position(text);
+    match written {
+        Ok(()) => String::from_utf8_lossy(&bytes).into_owned(),
+        Err(_) => format!("{file}:{line}:{column}: {}", diagnostic.message),
+    }
+}

@@ -1,0 +1,72 @@
+use std::io::{IsTerminal, stderr};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use quasirigid::dynamics::{Observer, Sample};
+
+use crate::failure::Failure;
+
+/// Set once Ctrl-C was pressed.
+#[derive(Clone, Debug)]
+pub struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Starts to listen for Ctrl-C.
+    pub fn listen() -> Result<Self, Failure> {
+        let pressed = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&pressed);
+        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+        Ok(Self(pressed))
+    }
+}
+
+/// Collects samples, shows progress on a terminal once a second has passed, and ends on Ctrl-C.
+pub struct Collector {
+    pub samples: Vec<Sample>,
+    interrupt: Interrupt,
+    bar: ProgressBar,
+    duration: f64,
+}
+
+/// Marks of a full progress bar.
+const MARKS: u64 = 1000;
+/// Time before a progress bar appears.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+impl Collector {
+    pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
+        let bar = ProgressBar::new(MARKS);
+        let hidden = quiet || !stderr().is_terminal();
+        bar.set_draw_target(if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(5) });
+        if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {percent} %, {eta} left") {
+            bar.set_style(style);
+        }
+        bar.set_message(what.to_owned());
+        Self { samples: Vec::new(), interrupt: interrupt.clone(), bar, duration }
+    }
+
+    /// The samples, and the progress bar cleared away.
+    pub fn finish(self) -> Vec<Sample> {
+        self.bar.finish_and_clear();
+        self.samples
+    }
+}
+
+impl Observer for Collector {
+    fn sample(&mut self, sample: &Sample) {
+        self.samples.push(*sample);
+    }
+
+    fn progress(&mut self, t: f64) -> ControlFlow<()> {
+        if self.interrupt.0.load(Ordering::Relaxed) {
+            return ControlFlow::Break(());
+        }
+        if self.bar.elapsed() > PATIENCE {
+            self.bar.set_position((MARKS as f64 * t / self.duration) as u64);
+        }
+        ControlFlow::Continue(())
+    }
+}

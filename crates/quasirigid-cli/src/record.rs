@@ -1,0 +1,155 @@
+//! What the library computed, as a run record.
+
+use quasirigid::dynamics::{Form, Options, Outcome, Run, Sample};
+use quasirigid::math::rotation::angle;
+use quasirigid::math::sym::norm;
+use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
+use quasirigid::reduction::{Validity, Verdict, residual};
+use quasirigid_io::model::Model;
+use quasirigid_io::record::{
+    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, ReductionRecord, ValidityRecord,
+};
+
+use crate::describe;
+
+/// The model a record is made from.
+pub fn model(model: &Model) -> ModelRecord {
+    let file = model.source.file.file_name().unwrap_or(model.source.file.as_os_str());
+    ModelRecord {
+        name: model.name.clone(),
+        file: file.to_string_lossy().into_owned(),
+        sha256: model.source.sha256.clone(),
+    }
+}
+
+/// The frozen body.
+pub fn body(body: &FlexibleBody) -> BodyRecord {
+    let principal = Principal::of(body.invariants().J);
+    BodyRecord {
+        mass: body.invariants().mass,
+        center_of_mass: body.center_of_mass(),
+        pole: body.pole(),
+        support: match body.support() {
+            Support::Free => "free".into(),
+            Support::FixedPoint { .. } => "fixed-point".into(),
+        },
+        inertia: body.inertia(),
+        principal_moments: principal.moments,
+        principal_axes: principal.axes,
+        coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.clone()).collect(),
+    }
+}
+
+/// How far the reduced equations hold.
+pub fn validity(validity: &Validity) -> ValidityRecord {
+    let criteria = validity.criteria.iter().map(|criterion| {
+        let words = describe::criterion(criterion, validity);
+        CriterionRecord {
+            name: words.name.into(),
+            symbol: words.symbol.into(),
+            value: criterion.value,
+            limit: criterion.limit(),
+            verdict: describe::word(criterion.verdict()).into(),
+            sentence: words.sentence,
+        }
+    });
+    ValidityRecord {
+        valid: validity.verdict() != Verdict::Fails,
+        verdict: describe::verdict(validity).into(),
+        T1: validity.T1,
+        T2: validity.T2.is_finite().then_some(validity.T2),
+        T3: validity.T3,
+        frequencies: validity.vibrations.frequencies.clone(),
+        decay_rates: validity.vibrations.decay_rates.clone(),
+        criteria: criteria.collect(),
+    }
+}
+
+/// The reduced equations at the initial spin.
+pub fn reduction(
+    flexible: &FlexibleBody,
+    reduced: &ReducedBody,
+    validity: &Validity,
+    omega: [f64; 3],
+) -> ReductionRecord {
+    let euler = validity.degrees.first().map_or(0.0, |degree| degree.size);
+    let degrees = validity.degrees.iter().map(|degree| DegreeRecord {
+        degree: degree.degree,
+        size: degree.size,
+        relative: if euler > 0.0 { degree.size / euler } else { 0.0 },
+    });
+    ReductionRecord {
+        order: reduced.order,
+        optimal_order: validity.optimal_order,
+        residual: residual(flexible, reduced, omega).elastic,
+        degrees: degrees.collect(),
+        power: reduced.dissipated_power(omega),
+    }
+}
+
+/// A spin history; nutation is counted from the `axis` (body axes).
+pub fn history(
+    system: &str,
+    options: &Options,
+    samples: &[Sample],
+    run: &Run,
+    axis: [f64; 3],
+) -> HistoryRecord {
+    let (status, message) = status(run.outcome, run.last.t);
+    HistoryRecord {
+        system: system.into(),
+        form: match options.form {
+            Form::Momentum => "momentum in body axes, K' = K x Omega(K)".into(),
+            Form::Paper => "spin, J w' + w x Jw = mu(w)".into(),
+        },
+        status: status.into(),
+        message,
+        tolerance: options.tolerance,
+        steps: run.work.steps,
+        rejected: run.work.rejected,
+        turns: run.last.turns,
+        energy: samples.first().map_or(f64::NAN, |first| first.energy),
+        dissipated: run.last.dissipated,
+        energy_drift: run.last.energy_drift,
+        momentum_drift: run.last.momentum_drift,
+        columns: columns(samples, Some(axis)),
+    }
+}
+
+/// How a run ended: a word, and a sentence.
+pub fn status(outcome: Outcome, t: f64) -> (&'static str, String) {
+    match outcome {
+        Outcome::Finished => ("finished", "the run reached its end".into()),
+        Outcome::Interrupted => ("interrupted", format!("the run was interrupted at t = {t} s")),
+        Outcome::StepLimit => ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance")),
+        Outcome::Failed(error) => ("failed", error.to_string()),
+    }
+}
+
+/// The columns of a table of samples; the last one, nutation, only with an axis to count it from.
+pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
+    let column = |name: &str, unit: &str, value: &dyn Fn(&Sample) -> f64| Column {
+        name: name.into(),
+        unit: unit.into(),
+        values: samples.iter().map(value).collect(),
+    };
+    let mut columns = vec![
+        column("t", "s", &|s| s.t),
+        column("wx", "rad/s", &|s| s.omega[0]),
+        column("wy", "rad/s", &|s| s.omega[1]),
+        column("wz", "rad/s", &|s| s.omega[2]),
+        column("qw", "1", &|s| s.attitude[0]),
+        column("qx", "1", &|s| s.attitude[1]),
+        column("qy", "1", &|s| s.attitude[2]),
+        column("qz", "1", &|s| s.attitude[3]),
+        column("energy", "J", &|s| s.energy),
+        column("momentum", "N m s", &|s| norm(s.momentum)),
+        column("dissipated", "J", &|s| s.dissipated),
+        column("energy_drift", "J", &|s| s.energy_drift),
+        column("momentum_drift", "1", &|s| s.momentum_drift),
+    ];
+    if let Some(axis) = axis {
+        columns.push(column("nutation", "rad", &|s| angle(s.momentum, axis)));
+    }
+    columns
+}

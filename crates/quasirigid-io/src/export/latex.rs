@@ -1,0 +1,73 @@
+use std::fmt::{self, Write};
+
+use quasirigid::math::polynomial::Homogeneous;
+
+use super::Derived;
+
+/// Terms smaller than this share of the largest of their degree are rounding and left out.
+const KEPT: f64 = 1e-13;
+/// Terms to a line.
+const TERMS_PER_LINE: usize = 3;
+
+impl Derived<'_> {
+    /// The equations of motion as LaTeX displays, for a document that loads `amsmath`.
+    #[must_use]
+    pub fn latex(&self) -> String {
+        let mut latex = String::new();
+        self.write_latex(&mut latex).expect("a string takes any text");
+        latex
+    }
+
+    fn write_latex(&self, out: &mut String) -> fmt::Result {
+        let degrees = self.mu();
+        let sum: Vec<_> = degrees.iter().map(|part| format!(r"\mu_{{{}}}(\omega)", part.degree())).collect();
+        let sum = if sum.is_empty() { "0".into() } else { sum.join(" + ") };
+        writeln!(out, "% {}, order {}; SI units, body axes", self.name.replace('\n', " "), self.reduced.order)?;
+        writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times J\\omega = {sum}, \\qquad")?;
+        writeln!(out, "  J = \\begin{{pmatrix}}")?;
+        for row in self.body.inertia() {
+            writeln!(out, "    {} \\\\", row.map(number).join(" & "))?;
+        }
+        writeln!(out, "  \\end{{pmatrix}}\n\\end{{equation*}}")?;
+        degrees.iter().try_for_each(|part| display(out, part))
+    }
+}
+
+fn display(out: &mut String, part: &Homogeneous) -> fmt::Result {
+    writeln!(out, "\\begin{{align*}}")?;
+    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
+        write!(out, "  \\mu_{{{},{name}}} &= ", part.degree())?;
+        let terms: Vec<_> = part
+            .terms()
+            .filter(|(_, value)| value[axis].abs() > KEPT * part.amax())
+            .map(|(exponents, value)| term(value[axis], exponents))
+            .collect();
+        let mut lines: Vec<_> = terms.chunks(TERMS_PER_LINE).map(|line| line.join(" ")).collect();
+        if lines.is_empty() {
+            lines.push("0".into());
+        }
+        let end = if axis < 2 { " \\\\" } else { "" };
+        writeln!(out, "{}{end}", lines.join(" \\\\\n  &\\quad "))?;
+    }
+    writeln!(out, "\\end{{align*}}")
+}
+
+fn term(coefficient: f64, exponents: [usize; 3]) -> String {
+    let sign = if coefficient < 0.0 { "-" } else { "+" };
+    let factors = exponents.iter().zip(["x", "y", "z"]).filter(|(power, _)| **power > 0);
+    let factors = factors.map(|(power, axis)| match power {
+        1 => format!(r"\omega_{axis}"),
+        _ => format!(r"\omega_{axis}^{{{power}}}"),
+    });
+    format!("{sign} {}\\,{}", number(coefficient.abs()), factors.collect::<String>())
+}
+
+/// Ten significant digits with the power of ten set as such.
+fn number(value: f64) -> String {
+    let text = format!("{value:.9e}");
+    match text.split_once('e') {
+        Some((mantissa, "0")) => mantissa.into(),
+        Some((mantissa, exponent)) => format!(r"{mantissa}\cdot 10^{{{exponent}}}"),
+        None => text,
+    }
+}

@@ -1,1 +1,21 @@
-//! Placeholder.
+//! A run record as one self-contained HTML page.
+//!
+//! The page reads from the top like an answer: may the numbers be trusted, what happened to the spin, how it happened,
+//! and then every table needed to check it. It asks the network for nothing, and needs nothing but the
+//! [`RunRecord`](quasirigid_io::record::RunRecord), so a report can be remade years after the run.
+//!
+//! Charts are written as SVG here and not by a plotting library: their colours are CSS classes, so that one file serves
+//! light, dark and print; their text keeps its size while the plot narrows to a telephone; and their curves are thinned
+//! by pixel column, which keeps every extreme of a history of any length.
+#![allow(non_snake_case)]
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
+mod figure;
+mod number;
+mod page;
+mod rows;
+mod sections;
+mod sphere;
+mod verdict;
+
+pub use page::page;

@@ -1,6 +1,18 @@
 //! What a run leaves behind: numbers and words enough to remake its report years later.
+//!
+//! On disk a record is a folder: `record.json` holds everything but the rows of the histories, and
+//! `history-<system>.csv` holds the rows of one history. Every number reads back bit for bit; one that
+//! is not finite is written `"NaN"`, `"inf"` or `"-inf"` in JSON, the same words without quotes in CSV.
+
+mod error;
+mod folder;
+mod number;
+mod table;
 
 use serde::{Deserialize, Serialize};
+
+pub use error::RecordError;
+pub use table::history_csv;
 
 /// Everything a run computed, in SI units.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -36,18 +48,24 @@ pub struct ModelRecord {
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct BodyRecord {
     /// Mass (kg).
+    #[serde(with = "number")]
     pub mass: f64,
     /// Centre of mass (m), in the file's frame.
+    #[serde(with = "number")]
     pub center_of_mass: [f64; 3],
     /// Pole (m), in the file's frame.
+    #[serde(with = "number")]
     pub pole: [f64; 3],
     /// `free` or `fixed-point`.
     pub support: String,
     /// Inertia tensor about the pole (kg·m²), in the file's axes.
+    #[serde(with = "number")]
     pub inertia: [[f64; 3]; 3],
     /// Principal moments (kg·m²), ascending.
+    #[serde(with = "number")]
     pub principal_moments: [f64; 3],
     /// Unit vectors of the principal axes, in the order of the moments.
+    #[serde(with = "number")]
     pub principal_axes: [[f64; 3]; 3],
     /// Names of the internal coordinates.
     pub coordinates: Vec<String>,
@@ -61,14 +79,19 @@ pub struct ValidityRecord {
     /// The verdict in one sentence.
     pub verdict: String,
     /// Longest period of free vibration (s).
+    #[serde(with = "number")]
     pub T1: f64,
     /// Time in which the slowest free vibration decays by e (s); none when it does not decay.
+    #[serde(with = "number")]
     pub T2: Option<f64>,
     /// Time of the spin, `1/|ω|` (s).
+    #[serde(with = "number")]
     pub T3: f64,
     /// Undamped natural frequencies (rad/s), ascending.
+    #[serde(with = "number")]
     pub frequencies: Vec<f64>,
     /// Decay rates of the free vibrations (1/s), ascending.
+    #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
     /// Every criterion with its number.
     pub criteria: Vec<CriterionRecord>,
@@ -82,8 +105,10 @@ pub struct CriterionRecord {
     /// What is compared, in symbols.
     pub symbol: String,
     /// Its value.
+    #[serde(with = "number")]
     pub value: f64,
     /// The value below which it holds.
+    #[serde(with = "number")]
     pub limit: f64,
     /// `holds`, `marginal` or `fails`.
     pub verdict: String,
@@ -99,10 +124,12 @@ pub struct ReductionRecord {
     /// Order at which the terms are smallest at this spin.
     pub optimal_order: usize,
     /// Residual of the invariance equation relative to the elastic load.
+    #[serde(with = "number")]
     pub residual: f64,
     /// Size of each degree of `ω̇` at this spin.
     pub degrees: Vec<DegreeRecord>,
     /// Mean power dissipated at the initial spin (W).
+    #[serde(with = "number")]
     pub power: f64,
 }
 
@@ -112,8 +139,10 @@ pub struct DegreeRecord {
     /// Degree in `ω`.
     pub degree: usize,
     /// Largest `|f_d|` over directions of the spin (rad/s²).
+    #[serde(with = "number")]
     pub size: f64,
     /// The same relative to degree two.
+    #[serde(with = "number")]
     pub relative: f64,
 }
 
@@ -129,23 +158,28 @@ pub struct HistoryRecord {
     /// What the end of the run means, in one sentence.
     pub message: String,
     /// Relative tolerance of the integrator.
+    #[serde(with = "number")]
     pub tolerance: f64,
     /// Steps accepted.
     pub steps: u64,
     /// Steps rejected.
     pub rejected: u64,
     /// Turns made, `∫|ω| dt / 2π`.
+    #[serde(with = "number")]
     pub turns: f64,
     /// Energy at the start (J).
+    #[serde(with = "number")]
     pub energy: f64,
     /// Energy taken by the dashpots (J).
+    #[serde(with = "number")]
     pub dissipated: f64,
     /// Change of energy made by the integrator alone (J).
+    #[serde(with = "number")]
     pub energy_drift: f64,
     /// Change of `|K|` made by the integrator alone, relative.
+    #[serde(with = "number")]
     pub momentum_drift: f64,
-    /// Rows of the history, one array per column. Kept in a CSV file of its own.
-    #[serde(skip)]
+    /// Rows of the history, one array per column. The values are kept in a CSV file of its own.
     pub columns: Vec<Column>,
 }
 
@@ -156,6 +190,7 @@ pub struct Column {
     pub name: String,
     /// SI unit.
     pub unit: String,
-    /// Values, one per row.
+    /// Values, one per row. Kept in the CSV file.
+    #[serde(skip)]
     pub values: Vec<f64>,
 }

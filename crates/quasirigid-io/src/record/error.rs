@@ -1,0 +1,106 @@
+use std::io::ErrorKind;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// Why a record could not be written or read.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum RecordError {
+    /// The folder to write into does not exist, or is a file.
+    #[error("{}: no such folder; make it first", folder.display())]
+    NoFolder {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The folder to write into holds something already.
+    #[error("{}: not empty, it holds {found:?}; records are never overwritten, so name an empty folder", folder.display())]
+    NotEmpty {
+        /// The folder.
+        folder: PathBuf,
+        /// Something it holds.
+        found: String,
+    },
+    /// A history whose name cannot be part of a file name.
+    #[error(
+        "history {system:?}: the name becomes part of a file name; use letters, digits, - and _ only"
+    )]
+    SystemName {
+        /// Name of the history.
+        system: String,
+    },
+    /// Two histories that would share a file.
+    #[error("two histories are named {system:?}; each needs a file of its own, so rename one")]
+    SameSystem {
+        /// Name of both.
+        system: String,
+    },
+    /// Columns of unequal length.
+    #[error(
+        "history {system:?}: column {column:?} has {rows} rows, the first column {expected}; give all the same"
+    )]
+    Ragged {
+        /// Name of the history.
+        system: String,
+        /// The column that differs.
+        column: String,
+        /// Its rows.
+        rows: usize,
+        /// Rows of the first column.
+        expected: usize,
+    },
+    /// A file that cannot be opened, read or written.
+    #[error("{}: {kind}; is this the folder of a run, may it be read and written, is the disk full?", file.display())]
+    File {
+        /// The file.
+        file: PathBuf,
+        /// What went wrong.
+        kind: ErrorKind,
+    },
+    /// A `record.json` that is no record.
+    #[error("{}:{line}:{column}: {problem}; edited, cut short, or of another version? run the model again", file.display())]
+    Json {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the JSON reader found.
+        problem: String,
+    },
+    /// A history whose header differs from the columns that `record.json` lists.
+    #[error("{}:1: columns are {found:?}, record.json says {expected:?}; take both files from the same run", file.display())]
+    Header {
+        /// The file.
+        file: PathBuf,
+        /// Columns that `record.json` lists.
+        expected: Vec<String>,
+        /// Columns of the file.
+        found: Vec<String>,
+    },
+    /// A row with too few or too many fields.
+    #[error("{}:{line}: {fields} fields under {expected} columns; if the file was cut short, run the model again", file.display())]
+    Width {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// Fields of the row.
+        fields: usize,
+        /// Columns of the header.
+        expected: usize,
+    },
+    /// A field that is no number.
+    #[error("{}:{line}: column {column:?}: {text:?} is not a number; write it like 1.5, 2e-7, NaN or inf", file.display())]
+    NotANumber {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// Name of the column.
+        column: String,
+        /// The field.
+        text: String,
+    },
+}

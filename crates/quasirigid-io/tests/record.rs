@@ -1,0 +1,331 @@
+//! A record written is the record read, and a damaged folder is refused by file and line.
+#![allow(non_snake_case, clippy::unwrap_used)]
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use proptest::collection::vec;
+use proptest::num::f64::ANY;
+use proptest::option;
+use proptest::prelude::*;
+use quasirigid_io::record::*;
+use tempfile::tempdir;
+
+prop_compose! {
+    fn body()(
+        mass in ANY, center_of_mass in [ANY; 3], pole in [ANY; 3], support in ".*",
+        inertia in [[ANY; 3], [ANY; 3], [ANY; 3]], principal_moments in [ANY; 3],
+        principal_axes in [[ANY; 3], [ANY; 3], [ANY; 3]], coordinates in vec(".*", 0..3),
+    ) -> BodyRecord {
+        BodyRecord {
+            mass, center_of_mass, pole, support, inertia, principal_moments, principal_axes, coordinates,
+        }
+    }
+}
+
+prop_compose! {
+    fn criterion()(
+        name in ".*", symbol in ".*", value in ANY, limit in ANY, verdict in ".*", sentence in ".*",
+    ) -> CriterionRecord {
+        CriterionRecord { name, symbol, value, limit, verdict, sentence }
+    }
+}
+
+prop_compose! {
+    fn validity()(
+        valid: bool, verdict in ".*", T1 in ANY, T2 in option::of(ANY), T3 in ANY,
+        frequencies in vec(ANY, 0..4), decay_rates in vec(ANY, 0..4), criteria in vec(criterion(), 0..3),
+    ) -> ValidityRecord {
+        ValidityRecord { valid, verdict, T1, T2, T3, frequencies, decay_rates, criteria }
+    }
+}
+
+prop_compose! {
+    fn reduction()(
+        order in 1usize..9, optimal_order in 1usize..9, residual in ANY, power in ANY,
+        sizes in vec((2usize..9, ANY, ANY), 0..4),
+    ) -> ReductionRecord {
+        let degrees = sizes
+            .into_iter()
+            .map(|(degree, size, relative)| DegreeRecord { degree, size, relative })
+            .collect();
+        ReductionRecord { order, optimal_order, residual, degrees, power }
+    }
+}
+
+fn columns() -> impl Strategy<Value = Vec<Column>> {
+    (0usize..4, 0usize..6).prop_flat_map(|(columns, rows)| {
+        let column = ("[a-z,\" ω]{0,6}", ".*", vec(ANY, rows))
+            .prop_map(|(name, unit, values)| Column { name, unit, values });
+        vec(column, columns)
+    })
+}
+
+prop_compose! {
+    fn history(system: &'static str)(
+        form in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
+        numbers in [ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(),
+    ) -> HistoryRecord {
+        let [tolerance, turns, energy, dissipated, energy_drift, momentum_drift] = numbers;
+        HistoryRecord {
+            system: system.into(), form, status, message, tolerance, steps, rejected, turns,
+            energy, dissipated, energy_drift, momentum_drift, columns,
+        }
+    }
+}
+
+prop_compose! {
+    fn record()(
+        version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
+        body in body(), validity in validity(), reduction in reduction(),
+        reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
+    ) -> RunRecord {
+        RunRecord {
+            version, model: ModelRecord { name, file, sha256 }, notes, body, validity, reduction,
+            histories: reduced.into_iter().chain(rigid).collect(),
+        }
+    }
+}
+
+/// A record with one history of two rows, to be damaged.
+fn sample() -> RunRecord {
+    let column = |name: &str, unit: &str, values: [f64; 2]| Column {
+        name: name.into(),
+        unit: unit.into(),
+        values: values.into(),
+    };
+    RunRecord {
+        version: "0.1.0".into(),
+        model: ModelRecord {
+            name: "boom".into(),
+            file: "boom.toml".into(),
+            sha256: "ab".into(),
+        },
+        notes: vec![],
+        body: BodyRecord {
+            mass: 1.0,
+            center_of_mass: [0.0; 3],
+            pole: [0.0; 3],
+            support: "free".into(),
+            inertia: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            principal_moments: [1.0; 3],
+            principal_axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            coordinates: vec!["tip.x".into()],
+        },
+        validity: ValidityRecord {
+            valid: true,
+            verdict: "The reduced equations hold.".into(),
+            T1: f64::INFINITY,
+            T2: None,
+            T3: 0.1 + 0.2,
+            frequencies: vec![5e-324],
+            decay_rates: vec![],
+            criteria: vec![],
+        },
+        reduction: ReductionRecord {
+            order: 3,
+            optimal_order: 5,
+            residual: f64::NAN,
+            degrees: vec![],
+            power: -0.0,
+        },
+        histories: vec![HistoryRecord {
+            system: "reduced".into(),
+            form: "momentum form".into(),
+            status: "finished".into(),
+            message: String::new(),
+            tolerance: 1e-10,
+            steps: 2,
+            rejected: 0,
+            turns: 0.1,
+            energy: 1.0,
+            dissipated: 0.0,
+            energy_drift: 0.0,
+            momentum_drift: 0.0,
+            columns: vec![
+                column("t", "s", [0.0, 0.1 + 0.2]),
+                column("wx", "rad/s", [f64::NAN, -1e300]),
+            ],
+        }],
+    }
+}
+
+/// Same bits: `Debug` prints floats so that different bits differ, and NaN equals NaN.
+fn bits(record: &RunRecord) -> String {
+    format!("{record:?}")
+}
+
+fn written() -> tempfile::TempDir {
+    let dir = tempdir().unwrap();
+    sample().write(dir.path()).unwrap();
+    dir
+}
+
+fn refusal(dir: &Path) -> RecordError {
+    RunRecord::read(dir).unwrap_err()
+}
+
+proptest! {
+    #[test]
+    fn record_read_is_the_record_written(record in record()) {
+        let dir = tempdir().unwrap();
+        record.write(dir.path()).unwrap();
+        prop_assert_eq!(bits(&RunRecord::read(dir.path()).unwrap()), bits(&record));
+    }
+
+    #[test]
+    fn damaged_files_are_refused_without_panic(damage: Vec<u8>, which in 0usize..2, at in 0usize..2000) {
+        let dir = written();
+        let file = dir.path().join(["record.json", "history-reduced.csv"][which]);
+        let mut bytes = fs::read(&file).unwrap();
+        let at = at % bytes.len();
+        bytes.splice(at..(at + damage.len()).min(bytes.len()), damage);
+        fs::write(&file, &bytes).unwrap();
+        let _ = RunRecord::read(dir.path());
+    }
+}
+
+#[test]
+fn history_is_plain_csv_with_names_in_the_header() {
+    let mut text = Vec::new();
+    history_csv(&sample().histories[0].columns, &mut text).unwrap();
+    assert_eq!(
+        String::from_utf8(text).unwrap(),
+        "t,wx\n0.0,NaN\n0.30000000000000004,-1e300\n"
+    );
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_words_in_json() {
+    let dir = written();
+    let text = fs::read_to_string(dir.path().join("record.json")).unwrap();
+    assert!(
+        text.contains(r#""T1": "inf""#) && text.contains(r#""residual": "NaN""#),
+        "{text}"
+    );
+    assert!(
+        text.contains(r#""power": -0.0"#) && !text.contains("-1e300"),
+        "{text}"
+    );
+}
+
+#[test]
+fn nothing_is_written_into_a_folder_that_holds_something() {
+    let dir = tempdir().unwrap();
+    fs::write(dir.path().join("mine.txt"), "").unwrap();
+    let error = sample().write(dir.path()).unwrap_err();
+    assert_eq!(
+        error,
+        RecordError::NotEmpty {
+            folder: dir.path().into(),
+            found: "mine.txt".into()
+        }
+    );
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn folder_must_exist() {
+    let folder = tempdir().unwrap().path().join("none");
+    assert_eq!(
+        sample().write(&folder).unwrap_err(),
+        RecordError::NoFolder { folder }
+    );
+}
+
+#[test]
+fn names_that_would_leave_the_folder_or_collide_are_refused_before_writing() {
+    let dir = tempdir().unwrap();
+    let mut record = sample();
+    for system in ["../x", "", "a b"] {
+        record.histories[0].system = system.into();
+        let error = record.write(dir.path()).unwrap_err();
+        assert_eq!(
+            error,
+            RecordError::SystemName {
+                system: system.into()
+            }
+        );
+    }
+    let mut record = sample();
+    record.histories.push(record.histories[0].clone());
+    record.histories[1].system = "Reduced".into();
+    let error = record.write(dir.path()).unwrap_err();
+    assert_eq!(
+        error,
+        RecordError::SameSystem {
+            system: "Reduced".into()
+        }
+    );
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn columns_of_unequal_length_are_refused() {
+    let mut record = sample();
+    record.histories[0].columns[1].values.pop();
+    let error = record.write(tempdir().unwrap().path()).unwrap_err();
+    assert!(
+        matches!(&error, RecordError::Ragged { column, rows: 1, expected: 2, .. } if column == "wx")
+    );
+    let refused = history_csv(&record.histories[0].columns, Vec::new()).unwrap_err();
+    assert_eq!(refused.kind(), ErrorKind::InvalidInput);
+}
+
+#[test]
+fn missing_file_is_named() {
+    let dir = written();
+    let file = dir.path().join("history-reduced.csv");
+    fs::remove_file(&file).unwrap();
+    assert_eq!(
+        refusal(dir.path()),
+        RecordError::File {
+            file,
+            kind: ErrorKind::NotFound
+        }
+    );
+}
+
+#[test]
+fn broken_json_is_located() {
+    let dir = written();
+    let file = dir.path().join("record.json");
+    let text = fs::read_to_string(&file)
+        .unwrap()
+        .replace("\"inf\"", "\"large\"");
+    fs::write(&file, text).unwrap();
+    let error = refusal(dir.path());
+    assert!(
+        matches!(&error, RecordError::Json { line: 68, problem, .. }
+        if problem == "invalid value: string \"large\", expected a number, \"NaN\", \"inf\" or \"-inf\""),
+        "{error}"
+    );
+}
+
+#[test]
+fn broken_rows_are_located() {
+    let dir = written();
+    let file = dir.path().join("history-reduced.csv");
+    let with = |text: &str| {
+        fs::write(&file, text).unwrap();
+        refusal(dir.path())
+    };
+    assert!(
+        matches!(with("t,wy\n1,2\n"), RecordError::Header { found, .. } if found == ["t", "wy"])
+    );
+    assert!(matches!(
+        with("t,wx\n1,2\n1\n"),
+        RecordError::Width {
+            line: 3,
+            fields: 1,
+            expected: 2,
+            ..
+        }
+    ));
+    assert!(matches!(
+        with("t,wx\n1,2\n1,0x\n"),
+        RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text == "0x"
+    ));
+    assert!(matches!(with(""), RecordError::Header { found, .. } if found.is_empty()));
+}

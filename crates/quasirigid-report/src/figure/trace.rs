@@ -1,0 +1,163 @@
+//! A curve as SVG path data, thinned without loss: what a pixel column shows is kept.
+
+use std::fmt::Write;
+
+/// Width of the drawing, in columns of about a pixel.
+pub const WIDTH: f64 = 800.0;
+/// Height of the drawing.
+pub const HEIGHT: f64 = 240.0;
+
+/// Path data of a curve.
+#[derive(Default)]
+pub struct Trace {
+    /// Where it is continuous.
+    pub line: String,
+    /// Points alone between gaps.
+    pub dots: String,
+}
+
+impl Trace {
+    /// Traces the points (place along x, place along y, both from 0 to 1), with a gap where y is not finite.
+    ///
+    /// Each column keeps its first, lowest, highest and last point in the order of the rows, so the line is as long
+    /// as the plot is wide, however many points there are, and no excursion is lost.
+    pub fn new(points: impl Iterator<Item = (f64, f64)>) -> Self {
+        let mut columns: Vec<Option<Span>> = vec![None; WIDTH as usize + 1];
+        for (row, (x, y)) in points
+            .enumerate()
+            .filter(|(_, (x, _))| (0.0..=1.0).contains(x))
+        {
+            let span = columns[(x * WIDTH) as usize].get_or_insert_default();
+            if y.is_finite() {
+                span.add(Point { row, x, y });
+            }
+        }
+        let mut pen = Pen::default();
+        for span in columns.into_iter().flatten() {
+            match span.corners() {
+                Some(corners) => corners.into_iter().for_each(|point| pen.draw(point)),
+                None => pen.lift(),
+            }
+        }
+        pen.lift();
+        pen.trace
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+struct Point {
+    row: usize,
+    x: f64,
+    y: f64,
+}
+
+/// What one pixel column holds; no points if every row in it was a gap.
+#[derive(Clone, Default)]
+struct Span(Option<[Point; 4]>);
+
+impl Span {
+    fn add(&mut self, point: Point) {
+        let [_, lowest, highest, last] = self.0.get_or_insert([point; 4]);
+        *last = point;
+        if point.y < lowest.y {
+            *lowest = point;
+        }
+        if point.y > highest.y {
+            *highest = point;
+        }
+    }
+
+    fn corners(self) -> Option<[Point; 4]> {
+        let mut corners = self.0?;
+        corners.sort_by_key(|point| point.row);
+        Some(corners)
+    }
+}
+
+/// Writes path data, a place only when it differs from the one before.
+#[derive(Default)]
+struct Pen {
+    trace: Trace,
+    place: String,
+    drawn: usize,
+}
+
+impl Pen {
+    fn draw(&mut self, point: Point) {
+        let [x, y] = [point.x * WIDTH, (1.0 - point.y.clamp(-1.0, 2.0)) * HEIGHT];
+        let place = format!("{x:.1} {:.1}", y + 0.0);
+        if place == self.place {
+            return;
+        }
+        if self.drawn == 1 {
+            write!(self.trace.line, "M{}", self.place).expect("a String takes any text");
+        }
+        if self.drawn > 0 {
+            write!(self.trace.line, "L{place}").expect("a String takes any text");
+        }
+        self.place = place;
+        self.drawn += 1;
+    }
+
+    fn lift(&mut self) {
+        if self.drawn == 1 {
+            write!(self.trace.dots, "M{}h0", self.place).expect("a String takes any text");
+        }
+        self.place.clear();
+        self.drawn = 0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_break_the_line_and_lone_points_are_dots() {
+        let points = [
+            (0.0, 0.0),
+            (0.1, 1.0),
+            (0.2, f64::NAN),
+            (0.5, 0.5),
+            (0.6, f64::INFINITY),
+            (f64::NAN, 0.0),
+        ];
+        let Trace { line, dots } = Trace::new(points.into_iter());
+        assert_eq!(
+            (line.as_str(), dots.as_str()),
+            ("M0.0 240.0L80.0 0.0", "M400.0 120.0h0")
+        );
+        assert_eq!(Trace::new(std::iter::empty()).line, "");
+    }
+
+    #[test]
+    fn million_points_keep_a_single_spike_and_stay_short() {
+        let n = 1_000_000;
+        let height = |i: usize| {
+            if i == 654_321 {
+                1.0
+            } else {
+                0.25 + 0.2 * (i as f64 * 0.7).sin()
+            }
+        };
+        let Trace { line, .. } = Trace::new((0..n).map(|i| (i as f64 / (n - 1) as f64, height(i))));
+        assert!(line.contains("L523.5 0.0"), "the spike is lost");
+        let x = |step: &str| step.split(' ').next().unwrap().parse::<f64>().unwrap();
+        assert!(
+            line[1..].split('L').map(x).is_sorted(),
+            "the line runs back"
+        );
+        assert!(line.len() < 50_000, "{} bytes", line.len());
+    }
+
+    #[test]
+    fn times_in_any_order_give_a_short_path() {
+        let x = |i: u64| (i.wrapping_mul(2_654_435_761) % 10_007) as f64 / 10_007.0;
+        assert!(
+            Trace::new((0..100_000).map(|i| (x(i), x(i * 7))))
+                .line
+                .len()
+                < 50_000
+        );
+    }
+}

@@ -1,0 +1,44 @@
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use quasirigid_io::record::RunRecord;
+
+use crate::sections::{answer, body, figures, head, provenance, reduction, validity};
+
+const STYLE: &str = include_str!("assets/page.css");
+const SCRIPT: &str = include_str!("assets/plot.js");
+
+/// Nothing but what the page itself holds: the browser enforces it.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// The report of a run: one HTML page that needs no other file.
+///
+/// The verdict on validity comes first, then the answer, the figures and the tables. Whatever the record lacks
+/// (histories, columns, damping) is said in words where it would have stood. The page stays below a megabyte
+/// for histories of any length.
+pub fn page(record: &RunRecord) -> String {
+    let document: Markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content={ "quasirigid " (record.version) };
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { (record.model.name) " · quasirigid report" }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    (head::section(record))
+                    (answer::section(record))
+                    (figures::section(record))
+                    (validity::section(&record.validity))
+                    (reduction::section(&record.reduction))
+                    (body::section(&record.body))
+                    (provenance::section(record))
+                }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    };
+    document.into_string()
+}

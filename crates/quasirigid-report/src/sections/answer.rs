@@ -1,0 +1,114 @@
+//! The answer in four numbers.
+
+use maud::{Markup, html};
+use quasirigid_io::record::{HistoryRecord, RunRecord};
+
+use crate::number::{digits, duration, percent, short, tidy};
+use crate::rows::{column, ends, main_history, norm, vectors};
+
+/// Drift up to this part of the dissipation is called small.
+const SMALL_DRIFT: f64 = 0.01;
+
+/// Spin now and after, energy dissipated, the integrator's own drift beside it, and turns.
+pub fn section(record: &RunRecord) -> Markup {
+    html! {
+        section.answer aria-label="Result" {
+            h2 { "Result" }
+            @match main_history(record) {
+                None => p.absent { "The record holds no spin history: nothing was propagated." },
+                Some(history) => dl {
+                    (spin(history))
+                    (dissipation(record, history))
+                    (drift(history))
+                    (turns(history))
+                },
+            }
+        }
+    }
+}
+
+fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
+    html! { div { dt { (name) } dd.value { (value) } dd.remark { (remark) } } }
+}
+
+fn spin(history: &HistoryRecord) -> Markup {
+    let omega = vectors(&history.columns, ["wx", "wy", "wz"]).unwrap_or_default();
+    let nutation =
+        column(&history.columns, "nutation").and_then(|column| ends(column.values.iter().copied()));
+    let Some((start, end)) = ends(omega.iter().map(|&omega| norm(omega))) else {
+        return tile(
+            "Spin, start → end",
+            html! { "unknown" },
+            html! { "no rows with wx, wy, wz" },
+        );
+    };
+    let value = html! { (digits(start, 4)) " → " (digits(end, 4)) small { " rad/s" } };
+    tile(
+        "Spin, start → end",
+        value,
+        html! {
+            @if let Some((start, end)) = nutation {
+                "nutation " (digits(start.to_degrees(), 3)) "° → " (digits(end.to_degrees(), 3)) "°"
+            } @else {
+                "rate of turning |ω|"
+            }
+        },
+    )
+}
+
+fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
+    let (share, of) = match free_energy(record, history) {
+        Some(free) => (history.dissipated / free, "of what it can lose at this |K|"),
+        None => (
+            history.dissipated / history.energy,
+            "of the energy at the start",
+        ),
+    };
+    tile(
+        "Energy dissipated",
+        html! { (short(history.dissipated)) small { " J" } },
+        html! {
+            @if share.is_finite() { (percent(share)) " " (of) }
+        },
+    )
+}
+
+/// Energy above the least that the body can have at its angular momentum, `E − |K|²/2J₃`.
+fn free_energy(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
+    let (momentum, _) = ends(column(&history.columns, "momentum")?.values.iter().copied())?;
+    let free = history.energy - 0.5 * momentum * momentum / record.body.principal_moments[2];
+    (free > 1e-12 * history.energy.abs()).then_some(free)
+}
+
+fn drift(history: &HistoryRecord) -> Markup {
+    let of_dissipation = (history.energy_drift / history.dissipated).abs();
+    let value = html! { (short(history.energy_drift)) small { " J" } };
+    tile(
+        "Numerical drift of energy",
+        value,
+        html! {
+            @if history.dissipated == 0.0 || !of_dissipation.is_finite() {
+                "nothing was dissipated to compare it with"
+            } @else if of_dissipation <= SMALL_DRIFT {
+                (percent(of_dissipation)) " of the dissipation: small"
+            } @else {
+                strong.warning { (percent(of_dissipation)) " of the dissipation: too much, tighten the tolerance" }
+            }
+            "; |K| by " (tidy(history.momentum_drift, 2)) " relative"
+        },
+    )
+}
+
+fn turns(history: &HistoryRecord) -> Markup {
+    let span =
+        column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
+    tile(
+        "Turns",
+        html! { (tidy(history.turns, 5)) },
+        html! {
+            @if let Some(((first, last), column)) = span {
+                "in " @if column.unit == "s" { (duration(last - first)) } @else { (short(last - first)) " " (column.unit) }
+            }
+        },
+    )
+}

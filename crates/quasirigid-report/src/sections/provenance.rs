@@ -1,0 +1,93 @@
+use maud::{Markup, html};
+use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
+
+use super::table::{facts, table};
+use crate::number::{short, tidy};
+use crate::rows::ends;
+
+/// What made these numbers, and how each history was integrated.
+pub fn section(record: &RunRecord) -> Markup {
+    html! {
+        section aria-label="Record" {
+            h2 { "The record" }
+            (facts("Origin", &[
+                ("Made by", html! { "quasirigid " (record.version) }),
+                ("Model file", html! { (record.model.file) }),
+                ("SHA-256 of the model", html! { code { (record.model.sha256) } }),
+            ]))
+            @for history in &record.histories { (integration(history)) div.columns { (columns(history)) } }
+        }
+    }
+}
+
+fn integration(history: &HistoryRecord) -> Markup {
+    let joules = |value: f64| html! { (short(value)) " J" };
+    facts(
+        &format!("System: {}", history.system),
+        &[
+            ("Equations", html! { (history.form) }),
+            (
+                "Status",
+                html! { (history.status) @if !history.message.is_empty() { ": " (history.message) } },
+            ),
+            ("Relative tolerance", html! { (short(history.tolerance)) }),
+            (
+                "Steps",
+                html! { (history.steps) " accepted, " (history.rejected) " rejected" },
+            ),
+            ("Turns", html! { (tidy(history.turns, 6)) }),
+            ("Energy at the start", joules(history.energy)),
+            ("Energy dissipated", joules(history.dissipated)),
+            ("Numerical drift of energy", joules(history.energy_drift)),
+            (
+                "Numerical drift of |K|, relative",
+                html! { (short(history.momentum_drift)) },
+            ),
+        ],
+    )
+}
+
+fn columns(history: &HistoryRecord) -> Markup {
+    let rows = history
+        .columns
+        .first()
+        .map_or(0, |column| column.values.len());
+    if rows == 0 {
+        return html! { p.absent { "No rows." } };
+    }
+    let caption = format!("Columns of history-{}.csv, {rows} rows", history.system);
+    table(
+        &caption,
+        &["Column", "Unit", "First", "Last", "Least", "Greatest"],
+        html! {
+            @for column in &history.columns {
+                tr {
+                    th scope="row" { (column.name) }
+                    td.word { "[" (column.unit) "]" }
+                    @for value in summary(column) { td { (value) } }
+                }
+            }
+        },
+    )
+}
+
+/// First, last, least and greatest of the finite values.
+fn summary(column: &Column) -> [String; 4] {
+    let finite = || {
+        column
+            .values
+            .iter()
+            .copied()
+            .filter(|value| value.is_finite())
+    };
+    let Some((first, last)) = ends(column.values.iter().copied()) else {
+        return [(); 4].map(|()| "undefined".into());
+    };
+    [
+        first,
+        last,
+        finite().fold(first, f64::min),
+        finite().fold(first, f64::max),
+    ]
+    .map(short)
+}

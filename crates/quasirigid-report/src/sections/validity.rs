@@ -1,0 +1,91 @@
+use std::f64::consts::TAU;
+
+use maud::{Markup, html};
+use quasirigid_io::record::{CriterionRecord, ValidityRecord};
+
+use super::table::{facts, first, table};
+use crate::number::{digits, duration, short, tidy};
+use crate::verdict::Verdict;
+
+/// Frequencies and decay rates shown.
+const MOST: usize = 12;
+
+/// Criteria, the three times, and the free vibrations behind them.
+pub fn section(validity: &ValidityRecord) -> Markup {
+    html! {
+        section aria-label="Validity" {
+            h2 { "How far the reduced equations hold" }
+            @if validity.criteria.is_empty() {
+                p.absent { "The record holds no criteria." }
+            } @else {
+                div.criteria { (criteria(&validity.criteria)) }
+            }
+            (times(validity))
+            div.pair {
+                (vibrations("Natural frequencies, undamped", ["No.", "Ω [rad/s]", "Period [s]"], &validity.frequencies, TAU))
+                (vibrations("Decay rates of free vibrations", ["No.", "Rate [1/s]", "Decay time [s]"], &validity.decay_rates, 1.0))
+            }
+        }
+    }
+}
+
+fn criteria(criteria: &[CriterionRecord]) -> Markup {
+    table(
+        "Criteria",
+        &["Criterion", "Value", "Limit", "Verdict"],
+        html! {
+            @for criterion in criteria {
+                @let verdict = Verdict::of_criterion(&criterion.verdict);
+                tr.with-remark {
+                    th scope="row" { (criterion.name) " " span.symbol { (criterion.symbol) } }
+                    td { (digits(criterion.value, 3)) }
+                    td { "< " (tidy(criterion.limit, 3)) }
+                    td.word.(verdict.class()) { (verdict.icon()) " " (criterion.verdict) }
+                }
+                tr { td.remark colspan="4" { (criterion.sentence) } }
+            }
+        },
+    )
+}
+
+fn times(validity: &ValidityRecord) -> Markup {
+    facts(
+        "Times",
+        &[
+            ("T₁, longest period of free vibration", seconds(validity.T1)),
+            (
+                "T₂, decay of the slowest free vibration by e",
+                validity
+                    .T2
+                    .map_or_else(|| html! { "none: it does not decay" }, seconds),
+            ),
+            ("T₃, time of the spin 1/|ω|", seconds(validity.T3)),
+        ],
+    )
+}
+
+/// In seconds, and in a longer unit where that says more.
+fn seconds(time: f64) -> Markup {
+    html! {
+        (short(time)) " s"
+        @if time.is_finite() && time.abs() >= 90.0 { " = " (duration(time)) }
+    }
+}
+
+/// Rates, and the time `numerator / rate` that each stands for.
+fn vibrations(caption: &str, headings: [&str; 3], rates: &[f64], numerator: f64) -> Markup {
+    if rates.is_empty() {
+        return html! { p.absent { (caption) ": none." } };
+    }
+    let (shown, more) = first(rates, MOST);
+    table(
+        caption,
+        &headings,
+        html! {
+            @for (i, rate) in shown.iter().enumerate() {
+                tr { th scope="row" { (i + 1) } td { (digits(*rate, 5)) } td { (digits(numerator / rate, 4)) } }
+            }
+            @if let Some(more) = more { tr { td.remark colspan="3" { (more) } } }
+        },
+    )
+}

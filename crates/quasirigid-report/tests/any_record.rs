@@ -1,0 +1,82 @@
+//! Any record makes a page.
+#![allow(non_snake_case)]
+
+mod support;
+
+use proptest::collection::vec;
+use proptest::num::f64::{ANY, INFINITE, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+use proptest::prelude::*;
+use quasirigid_io::record::RunRecord;
+use quasirigid_report::page;
+
+/// Numbers of any size, near each other in some runs so that ranges are narrow in some.
+fn numbers() -> impl Strategy<Value = Vec<f64>> {
+    let finite = || POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO;
+    prop_oneof![
+        vec(finite(), 0..40),
+        (finite(), vec(-1e-12..1e-12, 0..40))
+            .prop_map(|(value, noise)| noise.iter().map(|x| value * (1.0 + x)).collect()),
+        vec(prop_oneof![ANY, INFINITE], 0..40),
+        vec(-1.0..1.0, 0..40),
+    ]
+}
+
+fn record() -> impl Strategy<Value = RunRecord> {
+    (vec(numbers(), 14), vec(ANY, 40), any::<bool>()).prop_map(|(columns, numbers, keep_axes)| {
+        let mut record = support::record(2, 1.0, 0.1);
+        for (column, values) in record.histories[0].columns.iter_mut().zip(columns) {
+            column.values = values;
+        }
+        let mut numbers = numbers.into_iter().cycle();
+        let mut set = |place: &mut f64| *place = numbers.next().unwrap_or_default();
+        let history = &mut record.histories[0];
+        [
+            &mut history.turns,
+            &mut history.energy,
+            &mut history.dissipated,
+            &mut history.energy_drift,
+        ]
+        .into_iter()
+        .for_each(&mut set);
+        record
+            .body
+            .inertia
+            .as_flattened_mut()
+            .iter_mut()
+            .for_each(&mut set);
+        record.body.principal_moments.iter_mut().for_each(&mut set);
+        if !keep_axes {
+            record
+                .body
+                .principal_axes
+                .as_flattened_mut()
+                .iter_mut()
+                .for_each(&mut set);
+        }
+        record.validity.frequencies.iter_mut().for_each(&mut set);
+        record
+            .reduction
+            .degrees
+            .iter_mut()
+            .for_each(|degree| set(&mut degree.size));
+        set(&mut record.validity.T1);
+        set(&mut record.reduction.residual);
+        record
+    })
+}
+
+proptest! {
+    #[test]
+    fn any_numbers_make_a_page_of_finite_geometry(record in record()) {
+        let page = page(&record);
+        prop_assert!(page.ends_with("</html>") && page.len() < 1_000_000);
+        for path in page.split(" d=\"").skip(1) {
+            let path = path.split('"').next().unwrap_or_default();
+            prop_assert!(!path.contains("NaN") && !path.contains("inf"), "{path}");
+        }
+        for label in page.split("<text").skip(1) {
+            let label = label.split("</text>").next().unwrap_or_default();
+            prop_assert!(!label.contains("NaN") && !label.contains("inf"), "{label}");
+        }
+    }
+}

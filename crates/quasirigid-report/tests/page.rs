@@ -1,0 +1,274 @@
+//! What every report page keeps, whatever the record holds.
+#![allow(non_snake_case, clippy::unwrap_used)]
+
+mod support;
+
+use quasirigid_io::record::*;
+use quasirigid_report::page;
+
+/// A page holds each of these, in this order.
+fn assert_in_order(page: &str, parts: &[&str]) {
+    let mut rest = page;
+    for part in parts {
+        let (_, after) = rest
+            .split_once(part)
+            .unwrap_or_else(|| panic!("{part:?} is missing or too early"));
+        rest = after;
+    }
+}
+
+/// Every element that is opened is closed, in its turn.
+fn assert_balanced(page: &str) {
+    const VOID: [&str; 2] = ["meta", "!DOCTYPE"];
+    let (before, after) = page.split_once("<style>").unwrap();
+    let (_, after) = after.split_once("</style>").unwrap();
+    let (main, after) = after.split_once("<script>").unwrap();
+    let (_, after) = after.split_once("</script>").unwrap();
+    let mut open = vec![];
+    for tag in [before, main, after].concat().split('<').skip(1) {
+        let (tag, _) = tag.split_once('>').expect("a tag ends");
+        let name = tag.split_whitespace().next().unwrap();
+        match name.strip_prefix('/') {
+            Some(closed) => assert_eq!(open.pop(), Some(closed.to_owned())),
+            None if VOID.contains(&name) => {}
+            None => open.push(name.to_owned()),
+        }
+    }
+    assert!(open.is_empty(), "left open: {open:?}");
+}
+
+/// Geometry is made of numbers, and what is read aloud exists.
+fn assert_drawable(page: &str) {
+    for attribute in [
+        " d=\"", " x=\"", " y=\"", " x1=\"", " y1=\"", " cx=\"", " cy=\"",
+    ] {
+        for value in page
+            .split(attribute)
+            .skip(1)
+            .map(|rest| rest.split('"').next().unwrap())
+        {
+            assert!(
+                !value.contains("NaN") && !value.contains("inf"),
+                "{attribute}{value}"
+            );
+        }
+    }
+    for id in page
+        .split("aria-labelledby=\"")
+        .skip(1)
+        .flat_map(|rest| rest.split('"').next().unwrap().split(' '))
+    {
+        assert_eq!(page.matches(&format!("id=\"{id}\"")).count(), 1, "{id}");
+    }
+}
+
+fn column<'a>(record: &'a mut RunRecord, name: &str) -> &'a mut Vec<f64> {
+    &mut record.histories[0]
+        .columns
+        .iter_mut()
+        .find(|column| column.name == name)
+        .unwrap()
+        .values
+}
+
+#[test]
+fn page_answers_from_the_top() {
+    let page = page(&support::record(400, 600.0, 1e-4));
+    assert_in_order(
+        &page,
+        &[
+            "<h1>Boom satellite</h1>",
+            "<strong>Marginal</strong>",
+            "has no damping along y",
+            "Spin, start → end",
+            "1.310",
+            "Energy dissipated",
+            "Numerical drift of energy",
+            "of the dissipation: small",
+            "Turns",
+            "in 10\u{a0}min",
+            "Spin in body axes",
+            "Energy dissipated, and numerical drift",
+            "Nutation",
+            "Angular momentum on its sphere",
+            "Criteria",
+            "|ω|/Ω₁",
+            "Natural frequencies",
+            "Degrees of dω/dt",
+            "Inertia about the pole",
+            "Principal moments, ascending, and axes",
+            "quasirigid 0.1.0",
+            "9f86d081884c7d65",
+            "System: rigid",
+        ],
+    );
+    assert_balanced(&page);
+    assert_drawable(&page);
+}
+
+/// 0.2 J lost of the 0.5·(1/2 − 1/4)·2² J between the spin about axis 1 and that about axis 3, at |K| = 2 N m s.
+#[test]
+fn loss_is_told_as_part_of_what_can_be_lost() {
+    let mut record = support::record(2, 1.0, 0.0);
+    record.body.principal_moments = [2.0, 3.0, 4.0];
+    record.histories[0].energy = 1.0;
+    record.histories[0].dissipated = 0.2;
+    column(&mut record, "momentum").fill(2.0);
+    assert_in_order(
+        &page(&record),
+        &[
+            "Energy dissipated",
+            ">0.2<",
+            "40\u{a0}% of what it can lose at this |K|",
+        ],
+    );
+    record.histories[0].columns.clear();
+    assert_in_order(
+        &page(&record),
+        &["Energy dissipated", "20\u{a0}% of the energy at the start"],
+    );
+}
+
+#[test]
+fn drift_is_called_small_up_to_one_percent_and_no_further() {
+    let mut record = support::record(2, 1.0, 0.0);
+    record.histories[0].dissipated = 1.0;
+    record.histories[0].energy_drift = -0.0099;
+    assert!(page(&record).contains("0.99\u{a0}% of the dissipation: small"));
+    record.histories[0].energy_drift = -0.0101;
+    assert!(page(&record).contains("1.01\u{a0}% of the dissipation: too much"));
+}
+
+#[test]
+fn every_column_and_every_axis_has_its_unit() {
+    let record = support::record(50, 60.0, 1e-4);
+    let page = page(&record);
+    for column in &record.histories[0].columns {
+        let row = format!(
+            "<th scope=\"row\">{}</th><td class=\"word\">[{}]</td>",
+            column.name, column.unit
+        );
+        assert!(page.contains(&row), "{row}");
+    }
+    assert_in_order(
+        &page,
+        &[
+            "ω [rad/s]</text>",
+            "t [s]</text>",
+            "energy [J]</text>",
+            "t [s]</text>",
+            "nutation [°]</text>",
+        ],
+    );
+    assert_eq!(
+        page.matches("<th").count(),
+        page.matches("<th scope=").count() + page.matches("<thead").count()
+    );
+}
+
+#[test]
+fn text_of_the_record_is_only_text() {
+    let mut record = support::record(3, 1.0, 0.0);
+    let evil = "<b a=\"'&\"></script><script>x()</script>";
+    record.model = ModelRecord {
+        name: evil.into(),
+        file: evil.into(),
+        sha256: evil.into(),
+    };
+    record.notes = vec![evil.into()];
+    record.body.coordinates = vec![evil.into()];
+    record.validity.verdict = evil.into();
+    record.validity.criteria[0].symbol = evil.into();
+    record.histories[0].system = evil.into();
+    record.histories[0].columns[1].unit = evil.into();
+    let page = page(&record);
+    assert!(!page.contains("<b ") && page.matches("<script>").count() == 1);
+    assert_balanced(&page);
+}
+
+#[test]
+fn page_needs_nothing_from_elsewhere() {
+    let page = page(&support::record(30, 60.0, 1e-4));
+    for address in ["http://", "https://", "src=", "href=", "url(", "@import"] {
+        assert!(!page.contains(address), "{address}");
+    }
+}
+
+#[test]
+fn verdict_is_told_in_words_and_shape() {
+    let mut record = support::without_histories();
+    for (verdict, words) in [
+        ("holds", "Valid"),
+        ("marginal", "Marginal"),
+        ("fails", "Not valid"),
+    ] {
+        record.validity.criteria[2].verdict = verdict.into();
+        let page = page(&record);
+        assert_in_order(
+            &page,
+            &["<h1>", "<svg class=\"icon", verdict, words, "<h2>Result"],
+        );
+    }
+}
+
+#[test]
+fn early_end_is_told_before_the_numbers() {
+    let mut record = support::record(3, 1.0, 0.0);
+    record.histories[0].status = "left validity".into();
+    record.histories[0].message = "It spun too fast at 0.5 s.".into();
+    assert_in_order(
+        &page(&record),
+        &["Ended early", "It spun too fast at 0.5 s.", "Spin, start"],
+    );
+}
+
+#[test]
+fn million_rows_stay_below_a_megabyte() {
+    let page = page(&support::record(1_000_000, 2e5, 2e-7));
+    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+    assert!(page.contains("The history is long"));
+    assert_drawable(&page);
+}
+
+#[test]
+fn bodies_with_many_modes_stay_below_a_megabyte() {
+    let mut record = support::without_histories();
+    record.validity.frequencies = (1..=100_000).map(f64::from).collect();
+    record.validity.decay_rates = record.validity.frequencies.clone();
+    record.body.coordinates = (1..=100_000).map(|i| format!("node {i}")).collect();
+    let page = page(&record);
+    assert!(page.len() < 100_000 && page.contains("and 99988 more in record.json"));
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let mut record = support::without_histories();
+    record.validity.T2 = None;
+    record.validity.decay_rates.clear();
+    let text = page(&record);
+    assert!(text.contains("nothing was propagated") && text.contains("none: it does not decay"));
+    let mut empty = support::record(1, 1.0, 0.0);
+    column(&mut empty, "t").clear();
+    for columns in [empty.histories[0].columns.clone(), vec![]] {
+        empty.histories[0].columns = columns;
+        assert!(page(&empty).contains("The record holds nothing that this figure could show."));
+    }
+    [text, page(&empty)]
+        .iter()
+        .for_each(|page| assert_balanced(page));
+}
+
+#[test]
+fn gaps_and_extremes_are_drawn_without_nonsense() {
+    let mut record = support::record(200, 60.0, 1e-4);
+    column(&mut record, "wx")[50..60].fill(f64::NAN);
+    column(&mut record, "wy").fill(1e300);
+    column(&mut record, "wz")[3] = f64::INFINITY;
+    column(&mut record, "dissipated")[7] = 1e-300;
+    column(&mut record, "dissipated")[8] = 1e300;
+    column(&mut record, "nutation").fill(f64::NAN);
+    column(&mut record, "t")[100] = f64::NEG_INFINITY;
+    let page = page(&record);
+    assert_drawable(&page);
+    assert_in_order(&page, &["[10³⁰⁰ rad/s]", "10³⁰⁰"]);
+}

@@ -1,0 +1,241 @@
+//! A record as a run would leave it: a free body whose energy falls while its angular momentum stays.
+#![allow(dead_code, reason = "every test file uses its own part")]
+
+use quasirigid_io::record::*;
+
+/// Principal moments (kg·m²).
+pub const MOMENTS: [f64; 3] = [9.21, 13.4, 16.3];
+
+type Vector = [f64; 3];
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn axpy(x: f64, a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| x * a[i] + b[i])
+}
+
+/// Rows of the principal axes: a turn by 0.3 rad about z, then 0.2 rad about x.
+pub fn axes() -> [Vector; 3] {
+    let ([s, c], [t, d]) = ([0.3f64.sin(), 0.3f64.cos()], [0.2f64.sin(), 0.2f64.cos()]);
+    [[c, s, 0.0], [-s * d, c * d, t], [s * t, -c * t, d]]
+}
+
+fn to_body(k: Vector) -> Vector {
+    let axes = axes();
+    [0, 1, 2].map(|i| (0..3).map(|a| k[a] * axes[a][i]).sum())
+}
+
+fn inertia() -> [Vector; 3] {
+    let axes = axes();
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| (0..3).map(|a| MOMENTS[a] * axes[a][i] * axes[a][j]).sum()))
+}
+
+fn omega(k: Vector) -> Vector {
+    [0, 1, 2].map(|a| k[a] / MOMENTS[a])
+}
+
+/// `K̇ = K × (ω + α K × ω)`: keeps `|K|`, loses the energy `α |K × ω|²` per second.
+fn rate(k: Vector, alpha: f64) -> Vector {
+    cross(k, axpy(alpha, cross(k, omega(k)), omega(k)))
+}
+
+fn step(k: Vector, alpha: f64, h: f64) -> Vector {
+    let k1 = rate(k, alpha);
+    let k2 = rate(axpy(h / 2.0, k1, k), alpha);
+    let k3 = rate(axpy(h / 2.0, k2, k), alpha);
+    let k4 = rate(axpy(h, k3, k), alpha);
+    let sum = [0, 1, 2].map(|i| k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+    axpy(h / 6.0, sum, k)
+}
+
+const COLUMNS: [(&str, &str); 13] = [
+    ("t", "s"),
+    ("wx", "rad/s"),
+    ("wy", "rad/s"),
+    ("wz", "rad/s"),
+    ("qw", "1"),
+    ("qx", "1"),
+    ("qy", "1"),
+    ("qz", "1"),
+    ("energy", "J"),
+    ("momentum", "N m s"),
+    ("dissipated", "J"),
+    ("energy_drift", "J"),
+    ("momentum_drift", "1"),
+];
+
+/// A history of so many rows over `duration` seconds, losing energy at the rate `alpha`.
+pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryRecord {
+    let substeps = ((duration / 0.1) as usize).div_ceil(rows.max(2) - 1);
+    let h = duration / ((rows.max(2) - 1) * substeps) as f64;
+    let energy = |k: Vector| 0.5 * dot(k, omega(k));
+    let power = |k: Vector| {
+        alpha * {
+            let l = cross(k, omega(k));
+            dot(l, l)
+        }
+    };
+    let mut k = [11.7, 3.9, 2.2];
+    let (first, size) = (energy(k), dot(k, k).sqrt());
+    let (mut dissipated, mut turns, mut angle) = (0.0, 0.0, 0.0f64);
+    let mut columns: Vec<Column> = COLUMNS
+        .iter()
+        .chain(&[("nutation", "rad")])
+        .map(|&(name, unit)| Column {
+            name: name.into(),
+            unit: unit.into(),
+            values: vec![],
+        })
+        .collect();
+    for row in 0..rows {
+        if row > 0 {
+            for _ in 0..substeps {
+                let next = step(k, alpha, h);
+                let middle = [0, 1, 2].map(|i| 0.5 * (k[i] + next[i]));
+                dissipated += h / 6.0 * (power(k) + 4.0 * power(middle) + power(next));
+                let turn = h * dot(omega(k), omega(k)).sqrt();
+                turns += turn / std::f64::consts::TAU;
+                angle += turn;
+                k = next;
+            }
+        }
+        let w = to_body(omega(k));
+        let drift = energy(k) - first + dissipated;
+        let norm = dot(k, k).sqrt();
+        let values = [
+            h * (row * substeps) as f64,
+            w[0],
+            w[1],
+            w[2],
+            (angle / 2.0).cos(),
+            0.0,
+            0.0,
+            (angle / 2.0).sin(),
+            energy(k),
+            norm,
+            dissipated,
+            drift,
+            norm / size - 1.0,
+            (k[2] / norm).clamp(-1.0, 1.0).acos(),
+        ];
+        columns
+            .iter_mut()
+            .zip(values)
+            .for_each(|(column, value)| column.values.push(value));
+    }
+    let last = |name: &str| {
+        columns
+            .iter()
+            .find(|c| c.name == name)
+            .and_then(|c| c.values.last().copied())
+            .unwrap_or(0.0)
+    };
+    HistoryRecord {
+        form: "momentum form, degree 5".into(),
+        status: "finished".into(),
+        message: "The run reached the end of its duration.".into(),
+        tolerance: 1e-10,
+        steps: (rows * substeps) as u64,
+        rejected: 12,
+        turns,
+        energy: first,
+        dissipated,
+        energy_drift: last("energy_drift"),
+        momentum_drift: last("momentum_drift"),
+        system: system.into(),
+        columns,
+    }
+}
+
+fn criterion(name: &str, symbol: &str, value: f64, limit: f64, sentence: &str) -> CriterionRecord {
+    let verdict = if value < limit {
+        "holds"
+    } else if value < 3.0 * limit {
+        "marginal"
+    } else {
+        "fails"
+    };
+    let [name, symbol, verdict, sentence] = [name, symbol, verdict, sentence].map(String::from);
+    CriterionRecord {
+        name,
+        symbol,
+        value,
+        limit,
+        verdict,
+        sentence,
+    }
+}
+
+fn validity() -> ValidityRecord {
+    ValidityRecord {
+        valid: true,
+        verdict: "The motion is slow against every vibration, so the reduced equations hold to about 0.1 %.".into(),
+        T1: 0.263,
+        T2: Some(4.81),
+        T3: 0.752,
+        frequencies: vec![23.871, 24.466, 24.503, 31.209, 33.8, 47.25],
+        decay_rates: vec![0.2079, 0.3, 0.3002, 0.51, 0.58, 1.1],
+        criteria: vec![
+            criterion("Spin against the slowest vibration", "|ω|/Ω₁", 0.0557, 0.1, "Deformation follows the spin without lag."),
+            criterion("Damping force against spring force", "|B|ω/|C|", 0.0166, 0.1, "Dashpots bend the motion little within a turn."),
+            criterion("Decay of free vibrations against the spin", "T₂/T₃", 2.4, 1.0, "Vibrations at the start are not yet forgotten after one turn; forced motion does not mind."),
+            criterion("Degree 5 against degree 3", "|Ω₅|/|Ω₃|", 0.00312, 0.1, "The series converges well at this spin."),
+        ],
+    }
+}
+
+/// A record with a damped and a rigid history.
+pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
+    let histories = vec![
+        history("reduced", rows, duration, alpha),
+        history("rigid", rows, duration, 0.0),
+    ];
+    RunRecord {
+        version: "0.1.0".into(),
+        model: ModelRecord {
+            name: "Boom satellite".into(),
+            file: "boom-satellite.toml".into(),
+            sha256: "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08".into(),
+        },
+        notes: vec!["The spring “tip to carrier” has no damping along y; its vibration decays only through the others.".into()],
+        body: BodyRecord {
+            mass: 41.0,
+            center_of_mass: [0.0195, 0.1049, 0.0122],
+            pole: [0.0195, 0.1049, 0.0122],
+            support: "free".into(),
+            inertia: inertia(),
+            principal_moments: MOMENTS,
+            principal_axes: axes(),
+            coordinates: ["tip.x", "tip.y", "tip.z", "panel.angle"].map(String::from).into(),
+        },
+        validity: validity(),
+        reduction: ReductionRecord {
+            order: 3,
+            optimal_order: 9,
+            residual: 3.1e-6,
+            degrees: [(2, 0.271), (4, 1.93e-4), (5, 1.21e-6), (6, 3.3e-7), (7, 8.0e-9)]
+                .map(|(degree, size)| DegreeRecord { degree, size, relative: size / 0.271 })
+                .into(),
+            power: 3.21e-4,
+        },
+        histories,
+    }
+}
+
+/// The same without any history.
+pub fn without_histories() -> RunRecord {
+    RunRecord {
+        histories: vec![],
+        ..record(2, 1.0, 0.0)
+    }
+}

@@ -11,22 +11,10 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-const CARRIER: Keys = Keys {
-    known: &["mass", "center_of_mass", "inertia"],
-    later: &[],
-};
-const POINT: Keys = Keys {
-    known: &["name", "mass", "position", "motion"],
-    later: &[],
-};
-const MOTION: Keys = Keys {
-    known: &["line", "plane"],
-    later: &[],
-};
-const SUPPORT: Keys = Keys {
-    known: &["kind", "point"],
-    later: &[],
-};
+const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], later: &[] };
+const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"], later: &[] };
+const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
+const SUPPORT: Keys = Keys { known: &["kind", "point"], later: &[] };
 
 /// Reads everything that describes the body, and where it stands.
 pub(super) fn assembly(file: &Table<'_>, problems: &Problems<'_>) -> Option<(Assembly, Spans)> {
@@ -41,22 +29,10 @@ pub(super) fn assembly(file: &Table<'_>, problems: &Problems<'_>) -> Option<(Ass
     let names = Names::new(&point_tables, &hinged_tables, problems);
 
     let carrier = carrier_table.as_ref().and_then(carrier);
-    let support = support_table
-        .as_ref()
-        .map_or_else(|| Some(Support::default()), support);
-    let points = every(
-        point_tables
-            .iter()
-            .zip(&names.points)
-            .map(|(table, name)| point(table, name)),
-    );
+    let support = support_table.as_ref().map_or_else(|| Some(Support::default()), support);
+    let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
-    let hinged = every(
-        hinged_tables
-            .iter()
-            .zip(&names.hinged)
-            .map(|(table, name)| hinged(table, name)),
-    );
+    let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
         points: point_tables.iter().map(Table::spans).collect(),
@@ -89,38 +65,21 @@ pub(super) fn inertia(value: &Value<'_>) -> Option<[[f64; 3]; 3]> {
 }
 
 fn carrier(table: &Table<'_>) -> Option<Carrier> {
-    let mass = table
-        .required("mass", "mass = 40.0")
-        .and_then(|value| value.positive(Dimension::MASS));
+    let mass = table.required("mass", "mass = 40.0").and_then(|value| value.positive(Dimension::MASS));
     let center_of_mass = table
         .required("center_of_mass", "center_of_mass = [0.0, 0.0, 0.0]")
         .and_then(|value| value.vector(Dimension::LENGTH));
-    let inertia = table
-        .required("inertia", "inertia = [9.0, 13.0, 16.0]")
-        .and_then(|value| inertia(&value));
-    Some(Carrier {
-        mass: mass?,
-        center_of_mass: center_of_mass?,
-        inertia: inertia?,
-    })
+    let inertia = table.required("inertia", "inertia = [9.0, 13.0, 16.0]").and_then(|value| inertia(&value));
+    Some(Carrier { mass: mass?, center_of_mass: center_of_mass?, inertia: inertia? })
 }
 
 fn point(table: &Table<'_>, name: &str) -> Option<Point> {
-    let mass = table
-        .required("mass", "mass = 1.0")
-        .and_then(|value| value.positive(Dimension::MASS));
+    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
     let position = table
         .required("position", "position = [0.8, 0.3, 0.5]")
         .and_then(|value| value.vector(Dimension::LENGTH));
-    let motion = table
-        .get("motion")
-        .map_or(Some(Motion::Free), |value| motion(&value));
-    Some(Point {
-        name: name.to_owned(),
-        mass: mass?,
-        position: position?,
-        motion: motion?,
-    })
+    let motion = table.get("motion").map_or(Some(Motion::Free), |value| motion(&value));
+    Some(Point { name: name.to_owned(), mass: mass?, position: position?, motion: motion? })
 }
 
 fn motion(value: &Value<'_>) -> Option<Motion> {
@@ -149,14 +108,8 @@ fn support(table: &Table<'_>) -> Option<Support> {
         Free,
         FixedPoint,
     }
-    let kinds = [
-        ("free", Some(Kind::Free)),
-        ("fixed-point", Some(Kind::FixedPoint)),
-        ("prescribed", None),
-    ];
-    let kind = table
-        .required("kind", "kind = \"free\"")
-        .and_then(|value| value.choice(&kinds));
+    let kinds = [("free", Some(Kind::Free)), ("fixed-point", Some(Kind::FixedPoint)), ("prescribed", None)];
+    let kind = table.required("kind", "kind = \"free\"").and_then(|value| value.choice(&kinds));
     match (kind?, table.get("point")) {
         (Kind::Free, None) => Some(Support::Free),
         (Kind::Free, Some(point)) => point.refuse(
@@ -165,9 +118,7 @@ fn support(table: &Table<'_>) -> Option<Support> {
             Some("leave it out, or write kind = \"fixed-point\"".to_owned()),
         ),
         (Kind::FixedPoint, _) => {
-            let point = table
-                .required("point", "point = [0.0, 0.0, 0.0]")?
-                .vector(Dimension::LENGTH)?;
+            let point = table.required("point", "point = [0.0, 0.0, 0.0]")?.vector(Dimension::LENGTH)?;
             Some(Support::FixedPoint { point })
         }
     }
@@ -180,13 +131,8 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 }
 
 fn report_missing_carrier(problems: &Problems<'_>) {
-    let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else";
-    problems.report(
-        Diagnostic::new(
-            0..0,
-            "the file has no [carrier]",
-            "no [carrier] in this file",
-        )
-        .help(help),
-    );
+    let help =
+        "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else";
+    problems
+        .report(Diagnostic::new(0..0, "the file has no [carrier]", "no [carrier] in this file").help(help));
 }

@@ -18,24 +18,12 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub(super) fn new(
-        span: Range<usize>,
-        message: impl Into<String>,
-        label: impl Into<String>,
-    ) -> Self {
-        Self {
-            span,
-            message: message.into(),
-            label: label.into(),
-            help: None,
-        }
+    pub(super) fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Self {
+        Self { span, message: message.into(), label: label.into(), help: None }
     }
 
     pub(super) fn help(self, help: impl Into<String>) -> Self {
-        Self {
-            help: Some(help.into()),
-            ..self
-        }
+        Self { help: Some(help.into()), ..self }
     }
 
     /// Line and column at which it starts in `text`, both from 1, the column in characters.
@@ -57,10 +45,7 @@ pub(super) struct Problems<'a> {
 
 impl<'a> Problems<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        Self {
-            text,
-            found: RefCell::default(),
-        }
+        Self { text, found: RefCell::default() }
     }
 
     pub(super) fn report(&self, diagnostic: Diagnostic) {
@@ -89,11 +74,7 @@ impl<'a> Problems<'a> {
         if full {
             found.truncate(MOST);
             if let Some(last) = found.last().map(|diagnostic| diagnostic.span.clone()) {
-                found.push(Diagnostic::new(
-                    last,
-                    "there are more problems like these",
-                    "and more",
-                ));
+                found.push(Diagnostic::new(last, "there are more problems like these", "and more"));
             }
         }
         found

@@ -63,12 +63,7 @@ impl fmt::Display for Listing<'_> {
         for (index, diagnostic) in self.diagnostics.iter().enumerate() {
             let (line, column) = diagnostic.position(&self.model.text);
             let separator = if index == 0 { "" } else { "\n" };
-            write!(
-                f,
-                "{separator}{}:{line}:{column}: {}",
-                self.model.file.display(),
-                diagnostic.message
-            )?;
+            write!(f, "{separator}{}:{line}:{column}: {}", self.model.file.display(), diagnostic.message)?;
             if let Some(help) = &diagnostic.help {
                 write!(f, "\n  {help}")?;
             }

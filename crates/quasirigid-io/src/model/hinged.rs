@@ -6,36 +6,20 @@ use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const HINGED: Keys = Keys {
-    known: &[
-        "name",
-        "mass",
-        "center_of_mass",
-        "inertia",
-        "hinge",
-        "axes",
-        "stiffness",
-        "damping",
-    ],
+    known: &["name", "mass", "center_of_mass", "inertia", "hinge", "axes", "stiffness", "damping"],
     later: &[],
 };
 
 /// Reads a `[[hinged]]` appendage.
 pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
-    let mass = table
-        .required("mass", "mass = 1.0")
-        .and_then(|value| value.positive(Dimension::MASS));
+    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
     let center_of_mass = table
         .required("center_of_mass", "center_of_mass = [1.5, 0.0, 0.0]")
         .and_then(|value| value.vector(Dimension::LENGTH));
-    let inertia = table
-        .required("inertia", "inertia = [0.0, 0.3, 0.3]")
-        .and_then(|value| inertia(&value));
-    let hinge = table
-        .required("hinge", "hinge = [1.0, 0.0, 0.0]")
-        .and_then(|value| value.vector(Dimension::LENGTH));
-    let axes = table
-        .required("axes", "axes = [[0, 0, 1]]")
-        .and_then(|value| axes(&value));
+    let inertia = table.required("inertia", "inertia = [0.0, 0.3, 0.3]").and_then(|value| inertia(&value));
+    let hinge =
+        table.required("hinge", "hinge = [1.0, 0.0, 0.0]").and_then(|value| value.vector(Dimension::LENGTH));
+    let axes = table.required("axes", "axes = [[0, 0, 1]]").and_then(|value| axes(&value));
     let count = axes.as_ref().map_or(1, Vec::len);
     let stiffness = table
         .required("stiffness", "stiffness = \"0.565 N m/rad\"")
@@ -57,30 +41,23 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
 }
 
 fn axes(value: &Value<'_>) -> Option<Vec<[f64; 3]>> {
-    let list = "a list of axes, each an array of 3 numbers";
-    if !value
-        .items()
-        .is_some_and(|items| items.iter().all(Value::is_array))
-    {
-        return value.mismatch(list, "write for example [[0, 0, 1]] for one axis along z");
+    let list = "one to three axes, each an array of 3 numbers";
+    match value.items() {
+        Some(items) if (1..=3).contains(&items.len()) && items.iter().all(Value::is_array) => {
+            value.list(list, |axis| axis.vector(Dimension::NUMBER))
+        }
+        _ => value.mismatch(list, "write for example [[0, 0, 1]] for one axis along z"),
     }
-    value.list(list, |axis| axis.vector(Dimension::NUMBER))
 }
 
 /// Reads a stiffness or damping: one value for all `count` axes, one per axis, or a matrix.
 fn coefficient(value: &Value<'_>, dimension: Dimension, count: usize) -> Option<HingeCoefficient> {
     let Some(items) = value.items() else {
-        return value
-            .non_negative(dimension)
-            .map(|number| HingeCoefficient::PerAxis(vec![number; count]));
+        return value.non_negative(dimension).map(|number| HingeCoefficient::PerAxis(vec![number; count]));
     };
     if items.iter().any(Value::is_array) {
         let row = |row: Value<'_>| row.list("a row of numbers", |entry| entry.quantity(dimension));
-        return value
-            .list("rows of numbers", row)
-            .map(HingeCoefficient::Full);
+        return value.list("rows of numbers", row).map(HingeCoefficient::Full);
     }
-    value
-        .list("one number per axis", |entry| entry.non_negative(dimension))
-        .map(HingeCoefficient::PerAxis)
+    value.list("one number per axis", |entry| entry.non_negative(dimension)).map(HingeCoefficient::PerAxis)
 }

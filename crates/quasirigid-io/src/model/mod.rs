@@ -31,9 +31,7 @@ use spans::Spans;
 use table::{Keys, Table};
 
 const FILE: Keys = Keys {
-    known: &[
-        "body", "carrier", "point", "spring", "hinged", "support", "initial", "run",
-    ],
+    known: &["body", "carrier", "point", "spring", "hinged", "support", "initial", "run"],
     later: &[
         ("force", "[[force]]"),
         ("beam", "[[beam]]"),
@@ -93,15 +91,10 @@ impl Model {
     /// The same errors for a user of the file, in its order.
     #[must_use]
     pub fn diagnose_all(&self, errors: &[ElementError]) -> ModelError {
-        let mut diagnostics: Vec<Diagnostic> = errors
-            .iter()
-            .map(|error| physics::diagnostic(error, &self.assembly, &self.spans))
-            .collect();
+        let mut diagnostics: Vec<Diagnostic> =
+            errors.iter().map(|error| physics::diagnostic(error, &self.assembly, &self.spans)).collect();
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
-        ModelError::Invalid {
-            model: self.source.clone(),
-            diagnostics,
-        }
+        ModelError::Invalid { model: self.source.clone(), diagnostics }
     }
 
     fn new(source: Source) -> Result<Self, ModelError> {
@@ -109,29 +102,11 @@ impl Model {
         let content = content(&source.text, &problems);
         let diagnostics = problems.into_diagnostics();
         match content {
-            Some(Content {
-                name,
-                assembly,
-                spans,
-                initial,
-                run,
-                notes,
-            }) if diagnostics.is_empty() => {
+            Some(Content { name, assembly, spans, initial, run, notes }) if diagnostics.is_empty() => {
                 let name = name.unwrap_or_else(|| stem(&source.file));
-                Ok(Self {
-                    name,
-                    assembly,
-                    initial,
-                    run,
-                    notes,
-                    source,
-                    spans,
-                })
+                Ok(Self { name, assembly, initial, run, notes, source, spans })
             }
-            _ => Err(ModelError::Invalid {
-                model: source,
-                diagnostics,
-            }),
+            _ => Err(ModelError::Invalid { model: source, diagnostics }),
         }
     }
 }
@@ -149,20 +124,15 @@ struct Content {
 fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
     let tree = syntax::tree(text, problems)?;
     if tree.is_empty() {
-        let message = if text.trim().is_empty() {
-            "the file is empty"
-        } else {
-            "the file has comments but no model"
-        };
+        let message =
+            if text.trim().is_empty() { "the file is empty" } else { "the file has comments but no model" };
         let help = "a model has at least a [carrier] with mass, center_of_mass and inertia";
         problems.report(Diagnostic::new(0..0, message, "nothing to read").help(help));
         return None;
     }
     let file = Table::new("the file", 0..0, &tree, &FILE, problems);
     let mut notes = Vec::new();
-    let name = file
-        .table("body", "[body]", &settings::BODY)
-        .and_then(|table| table.get("name"));
+    let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.text()).map(str::to_owned);
     let body = body::assembly(&file, problems);
     let initial = match file.table("initial", "[initial]", &settings::INITIAL) {
@@ -174,19 +144,9 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
         None => Some(Run::default()),
     };
     let (assembly, spans) = body?;
-    Some(Content {
-        name,
-        assembly,
-        spans,
-        initial: initial?,
-        run: run?,
-        notes,
-    })
+    Some(Content { name, assembly, spans, initial: initial?, run: run?, notes })
 }
 
 fn stem(file: &Path) -> String {
-    file.file_stem().map_or_else(
-        || "body".to_owned(),
-        |stem| stem.to_string_lossy().into_owned(),
-    )
+    file.file_stem().map_or_else(|| "body".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }

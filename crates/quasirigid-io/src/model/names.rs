@@ -32,17 +32,8 @@ enum Owner {
 
 impl<'a> Names<'a> {
     /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`.
-    pub(super) fn new(
-        points: &[Table<'_>],
-        hinged: &[Table<'_>],
-        problems: &'a Problems<'a>,
-    ) -> Self {
-        let mut names = Self {
-            points: Vec::new(),
-            hinged: Vec::new(),
-            owners: HashMap::new(),
-            problems,
-        };
+    pub(super) fn new(points: &[Table<'_>], hinged: &[Table<'_>], problems: &'a Problems<'a>) -> Self {
+        let mut names = Self { points: Vec::new(), hinged: Vec::new(), owners: HashMap::new(), problems };
         for (index, table) in points.iter().enumerate() {
             let name = names.enter(table, format!("point {}", index + 1), Owner::Point(index));
             names.points.push(name);
@@ -63,9 +54,8 @@ impl<'a> Names<'a> {
         match self.owners.get(name) {
             Some((Owner::Point(index), _)) => Some(End::Point(*index)),
             Some((Owner::Hinged, _)) => {
-                let message = format!(
-                    "{name:?} is a hinged appendage, but a spring joins points and the carrier"
-                );
+                let message =
+                    format!("{name:?} is a hinged appendage, but a spring joins points and the carrier");
                 value.refuse(
                     message,
                     "not a point",
@@ -84,21 +74,15 @@ impl<'a> Names<'a> {
     fn enter(&mut self, table: &Table<'_>, number: String, owner: Owner) -> String {
         let given = table.get("name");
         let span = given.map_or_else(|| table.header(), |value| value.span());
-        let name = given
-            .and_then(|value| value.text())
-            .map_or(number, str::to_owned);
+        let name = given.and_then(|value| value.text()).map_or(number, str::to_owned);
         if name == CARRIER {
             let message = format!("the name {CARRIER:?} is that of the carrier");
-            self.problems
-                .report(Diagnostic::new(span, message, "taken").help("choose another name"));
+            self.problems.report(Diagnostic::new(span, message, "taken").help("choose another name"));
         } else if let Some((_, first)) = self.owners.get(&name) {
             let line = self.problems.line(first.clone());
-            let message =
-                format!("the name {name:?} is used twice; it stands first in line {line}");
-            self.problems.report(
-                Diagnostic::new(span, message, "used before")
-                    .help("give each element its own name"),
-            );
+            let message = format!("the name {name:?} is used twice; it stands first in line {line}");
+            self.problems
+                .report(Diagnostic::new(span, message, "used before").help("give each element its own name"));
         } else {
             self.owners.insert(name.clone(), (owner, span));
         }
@@ -109,11 +93,7 @@ impl<'a> Names<'a> {
         if self.points.is_empty() {
             return "the file has no [[point]]; a spring joins points and the carrier".to_owned();
         }
-        let names = || {
-            [CARRIER]
-                .into_iter()
-                .chain(self.points.iter().map(String::as_str))
-        };
+        let names = || [CARRIER].into_iter().chain(self.points.iter().map(String::as_str));
         let mut listed: Vec<&str> = names().take(MOST_LISTED).collect();
         if self.points.len() >= MOST_LISTED {
             listed.push("…");

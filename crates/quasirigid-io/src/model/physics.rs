@@ -6,11 +6,7 @@ use super::spans::Spans;
 
 /// What a law of mechanics says against an element, at the place of the file it is about.
 pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Spans) -> Diagnostic {
-    let ElementError {
-        place,
-        field,
-        problem,
-    } = error;
+    let ElementError { place, field, problem } = error;
     let span = spans.find(*place, *field);
     let message = match problem {
         Problem::Mechanism { .. } | Problem::NoInertia { .. } => problem.to_string(),
@@ -26,26 +22,11 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
 /// An element as its user knows it: by its name, a spring by its number.
 fn described(place: Place, assembly: &Assembly) -> String {
     let named = match place {
-        Place::Point(index) => assembly
-            .points
-            .get(index)
-            .map(|point| format!("point {:?}", point.name)),
-        Place::Hinged(index) => assembly
-            .hinged
-            .get(index)
-            .map(|part| format!("appendage {:?}", part.name)),
+        Place::Point(index) => assembly.points.get(index).map(|point| format!("point {:?}", point.name)),
+        Place::Hinged(index) => assembly.hinged.get(index).map(|part| format!("appendage {:?}", part.name)),
         Place::Carrier | Place::Spring(_) | Place::Support => None,
     };
-    named.unwrap_or_else(|| {
-        format!(
-            "{}{place}",
-            if matches!(place, Place::Spring(_)) {
-                ""
-            } else {
-                "the "
-            }
-        )
-    })
+    named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_)) { "" } else { "the " }))
 }
 
 fn label(problem: &Problem) -> &'static str {
@@ -53,9 +34,7 @@ fn label(problem: &Problem) -> &'static str {
         Problem::NotFinite { .. } => "not finite",
         Problem::NotAMass { .. } => "must be positive",
         Problem::Inertia(InertiaError::Impossible { .. }) => "no body has this inertia",
-        Problem::Inertia(InertiaError::NotSymmetric { .. }) | Problem::NotSymmetric { .. } => {
-            "not symmetric"
-        }
+        Problem::Inertia(InertiaError::NotSymmetric { .. }) | Problem::NotSymmetric { .. } => "not symmetric",
         Problem::Indefinite { .. } => "gives energy",
         Problem::Mechanism { .. } => "held by no spring",
         Problem::NoSuchPoint { .. } => "no such point",
@@ -93,14 +72,12 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Mechanism { .. } => {
             "add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }"
         }
-        Problem::NoInertia {
-            support: Support::Free,
-            ..
-        } => "check the masses and the inertia of the carrier",
-        Problem::NoInertia {
-            support: Support::FixedPoint { .. },
-            ..
-        } => "check the inertia of the carrier and the place of the fixed point",
+        Problem::NoInertia { support: Support::Free, .. } => {
+            "check the masses and the inertia of the carrier"
+        }
+        Problem::NoInertia { support: Support::FixedPoint { .. }, .. } => {
+            "check the inertia of the carrier and the place of the fixed point"
+        }
         _ => return None,
     })
 }

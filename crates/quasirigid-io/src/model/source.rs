@@ -22,23 +22,13 @@ pub struct Source {
 
 impl Source {
     pub(super) fn new(file: &Path, text: String) -> Self {
-        let sha256 = Sha256::digest(text.as_bytes())
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect();
-        Self {
-            file: file.to_owned(),
-            text,
-            sha256,
-        }
+        let sha256 = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+        Self { file: file.to_owned(), text, sha256 }
     }
 
     /// Reads a file, and no more of it than a model file may have.
     pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
-        let unreadable = |problem| ModelError::Unreadable {
-            file: file.to_owned(),
-            problem,
-        };
+        let unreadable = |problem| ModelError::Unreadable { file: file.to_owned(), problem };
         let refused = |error: std::io::Error| unreadable(FileProblem::from(error.kind()));
         let metadata = std::fs::metadata(file).map_err(refused)?;
         if metadata.is_dir() {
@@ -48,9 +38,7 @@ impl Source {
             return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
         }
         let mut bytes = Vec::new();
-        File::open(file)
-            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
-            .map_err(refused)?;
+        File::open(file).and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(refused)?;
         if bytes.len() as u64 > LARGEST {
             return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
         }
@@ -62,8 +50,7 @@ impl Source {
     fn not_text(file: &Path, error: &std::string::FromUtf8Error) -> ModelError {
         let start = error.utf8_error().valid_up_to();
         let byte = error.as_bytes().get(start).copied().unwrap_or_default();
-        let message =
-            format!("the file is not UTF-8 text: the byte 0x{byte:02X} cannot stand here");
+        let message = format!("the file is not UTF-8 text: the byte 0x{byte:02X} cannot stand here");
         let help = "a model file is a TOML text; save it with the encoding UTF-8";
         let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
         let end = start + char::REPLACEMENT_CHARACTER.len_utf8();

@@ -5,42 +5,22 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const SPRING: Keys = Keys {
-    known: &["from", "to", "stiffness", "damping", "axial", "anchor"],
-    later: &[],
-};
+pub(super) const SPRING: Keys =
+    Keys { known: &["from", "to", "stiffness", "damping", "axial", "anchor"], later: &[] };
 
 /// Reads a `[[spring]]`.
 pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
-    let from = table
-        .required("from", "from = \"tip\"")
-        .and_then(|value| names.end(&value));
-    let to = table
-        .required("to", "to = \"carrier\"")
-        .and_then(|value| names.end(&value));
-    let axial = table
-        .get("axial")
-        .map_or(Some(false), |value| value.boolean());
-    let law = axial.and_then(|axial| {
-        if axial {
-            along_the_line(table)
-        } else {
-            in_space(table)
-        }
-    });
+    let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value));
+    let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value));
+    let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
+    let law = axial.and_then(|axial| if axial { along_the_line(table) } else { in_space(table) });
     let (from, to) = (from?, to?);
     if from == to {
         let message = "both ends of the spring are the same".to_owned();
         let help = "a spring joins two points, or a point and the carrier".to_owned();
-        return table
-            .get("to")?
-            .refuse(message, "the same as `from`", Some(help));
+        return table.get("to")?.refuse(message, "the same as `from`", Some(help));
     }
-    Some(Spring {
-        from,
-        to,
-        law: law?,
-    })
+    Some(Spring { from, to, law: law? })
 }
 
 fn in_space(table: &Table<'_>) -> Option<Law> {
@@ -51,34 +31,24 @@ fn in_space(table: &Table<'_>) -> Option<Law> {
     };
     if let Some(anchor) = table.get("anchor") {
         let message =
-            "`anchor` is the carrier's end of an axial spring, and this spring is not axial"
-                .to_owned();
+            "`anchor` is the carrier's end of an axial spring, and this spring is not axial".to_owned();
         return anchor.refuse(
             message,
             "not for this spring",
             Some("add axial = true, or leave it out".to_owned()),
         );
     }
-    Some(Law::Spatial {
-        stiffness: stiffness?,
-        damping: damping?,
-    })
+    Some(Law::Spatial { stiffness: stiffness?, damping: damping? })
 }
 
 fn along_the_line(table: &Table<'_>) -> Option<Law> {
     let stiffness = stiffness(table).and_then(|value| scalar(&value, Dimension::STIFFNESS));
-    let damping = table
-        .get("damping")
-        .map_or(Some(0.0), |value| scalar(&value, Dimension::DAMPING));
+    let damping = table.get("damping").map_or(Some(0.0), |value| scalar(&value, Dimension::DAMPING));
     let anchor = match table.get("anchor") {
         Some(value) => value.vector(Dimension::LENGTH).map(Some),
         None => Some(None),
     };
-    Some(Law::Axial {
-        stiffness: stiffness?,
-        damping: damping?,
-        anchor: anchor?,
-    })
+    Some(Law::Axial { stiffness: stiffness?, damping: damping?, anchor: anchor? })
 }
 
 fn stiffness<'a>(table: &Table<'a>) -> Option<Value<'a>> {
@@ -104,7 +74,5 @@ fn coefficient(value: &Value<'_>, dimension: Dimension) -> Option<Coefficient> {
     if items.iter().any(Value::is_array) {
         return value.matrix(dimension).map(Coefficient::Full);
     }
-    value
-        .array("numbers", |item| item.non_negative(dimension))
-        .map(Coefficient::Diagonal)
+    value.array("numbers", |item| item.non_negative(dimension)).map(Coefficient::Diagonal)
 }

@@ -25,15 +25,9 @@ pub(super) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable
 
 fn diagnostic(text: &str, error: &Error) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
-    let diagnostic = Diagnostic::new(
-        span.clone(),
-        format!("not valid TOML: {}", error.message()),
-        "here",
-    );
+    let diagnostic = Diagnostic::new(span.clone(), format!("not valid TOML: {}", error.message()), "here");
     match unquoted(text, span) {
-        Some(value) => diagnostic.help(format!(
-            "a number with its unit stands in quotes: \"{value}\""
-        )),
+        Some(value) => diagnostic.help(format!("a number with its unit stands in quotes: \"{value}\"")),
         None => diagnostic,
     }
 }
@@ -57,12 +51,7 @@ fn overlong_key(text: &str) -> Option<Range<usize>> {
     let (mut at, mut start, mut dots) = (0, 0, 0);
     while let Some(byte) = bytes.get(at) {
         let next = match byte {
-            b'#' => {
-                at + bytes[at..]
-                    .iter()
-                    .take_while(|byte| **byte != b'\n')
-                    .count()
-            }
+            b'#' => at + bytes[at..].iter().take_while(|byte| **byte != b'\n').count(),
             b'"' | b'\'' => end_of_text(bytes, at),
             _ => at + 1,
         };

@@ -37,10 +37,7 @@ impl<'a> Table<'a> {
         problems: &'a Problems<'a>,
     ) -> Self {
         let mut misspelt = Vec::new();
-        for key in entries
-            .keys()
-            .filter(|key| !keys.known.contains(&key.get_ref().as_ref()))
-        {
+        for key in entries.keys().filter(|key| !keys.known.contains(&key.get_ref().as_ref())) {
             if problems.full() {
                 break;
             }
@@ -48,14 +45,7 @@ impl<'a> Table<'a> {
             problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
             misspelt.extend(meant);
         }
-        Self {
-            title,
-            header,
-            entries,
-            misspelt,
-            keys,
-            problems,
-        }
+        Self { title, header, entries, misspelt, keys, problems }
     }
 
     /// Where the table starts.
@@ -65,16 +55,8 @@ impl<'a> Table<'a> {
 
     /// Where its values stand.
     pub(super) fn spans(&self) -> ElementSpans {
-        let values = self
-            .keys
-            .known
-            .iter()
-            .filter_map(|key| Some((*key, self.get(key)?.span())))
-            .collect();
-        ElementSpans {
-            header: self.header(),
-            values,
-        }
+        let values = self.keys.known.iter().filter_map(|key| Some((*key, self.get(key)?.span()))).collect();
+        ElementSpans { header: self.header(), values }
     }
 
     /// The value of a key, if the table has it.
@@ -90,8 +72,7 @@ impl<'a> Table<'a> {
             let message = format!("{} has no `{key}`", self.title);
             let label = format!("`{key}` is missing here");
             let help = format!("add a line such as: {example}");
-            self.problems
-                .report(Diagnostic::new(self.header(), message, label).help(help));
+            self.problems.report(Diagnostic::new(self.header(), message, label).help(help));
         }
         value
     }
@@ -107,8 +88,7 @@ impl<'a> Table<'a> {
         if value.is_array() {
             let message = format!("there is one {title}, not a list of them");
             let help = format!("write {title} once, with single brackets");
-            self.problems
-                .report(Diagnostic::new(value.span(), message, "a list").help(help));
+            self.problems.report(Diagnostic::new(value.span(), message, "a list").help(help));
             return None;
         }
         value.table(title, keys)
@@ -125,29 +105,16 @@ impl<'a> Table<'a> {
             return Vec::new();
         };
         let Some(items) = value.items() else {
-            let message = format!(
-                "`{key}` is a list of tables, but {} stands here",
-                value.found()
-            );
+            let message = format!("`{key}` is a list of tables, but {} stands here", value.found());
             let help = format!("write {title}, with double brackets, once for each");
-            self.problems
-                .report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
+            self.problems.report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
             return Vec::new();
         };
-        items
-            .iter()
-            .filter_map(|item| item.table(title, keys))
-            .collect()
+        items.iter().filter_map(|item| item.table(title, keys)).collect()
     }
 }
 
-fn unknown_key(
-    title: &str,
-    key: &str,
-    span: Range<usize>,
-    keys: &Keys,
-    meant: Option<&str>,
-) -> Diagnostic {
+fn unknown_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, meant: Option<&str>) -> Diagnostic {
     if let Some((_, written)) = keys.later.iter().find(|(later, _)| *later == key) {
         let message = format!(
             "`{written}` is part of the model format, but this version of quasirigid does not support it yet"

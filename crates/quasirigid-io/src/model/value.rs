@@ -22,11 +22,7 @@ impl<'a> Value<'a> {
         inner: &'a Spanned<DeValue<'a>>,
         problems: &'a Problems<'a>,
     ) -> Self {
-        Self {
-            key,
-            inner,
-            problems,
-        }
+        Self { key, inner, problems }
     }
 
     /// Where it stands.
@@ -65,11 +61,7 @@ impl<'a> Value<'a> {
     pub(super) fn text(&self) -> Option<&'a str> {
         let help = format!("write the {} in quotes", self.key);
         match self.inner.get_ref().as_str() {
-            Some("") => self.refuse(
-                format!("`{}` is empty", self.key),
-                "an empty text",
-                Some(help),
-            ),
+            Some("") => self.refuse(format!("`{}` is empty", self.key), "an empty text", Some(help)),
             Some(text) => Some(text),
             None => self.mismatch("a text", &help),
         }
@@ -93,11 +85,7 @@ impl<'a> Value<'a> {
                 );
                 self.refuse(message, "not supported yet", help)
             }
-            None => self.refuse(
-                format!("`{}` cannot be {text:?}", self.key),
-                "unknown word",
-                help,
-            ),
+            None => self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", help),
         }
     }
 
@@ -128,10 +116,7 @@ impl<'a> Value<'a> {
     /// A finite number: plain in SI units, or a text with its unit.
     pub(super) fn quantity(&self, dimension: Dimension) -> Option<f64> {
         let (number, written) = match self.inner.get_ref() {
-            DeValue::Float(float) => (
-                float.as_str().parse().unwrap_or(f64::NAN),
-                float.to_string(),
-            ),
+            DeValue::Float(float) => (float.as_str().parse().unwrap_or(f64::NAN), float.to_string()),
             DeValue::Integer(integer) => (nearest_number(integer), integer.to_string()),
             DeValue::String(text) => return self.quantity_in_words(text, dimension),
             _ => return self.mismatch(dimension.name(), &advice(dimension)),
@@ -197,11 +182,7 @@ impl<'a> Value<'a> {
     }
 
     /// An array of any number of values, each read by `read`.
-    pub(super) fn list<T>(
-        &self,
-        expected: &str,
-        read: impl Fn(Self) -> Option<T>,
-    ) -> Option<Vec<T>> {
+    pub(super) fn list<T>(&self, expected: &str, read: impl Fn(Self) -> Option<T>) -> Option<Vec<T>> {
         match self.items() {
             Some(items) => all(items.into_iter().map(read).collect()),
             None => self.mismatch(expected, &format!("write {expected}")),
@@ -219,16 +200,8 @@ impl<'a> Value<'a> {
     }
 
     /// Reports what is wrong with the value.
-    pub(super) fn refuse<T>(
-        &self,
-        message: String,
-        label: &str,
-        help: Option<String>,
-    ) -> Option<T> {
-        self.problems.report(Diagnostic {
-            help,
-            ..Diagnostic::new(self.span(), message, label)
-        });
+    pub(super) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
+        self.problems.report(Diagnostic { help, ..Diagnostic::new(self.span(), message, label) });
         None
     }
 
@@ -251,28 +224,15 @@ impl<'a> Value<'a> {
             Ok(number) => Some(number),
             Err(error) => {
                 let message = format!("`{}`: {error}", self.key);
-                self.refuse(
-                    message,
-                    &format!("{} is needed", dimension.name()),
-                    Some(error.advice()),
-                )
+                self.refuse(message, &format!("{} is needed", dimension.name()), Some(error.advice()))
             }
         }
     }
 
-    fn outside<T>(
-        &self,
-        number: f64,
-        dimension: Dimension,
-        allowed: &str,
-        help: String,
-    ) -> Option<T> {
+    fn outside<T>(&self, number: f64, dimension: Dimension, allowed: &str, help: String) -> Option<T> {
         let unit = dimension.unit();
         let space = if unit.is_empty() { "" } else { " " };
-        let message = format!(
-            "`{}` is {number}{space}{unit}, but must be {allowed}",
-            self.key
-        );
+        let message = format!("`{}` is {number}{space}{unit}, but must be {allowed}", self.key);
         self.refuse(message, &format!("must be {allowed}"), Some(help))
     }
 }

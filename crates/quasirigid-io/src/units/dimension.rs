@@ -20,29 +20,19 @@ impl Dimension {
     /// Time (s).
     pub const TIME: Self = Self::new("a time", "s", "2 h", [0, 0, 1, 0]);
     /// Angular velocity (rad/s).
-    pub const ANGULAR_VELOCITY: Self =
-        Self::new("an angular velocity", "rad/s", "750 rpm", [0, 0, -1, 1]);
+    pub const ANGULAR_VELOCITY: Self = Self::new("an angular velocity", "rad/s", "750 rpm", [0, 0, -1, 1]);
     /// Moment of inertia (kg·m²).
-    pub const INERTIA: Self =
-        Self::new("a moment of inertia", "kg m^2", "3.2 lb ft^2", [1, 2, 0, 0]);
+    pub const INERTIA: Self = Self::new("a moment of inertia", "kg m^2", "3.2 lb ft^2", [1, 2, 0, 0]);
     /// Stiffness (N/m).
     pub const STIFFNESS: Self = Self::new("a stiffness", "N/m", "12.5 lbf/in", [1, 0, -2, 0]);
     /// Damping (N·s/m).
     pub const DAMPING: Self = Self::new("a damping", "N s/m", "0.3 lbf s/in", [1, 0, -1, 0]);
     /// Rotational stiffness (N·m/rad).
-    pub const ROTATIONAL_STIFFNESS: Self = Self::new(
-        "a rotational stiffness",
-        "N m/rad",
-        "0.565 N m/rad",
-        [1, 2, -2, -1],
-    );
+    pub const ROTATIONAL_STIFFNESS: Self =
+        Self::new("a rotational stiffness", "N m/rad", "0.565 N m/rad", [1, 2, -2, -1]);
     /// Rotational damping (N·m·s/rad).
-    pub const ROTATIONAL_DAMPING: Self = Self::new(
-        "a rotational damping",
-        "N m s/rad",
-        "0.01 N m s/rad",
-        [1, 2, -1, -1],
-    );
+    pub const ROTATIONAL_DAMPING: Self =
+        Self::new("a rotational damping", "N m s/rad", "0.01 N m s/rad", [1, 2, -1, -1]);
 
     const ALL: [Self; 10] = [
         Self::NUMBER,
@@ -63,12 +53,7 @@ impl Dimension {
         example: &'static str,
         exponents: Exponents,
     ) -> Self {
-        Self {
-            name,
-            unit,
-            example,
-            exponents,
-        }
+        Self { name, unit, example, exponents }
     }
 
     /// Name with its article, as in "a mass".
@@ -97,23 +82,18 @@ impl Dimension {
 
     /// What a unit with these exponents measures, in words.
     pub(super) fn describe(exponents: Exponents) -> String {
-        if let Some(dimension) = Self::ALL
-            .iter()
-            .find(|dimension| dimension.exponents == exponents)
-        {
+        if let Some(dimension) = Self::ALL.iter().find(|dimension| dimension.exponents == exponents) {
             return dimension.name.to_owned();
         }
         let factors: Vec<String> = ["kg", "m", "s", "rad"]
             .iter()
             .zip(exponents)
             .filter(|(_, exponent)| *exponent != 0)
-            .map(|(symbol, exponent)| {
-                if exponent == 1 {
-                    (*symbol).to_owned()
-                } else {
-                    format!("{symbol}^{exponent}")
-                }
-            })
+            .map(
+                |(symbol, exponent)| {
+                    if exponent == 1 { (*symbol).to_owned() } else { format!("{symbol}^{exponent}") }
+                },
+            )
             .collect();
         format!("a quantity in {}", factors.join(" "))
     }

@@ -71,7 +71,7 @@ pub enum UnitError {
         unit: String,
     },
     /// Something in the unit is neither symbol nor operator.
-    #[error("the unit {unit:?} cannot be read: {}", match found { Some(found) => format!("unexpected {found:?}"), None => "it ends too early".to_owned() })]
+    #[error("the unit {unit:?} cannot be read: {}", obstacle(*found))]
     Syntax {
         /// The unit.
         unit: String,
@@ -107,22 +107,13 @@ impl UnitError {
                 format!("write {text} without the quotes")
             }
             Self::NoUnit { text, dimension } => {
-                format!(
-                    "add the unit, or write {text} without the quotes for {text} {}",
-                    dimension.unit()
-                )
+                format!("add the unit, or write {text} without the quotes for {text} {}", dimension.unit())
             }
-            Self::UnknownUnit {
-                suggestion: Some(unit),
-                ..
-            } => format!("did you mean \"{unit}\"?"),
-            Self::UnknownUnit {
-                suggestion: None, ..
-            } => "units are symbols, for example kg, lb, m, in, s, h, rad, deg, rpm, N, lbf"
-                .to_owned(),
-            Self::WrongDimension { text, needed, .. }
-                if text.contains("lb") && !text.contains("lbf") =>
-            {
+            Self::UnknownUnit { suggestion: Some(unit), .. } => format!("did you mean \"{unit}\"?"),
+            Self::UnknownUnit { suggestion: None, .. } => {
+                "units are symbols, for example kg, lb, m, in, s, h, rad, deg, rpm, N, lbf".to_owned()
+            }
+            Self::WrongDimension { text, needed, .. } if text.contains("lb") && !text.contains("lbf") => {
                 format!("lb is the mass, lbf the force; {}", example(*needed))
             }
             Self::WrongDimension { needed, .. } => example(*needed),
@@ -141,10 +132,10 @@ fn example(dimension: Dimension) -> String {
     if dimension.unit().is_empty() {
         "write a number without quotes".to_owned()
     } else {
-        format!(
-            "write for example \"{}\", or a plain number in {}",
-            dimension.example(),
-            dimension.unit()
-        )
+        format!("write for example \"{}\", or a plain number in {}", dimension.example(), dimension.unit())
     }
+}
+
+fn obstacle(found: Option<char>) -> String {
+    found.map_or_else(|| "it ends too early".to_owned(), |found| format!("{found:?} cannot stand there"))
 }

@@ -18,11 +18,7 @@ pub(super) struct Expression {
 impl Expression {
     /// Reads a whole unit expression.
     pub(super) fn parse(text: &str) -> Result<Self, UnitError> {
-        let mut parser = Parser {
-            text,
-            rest: text,
-            depth: 0,
-        };
+        let mut parser = Parser { text, rest: text, depth: 0 };
         let expression = parser.product()?;
         match parser.peek() {
             None => Ok(expression),
@@ -33,37 +29,25 @@ impl Expression {
     /// The number of SI units in `number` of these. One division or multiplication by an integer keeps decimal units
     /// exact.
     pub(super) fn in_si(&self, number: f64) -> f64 {
-        if self.up >= self.down {
-            number * (self.up / self.down)
-        } else {
-            number / (self.down / self.up)
-        }
+        if self.up >= self.down { number * (self.up / self.down) } else { number / (self.down / self.up) }
     }
 
     fn times(self, other: Self) -> Self {
         Self {
             up: self.up * other.up,
             down: self.down * other.down,
-            exponents: std::array::from_fn(|i| {
-                self.exponents[i].saturating_add(other.exponents[i])
-            }),
+            exponents: std::array::from_fn(|i| self.exponents[i].saturating_add(other.exponents[i])),
             hertz: self.hertz || other.hertz,
         }
     }
 
     fn raised(self, power: i32) -> Self {
-        let (up, down) = if power < 0 {
-            (self.down, self.up)
-        } else {
-            (self.up, self.down)
-        };
+        let (up, down) = if power < 0 { (self.down, self.up) } else { (self.up, self.down) };
         let size = power.abs();
         Self {
             up: up.powi(size),
             down: down.powi(size),
-            exponents: self
-                .exponents
-                .map(|exponent| exponent.saturating_mul(power)),
+            exponents: self.exponents.map(|exponent| exponent.saturating_mul(power)),
             hertz: self.hertz,
         }
     }
@@ -90,9 +74,7 @@ impl Parser<'_> {
                     product = product.times(self.power()?.raised(-1));
                 }
                 Some(_) if divided => {
-                    return Err(UnitError::AmbiguousQuotient {
-                        unit: self.text.to_owned(),
-                    });
+                    return Err(UnitError::AmbiguousQuotient { unit: self.text.to_owned() });
                 }
                 Some(sign @ ('*' | '·' | '⋅' | '×')) => {
                     self.skip(sign);
@@ -111,11 +93,7 @@ impl Parser<'_> {
         if !superscript.is_empty() {
             return Ok(factor.raised(exponent(&superscript)?));
         }
-        let Some(rest) = self
-            .rest
-            .strip_prefix("**")
-            .or_else(|| self.rest.strip_prefix('^'))
-        else {
+        let Some(rest) = self.rest.strip_prefix("**").or_else(|| self.rest.strip_prefix('^')) else {
             return Ok(factor);
         };
         self.rest = rest.trim_start();
@@ -165,12 +143,8 @@ impl Parser<'_> {
     fn superscript(&mut self) -> String {
         const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
         const PLAIN: &str = "0123456789-";
-        let plain = |c: char| {
-            RAISED
-                .chars()
-                .position(|raised| raised == c)
-                .and_then(|i| PLAIN.chars().nth(i))
-        };
+        let plain =
+            |c: char| RAISED.chars().position(|raised| raised == c).and_then(|i| PLAIN.chars().nth(i));
         let written: String = self.rest.chars().map_while(plain).collect();
         self.rest = self.rest.trim_start_matches(|c| RAISED.contains(c));
         written
@@ -187,10 +161,7 @@ impl Parser<'_> {
     }
 
     fn unexpected(&self, found: Option<char>) -> UnitError {
-        UnitError::Syntax {
-            unit: self.text.to_owned(),
-            found,
-        }
+        UnitError::Syntax { unit: self.text.to_owned(), found }
     }
 }
 
@@ -199,30 +170,15 @@ fn is_letter(c: char) -> bool {
 }
 
 fn named(symbol: &str) -> Result<Expression, UnitError> {
-    let Some(Unit {
-        up,
-        down,
-        exponents,
-    }) = unit(symbol)
-    else {
-        return Err(UnitError::UnknownUnit {
-            symbol: symbol.to_owned(),
-            suggestion: suggestion(symbol),
-        });
+    let Some(Unit { up, down, exponents }) = unit(symbol) else {
+        return Err(UnitError::UnknownUnit { symbol: symbol.to_owned(), suggestion: suggestion(symbol) });
     };
-    Ok(Expression {
-        up,
-        down,
-        exponents,
-        hertz: symbol.ends_with("Hz"),
-    })
+    Ok(Expression { up, down, exponents, hertz: symbol.ends_with("Hz") })
 }
 
 fn exponent(written: &str) -> Result<i32, UnitError> {
     match written.parse() {
         Ok(power @ -9..=9) => Ok(power),
-        _ => Err(UnitError::Power {
-            exponent: written.to_owned(),
-        }),
+        _ => Err(UnitError::Power { exponent: written.to_owned() }),
     }
 }

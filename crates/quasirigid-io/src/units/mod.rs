@@ -36,9 +36,7 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     let (number, unit) = split(text.trim(), dimension)?;
     let expression = Expression::parse(unit)?;
     if expression.hertz && dimension == Dimension::ANGULAR_VELOCITY {
-        return Err(UnitError::Hertz {
-            text: text.to_owned(),
-        });
+        return Err(UnitError::Hertz { text: text.to_owned() });
     }
     if !dimension.accepts(expression.exponents) {
         return Err(UnitError::WrongDimension {
@@ -51,9 +49,7 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     if value.is_finite() && (value != 0.0 || number == 0.0) {
         Ok(value)
     } else {
-        Err(UnitError::OutOfRange {
-            text: text.to_owned(),
-        })
+        Err(UnitError::OutOfRange { text: text.to_owned() })
     }
 }
 
@@ -66,30 +62,19 @@ fn split(text: &str, dimension: Dimension) -> Result<(f64, &str), UnitError> {
     let Ok(number) = digits.parse::<f64>() else {
         let word = text.trim_start_matches(['+', '-']).to_lowercase();
         return Err(if word.starts_with("nan") || word.starts_with("inf") {
-            UnitError::NotFinite {
-                text: text.to_owned(),
-            }
+            UnitError::NotFinite { text: text.to_owned() }
         } else {
-            UnitError::NotANumber {
-                text: text.to_owned(),
-                dimension,
-            }
+            UnitError::NotANumber { text: text.to_owned(), dimension }
         });
     };
     if !number.is_finite() {
-        return Err(UnitError::OutOfRange {
-            text: text.to_owned(),
-        });
+        return Err(UnitError::OutOfRange { text: text.to_owned() });
     }
     match unit.trim() {
-        "" => Err(UnitError::NoUnit {
-            text: text.to_owned(),
-            dimension,
-        }),
-        unit if unit.starts_with([',', '_', '\'']) => Err(UnitError::NotANumber {
-            text: text.to_owned(),
-            dimension,
-        }),
+        "" => Err(UnitError::NoUnit { text: text.to_owned(), dimension }),
+        unit if unit.starts_with([',', '_', '\'']) => {
+            Err(UnitError::NotANumber { text: text.to_owned(), dimension })
+        }
         unit => Ok((number, unit)),
     }
 }
@@ -97,13 +82,7 @@ fn split(text: &str, dimension: Dimension) -> Result<(f64, &str), UnitError> {
 /// Length of the decimal number a text starts with: sign, digits with a point, and an exponent if it has digits.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
-    let digits = |from: usize| {
-        bytes
-            .iter()
-            .skip(from)
-            .take_while(|byte| byte.is_ascii_digit())
-            .count()
-    };
+    let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
     let sign = |at: usize| usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
     let mut end = sign(0);
     end += digits(end);

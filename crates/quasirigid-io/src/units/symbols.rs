@@ -150,18 +150,15 @@ pub(super) fn unit(symbol: &str) -> Option<Unit> {
     bare(symbol, 0, |_| true).or_else(|| {
         PREFIXES.iter().find_map(|(prefix, power)| {
             let symbol = symbol.strip_prefix(prefix)?;
-            bare(symbol, *power, |allowed| {
-                allowed == Si || (allowed == Large && *power >= 3)
-            })
+            bare(symbol, *power, |allowed| allowed == Si || (allowed == Large && *power >= 3))
         })
     })
 }
 
 /// The unit with this symbol times a power of ten, if the symbol allows it.
 fn bare(symbol: &str, power: i32, allows: impl Fn(Prefixes) -> bool) -> Option<Unit> {
-    let (_, up, down, exponents, _) = SYMBOLS
-        .iter()
-        .find(|(name, .., prefixes)| *name == symbol && allows(*prefixes))?;
+    let (_, up, down, exponents, _) =
+        SYMBOLS.iter().find(|(name, .., prefixes)| *name == symbol && allows(*prefixes))?;
     Some(Unit {
         up: up * 10f64.powi(power.max(0)),
         down: down * 10f64.powi((-power).max(0)),
@@ -173,12 +170,8 @@ fn bare(symbol: &str, power: i32, allows: impl Fn(Prefixes) -> bool) -> Option<U
 pub(super) fn suggestion(symbol: &str) -> Option<&'static str> {
     let word = symbol.to_lowercase();
     let singular = word.strip_suffix('s').unwrap_or(&word);
-    let spelled = WORDS
-        .iter()
-        .find(|(name, _)| *name == word || *name == singular)
-        .map(|(_, symbol)| *symbol);
-    let common = [
-        "kg", "mm", "cm", "km", "kN", "MPa", "GPa", "ms", "mrad", "kyr", "Myr", "Gyr", "cSt", "cP",
-    ];
+    let spelled =
+        WORDS.iter().find(|(name, _)| *name == word || *name == singular).map(|(_, symbol)| *symbol);
+    let common = ["kg", "mm", "cm", "km", "kN", "MPa", "GPa", "ms", "mrad", "kyr", "Myr", "Gyr", "cSt", "cP"];
     spelled.or_else(|| nearest(symbol, SYMBOLS.iter().map(|(name, ..)| *name).chain(common)))
 }

@@ -137,7 +137,7 @@ fn a_motion_is_free_or_along_one_line_or_in_one_plane() {
 #[test]
 fn hinge_axes_are_a_list_of_directions() {
     assert_snapshot!(refusal_of(&format!("{HINGED}axes = [0, 0, 1]\nstiffness = 3\n")), @r#"
-    model.toml:15:8: `axes`: found an array of 3 values, expected a list of axes, each an array of 3 numbers
+    model.toml:15:8: `axes`: found an array of 3 values, expected one to three axes, each an array of 3 numbers
       write for example [[0, 0, 1]] for one axis along z
     "#);
     assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0]]\nstiffness = \"3 N/m\"\n")), @r#"
@@ -145,6 +145,20 @@ fn hinge_axes_are_a_list_of_directions() {
       write 3 numbers in brackets, with commas between them
     model.toml:16:13: `stiffness`: "3 N/m" is a stiffness, but a rotational stiffness is needed
       write for example "0.565 N m/rad", or a plain number in N m/rad
+    "#);
+}
+
+#[test]
+fn a_hinge_has_one_two_or_three_axes() {
+    let axes = |count: usize| vec!["[0, 0, 1]"; count].join(", ");
+    let hinge = |count| refusal_of(&format!("{HINGED}axes = [{}]\nstiffness = 3\n", axes(count)));
+    assert_snapshot!(hinge(0), @r#"
+    model.toml:15:8: `axes`: found an array of 0 values, expected one to three axes, each an array of 3 numbers
+      write for example [[0, 0, 1]] for one axis along z
+    "#);
+    assert_snapshot!(hinge(4), @r#"
+    model.toml:15:8: `axes`: found an array of 4 values, expected one to three axes, each an array of 3 numbers
+      write for example [[0, 0, 1]] for one axis along z
     "#);
 }
 
@@ -157,10 +171,7 @@ fn a_hinge_can_have_a_stiffness_matrix() {
         model.assembly.hinged[0].stiffness,
         HingeCoefficient::Full(vec![vec![3.0, 1.0], vec![1.0, 4.0]])
     );
-    assert_eq!(
-        model.assembly.hinged[0].damping,
-        HingeCoefficient::PerAxis(vec![0.0, 0.0])
-    );
+    assert_eq!(model.assembly.hinged[0].damping, HingeCoefficient::PerAxis(vec![0.0, 0.0]));
 }
 
 #[test]

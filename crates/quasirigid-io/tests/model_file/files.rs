@@ -31,10 +31,7 @@ fn a_file_that_is_too_large_is_refused_unread() {
     std::fs::remove_file(&path).expect("the temporary file");
     assert_eq!(
         error,
-        ModelError::Unreadable {
-            file: path,
-            problem: FileProblem::TooLarge { limit: 1 << 28 }
-        }
+        ModelError::Unreadable { file: path, problem: FileProblem::TooLarge { limit: 1 << 28 } }
     );
 }
 

@@ -122,10 +122,7 @@ fn every_mistake_is_reported_in_the_order_of_the_file() {
 fn a_mistake_made_many_times_is_cut_short() {
     let many = "[[spring]]\nfrom = \"tip\"\nto = \"top\"\nstiffnes = 1\n".repeat(10_000);
     let report = refusal_of(&many);
-    let locations = report
-        .lines()
-        .filter(|line| line.starts_with("model.toml:"))
-        .count();
+    let locations = report.lines().filter(|line| line.starts_with("model.toml:")).count();
     assert_eq!(locations, 101);
     assert_snapshot!(report.lines().last().unwrap_or_default(), @"model.toml:408:1: there are more problems like these");
 }

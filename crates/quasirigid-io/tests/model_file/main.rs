@@ -13,8 +13,7 @@ use std::path::Path;
 
 use quasirigid_io::model::Model;
 
-const CARRIER: &str =
-    "[carrier]\nmass = 40.0\ncenter_of_mass = [0, 0.1, 0]\ninertia = [9.0, 13.0, 16.0]\n";
+const CARRIER: &str = "[carrier]\nmass = 40.0\ncenter_of_mass = [0, 0.1, 0]\ninertia = [9.0, 13.0, 16.0]\n";
 const POINT: &str = "[[point]]\nname = \"tip\"\nmass = 1.0\nposition = [0.8, 0.3, 0.5]\n";
 const HINGED: &str = "[[hinged]]\nname = \"boom\"\nmass = 2\ncenter_of_mass = [1, 0, 0]\ninertia = [0, 1, 1]\nhinge = [0.5, 0, 0]\n";
 
@@ -24,9 +23,7 @@ fn read(text: &str) -> Model {
 
 /// How a text is refused.
 fn refusal(text: &str) -> String {
-    Model::parse(Path::new("model.toml"), text)
-        .expect_err("a refusal")
-        .to_string()
+    Model::parse(Path::new("model.toml"), text).expect_err("a refusal").to_string()
 }
 
 /// How a text after a good carrier and a good point is refused; it starts in line 9.
@@ -36,7 +33,5 @@ fn refusal_of(rest: &str) -> String {
 
 /// How a spring between the point and the carrier with these further lines is refused; they start in line 12.
 fn refusal_of_spring(lines: &str) -> String {
-    refusal_of(&format!(
-        "[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"
-    ))
+    refusal_of(&format!("[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"))
 }

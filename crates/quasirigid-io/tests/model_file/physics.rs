@@ -6,28 +6,124 @@ use quasirigid_io::model::{Model, ModelError};
 use super::{CARRIER, HINGED, POINT, read};
 
 fn diagnosis(model: &Model, place: Place, field: Field, problem: Problem) -> String {
-    model
-        .diagnose(&ElementError {
-            place,
-            field,
-            problem,
-        })
-        .to_string()
+    model.diagnose(&ElementError { place, field, problem }).to_string()
 }
 
 fn model() -> Model {
     let spring = "[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 600.0\n";
-    read(&format!(
-        "{CARRIER}{POINT}{spring}{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n"
-    ))
+    read(&format!("{CARRIER}{POINT}{spring}{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n"))
+}
+
+/// What the laws of mechanics say to a good carrier with the rest of a file, which starts in line 5.
+fn verdict(rest: &str) -> String {
+    let model = read(&format!("{CARRIER}{rest}"));
+    let errors = model.assembly.check();
+    if errors.is_empty() {
+        model.diagnose(&model.assembly.body().expect_err("a refusal")).to_string()
+    } else {
+        model.diagnose_all(&errors).to_string()
+    }
+}
+
+/// The same for a point with a spring to the carrier and these further lines, which start in line 12.
+fn verdict_on_spring(lines: &str) -> String {
+    verdict(&format!("{POINT}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"))
+}
+
+#[test]
+fn a_good_model_has_nothing_against_it() {
+    let model = model();
+    assert_eq!(model.assembly.check(), []);
+    assert!(model.assembly.body().is_ok());
+}
+
+#[test]
+fn an_impossible_inertia_is_refused() {
+    let inertia = |inertia: &str| {
+        let hinged = HINGED.replace("[0, 1, 1]", inertia);
+        verdict(&format!("{hinged}axes = [[0, 0, 1]]\nstiffness = 3\n"))
+    };
+    assert_snapshot!(inertia("[1, 1, 2.5]"), @r#"
+    model.toml:9:11: `inertia` of appendage "boom": no body has the principal moments of inertia [1.0, 1.0, 2.5] kg m^2: none may be negative, or exceed the sum of the other two
+      check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass
+    "#);
+    assert_snapshot!(inertia("[-1, 1, 1]"), @r#"
+    model.toml:9:11: `inertia` of appendage "boom": no body has the principal moments of inertia [-1.0, 1.0, 1.0] kg m^2: none may be negative, or exceed the sum of the other two
+      check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass
+    "#);
+    assert_snapshot!(inertia("[[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]"), @r#"
+    model.toml:9:11: `inertia` of appendage "boom": the inertia tensor is not symmetric: two entries that should be equal differ by 1e-1 kg m^2
+      write the same value at [i][j] and [j][i], or only the three values of the axes
+    "#);
+}
+
+#[test]
+fn a_stiffness_that_is_asymmetric_or_indefinite_is_refused() {
+    assert_snapshot!(verdict_on_spring("stiffness = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]\n"), @r#"
+    model.toml:12:13: `stiffness` of spring 1: the matrix is not symmetric: entries [0][1] = 0.5 and [1][0] = 0 differ
+      write the same value at [i][j] and [j][i], or only the three values of the axes
+    "#);
+    assert_snapshot!(verdict_on_spring("stiffness = 1\ndamping = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]\n"), @r#"
+    model.toml:13:11: `damping` of spring 1: the smallest eigenvalue is -1e0; a spring or dashpot must not give energy
+      check the signs; the eigenvalues of the matrix must be zero or positive
+    "#);
+}
+
+#[test]
+fn an_axial_spring_without_a_line_is_refused() {
+    assert_snapshot!(verdict_on_spring("stiffness = 1\naxial = true\n"), @r#"
+    model.toml:11:6: `to` of spring 1: an axial spring to the carrier needs the place of its end on the carrier
+      add anchor = [x, y, z], the place of the spring's end on the carrier
+    "#);
+    assert_snapshot!(verdict_on_spring("stiffness = 1\naxial = true\nanchor = [0.8, 0.3, 0.5]\n"), @r#"
+    model.toml:11:6: `to` of spring 1: the ends of the axial spring are at the same place, so no line joins them
+      move one end, or leave out axial = true
+    "#);
+}
+
+#[test]
+fn a_mechanism_is_refused_at_the_element_that_moves() {
+    assert_snapshot!(verdict(POINT), @r#"
+    model.toml:5:1: a mechanism: no spring resists the motion of "tip" x
+      add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
+    "#);
+    assert_snapshot!(verdict_on_spring("stiffness = 1\naxial = true\nanchor = [0, 0, 0]\n"), @r#"
+    model.toml:5:1: a mechanism: no spring resists the motion of "tip" x, "tip" y, "tip" z
+      add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
+    "#);
+}
+
+#[test]
+fn impossible_hinges_and_motions_are_refused() {
+    assert_snapshot!(verdict(&format!("{POINT}motion = {{ plane = [0, 0, 0] }}\n")), @r#"
+    model.toml:9:10: `motion` of point "tip": a direction of zero length
+      write a direction such as [0, 0, 1]; its length does not matter
+    "#);
+    assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1], [0, 0, 2]]\nstiffness = [1, 2, 3]\n")), @r#"
+    model.toml:11:8: `axes` of appendage "boom": the axes are not independent, so two hinge angles would be the same motion
+      no axis may be a combination of the others
+    model.toml:12:13: `stiffness` of appendage "boom": there are 2 axes but 3 values
+      write one number for all axes, one per axis, or a square matrix with a row per axis
+    "#);
+    let hinge = |stiffness: &str| verdict(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = {stiffness}\n"));
+    assert_snapshot!(hinge("[]"), @r#"
+    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 0 values
+      write one number for all axes, one per axis, or a square matrix with a row per axis
+    "#);
+    assert_snapshot!(hinge("[[]]"), @r#"
+    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 0 values
+      write one number for all axes, one per axis, or a square matrix with a row per axis
+    "#);
+    assert_snapshot!(hinge("[[1, 2], [2, 1]]"), @r#"
+    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 2 values
+      write one number for all axes, one per axis, or a square matrix with a row per axis
+    "#);
 }
 
 #[test]
 fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
     let model = model();
-    let impossible = Problem::Inertia(InertiaError::Impossible {
-        moments: [1.0, 2.0, 4.0],
-    });
+    let impossible = Problem::Inertia(InertiaError::Impossible { moments: [1.0, 2.0, 4.0] });
     assert_snapshot!(diagnosis(&model, Place::Carrier, Field::Inertia, impossible), @r#"
     model.toml:4:11: `inertia` of the carrier: no body has the principal moments of inertia [1.0, 2.0, 4.0] kg m^2: none may be negative, or exceed the sum of the other two
       check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass
@@ -37,9 +133,7 @@ fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
     model.toml:12:13: `stiffness` of spring 1: the smallest eigenvalue is -2.5e0; a spring or dashpot must not give energy
       check the signs; the eigenvalues of the matrix must be zero or positive
     "#);
-    let mechanism = Problem::Mechanism {
-        coordinates: "tip.x, tip.y".to_owned(),
-    };
+    let mechanism = Problem::Mechanism { coordinates: "tip.x, tip.y".to_owned() };
     assert_snapshot!(diagnosis(&model, Place::Point(0), Field::Position, mechanism), @r#"
     model.toml:8:12: a mechanism: no spring resists the motion of tip.x, tip.y
       add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
@@ -59,10 +153,7 @@ fn a_value_the_file_leaves_out_is_diagnosed_at_its_table() {
       write a direction such as [0, 0, 1]; its length does not matter
     "#);
     let moments = [0.0, 0.0, 1.0];
-    let no_inertia = Problem::NoInertia {
-        moments,
-        support: Support::Free,
-    };
+    let no_inertia = Problem::NoInertia { moments, support: Support::Free };
     assert_snapshot!(diagnosis(&model, Place::Support, Field::FixedPoint, no_inertia), @r#"
     model.toml:1:1: the whole body has no inertia about some axis (principal moments [0.0, 0.0, 1.0] kg m^2)
       check the masses and the inertia of the carrier
@@ -71,23 +162,13 @@ fn a_value_the_file_leaves_out_is_diagnosed_at_its_table() {
 
 #[test]
 fn several_errors_stand_in_the_order_of_the_file() {
-    let error = |place, field| ElementError {
-        place,
-        field,
-        problem: Problem::NotFinite { value: f64::NAN },
-    };
-    let errors = [
-        error(Place::Hinged(0), Field::Mass),
-        error(Place::Carrier, Field::Mass),
-    ];
+    let error = |place, field| ElementError { place, field, problem: Problem::NotFinite { value: f64::NAN } };
+    let errors = [error(Place::Hinged(0), Field::Mass), error(Place::Carrier, Field::Mass)];
     let ModelError::Invalid { diagnostics, model } = model().diagnose_all(&errors) else {
         panic!("a listing");
     };
     assert_eq!(
-        diagnostics
-            .iter()
-            .map(|diagnostic| diagnostic.position(&model.text))
-            .collect::<Vec<_>>(),
+        diagnostics.iter().map(|diagnostic| diagnostic.position(&model.text)).collect::<Vec<_>>(),
         [(2, 8), (15, 8)]
     );
     assert_eq!(&model.text[diagnostics[0].span.clone()], "40.0");

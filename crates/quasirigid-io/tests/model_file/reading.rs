@@ -69,67 +69,31 @@ form = "momentum"
     let body = &model.assembly;
     assert!((body.carrier.mass - 40.0).abs() < 1e-12); // 14 digits written
     assert_eq!(body.carrier.center_of_mass, [0.0, 0.1, 0.0]);
-    assert_eq!(
-        body.carrier.inertia,
-        [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]
-    );
+    assert_eq!(body.carrier.inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
     assert_eq!(body.points[0].name, "point 1");
     assert_eq!(body.points[0].motion, Motion::Free);
     assert_eq!(body.points[1].mass, 0.5);
     assert_eq!(body.points[1].position, [1.0, 0.0, 0.5588]);
     assert_eq!(body.points[1].motion, Motion::Line([1.0, 0.0, 0.0]));
-    assert_eq!(
-        (body.springs[0].from, body.springs[0].to),
-        (End::Point(0), End::Carrier)
-    );
-    assert_eq!(
-        (body.springs[1].from, body.springs[1].to),
-        (End::Point(1), End::Point(0))
-    );
+    assert_eq!((body.springs[0].from, body.springs[0].to), (End::Point(0), End::Carrier));
+    assert_eq!((body.springs[1].from, body.springs[1].to), (End::Point(1), End::Point(0)));
     let [isotropic, full, axial] = [0, 1, 2].map(|index| body.springs[index].law);
     let (stiffness, damping) = (Coefficient::Isotropic(600.0), Coefficient::Isotropic(30.0));
     assert_eq!(isotropic, Law::Spatial { stiffness, damping });
     let stiffness = Coefficient::Diagonal([1.0, 2.0, 3.0]);
     let damping = Coefficient::Full([[1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.5, 3.0]]);
     assert_eq!(full, Law::Spatial { stiffness, damping });
-    assert_eq!(
-        axial,
-        Law::Axial {
-            stiffness: 7.0,
-            damping: 0.0,
-            anchor: Some([0.5, 0.0, 0.0])
-        }
-    );
+    assert_eq!(axial, Law::Axial { stiffness: 7.0, damping: 0.0, anchor: Some([0.5, 0.0, 0.0]) });
     let boom = &body.hinged[0];
     assert_eq!(boom.axes, [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
-    assert_eq!(
-        boom.inertia,
-        [[0.0, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]
-    );
-    assert_eq!(
-        boom.stiffness,
-        HingeCoefficient::PerAxis(vec![0.565, 0.565])
-    );
+    assert_eq!(boom.inertia, [[0.0, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]);
+    assert_eq!(boom.stiffness, HingeCoefficient::PerAxis(vec![0.565, 0.565]));
     assert_eq!(boom.damping, HingeCoefficient::PerAxis(vec![0.01, 0.02]));
-    assert_eq!(
-        body.support,
-        Support::FixedPoint {
-            point: [0.0, 0.0, -1.0]
-        }
-    );
-    assert_eq!(
-        model.initial.angular_velocity.map(|[_, y, _]| y),
-        Some(0.35)
-    );
+    assert_eq!(body.support, Support::FixedPoint { point: [0.0, 0.0, -1.0] });
+    assert_eq!(model.initial.angular_velocity.map(|[_, y, _]| y), Some(0.35));
     assert_eq!(model.initial.attitude, [0.6, 0.0, 0.8, 0.0]);
-    assert_eq!(
-        (model.run.order, model.run.duration, model.run.samples),
-        (5, Some(7200.0), Some(1000))
-    );
-    assert_eq!(
-        (model.run.tolerance, model.run.form),
-        (Some(1e-10), Some(Form::Momentum))
-    );
+    assert_eq!((model.run.order, model.run.duration, model.run.samples), (5, Some(7200.0), Some(1000)));
+    assert_eq!((model.run.tolerance, model.run.form), (Some(1e-10), Some(Form::Momentum)));
     assert_eq!(model.notes, [""; 0]);
 }
 
@@ -140,15 +104,9 @@ fn what_the_file_leaves_out_has_its_default() {
     assert_eq!(model.assembly.support, Support::Free);
     assert_eq!(model.initial.angular_velocity, None);
     assert_eq!(model.initial.attitude, [1.0, 0.0, 0.0, 0.0]);
-    assert_eq!(
-        (model.run.order, model.run.duration, model.run.tolerance),
-        (3, None, None)
-    );
+    assert_eq!((model.run.order, model.run.duration, model.run.tolerance), (3, None, None));
     // of CARRIER, by sha256sum
-    assert_eq!(
-        model.source.sha256,
-        "0f1303cac9ec4982d910513c3b13aaebed50ec6616aa0ade1315747430b9b288"
-    );
+    assert_eq!(model.source.sha256, "0f1303cac9ec4982d910513c3b13aaebed50ec6616aa0ade1315747430b9b288");
 }
 
 #[test]
@@ -159,23 +117,13 @@ fn every_way_to_write_toml_is_understood() {
     assert_eq!(model.assembly.carrier.mass, 40.0);
     assert_eq!(model.assembly.carrier.inertia[1][1], 13.0);
     assert_eq!(model.assembly.points.len(), 1);
-    assert_eq!(
-        read(&format!("\u{feff}{CARRIER}")).assembly.carrier.mass,
-        40.0
-    );
+    assert_eq!(read(&format!("\u{feff}{CARRIER}")).assembly.carrier.mass, 40.0);
 }
 
 #[test]
 fn an_attitude_rounded_by_hand_is_normalised_with_a_note() {
-    let model = read(&format!(
-        "{CARRIER}[initial]\nattitude = [0.7071, 0, 0.7071, 0]\n"
-    ));
-    let norm: f64 = model
-        .initial
-        .attitude
-        .iter()
-        .map(|component| component * component)
-        .sum();
+    let model = read(&format!("{CARRIER}[initial]\nattitude = [0.7071, 0, 0.7071, 0]\n"));
+    let norm: f64 = model.initial.attitude.iter().map(|component| component * component).sum();
     assert!((norm - 1.0).abs() < 1e-15);
     assert_snapshot!(model.notes.join("\n"), @"the initial attitude has the norm 0.9999904099540154; it was divided by it");
 }
@@ -185,23 +133,14 @@ fn a_large_model_is_read_without_delay() {
     const COUNT: usize = 100_000;
     let mut text = CARRIER.to_owned();
     for index in 0..COUNT {
-        write!(
-            text,
-            "[[point]]\nname = \"p{index}\"\nmass = 1.0\nposition = [{index}.5, 0.25, \"3 mm\"]\n"
-        )
-        .expect("memory");
-        write!(
-            text,
-            "[[spring]]\nfrom = \"p{index}\"\nto = \"carrier\"\nstiffness = 600.0\n"
-        )
-        .expect("memory");
+        write!(text, "[[point]]\nname = \"p{index}\"\nmass = 1.0\nposition = [{index}.5, 0.25, \"3 mm\"]\n")
+            .expect("memory");
+        write!(text, "[[spring]]\nfrom = \"p{index}\"\nto = \"carrier\"\nstiffness = 600.0\n")
+            .expect("memory");
     }
     let start = std::time::Instant::now();
     let model = read(&text);
-    assert_eq!(
-        model.assembly.springs[COUNT - 1].from,
-        End::Point(COUNT - 1)
-    );
+    assert_eq!(model.assembly.springs[COUNT - 1].from, End::Point(COUNT - 1));
     // ten times what an unoptimised build on a busy machine needs; quadratic work takes minutes
     assert!(start.elapsed().as_secs() < 30, "{:?}", start.elapsed());
 }

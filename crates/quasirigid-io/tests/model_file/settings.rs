@@ -45,8 +45,5 @@ fn settings_out_of_range_are_refused() {
         "{CARRIER}[run]\norder = 12\ntolerance = 1.1e-15\nsamples = 10_000_000\nform = \"paper\"\n"
     ))
     .run;
-    assert_eq!(
-        (run.order, run.samples, run.form),
-        (12, Some(10_000_000), Some(Form::Paper))
-    );
+    assert_eq!((run.order, run.samples, run.form), (12, Some(10_000_000), Some(Form::Paper)));
 }

@@ -23,7 +23,9 @@ pub enum Command {
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
     Check(Check),
     /// Print the reduced equations
-    #[command(after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json")]
+    #[command(
+        after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
+    )]
     Derive(Derive),
     /// Propagate the spin and print a table
     #[command(

@@ -47,9 +47,13 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
         },
         Comparison::Damping => {
             let time = significant(validity.vibrations.damping_time, 3);
-            format!("Dashpots delay the springs by up to {time} s, which is {ratio} of the time 1/|w| of the spin.")
+            format!(
+                "Dashpots delay the springs by up to {time} s, which is {ratio} of the time 1/|w| of the spin."
+            )
         }
-        Comparison::Series => format!("Successive terms of the same kind in Omega(K) have the ratio {ratio} at this spin."),
+        Comparison::Series => {
+            format!("Successive terms of the same kind in Omega(K) have the ratio {ratio} at this spin.")
+        }
         Comparison::Resonance => resonance(validity),
         Comparison::Linearity => match &validity.displacement {
             None => "Nothing on this body is displaced.".into(),
@@ -59,7 +63,9 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
             ),
         },
         Comparison::Residual => {
-            format!("Put into the full equations, the reduced ones leave {ratio} of the elastic load unbalanced.")
+            format!(
+                "Put into the full equations, the reduced ones leave {ratio} of the elastic load unbalanced."
+            )
         }
         Comparison::Forgetting if verdict == Verdict::Holds => {
             "Vibrations excited at the start die out before the body has turned by a radian.".into()
@@ -132,8 +138,14 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// A time (s) in the unit a person would choose.
 pub fn time(seconds: f64) -> String {
-    const UNITS: [(f64, &str); 6] =
-        [(31_557_600e6, "Myr"), (31_557_600.0, "yr"), (86_400.0, "d"), (3_600.0, "h"), (60.0, "min"), (1.0, "s")];
+    const UNITS: [(f64, &str); 6] = [
+        (31_557_600e6, "Myr"),
+        (31_557_600.0, "yr"),
+        (86_400.0, "d"),
+        (3_600.0, "h"),
+        (60.0, "min"),
+        (1.0, "s"),
+    ];
     if seconds.is_infinite() {
         return "for ever".into();
     }

@@ -1,5 +1,5 @@
 //! The `quasirigid` program: reads its arguments, calls the library, prints.
-#![allow(clippy::print_stdout, clippy::print_stderr)]
+#![allow(clippy::print_stdout, clippy::print_stderr, non_snake_case)]
 
 mod args;
 mod commands;

@@ -9,7 +9,9 @@ use crate::failure::Failure;
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| wrote(Path::new("standard output"), cause))
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(|cause| wrote(Path::new("standard output"), cause))
 }
 
 /// Writes to standard output, buffered.

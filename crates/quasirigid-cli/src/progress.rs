@@ -40,7 +40,11 @@ impl Collector {
     pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
         let bar = ProgressBar::new(MARKS);
         let hidden = quiet || !stderr().is_terminal();
-        bar.set_draw_target(if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(5) });
+        bar.set_draw_target(if hidden {
+            ProgressDrawTarget::hidden()
+        } else {
+            ProgressDrawTarget::stderr_with_hz(5)
+        });
         if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {percent} %, {eta} left") {
             bar.set_style(style);
         }

@@ -7,7 +7,8 @@ use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{
-    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, ReductionRecord, ValidityRecord,
+    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, ReductionRecord,
+    ValidityRecord,
 };
 
 use crate::describe;
@@ -121,7 +122,9 @@ pub fn status(outcome: Outcome, t: f64) -> (&'static str, String) {
     match outcome {
         Outcome::Finished => ("finished", "the run reached its end".into()),
         Outcome::Interrupted => ("interrupted", format!("the run was interrupted at t = {t} s")),
-        Outcome::StepLimit => ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance")),
+        Outcome::StepLimit => {
+            ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
+        }
         Outcome::Failed(error) => ("failed", error.to_string()),
     }
 }

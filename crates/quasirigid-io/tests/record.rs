@@ -56,8 +56,11 @@ prop_compose! {
 
 fn columns() -> impl Strategy<Value = Vec<Column>> {
     (0usize..4, 0usize..6).prop_flat_map(|(columns, rows)| {
-        let column = ("[a-z,\" ω]{0,6}", ".*", vec(ANY, rows))
-            .prop_map(|(name, unit, values)| Column { name, unit, values });
+        let column = ("[a-z,\" ω]{0,6}", ".*", vec(ANY, rows)).prop_map(|(name, unit, values)| Column {
+            name,
+            unit,
+            values,
+        });
         vec(column, columns)
     })
 }
@@ -97,11 +100,7 @@ fn sample() -> RunRecord {
     };
     RunRecord {
         version: "0.1.0".into(),
-        model: ModelRecord {
-            name: "boom".into(),
-            file: "boom.toml".into(),
-            sha256: "ab".into(),
-        },
+        model: ModelRecord { name: "boom".into(), file: "boom.toml".into(), sha256: "ab".into() },
         notes: vec![],
         body: BodyRecord {
             mass: 1.0,
@@ -143,10 +142,7 @@ fn sample() -> RunRecord {
             dissipated: 0.0,
             energy_drift: 0.0,
             momentum_drift: 0.0,
-            columns: vec![
-                column("t", "s", [0.0, 0.1 + 0.2]),
-                column("wx", "rad/s", [f64::NAN, -1e300]),
-            ],
+            columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],
         }],
     }
 }
@@ -190,24 +186,15 @@ proptest! {
 fn history_is_plain_csv_with_names_in_the_header() {
     let mut text = Vec::new();
     history_csv(&sample().histories[0].columns, &mut text).unwrap();
-    assert_eq!(
-        String::from_utf8(text).unwrap(),
-        "t,wx\n0.0,NaN\n0.30000000000000004,-1e300\n"
-    );
+    assert_eq!(String::from_utf8(text).unwrap(), "t,wx\n0.0,NaN\n0.30000000000000004,-1e300\n");
 }
 
 #[test]
 fn numbers_that_are_not_finite_are_words_in_json() {
     let dir = written();
     let text = fs::read_to_string(dir.path().join("record.json")).unwrap();
-    assert!(
-        text.contains(r#""T1": "inf""#) && text.contains(r#""residual": "NaN""#),
-        "{text}"
-    );
-    assert!(
-        text.contains(r#""power": -0.0"#) && !text.contains("-1e300"),
-        "{text}"
-    );
+    assert!(text.contains(r#""T1": "inf""#) && text.contains(r#""residual": "NaN""#), "{text}");
+    assert!(text.contains(r#""power": -0.0"#) && !text.contains("-1e300"), "{text}");
 }
 
 #[test]
@@ -215,23 +202,14 @@ fn nothing_is_written_into_a_folder_that_holds_something() {
     let dir = tempdir().unwrap();
     fs::write(dir.path().join("mine.txt"), "").unwrap();
     let error = sample().write(dir.path()).unwrap_err();
-    assert_eq!(
-        error,
-        RecordError::NotEmpty {
-            folder: dir.path().into(),
-            found: "mine.txt".into()
-        }
-    );
+    assert_eq!(error, RecordError::NotEmpty { folder: dir.path().into(), found: "mine.txt".into() });
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
 }
 
 #[test]
 fn folder_must_exist() {
     let folder = tempdir().unwrap().path().join("none");
-    assert_eq!(
-        sample().write(&folder).unwrap_err(),
-        RecordError::NoFolder { folder }
-    );
+    assert_eq!(sample().write(&folder).unwrap_err(), RecordError::NoFolder { folder });
 }
 
 #[test]
@@ -241,23 +219,13 @@ fn names_that_would_leave_the_folder_or_collide_are_refused_before_writing() {
     for system in ["../x", "", "a b"] {
         record.histories[0].system = system.into();
         let error = record.write(dir.path()).unwrap_err();
-        assert_eq!(
-            error,
-            RecordError::SystemName {
-                system: system.into()
-            }
-        );
+        assert_eq!(error, RecordError::SystemName { system: system.into() });
     }
     let mut record = sample();
     record.histories.push(record.histories[0].clone());
     record.histories[1].system = "Reduced".into();
     let error = record.write(dir.path()).unwrap_err();
-    assert_eq!(
-        error,
-        RecordError::SameSystem {
-            system: "Reduced".into()
-        }
-    );
+    assert_eq!(error, RecordError::SameSystem { system: "Reduced".into() });
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }
 
@@ -266,9 +234,7 @@ fn columns_of_unequal_length_are_refused() {
     let mut record = sample();
     record.histories[0].columns[1].values.pop();
     let error = record.write(tempdir().unwrap().path()).unwrap_err();
-    assert!(
-        matches!(&error, RecordError::Ragged { column, rows: 1, expected: 2, .. } if column == "wx")
-    );
+    assert!(matches!(&error, RecordError::Ragged { column, rows: 1, expected: 2, .. } if column == "wx"));
     let refused = history_csv(&record.histories[0].columns, Vec::new()).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::InvalidInput);
 }
@@ -278,22 +244,14 @@ fn missing_file_is_named() {
     let dir = written();
     let file = dir.path().join("history-reduced.csv");
     fs::remove_file(&file).unwrap();
-    assert_eq!(
-        refusal(dir.path()),
-        RecordError::File {
-            file,
-            kind: ErrorKind::NotFound
-        }
-    );
+    assert_eq!(refusal(dir.path()), RecordError::File { file, kind: ErrorKind::NotFound });
 }
 
 #[test]
 fn broken_json_is_located() {
     let dir = written();
     let file = dir.path().join("record.json");
-    let text = fs::read_to_string(&file)
-        .unwrap()
-        .replace("\"inf\"", "\"large\"");
+    let text = fs::read_to_string(&file).unwrap().replace("\"inf\"", "\"large\"");
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
@@ -311,18 +269,8 @@ fn broken_rows_are_located() {
         fs::write(&file, text).unwrap();
         refusal(dir.path())
     };
-    assert!(
-        matches!(with("t,wy\n1,2\n"), RecordError::Header { found, .. } if found == ["t", "wy"])
-    );
-    assert!(matches!(
-        with("t,wx\n1,2\n1\n"),
-        RecordError::Width {
-            line: 3,
-            fields: 1,
-            expected: 2,
-            ..
-        }
-    ));
+    assert!(matches!(with("t,wy\n1,2\n"), RecordError::Header { found, .. } if found == ["t", "wy"]));
+    assert!(matches!(with("t,wx\n1,2\n1\n"), RecordError::Width { line: 3, fields: 1, expected: 2, .. }));
     assert!(matches!(
         with("t,wx\n1,2\n1,0x\n"),
         RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text == "0x"

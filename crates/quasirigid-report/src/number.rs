@@ -10,13 +10,7 @@ pub fn tidy(value: f64, significant: usize) -> String {
     let text = digits(value, significant);
     let (number, power) = text.split_at(text.find('×').unwrap_or(text.len()));
     match number.contains('.') {
-        true => {
-            number
-                .trim_end_matches('0')
-                .trim_end_matches('.')
-                .to_owned()
-                + power
-        }
+        true => number.trim_end_matches('0').trim_end_matches('.').to_owned() + power,
         false => text,
     }
 }
@@ -39,26 +33,16 @@ pub fn digits(value: f64, significant: usize) -> String {
 /// A ratio in percent, two significant digits below one percent, three above.
 pub fn percent(ratio: f64) -> String {
     let percent = 100.0 * ratio;
-    format!(
-        "{}\u{a0}%",
-        tidy(percent, if percent.abs() < 1.0 { 2 } else { 3 })
-    )
+    format!("{}\u{a0}%", tidy(percent, if percent.abs() < 1.0 { 2 } else { 3 }))
 }
 
 /// Numbers of one kind with the decimal points under each other: the common power of ten, and the numbers over it.
 ///
 /// The largest gets so many significant digits, the others as many decimals: rounding noise beside it reads as zero.
 pub fn aligned(values: &[f64], significant: usize) -> (i32, Vec<String>) {
-    let largest = values
-        .iter()
-        .filter(|v| v.is_finite())
-        .fold(0.0, |a: f64, v| a.max(v.abs()));
+    let largest = values.iter().filter(|v| v.is_finite()).fold(0.0, |a: f64, v| a.max(v.abs()));
     let (_, exponent) = scientific(largest, significant);
-    let power = if (-3..6).contains(&exponent) {
-        0
-    } else {
-        exponent
-    };
+    let power = if (-3..6).contains(&exponent) { 0 } else { exponent };
     let decimals = (significant as i32 - 1 - (exponent - power)).max(0) as usize;
     let text = |&value: &f64| match value.is_finite() {
         true => fixed(over_power(value, power), decimals),
@@ -90,25 +74,14 @@ pub fn power_of_ten(power: i32) -> String {
         '3' => '³',
         _ => char::from_u32(0x2070 + digit as u32 - '0' as u32).unwrap_or(digit),
     };
-    format!(
-        "10{}",
-        power
-            .to_string()
-            .chars()
-            .map(superscript)
-            .collect::<String>()
-    )
+    format!("10{}", power.to_string().chars().map(superscript).collect::<String>())
 }
 
 /// So many decimals, with a true minus sign, no minus before zero and thin spaces between thousands.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    let (negative, text) = text
-        .strip_prefix('-')
-        .map_or((false, text.as_str()), |rest| (true, rest));
-    let (whole, fraction) = text
-        .split_once('.')
-        .map_or((text, ""), |(whole, fraction)| (whole, fraction));
+    let (negative, text) = text.strip_prefix('-').map_or((false, text.as_str()), |rest| (true, rest));
+    let (whole, fraction) = text.split_once('.').map_or((text, ""), |(whole, fraction)| (whole, fraction));
     let mut out = String::new();
     if negative && text.contains(|c: char| ('1'..='9').contains(&c)) {
         out.push('−');
@@ -134,13 +107,8 @@ pub fn duration(seconds: f64) -> String {
 
 /// The unit that suits a time: its name, and its length in seconds.
 pub fn time_unit(seconds: f64) -> (&'static str, f64) {
-    const UNITS: [(&str, f64); 5] = [
-        ("yr", 31_557_600.0),
-        ("d", 86_400.0),
-        ("h", 3600.0),
-        ("min", 60.0),
-        ("s", 1.0),
-    ];
+    const UNITS: [(&str, f64); 5] =
+        [("yr", 31_557_600.0), ("d", 86_400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0)];
     let enough = |&&(_, scale): &&(&str, f64)| seconds.abs() >= 1.5 * scale;
     *UNITS.iter().find(enough).unwrap_or(&UNITS[4])
 }
@@ -183,12 +151,7 @@ mod tests {
             assert_eq!(short(value), text, "{value:e}");
         }
         assert_eq!(
-            [
-                digits(0.5, 3),
-                digits(-1e-9, 2),
-                digits(9.999, 3),
-                digits(0.0, 3)
-            ],
+            [digits(0.5, 3), digits(-1e-9, 2), digits(9.999, 3), digits(0.0, 3)],
             ["0.500", "−1.0×10⁻⁹", "10.0", "0"]
         );
     }
@@ -199,10 +162,7 @@ mod tests {
             aligned(&[9.5, -1e-17, 16.25], 6),
             (0, vec!["9.5000".into(), "0.0000".into(), "16.2500".into()])
         );
-        assert_eq!(
-            aligned(&[2e300, -1e299], 6),
-            (300, vec!["2.00000".into(), "−0.10000".into()])
-        );
+        assert_eq!(aligned(&[2e300, -1e299], 6), (300, vec!["2.00000".into(), "−0.10000".into()]));
         assert_eq!(aligned(&[], 6), (0, vec![]));
     }
 

@@ -11,22 +11,14 @@ pub fn main_history(record: &RunRecord) -> Option<&HistoryRecord> {
 
 /// The column of that name, if it has rows.
 pub fn column<'a>(columns: &'a [Column], name: &str) -> Option<&'a Column> {
-    columns
-        .iter()
-        .find(|column| column.name == name && !column.values.is_empty())
+    columns.iter().find(|column| column.name == name && !column.values.is_empty())
 }
 
 /// Three columns as one vector per row.
 pub fn vectors(columns: &[Column], names: [&str; 3]) -> Option<Vec<[f64; 3]>> {
     let [x, y, z] = names.map(|name| column(columns, name));
     let (x, y, z) = (&x?.values, &y?.values, &z?.values);
-    Some(
-        x.iter()
-            .zip(y)
-            .zip(z)
-            .map(|((&x, &y), &z)| [x, y, z])
-            .collect(),
-    )
+    Some(x.iter().zip(y).zip(z).map(|((&x, &y), &z)| [x, y, z]).collect())
 }
 
 /// First and last value that are finite.
@@ -48,26 +40,14 @@ impl TimeUnit {
     /// The unit that suits the span of the first `rows` rows of the column `t`.
     pub fn of(history: &HistoryRecord, rows: usize) -> Self {
         let Some(column) = column(&history.columns, "t") else {
-            return Self {
-                name: "s".into(),
-                length: 1.0,
-            };
+            return Self { name: "s".into(), length: 1.0 };
         };
-        match (
-            column.unit.as_str(),
-            ends(column.values.iter().copied().take(rows)),
-        ) {
+        match (column.unit.as_str(), ends(column.values.iter().copied().take(rows))) {
             ("s", Some((first, last))) => {
                 let (name, length) = time_unit(last - first);
-                Self {
-                    name: name.into(),
-                    length,
-                }
+                Self { name: name.into(), length }
             }
-            (unit, _) => Self {
-                name: unit.into(),
-                length: 1.0,
-            },
+            (unit, _) => Self { name: unit.into(), length: 1.0 },
         }
     }
 }

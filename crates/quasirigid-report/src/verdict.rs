@@ -27,11 +27,7 @@ impl Verdict {
     /// Of all: the worst criterion; a record that calls itself invalid is at best marginal, and fails when no
     /// criterion says why.
     pub fn of_all(validity: &ValidityRecord) -> Self {
-        let worst = validity
-            .criteria
-            .iter()
-            .map(|criterion| Self::of_criterion(&criterion.verdict))
-            .max();
+        let worst = validity.criteria.iter().map(|criterion| Self::of_criterion(&criterion.verdict)).max();
         match worst {
             None | Some(Self::Holds) if !validity.valid => Self::Fails,
             None => Self::Holds,
@@ -60,10 +56,7 @@ impl Verdict {
     /// A tick in a disc, an exclamation mark in a triangle, a cross in a square: told apart without colour.
     pub fn icon(self) -> Markup {
         let (outline, mark) = match self {
-            Self::Holds => (
-                "M12 1a11 11 0 1 0 0 22a11 11 0 1 0 0-22z",
-                "M6.5 12.5l3.8 3.8l7.2-8.3",
-            ),
+            Self::Holds => ("M12 1a11 11 0 1 0 0 22a11 11 0 1 0 0-22z", "M6.5 12.5l3.8 3.8l7.2-8.3"),
             Self::Marginal => ("M12 1.5L23.5 22.5H.5z", "M12 9v6M12 18.6v.1"),
             Self::Fails => ("M2 2h20v20H2z", "M7 7l10 10M17 7L7 17"),
         };
@@ -115,11 +108,7 @@ mod tests {
             (true, &["perhaps"], Verdict::Fails),
         ];
         for (valid, verdicts, expected) in cases {
-            assert_eq!(
-                Verdict::of_all(&validity(valid, verdicts)),
-                expected,
-                "{valid} {verdicts:?}"
-            );
+            assert_eq!(Verdict::of_all(&validity(valid, verdicts)), expected, "{valid} {verdicts:?}");
         }
     }
 }

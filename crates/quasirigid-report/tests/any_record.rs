@@ -30,35 +30,16 @@ fn record() -> impl Strategy<Value = RunRecord> {
         let mut numbers = numbers.into_iter().cycle();
         let mut set = |place: &mut f64| *place = numbers.next().unwrap_or_default();
         let history = &mut record.histories[0];
-        [
-            &mut history.turns,
-            &mut history.energy,
-            &mut history.dissipated,
-            &mut history.energy_drift,
-        ]
-        .into_iter()
-        .for_each(&mut set);
-        record
-            .body
-            .inertia
-            .as_flattened_mut()
-            .iter_mut()
+        [&mut history.turns, &mut history.energy, &mut history.dissipated, &mut history.energy_drift]
+            .into_iter()
             .for_each(&mut set);
+        record.body.inertia.as_flattened_mut().iter_mut().for_each(&mut set);
         record.body.principal_moments.iter_mut().for_each(&mut set);
         if !keep_axes {
-            record
-                .body
-                .principal_axes
-                .as_flattened_mut()
-                .iter_mut()
-                .for_each(&mut set);
+            record.body.principal_axes.as_flattened_mut().iter_mut().for_each(&mut set);
         }
         record.validity.frequencies.iter_mut().for_each(&mut set);
-        record
-            .reduction
-            .degrees
-            .iter_mut()
-            .for_each(|degree| set(&mut degree.size));
+        record.reduction.degrees.iter_mut().for_each(|degree| set(&mut degree.size));
         set(&mut record.validity.T1);
         set(&mut record.reduction.residual);
         record

@@ -10,9 +10,7 @@ use quasirigid_report::page;
 fn assert_in_order(page: &str, parts: &[&str]) {
     let mut rest = page;
     for part in parts {
-        let (_, after) = rest
-            .split_once(part)
-            .unwrap_or_else(|| panic!("{part:?} is missing or too early"));
+        let (_, after) = rest.split_once(part).unwrap_or_else(|| panic!("{part:?} is missing or too early"));
         rest = after;
     }
 }
@@ -39,36 +37,20 @@ fn assert_balanced(page: &str) {
 
 /// Geometry is made of numbers, and what is read aloud exists.
 fn assert_drawable(page: &str) {
-    for attribute in [
-        " d=\"", " x=\"", " y=\"", " x1=\"", " y1=\"", " cx=\"", " cy=\"",
-    ] {
-        for value in page
-            .split(attribute)
-            .skip(1)
-            .map(|rest| rest.split('"').next().unwrap())
-        {
-            assert!(
-                !value.contains("NaN") && !value.contains("inf"),
-                "{attribute}{value}"
-            );
+    for attribute in [" d=\"", " x=\"", " y=\"", " x1=\"", " y1=\"", " cx=\"", " cy=\""] {
+        for value in page.split(attribute).skip(1).map(|rest| rest.split('"').next().unwrap()) {
+            assert!(!value.contains("NaN") && !value.contains("inf"), "{attribute}{value}");
         }
     }
-    for id in page
-        .split("aria-labelledby=\"")
-        .skip(1)
-        .flat_map(|rest| rest.split('"').next().unwrap().split(' '))
+    for id in
+        page.split("aria-labelledby=\"").skip(1).flat_map(|rest| rest.split('"').next().unwrap().split(' '))
     {
         assert_eq!(page.matches(&format!("id=\"{id}\"")).count(), 1, "{id}");
     }
 }
 
 fn column<'a>(record: &'a mut RunRecord, name: &str) -> &'a mut Vec<f64> {
-    &mut record.histories[0]
-        .columns
-        .iter_mut()
-        .find(|column| column.name == name)
-        .unwrap()
-        .values
+    &mut record.histories[0].columns.iter_mut().find(|column| column.name == name).unwrap().values
 }
 
 #[test]
@@ -116,17 +98,10 @@ fn loss_is_told_as_part_of_what_can_be_lost() {
     column(&mut record, "momentum").fill(2.0);
     assert_in_order(
         &page(&record),
-        &[
-            "Energy dissipated",
-            ">0.2<",
-            "40\u{a0}% of what it can lose at this |K|",
-        ],
+        &["Energy dissipated", ">0.2<", "40\u{a0}% of what it can lose at this |K|"],
     );
     record.histories[0].columns.clear();
-    assert_in_order(
-        &page(&record),
-        &["Energy dissipated", "20\u{a0}% of the energy at the start"],
-    );
+    assert_in_order(&page(&record), &["Energy dissipated", "20\u{a0}% of the energy at the start"]);
 }
 
 #[test]
@@ -144,21 +119,12 @@ fn every_column_and_every_axis_has_its_unit() {
     let record = support::record(50, 60.0, 1e-4);
     let page = page(&record);
     for column in &record.histories[0].columns {
-        let row = format!(
-            "<th scope=\"row\">{}</th><td class=\"word\">[{}]</td>",
-            column.name, column.unit
-        );
+        let row = format!("<th scope=\"row\">{}</th><td class=\"word\">[{}]</td>", column.name, column.unit);
         assert!(page.contains(&row), "{row}");
     }
     assert_in_order(
         &page,
-        &[
-            "ω [rad/s]</text>",
-            "t [s]</text>",
-            "energy [J]</text>",
-            "t [s]</text>",
-            "nutation [°]</text>",
-        ],
+        &["ω [rad/s]</text>", "t [s]</text>", "energy [J]</text>", "t [s]</text>", "nutation [°]</text>"],
     );
     assert_eq!(
         page.matches("<th").count(),
@@ -170,11 +136,7 @@ fn every_column_and_every_axis_has_its_unit() {
 fn text_of_the_record_is_only_text() {
     let mut record = support::record(3, 1.0, 0.0);
     let evil = "<b a=\"'&\"></script><script>x()</script>";
-    record.model = ModelRecord {
-        name: evil.into(),
-        file: evil.into(),
-        sha256: evil.into(),
-    };
+    record.model = ModelRecord { name: evil.into(), file: evil.into(), sha256: evil.into() };
     record.notes = vec![evil.into()];
     record.body.coordinates = vec![evil.into()];
     record.validity.verdict = evil.into();
@@ -197,17 +159,10 @@ fn page_needs_nothing_from_elsewhere() {
 #[test]
 fn verdict_is_told_in_words_and_shape() {
     let mut record = support::without_histories();
-    for (verdict, words) in [
-        ("holds", "Valid"),
-        ("marginal", "Marginal"),
-        ("fails", "Not valid"),
-    ] {
+    for (verdict, words) in [("holds", "Valid"), ("marginal", "Marginal"), ("fails", "Not valid")] {
         record.validity.criteria[2].verdict = verdict.into();
         let page = page(&record);
-        assert_in_order(
-            &page,
-            &["<h1>", "<svg class=\"icon", verdict, words, "<h2>Result"],
-        );
+        assert_in_order(&page, &["<h1>", "<svg class=\"icon", verdict, words, "<h2>Result"]);
     }
 }
 
@@ -216,10 +171,7 @@ fn early_end_is_told_before_the_numbers() {
     let mut record = support::record(3, 1.0, 0.0);
     record.histories[0].status = "left validity".into();
     record.histories[0].message = "It spun too fast at 0.5 s.".into();
-    assert_in_order(
-        &page(&record),
-        &["Ended early", "It spun too fast at 0.5 s.", "Spin, start"],
-    );
+    assert_in_order(&page(&record), &["Ended early", "It spun too fast at 0.5 s.", "Spin, start"]);
 }
 
 #[test]
@@ -253,9 +205,7 @@ fn what_is_missing_is_said() {
         empty.histories[0].columns = columns;
         assert!(page(&empty).contains("The record holds nothing that this figure could show."));
     }
-    [text, page(&empty)]
-        .iter()
-        .for_each(|page| assert_balanced(page));
+    [text, page(&empty)].iter().for_each(|page| assert_balanced(page));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! Speed of the reduced equations: one right-hand side, and a propagation at a known error.
-#![allow(non_snake_case, missing_docs)]
+#![allow(non_snake_case, missing_docs, clippy::print_stdout)]
 
 use std::hint::black_box;
 

@@ -89,6 +89,12 @@ fn write(
     }
     vibrations(out, validity)?;
     series(out, reduced.order, validity)?;
+    if validity.verdict() == Verdict::Fails {
+        return writeln!(
+            out,
+            "\nWhat the reduced equations say of steady spins is left out: they do not hold."
+        );
+    }
     spin(out, reduced, omega)
 }
 
@@ -99,7 +105,9 @@ fn times(out: &mut String, validity: &Validity) -> fmt::Result {
         ("T2", validity.T2, "decay of the slowest vibration"),
         ("T3", validity.T3, "the spin, 1/|w|"),
     ];
-    rows.iter().try_for_each(|(symbol, seconds, meaning)| writeln!(out, "  {symbol}  {:<16} {meaning}", time(*seconds)))
+    rows.iter().try_for_each(|(symbol, seconds, meaning)| {
+        writeln!(out, "  {symbol}  {:<16} {meaning}", time(*seconds))
+    })
 }
 
 fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
@@ -115,7 +123,8 @@ fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
 
 fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Result {
     let shown: Vec<_> = values.iter().take(LISTED).map(|value| significant(*value, 4)).collect();
-    let more = if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
+    let more =
+        if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
     let text = format!("{title} ({unit}): {}{more}", shown.join(" "));
     let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("      ");
     writeln!(out, "{}", textwrap::fill(&text, indent))
@@ -123,7 +132,7 @@ fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Resul
 
 fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "\nSize of the terms of w' at this spin (rad/s^2)")?;
-    let sizes = validity.degrees.iter().map(|d| format!("f{} {:.1e}", d.degree, d.size));
+    let sizes = validity.degrees.iter().map(|d| format!("f{}={:.1e}", d.degree, d.size));
     let text = sizes.collect::<Vec<_>>().join("   ");
     let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     writeln!(out, "{}", textwrap::fill(&text, indent))?;
@@ -141,7 +150,7 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     let steady = steady_spins(reduced, norm(K));
     for ((name, moment), steady) in names.iter().zip(principal.moments).zip(steady) {
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
-        writeln!(out, "  {about:<51} {}", steady.map_or("not determined".into(), |spin| fate(&spin)))?;
+        writeln!(out, "  {about:<51} {}", steady.map_or("as any axis across".into(), |spin| fate(&spin)))?;
     }
     let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
         let off = angle(K, *axis);

@@ -153,13 +153,30 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
         column.and_then(|column| column.values.first().copied()).unwrap_or(f64::NAN)
     };
     let spin = ["wx", "wy", "wz"];
-    let vector = |value: &dyn Fn(&str) -> f64| spin.map(|name| format!("{:>12}", significant(value(name), 6))).join("");
+    let vector = |value: &dyn Fn(&str) -> f64| {
+        spin.map(|name| format!("{:>12}", significant(value(name), 6))).join("")
+    };
     let turns = significant(history.turns, 6);
     writeln!(out, "\n{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message)?;
     writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
     writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
     let degrees = |value: f64| significant(value.to_degrees(), 5);
-    writeln!(out, "  nutation           {:>12} to {} degrees", degrees(first("nutation")), degrees(last("nutation")))?;
-    writeln!(out, "  energy dissipated  {:>12} J of {} J", significant(history.dissipated, 5), significant(history.energy, 6))?;
-    writeln!(out, "  numerical drift    {:>12} J; {} of |K|", significant(history.energy_drift, 2), significant(history.momentum_drift, 2))
+    writeln!(
+        out,
+        "  nutation           {:>12} to {} degrees",
+        degrees(first("nutation")),
+        degrees(last("nutation"))
+    )?;
+    writeln!(
+        out,
+        "  energy dissipated  {:>12} J of {} J",
+        significant(history.dissipated, 5),
+        significant(history.energy, 6)
+    )?;
+    writeln!(
+        out,
+        "  numerical drift    {:>12} J; {} of |K|",
+        significant(history.energy_drift, 2),
+        significant(history.momentum_drift, 2)
+    )
 }

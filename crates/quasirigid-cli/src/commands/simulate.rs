@@ -71,7 +71,9 @@ fn table(arguments: &Simulate, samples: &[Sample]) -> Result<(), Failure> {
     let TableFormat::Csv = arguments.format;
     let columns = columns(samples, None);
     match (&arguments.out, arguments.common.json) {
-        (Some(path), _) => output::to_file(Path::new(path), arguments.overwrite, |out| history_csv(&columns, out)),
+        (Some(path), _) => {
+            output::to_file(Path::new(path), arguments.overwrite, |out| history_csv(&columns, out))
+        }
         (None, false) => output::to_stdout(|out| history_csv(&columns, out)),
         (None, true) => Ok(()),
     }

@@ -22,7 +22,12 @@ impl Derived<'_> {
         let degrees = self.mu();
         let sum: Vec<_> = degrees.iter().map(|part| format!(r"\mu_{{{}}}(\omega)", part.degree())).collect();
         let sum = if sum.is_empty() { "0".into() } else { sum.join(" + ") };
-        writeln!(out, "% {}, order {}; SI units, body axes", self.name.replace('\n', " "), self.reduced.order)?;
+        writeln!(
+            out,
+            "% {}, order {}; SI units, body axes",
+            self.name.replace('\n', " "),
+            self.reduced.order
+        )?;
         writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times J\\omega = {sum}, \\qquad")?;
         writeln!(out, "  J = \\begin{{pmatrix}}")?;
         for row in self.body.inertia() {

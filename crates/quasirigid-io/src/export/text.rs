@@ -36,7 +36,12 @@ impl Derived<'_> {
         writeln!(out, "principal moments {} kg m^2", vector(principal.moments))?;
         if let [lowest, .., highest] = frequencies {
             let count = frequencies.len();
-            writeln!(out, "frequencies       {count}, from {} to {} rad/s", number(*lowest), number(*highest))?;
+            writeln!(
+                out,
+                "frequencies       {count}, from {} to {} rad/s",
+                number(*lowest),
+                number(*highest)
+            )?;
         } else if let [only] = frequencies {
             writeln!(out, "frequency         {} rad/s", number(*only))?;
         }
@@ -70,7 +75,8 @@ fn section(out: &mut String, title: &str, part: &Homogeneous) -> fmt::Result {
 /// A monomial as people write it: `wx^2 wz`.
 fn monomial(exponents: [usize; 3]) -> String {
     let factors = exponents.iter().zip(["wx", "wy", "wz"]).filter(|(power, _)| **power > 0);
-    let texts = factors.map(|(power, name)| if *power == 1 { name.into() } else { format!("{name}^{power}") });
+    let texts =
+        factors.map(|(power, name)| if *power == 1 { name.into() } else { format!("{name}^{power}") });
     texts.collect::<Vec<String>>().join(" ")
 }
 

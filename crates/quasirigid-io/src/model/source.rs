@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 use super::{Diagnostic, FileProblem, ModelError};
 
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
-const LARGEST: u64 = 256 * 1024 * 1024;
+const LARGEST: u64 = 64 * 1024 * 1024;
 
 /// The text a model was read from.
 #[derive(Clone, Debug, PartialEq, Eq)]

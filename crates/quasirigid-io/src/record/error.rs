@@ -22,9 +22,7 @@ pub enum RecordError {
         found: String,
     },
     /// A history whose name cannot be part of a file name.
-    #[error(
-        "history {system:?}: the name becomes part of a file name; use letters, digits, - and _ only"
-    )]
+    #[error("history {system:?}: the name becomes part of a file name; use letters, digits, - and _ only")]
     SystemName {
         /// Name of the history.
         system: String,

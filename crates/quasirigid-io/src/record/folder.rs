@@ -18,9 +18,7 @@ impl RunRecord {
         check_empty(dir)?;
         self.check_histories()?;
         for history in &self.histories {
-            create(&history_file(dir, history), |out| {
-                history_csv(&history.columns, out)
-            })?;
+            create(&history_file(dir, history), |out| history_csv(&history.columns, out))?;
         }
         create(&dir.join("record.json"), |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
@@ -35,13 +33,12 @@ impl RunRecord {
     pub fn read(dir: &Path) -> Result<Self, RecordError> {
         let file = dir.join("record.json");
         let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
-        let mut record: Self =
-            serde_json::from_slice(&text).map_err(|error| RecordError::Json {
-                line: error.line(),
-                column: error.column(),
-                problem: problem(&error),
-                file,
-            })?;
+        let mut record: Self = serde_json::from_slice(&text).map_err(|error| RecordError::Json {
+            line: error.line(),
+            column: error.column(),
+            problem: problem(&error),
+            file,
+        })?;
         record.check_histories()?;
         for history in &mut record.histories {
             let file = history_file(dir, history);
@@ -55,8 +52,7 @@ impl RunRecord {
         let mut seen = HashSet::new();
         for history in &self.histories {
             let system = history.system.clone();
-            let plain =
-                |letter: char| letter.is_ascii_alphanumeric() || letter == '-' || letter == '_';
+            let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '-' || letter == '_';
             if system.is_empty() || !system.chars().all(plain) {
                 return Err(RecordError::SystemName { system });
             }
@@ -70,15 +66,8 @@ impl RunRecord {
 }
 
 fn check_lengths(history: &HistoryRecord) -> Result<(), RecordError> {
-    let expected = history
-        .columns
-        .first()
-        .map_or(0, |column| column.values.len());
-    match history
-        .columns
-        .iter()
-        .find(|column| column.values.len() != expected)
-    {
+    let expected = history.columns.first().map_or(0, |column| column.values.len());
+    match history.columns.iter().find(|column| column.values.len() != expected) {
         None => Ok(()),
         Some(column) => Err(RecordError::Ragged {
             system: history.system.clone(),
@@ -98,19 +87,13 @@ fn check_empty(dir: &Path) -> Result<(), RecordError> {
         None => Ok(()),
         Some(entry) => Err(RecordError::NotEmpty {
             folder: dir.into(),
-            found: entry.map_or_else(
-                |_| "?".into(),
-                |entry| entry.file_name().to_string_lossy().into(),
-            ),
+            found: entry.map_or_else(|_| "?".into(), |entry| entry.file_name().to_string_lossy().into()),
         }),
     }
 }
 
 /// Makes a new file and fills it; never overwrites one.
-fn create(
-    file: &Path,
-    fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
-) -> Result<(), RecordError> {
+fn create(file: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> Result<(), RecordError> {
     File::create_new(file)
         .and_then(|new| {
             let mut out = BufWriter::new(new);
@@ -125,10 +108,7 @@ fn history_file(dir: &Path, history: &HistoryRecord) -> PathBuf {
 }
 
 fn unusable(file: &Path, error: &io::Error) -> RecordError {
-    RecordError::File {
-        file: file.into(),
-        kind: error.kind(),
-    }
+    RecordError::File { file: file.into(), kind: error.kind() }
 }
 
 /// The message without the place that serde_json adds at its end.

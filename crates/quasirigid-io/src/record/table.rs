@@ -39,19 +39,10 @@ pub fn history_csv(columns: &[Column], out: impl Write) -> io::Result<()> {
 }
 
 /// Fills the columns with the rows of a CSV file, whose header must be their names.
-pub(super) fn read_rows(
-    columns: &mut [Column],
-    input: impl Read,
-    file: &Path,
-) -> Result<(), RecordError> {
-    let unreadable = |error: csv::Error| RecordError::File {
-        file: file.into(),
-        kind: io::Error::from(error).kind(),
-    };
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(input);
+pub(super) fn read_rows(columns: &mut [Column], input: impl Read, file: &Path) -> Result<(), RecordError> {
+    let unreadable =
+        |error: csv::Error| RecordError::File { file: file.into(), kind: io::Error::from(error).kind() };
+    let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(input);
     let mut row = ByteRecord::new();
     reader.read_byte_record(&mut row).map_err(unreadable)?;
     check_header(columns, &row, file)?;
@@ -80,19 +71,8 @@ pub(super) fn read_rows(
 
 fn check_header(columns: &[Column], header: &ByteRecord, file: &Path) -> Result<(), RecordError> {
     let expected: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
-    let found: Vec<String> = header
-        .iter()
-        .map(|name| String::from_utf8_lossy(name).into())
-        .collect();
-    if found == expected {
-        Ok(())
-    } else {
-        Err(RecordError::Header {
-            file: file.into(),
-            expected,
-            found,
-        })
-    }
+    let found: Vec<String> = header.iter().map(|name| String::from_utf8_lossy(name).into()).collect();
+    if found == expected { Ok(()) } else { Err(RecordError::Header { file: file.into(), expected, found }) }
 }
 
 fn number(field: &[u8]) -> Option<f64> {

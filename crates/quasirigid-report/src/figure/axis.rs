@@ -39,36 +39,15 @@ impl Axis {
         let (low, high) = range(values)?;
         let largest = low.abs().max(high.abs());
         if largest < 1e-300 {
-            return Some(Self {
-                low: -1.0,
-                high: 1.0,
-                power: 0,
-                log: false,
-            });
+            return Some(Self { low: -1.0, high: 1.0, power: 0, log: false });
         }
         let exponent = largest.log10().floor() as i32;
-        let power = if (-3..5).contains(&exponent) {
-            0
-        } else {
-            3 * exponent.div_euclid(3)
-        };
-        let (low, high, largest) = (
-            over_power(low, power),
-            over_power(high, power),
-            over_power(largest, power),
-        );
+        let power = if (-3..5).contains(&exponent) { 0 } else { 3 * exponent.div_euclid(3) };
+        let (low, high, largest) =
+            (over_power(low, power), over_power(high, power), over_power(largest, power));
         let constant = high - low < NARROWEST * largest;
-        let extra = if constant {
-            AROUND_CONSTANT * largest
-        } else {
-            margin * (high - low)
-        };
-        Some(Self {
-            low: low - extra,
-            high: high + extra,
-            power,
-            log: false,
-        })
+        let extra = if constant { AROUND_CONSTANT * largest } else { margin * (high - low) };
+        Some(Self { low: low - extra, high: high + extra, power, log: false })
     }
 
     /// A logarithmic axis over the positive values, at most thirty decades, from decade to decade.
@@ -76,21 +55,12 @@ impl Axis {
         let (low, high) = range(values.filter(|&value| value > 0.0))?;
         let high = high.log10().ceil();
         let low = low.log10().floor().clamp(high - DECADES, high - 1.0);
-        Some(Self {
-            low,
-            high,
-            power: 0,
-            log: true,
-        })
+        Some(Self { low, high, power: 0, log: true })
     }
 
     /// Place of a value: 0 at the low end, 1 at the high end; not finite for what the axis cannot show.
     pub fn place(&self, value: f64) -> f64 {
-        let value = if self.log {
-            value.log10()
-        } else {
-            over_power(value, self.power)
-        };
+        let value = if self.log { value.log10() } else { over_power(value, self.power) };
         (value - self.low) / (self.high - self.low)
     }
 
@@ -104,46 +74,29 @@ impl Axis {
         let decimals = (-step.log10().floor()).max(0.0) as usize;
         let tick = |i: i64| {
             let value = i as f64 * step;
-            let label = if self.log {
-                decade(value as i32)
-            } else {
-                fixed(value, decimals)
-            };
-            Tick {
-                at: (value - self.low) / (self.high - self.low),
-                label,
-            }
+            let label = if self.log { decade(value as i32) } else { fixed(value, decimals) };
+            Tick { at: (value - self.low) / (self.high - self.low), label }
         };
         let [first, last] = [self.low / step - 1e-9, self.high / step + 1e-9];
-        (first.ceil() as i64..=last.floor() as i64)
-            .map(tick)
-            .collect()
+        (first.ceil() as i64..=last.floor() as i64).map(tick).collect()
     }
 }
 
 fn decade(exponent: i32) -> String {
-    if exponent == 0 {
-        "1".into()
-    } else {
-        power_of_ten(exponent)
-    }
+    if exponent == 0 { "1".into() } else { power_of_ten(exponent) }
 }
 
 fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .filter(|value| value.is_finite())
-        .fold(None, |range, value| {
-            let (low, high) = range.unwrap_or((value, value));
-            Some((low.min(value), high.max(value)))
-        })
+    values.filter(|value| value.is_finite()).fold(None, |range, value| {
+        let (low, high) = range.unwrap_or((value, value));
+        Some((low.min(value), high.max(value)))
+    })
 }
 
 /// The next of 1, 2, 5, 10 … times a power of ten.
 fn round_step(step: f64) -> f64 {
     let power = 10f64.powf(step.log10().floor());
-    let leading = [1.0, 2.0, 5.0]
-        .into_iter()
-        .find(|leading| leading * power >= step * (1.0 - 1e-9));
+    let leading = [1.0, 2.0, 5.0].into_iter().find(|leading| leading * power >= step * (1.0 - 1e-9));
     leading.unwrap_or(10.0) * power
 }
 
@@ -160,45 +113,20 @@ mod tests {
         let axis = Axis::linear([0.0, 2.0].into_iter(), 0.0).unwrap();
         assert_eq!(labels(&axis), ["0.0", "0.5", "1.0", "1.5", "2.0"]);
         let axis = Axis::linear([-3.1e-7, 4e-7].into_iter(), 0.0).unwrap();
-        assert_eq!(
-            (axis.power, labels(&axis)),
-            (-9, ["−200", "0", "200", "400"].map(String::from).into())
-        );
+        assert_eq!((axis.power, labels(&axis)), (-9, ["−200", "0", "200", "400"].map(String::from).into()));
         let axis = Axis::logarithmic([0.0, 3e-17, 0.2].into_iter()).unwrap();
-        assert_eq!(
-            labels(&axis),
-            ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1"]
-        );
+        assert_eq!(labels(&axis), ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1"]);
     }
 
     #[test]
     fn any_range_has_a_few_short_ticks() {
-        let ends = [
-            0.0,
-            5e-324,
-            1e-300,
-            -1e-7,
-            1.0,
-            1.0 + 1e-15,
-            7e4,
-            1e300,
-            f64::MAX,
-            -f64::MAX,
-        ];
-        for (low, high) in ends
-            .iter()
-            .flat_map(|&low| ends.iter().map(move |&high| (low, high)))
-        {
-            let axes = [
-                Axis::linear([low, high].into_iter(), 0.05),
-                Axis::logarithmic([low, high].into_iter()),
-            ];
+        let ends = [0.0, 5e-324, 1e-300, -1e-7, 1.0, 1.0 + 1e-15, 7e4, 1e300, f64::MAX, -f64::MAX];
+        for (low, high) in ends.iter().flat_map(|&low| ends.iter().map(move |&high| (low, high))) {
+            let axes =
+                [Axis::linear([low, high].into_iter(), 0.05), Axis::logarithmic([low, high].into_iter())];
             for axis in axes.into_iter().flatten() {
                 let labels = labels(&axis);
-                assert!(
-                    (2..=11).contains(&labels.len()),
-                    "{low:e} {high:e}: {labels:?}"
-                );
+                assert!((2..=11).contains(&labels.len()), "{low:e} {high:e}: {labels:?}");
                 assert!(
                     labels.iter().all(|label| label.chars().count() <= 10),
                     "{low:e} {high:e}: {labels:?}"

@@ -50,22 +50,9 @@ pub struct Figure {
 impl Figure {
     /// The chart, or a sentence when it has nothing to draw.
     pub fn draw(&self) -> Markup {
-        let values = || {
-            self.series
-                .iter()
-                .flat_map(|series| series.y.iter().copied())
-        };
-        let x = Axis::linear(
-            self.series
-                .iter()
-                .flat_map(|series| series.x.iter().copied()),
-            0.0,
-        );
-        let y = if self.log {
-            Axis::logarithmic(values())
-        } else {
-            Axis::linear(values(), 0.05)
-        };
+        let values = || self.series.iter().flat_map(|series| series.y.iter().copied());
+        let x = Axis::linear(self.series.iter().flat_map(|series| series.x.iter().copied()), 0.0);
+        let y = if self.log { Axis::logarithmic(values()) } else { Axis::linear(values(), 0.05) };
         html! {
             figure {
                 h3 { (self.title) }
@@ -105,28 +92,14 @@ impl Figure {
     }
 
     fn description(&self, x: &str, y: &str) -> String {
-        let labels: Vec<&str> = self
-            .series
-            .iter()
-            .map(|series| series.label.as_str())
-            .collect();
-        format!(
-            "Curves of {}: {y} against {x}. {}",
-            labels.join(", "),
-            self.caption
-        )
+        let labels: Vec<&str> = self.series.iter().map(|series| series.label.as_str()).collect();
+        format!("Curves of {}: {y} against {x}. {}", labels.join(", "), self.caption)
     }
 
     /// The names of the curves at their right ends, pushed apart where they would overlap.
     fn labels(&self, y: &Axis) -> Markup {
-        let end = |series: &Series| {
-            series
-                .y
-                .iter()
-                .rev()
-                .map(|&v| y.place(v))
-                .find(|place| place.is_finite())
-        };
+        let end =
+            |series: &Series| series.y.iter().rev().map(|&v| y.place(v)).find(|place| place.is_finite());
         let mut labels: Vec<(f64, &Series)> = self
             .series
             .iter()
@@ -198,9 +171,7 @@ mod tests {
         let line = 16.0 / HEIGHT;
         assert_eq!(apart(vec![0.1, 0.5]), [0.1, 0.5]);
         assert_eq!(apart(vec![0.0, 0.0, 0.01]), [0.0, line, 2.0 * line]);
-        let [a, b, c] = apart(vec![0.99, 1.0, 1.0])[..] else {
-            panic!("three labels stay three")
-        };
+        let [a, b, c] = apart(vec![0.99, 1.0, 1.0])[..] else { panic!("three labels stay three") };
         assert!(c <= 1.0 && c - b > 0.999 * line && b - a > 0.999 * line);
     }
 }

@@ -23,10 +23,7 @@ impl Trace {
     /// as the plot is wide, however many points there are, and no excursion is lost.
     pub fn new(points: impl Iterator<Item = (f64, f64)>) -> Self {
         let mut columns: Vec<Option<Span>> = vec![None; WIDTH as usize + 1];
-        for (row, (x, y)) in points
-            .enumerate()
-            .filter(|(_, (x, _))| (0.0..=1.0).contains(x))
-        {
+        for (row, (x, y)) in points.enumerate().filter(|(_, (x, _))| (0.0..=1.0).contains(x)) {
             let span = columns[(x * WIDTH) as usize].get_or_insert_default();
             if y.is_finite() {
                 span.add(Point { row, x, y });
@@ -114,19 +111,10 @@ mod tests {
 
     #[test]
     fn gaps_break_the_line_and_lone_points_are_dots() {
-        let points = [
-            (0.0, 0.0),
-            (0.1, 1.0),
-            (0.2, f64::NAN),
-            (0.5, 0.5),
-            (0.6, f64::INFINITY),
-            (f64::NAN, 0.0),
-        ];
+        let points =
+            [(0.0, 0.0), (0.1, 1.0), (0.2, f64::NAN), (0.5, 0.5), (0.6, f64::INFINITY), (f64::NAN, 0.0)];
         let Trace { line, dots } = Trace::new(points.into_iter());
-        assert_eq!(
-            (line.as_str(), dots.as_str()),
-            ("M0.0 240.0L80.0 0.0", "M400.0 120.0h0")
-        );
+        assert_eq!((line.as_str(), dots.as_str()), ("M0.0 240.0L80.0 0.0", "M400.0 120.0h0"));
         assert_eq!(Trace::new(std::iter::empty()).line, "");
     }
 
@@ -134,30 +122,18 @@ mod tests {
     fn million_points_keep_a_single_spike_and_stay_short() {
         let n = 1_000_000;
         let height = |i: usize| {
-            if i == 654_321 {
-                1.0
-            } else {
-                0.25 + 0.2 * (i as f64 * 0.7).sin()
-            }
+            if i == 654_321 { 1.0 } else { 0.25 + 0.2 * (i as f64 * 0.7).sin() }
         };
         let Trace { line, .. } = Trace::new((0..n).map(|i| (i as f64 / (n - 1) as f64, height(i))));
         assert!(line.contains("L523.5 0.0"), "the spike is lost");
         let x = |step: &str| step.split(' ').next().unwrap().parse::<f64>().unwrap();
-        assert!(
-            line[1..].split('L').map(x).is_sorted(),
-            "the line runs back"
-        );
+        assert!(line[1..].split('L').map(x).is_sorted(), "the line runs back");
         assert!(line.len() < 50_000, "{} bytes", line.len());
     }
 
     #[test]
     fn times_in_any_order_give_a_short_path() {
         let x = |i: u64| (i.wrapping_mul(2_654_435_761) % 10_007) as f64 / 10_007.0;
-        assert!(
-            Trace::new((0..100_000).map(|i| (x(i), x(i * 7))))
-                .line
-                .len()
-                < 50_000
-        );
+        assert!(Trace::new((0..100_000).map(|i| (x(i), x(i * 7)))).line.len() < 50_000);
     }
 }

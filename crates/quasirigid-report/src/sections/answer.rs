@@ -36,11 +36,7 @@ fn spin(history: &HistoryRecord) -> Markup {
     let nutation =
         column(&history.columns, "nutation").and_then(|column| ends(column.values.iter().copied()));
     let Some((start, end)) = ends(omega.iter().map(|&omega| norm(omega))) else {
-        return tile(
-            "Spin, start → end",
-            html! { "unknown" },
-            html! { "no rows with wx, wy, wz" },
-        );
+        return tile("Spin, start → end", html! { "unknown" }, html! { "no rows with wx, wy, wz" });
     };
     let value = html! { (digits(start, 4)) " → " (digits(end, 4)) small { " rad/s" } };
     tile(
@@ -59,10 +55,7 @@ fn spin(history: &HistoryRecord) -> Markup {
 fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
     let (share, of) = match free_energy(record, history) {
         Some(free) => (history.dissipated / free, "of what it can lose at this |K|"),
-        None => (
-            history.dissipated / history.energy,
-            "of the energy at the start",
-        ),
+        None => (history.dissipated / history.energy, "of the energy at the start"),
     };
     tile(
         "Energy dissipated",
@@ -100,8 +93,7 @@ fn drift(history: &HistoryRecord) -> Markup {
 }
 
 fn turns(history: &HistoryRecord) -> Markup {
-    let span =
-        column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
+    let span = column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
     tile(
         "Turns",
         html! { (tidy(history.turns, 5)) },

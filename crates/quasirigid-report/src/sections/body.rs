@@ -37,10 +37,8 @@ fn position(place: [f64; 3]) -> Markup {
 
 fn inertia(body: &BodyRecord) -> Markup {
     let (power, entries) = aligned(body.inertia.as_flattened(), 6);
-    let caption = format!(
-        "Inertia about the pole, in the axes of the file [{}]",
-        unit_with_power(power, "kg·m²")
-    );
+    let caption =
+        format!("Inertia about the pole, in the axes of the file [{}]", unit_with_power(power, "kg·m²"));
     table(
         &caption,
         &["", "x", "y", "z"],

@@ -40,15 +40,12 @@ pub fn section(record: &RunRecord) -> Markup {
 fn spin(history: &HistoryRecord, rows: usize) -> Figure {
     let time = TimeUnit::of(history, rows);
     let names = [("wx", "ωx"), ("wy", "ωy"), ("wz", "ωz")];
-    let curves = names
-        .iter()
-        .zip(COLOURS)
-        .filter_map(|(&(name, label), class)| {
-            let mut curve = Curve { name, label, class }.series(history, &time, |value| value)?;
-            curve.x.truncate(rows);
-            curve.y.truncate(rows);
-            Some(curve)
-        });
+    let curves = names.iter().zip(COLOURS).filter_map(|(&(name, label), class)| {
+        let mut curve = Curve { name, label, class }.series(history, &time, |value| value)?;
+        curve.x.truncate(rows);
+        curve.y.truncate(rows);
+        Some(curve)
+    });
     Figure {
         id: "spin",
         title: "Spin in body axes",
@@ -82,16 +79,8 @@ fn first_turns(history: &HistoryRecord) -> Option<Figure> {
 fn energy(history: &HistoryRecord) -> Figure {
     let time = TimeUnit::of(history, usize::MAX);
     let curves = [
-        Curve {
-            name: "dissipated",
-            label: "loss",
-            class: "s1",
-        },
-        Curve {
-            name: "energy_drift",
-            label: "drift",
-            class: "s2 dashed",
-        },
+        Curve { name: "dissipated", label: "loss", class: "s1" },
+        Curve { name: "energy_drift", label: "drift", class: "s2 dashed" },
     ];
     Figure {
         id: "energy",
@@ -109,22 +98,15 @@ fn energy(history: &HistoryRecord) -> Figure {
 /// Of every system, so that what dissipation changes stands beside what it would have been without.
 fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
     let time = TimeUnit::of(main, usize::MAX);
-    let curves = record
-        .histories
-        .iter()
-        .zip(COLOURS)
-        .filter_map(|(history, class)| {
-            Curve {
-                name: "nutation",
-                label: &history.system,
-                class,
-            }
-            .series(history, &time, f64::to_degrees)
-        });
+    let curves = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {
+        Curve { name: "nutation", label: &history.system, class }.series(history, &time, f64::to_degrees)
+    });
     Figure {
         id: "nutation",
         title: "Nutation",
-        caption: "Angle between the angular momentum and the axis of the body from which nutation is counted.".into(),
+        caption:
+            "Angle between the angular momentum and the axis of the body from which nutation is counted."
+                .into(),
         series: curves.collect(),
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "nutation", unit: "°".into() },
@@ -140,28 +122,10 @@ struct Curve<'a> {
 }
 
 impl Curve<'_> {
-    fn series(
-        &self,
-        history: &HistoryRecord,
-        time: &TimeUnit,
-        value: fn(f64) -> f64,
-    ) -> Option<Series> {
-        let x = column(&history.columns, "t")?
-            .values
-            .iter()
-            .map(|t| t / time.length)
-            .collect();
-        let y = column(&history.columns, self.name)?
-            .values
-            .iter()
-            .map(|&v| value(v))
-            .collect();
-        Some(Series {
-            label: self.label.into(),
-            class: self.class,
-            x,
-            y,
-        })
+    fn series(&self, history: &HistoryRecord, time: &TimeUnit, value: fn(f64) -> f64) -> Option<Series> {
+        let x = column(&history.columns, "t")?.values.iter().map(|t| t / time.length).collect();
+        let y = column(&history.columns, self.name)?.values.iter().map(|&v| value(v)).collect();
+        Some(Series { label: self.label.into(), class: self.class, x, y })
     }
 }
 

@@ -26,32 +26,20 @@ fn integration(history: &HistoryRecord) -> Markup {
         &format!("System: {}", history.system),
         &[
             ("Equations", html! { (history.form) }),
-            (
-                "Status",
-                html! { (history.status) @if !history.message.is_empty() { ": " (history.message) } },
-            ),
+            ("Status", html! { (history.status) @if !history.message.is_empty() { ": " (history.message) } }),
             ("Relative tolerance", html! { (short(history.tolerance)) }),
-            (
-                "Steps",
-                html! { (history.steps) " accepted, " (history.rejected) " rejected" },
-            ),
+            ("Steps", html! { (history.steps) " accepted, " (history.rejected) " rejected" }),
             ("Turns", html! { (tidy(history.turns, 6)) }),
             ("Energy at the start", joules(history.energy)),
             ("Energy dissipated", joules(history.dissipated)),
             ("Numerical drift of energy", joules(history.energy_drift)),
-            (
-                "Numerical drift of |K|, relative",
-                html! { (short(history.momentum_drift)) },
-            ),
+            ("Numerical drift of |K|, relative", html! { (short(history.momentum_drift)) }),
         ],
     )
 }
 
 fn columns(history: &HistoryRecord) -> Markup {
-    let rows = history
-        .columns
-        .first()
-        .map_or(0, |column| column.values.len());
+    let rows = history.columns.first().map_or(0, |column| column.values.len());
     if rows == 0 {
         return html! { p.absent { "No rows." } };
     }
@@ -73,21 +61,9 @@ fn columns(history: &HistoryRecord) -> Markup {
 
 /// First, last, least and greatest of the finite values.
 fn summary(column: &Column) -> [String; 4] {
-    let finite = || {
-        column
-            .values
-            .iter()
-            .copied()
-            .filter(|value| value.is_finite())
-    };
+    let finite = || column.values.iter().copied().filter(|value| value.is_finite());
     let Some((first, last)) = ends(column.values.iter().copied()) else {
         return [(); 4].map(|()| "undefined".into());
     };
-    [
-        first,
-        last,
-        finite().fold(first, f64::min),
-        finite().fold(first, f64::max),
-    ]
-    .map(short)
+    [first, last, finite().fold(first, f64::min), finite().fold(first, f64::max)].map(short)
 }

@@ -31,8 +31,5 @@ pub fn facts(caption: &str, facts: &[(&str, Markup)]) -> Markup {
 pub fn first<T>(items: &[T], most: usize) -> (&[T], Option<String>) {
     let shown = &items[..items.len().min(most)];
     let more = items.len() - shown.len();
-    (
-        shown,
-        (more > 0).then(|| format!("and {more} more in record.json")),
-    )
+    (shown, (more > 0).then(|| format!("and {more} more in record.json")))
 }

@@ -55,9 +55,7 @@ fn times(validity: &ValidityRecord) -> Markup {
             ("T₁, longest period of free vibration", seconds(validity.T1)),
             (
                 "T₂, decay of the slowest free vibration by e",
-                validity
-                    .T2
-                    .map_or_else(|| html! { "none: it does not decay" }, seconds),
+                validity.T2.map_or_else(|| html! { "none: it does not decay" }, seconds),
             ),
             ("T₃, time of the spin 1/|ω|", seconds(validity.T3)),
         ],

@@ -58,26 +58,11 @@ impl Scene {
     fn new(body: &BodyRecord, history: &HistoryRecord) -> Option<Self> {
         let axes = orthonormal(body.principal_axes)?;
         let path = momentum_directions(body.inertia, &history.columns)?;
-        let turned =
-            axes.map(|axis| path.iter().flatten().map(|&k| dot(axis, k)).sum::<f64>() < 0.0);
-        let axes = [0, 1, 2].map(|i| {
-            if turned[i] {
-                axes[i].map(|x| -x)
-            } else {
-                axes[i]
-            }
-        });
+        let turned = axes.map(|axis| path.iter().flatten().map(|&k| dot(axis, k)).sum::<f64>() < 0.0);
+        let axes = [0, 1, 2].map(|i| if turned[i] { axes[i].map(|x| -x) } else { axes[i] });
         let view = View::between(axes)?;
         let (pieces, sampled) = pieces(&view, &path);
-        Some(Self {
-            axes,
-            turned,
-            moments: body.principal_moments,
-            view,
-            path,
-            pieces,
-            sampled,
-        })
+        Some(Self { axes, turned, moments: body.principal_moments, view, path, pieces, sampled })
     }
 
     fn draw(&self) -> Markup {
@@ -104,13 +89,8 @@ impl Scene {
 
     fn polhodes(&self, separatrix: bool) -> Halves {
         let mut all = Halves::default();
-        for curve in polhodes(self.moments)
-            .iter()
-            .filter(|curve| curve.separatrix == separatrix)
-        {
-            let halves = self
-                .view
-                .curve(curve.points.iter().map(|&k| Some(combined(k, self.axes))));
+        for curve in polhodes(self.moments).iter().filter(|curve| curve.separatrix == separatrix) {
+            let halves = self.view.curve(curve.points.iter().map(|&k| Some(combined(k, self.axes))));
             all.near += &halves.near;
             all.far += &halves.far;
         }
@@ -139,11 +119,7 @@ impl Scene {
     fn beside(&self, axis: Vector, radii: f64) -> Spot {
         let Spot { x, y, near } = self.view.spot(axis);
         let stretch = radii * RADIUS / x.hypot(y);
-        Spot {
-            x: stretch * x,
-            y: stretch * y,
-            near,
-        }
+        Spot { x: stretch * x, y: stretch * y, near }
     }
 
     fn ends(&self) -> Markup {
@@ -160,9 +136,7 @@ impl Scene {
 
 fn orthonormal(axes: [Vector; 3]) -> Option<[Vector; 3]> {
     let error = |i: usize, j: usize| (dot(axes[i], axes[j]) - f64::from(u8::from(i == j))).abs();
-    (0..3)
-        .all(|i| (0..3).all(|j| error(i, j) < 1e-6))
-        .then_some(axes)
+    (0..3).all(|i| (0..3).all(|j| error(i, j) < 1e-6)).then_some(axes)
 }
 
 fn px(length: f64) -> String {

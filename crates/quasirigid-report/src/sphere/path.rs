@@ -29,26 +29,17 @@ pub fn momentum_directions(J: [Vector; 3], columns: &[Column]) -> Option<Vec<Opt
         let unit = direction(omega)?;
         direction(J.map(|row| dot(row, unit)))
     };
-    let path: Vec<_> = vectors(columns, ["wx", "wy", "wz"])?
-        .into_iter()
-        .map(momentum)
-        .collect();
+    let path: Vec<_> = vectors(columns, ["wx", "wy", "wz"])?.into_iter().map(momentum).collect();
     path.iter().any(Option::is_some).then_some(path)
 }
 
 /// The path as drawn, with the shade of each piece: the whole, or, where that would be too long, a sample (true).
 pub fn pieces(view: &View, path: &[Option<Vector>]) -> (Vec<(usize, Halves)>, bool) {
     let curves = |stretches: Vec<Stretch>| -> Vec<(usize, Halves)> {
-        stretches
-            .iter()
-            .map(|stretch| (stretch.shade, view.curve(stretch.points.iter().copied())))
-            .collect()
+        stretches.iter().map(|stretch| (stretch.shade, view.curve(stretch.points.iter().copied()))).collect()
     };
     let all = curves(whole(path));
-    let length: usize = all
-        .iter()
-        .map(|(_, Halves { near, far })| near.len() + far.len())
-        .sum();
+    let length: usize = all.iter().map(|(_, Halves { near, far })| near.len() + far.len()).sum();
     match sample(path) {
         Some(stretches) if length > LONGEST => (curves(stretches), true),
         _ => (all, false),
@@ -59,12 +50,7 @@ pub fn pieces(view: &View, path: &[Option<Vector>]) -> (Vec<(usize, Halves)>, bo
 fn whole(path: &[Option<Vector>]) -> Vec<Stretch<'_>> {
     let start = |shade: usize| shade * path.len() / SHADES;
     let end = |shade: usize| (start(shade + 1) + 1).min(path.len());
-    (0..SHADES)
-        .map(|shade| Stretch {
-            shade,
-            points: &path[start(shade)..end(shade)],
-        })
-        .collect()
+    (0..SHADES).map(|shade| Stretch { shade, points: &path[start(shade)..end(shade)] }).collect()
 }
 
 /// Stretches of consecutive points evenly spaced over a long path, its first and last included; none of a short path.
@@ -74,10 +60,8 @@ fn sample(path: &[Option<Vector>]) -> Option<Vec<Stretch<'_>>> {
     let length = SAMPLE / STRETCHES;
     let room = path.len().checked_sub(SAMPLE)? + SAMPLE - length;
     let start = |i: usize| i * room / (STRETCHES - 1);
-    let stretch = |i: usize| Stretch {
-        shade: i * SHADES / STRETCHES,
-        points: &path[start(i)..start(i) + length],
-    };
+    let stretch =
+        |i: usize| Stretch { shade: i * SHADES / STRETCHES, points: &path[start(i)..start(i) + length] };
     Some((0..STRETCHES).map(stretch).collect())
 }
 
@@ -94,24 +78,11 @@ mod tests {
                 unit: String::new(),
                 values: vec![value],
             };
-            let columns = vec![
-                column("wx", omega),
-                column("wy", -omega),
-                column("wz", 2.0 * omega),
-            ];
-            let J = [
-                [3.0 * J, J, 0.0],
-                [J, 4.0 * J, 2.0 * J],
-                [0.0, 2.0 * J, 5.0 * J],
-            ];
+            let columns = vec![column("wx", omega), column("wy", -omega), column("wz", 2.0 * omega)];
+            let J = [[3.0 * J, J, 0.0], [J, 4.0 * J, 2.0 * J], [0.0, 2.0 * J, 5.0 * J]];
             let k = momentum_directions(J, &columns).unwrap()[0].unwrap();
             let expected = [2.0, 1.0, 8.0].map(|x| x / 69f64.sqrt());
-            assert!(
-                k.iter()
-                    .zip(expected)
-                    .all(|(k, expected)| (k - expected).abs() < 1e-14),
-                "{k:?}"
-            );
+            assert!(k.iter().zip(expected).all(|(k, expected)| (k - expected).abs() < 1e-14), "{k:?}");
         }
     }
 
@@ -122,10 +93,7 @@ mod tests {
     /// Numbers of the first and last point of each stretch that has points.
     fn ends(stretches: &[Stretch]) -> Vec<(f64, f64)> {
         let number = |point: Option<&Option<Vector>>| Some((*point?)?[0]);
-        stretches
-            .iter()
-            .filter_map(|s| Some((number(s.points.first())?, number(s.points.last())?)))
-            .collect()
+        stretches.iter().filter_map(|s| Some((number(s.points.first())?, number(s.points.last())?))).collect()
     }
 
     #[test]
@@ -133,14 +101,8 @@ mod tests {
         for rows in [1, 2, 7, 1000] {
             let path = numbered(rows);
             let ends = ends(&whole(&path));
-            assert_eq!(
-                (ends[0].0, ends[ends.len() - 1].1),
-                (0.0, (rows - 1) as f64)
-            );
-            assert!(
-                ends.windows(2).all(|pair| pair[0].1 >= pair[1].0),
-                "{rows}: {ends:?}"
-            );
+            assert_eq!((ends[0].0, ends[ends.len() - 1].1), (0.0, (rows - 1) as f64));
+            assert!(ends.windows(2).all(|pair| pair[0].1 >= pair[1].0), "{rows}: {ends:?}");
         }
         assert!(ends(&whole(&[])).is_empty());
     }
@@ -152,18 +114,9 @@ mod tests {
             let path = numbered(rows);
             let stretches = sample(&path).unwrap();
             let ends = ends(&stretches);
-            assert_eq!(
-                (ends[0].0, ends[ends.len() - 1].1),
-                (0.0, (rows - 1) as f64)
-            );
+            assert_eq!((ends[0].0, ends[ends.len() - 1].1), (0.0, (rows - 1) as f64));
             assert!(ends.windows(2).all(|pair| pair[0].1 < pair[1].0));
-            assert_eq!(
-                stretches
-                    .iter()
-                    .map(|stretch| stretch.points.len())
-                    .sum::<usize>(),
-                SAMPLE
-            );
+            assert_eq!(stretches.iter().map(|stretch| stretch.points.len()).sum::<usize>(), SAMPLE);
         }
     }
 }

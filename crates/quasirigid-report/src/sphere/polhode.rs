@@ -30,18 +30,11 @@ pub fn polhodes(moments: [f64; 3]) -> Vec<Polhode> {
     for (axis, other) in [(0, 2), (2, 0)] {
         if gap(1, axis) > smallest {
             let squeeze = (gap(1, axis) / gap(other, axis)).sqrt();
-            curves.extend(
-                ANGLES
-                    .iter()
-                    .flat_map(|angle| about(axis, angle.to_radians().sin(), squeeze)),
-            );
+            curves.extend(ANGLES.iter().flat_map(|angle| about(axis, angle.to_radians().sin(), squeeze)));
         }
     }
     if gap(1, 0) > smallest && gap(2, 1) > smallest {
-        curves.extend(separatrices(
-            (gap(1, 2) / gap(0, 2)).sqrt(),
-            (gap(1, 0) / gap(0, 2)).sqrt(),
-        ));
+        curves.extend(separatrices((gap(1, 2) / gap(0, 2)).sqrt(), (gap(1, 0) / gap(0, 2)).sqrt()));
     }
     curves
 }
@@ -57,10 +50,7 @@ fn about(axis: usize, widest: f64, squeeze: f64) -> [Polhode; 2] {
             k[2 - axis] = other;
             k
         };
-        Polhode {
-            points: (0..=POINTS).map(point).collect(),
-            separatrix: false,
-        }
+        Polhode { points: (0..=POINTS).map(point).collect(), separatrix: false }
     })
 }
 
@@ -71,10 +61,7 @@ fn separatrices(along_1: f64, along_3: f64) -> [Polhode; 2] {
             let (sin, cos) = (std::f64::consts::TAU * i as f64 / POINTS as f64).sin_cos();
             [side * along_1 * sin, cos, along_3 * sin]
         };
-        Polhode {
-            points: (0..=POINTS).map(point).collect(),
-            separatrix: true,
-        }
+        Polhode { points: (0..=POINTS).map(point).collect(), separatrix: true }
     })
 }
 
@@ -88,12 +75,7 @@ mod tests {
         let curves = polhodes(moments);
         assert_eq!(curves.len(), 18);
         for curve in &curves {
-            let energy = |k: &Vector| {
-                k.iter()
-                    .zip(moments)
-                    .map(|(k, moment)| k * k / moment)
-                    .sum::<f64>()
-            };
+            let energy = |k: &Vector| k.iter().zip(moments).map(|(k, moment)| k * k / moment).sum::<f64>();
             let first = energy(&curve.points[0]);
             for k in &curve.points {
                 assert!((k.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12);
@@ -111,11 +93,7 @@ mod tests {
         assert_eq!(polhodes([2.0, 2.0, 2.0]).len(), 0);
         assert_eq!(polhodes([0.0, 2.0, f64::NAN]).len(), 0);
         assert!(
-            polhodes([1e-300, 2e-300, 1e300])
-                .iter()
-                .flat_map(|c| &c.points)
-                .flatten()
-                .all(|x| x.is_finite())
+            polhodes([1e-300, 2e-300, 1e300]).iter().flat_map(|c| &c.points).flatten().all(|x| x.is_finite())
         );
     }
 }

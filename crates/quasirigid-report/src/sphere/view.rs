@@ -41,11 +41,7 @@ impl View {
     /// Where a point is drawn; points off the sphere stay off it.
     pub fn spot(&self, point: Vector) -> Spot {
         let [right, up, depth] = self.0.map(|axis| dot(axis, point));
-        Spot {
-            x: RADIUS * right,
-            y: -RADIUS * up,
-            near: depth >= 0.0,
-        }
+        Spot { x: RADIUS * right, y: -RADIUS * up, near: depth >= 0.0 }
     }
 
     /// Draws a curve through unit vectors, along great circles; a step of more than a radian is not joined.
@@ -64,10 +60,7 @@ impl View {
                     for piece in 1..=pieces {
                         let part = piece as f64 / pieces as f64;
                         let between = combined([1.0 - part, part, 0.0], [last, point, [0.0; 3]]);
-                        pen.line(
-                            self.spot(direction(between).unwrap_or(point)),
-                            piece == pieces,
-                        );
+                        pen.line(self.spot(direction(between).unwrap_or(point)), piece == pieces);
                     }
                 }
                 _ => pen.begin(self.spot(point)),
@@ -87,8 +80,7 @@ struct Pen {
 
 impl Pen {
     fn begin(&mut self, spot: Spot) {
-        write!(self.half(spot.near), "M{:.1} {:.1}h0", spot.x, spot.y)
-            .expect("a String takes any text");
+        write!(self.half(spot.near), "M{:.1} {:.1}h0", spot.x, spot.y).expect("a String takes any text");
         self.at = Some(spot);
     }
 
@@ -97,22 +89,16 @@ impl Pen {
             return self.begin(spot);
         };
         if at.near != spot.near {
-            write!(self.half(spot.near), "M{:.1} {:.1}", at.x, at.y)
-                .expect("a String takes any text");
+            write!(self.half(spot.near), "M{:.1} {:.1}", at.x, at.y).expect("a String takes any text");
         } else if thin && (spot.x - at.x).hypot(spot.y - at.y) < 0.5 {
             return;
         }
-        write!(self.half(spot.near), "L{:.1} {:.1}", spot.x, spot.y)
-            .expect("a String takes any text");
+        write!(self.half(spot.near), "L{:.1} {:.1}", spot.x, spot.y).expect("a String takes any text");
         self.at = Some(spot);
     }
 
     fn half(&mut self, near: bool) -> &mut String {
-        if near {
-            &mut self.halves.near
-        } else {
-            &mut self.halves.far
-        }
+        if near { &mut self.halves.near } else { &mut self.halves.far }
     }
 }
 
@@ -128,19 +114,14 @@ mod tests {
         let spots = AXES.map(|axis| view.spot(axis));
         assert!(spots.iter().all(|spot| spot.near));
         assert!(spots[2].x.abs() < 1e-9 && spots[2].y < 0.0);
-        assert!(
-            spots[0].x < 0.0 && spots[1].x > 0.0,
-            "x, y, z must turn right-handed"
-        );
+        assert!(spots[0].x < 0.0 && spots[1].x > 0.0, "x, y, z must turn right-handed");
         assert!(!view.spot([-1.0, 0.0, 0.0]).near);
     }
 
     #[test]
     fn great_circle_is_half_near_and_half_far() {
         let view = View::between(AXES).unwrap();
-        let circle = (0..=360)
-            .map(|i| f64::from(i).to_radians())
-            .map(|a| Some([a.cos(), a.sin(), 0.0]));
+        let circle = (0..=360).map(|i| f64::from(i).to_radians()).map(|a| Some([a.cos(), a.sin(), 0.0]));
         let Halves { near, far } = view.curve(circle);
         assert_eq!(
             [&near, &far].map(|half| half.matches('M').count()),
@@ -156,13 +137,6 @@ mod tests {
         let view = View::between(AXES).unwrap();
         let points = [Some(AXES[0]), Some(AXES[1]), None, Some(AXES[1])];
         let Halves { near, far } = view.curve(points.into_iter());
-        assert_eq!(
-            (
-                near.matches('M').count(),
-                near.matches('L').count(),
-                far.as_str()
-            ),
-            (3, 0, "")
-        );
+        assert_eq!((near.matches('M').count(), near.matches('L').count(), far.as_str()), (3, 0, ""));
     }
 }

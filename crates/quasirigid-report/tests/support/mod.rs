@@ -13,11 +13,7 @@ fn dot(a: Vector, b: Vector) -> f64 {
 }
 
 fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn axpy(x: f64, a: Vector, b: Vector) -> Vector {
@@ -91,11 +87,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
     let mut columns: Vec<Column> = COLUMNS
         .iter()
         .chain(&[("nutation", "rad")])
-        .map(|&(name, unit)| Column {
-            name: name.into(),
-            unit: unit.into(),
-            values: vec![],
-        })
+        .map(|&(name, unit)| Column { name: name.into(), unit: unit.into(), values: vec![] })
         .collect();
     for row in 0..rows {
         if row > 0 {
@@ -128,17 +120,10 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
             norm / size - 1.0,
             (k[2] / norm).clamp(-1.0, 1.0).acos(),
         ];
-        columns
-            .iter_mut()
-            .zip(values)
-            .for_each(|(column, value)| column.values.push(value));
+        columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
     }
     let last = |name: &str| {
-        columns
-            .iter()
-            .find(|c| c.name == name)
-            .and_then(|c| c.values.last().copied())
-            .unwrap_or(0.0)
+        columns.iter().find(|c| c.name == name).and_then(|c| c.values.last().copied()).unwrap_or(0.0)
     };
     HistoryRecord {
         form: "momentum form, degree 5".into(),
@@ -166,40 +151,55 @@ fn criterion(name: &str, symbol: &str, value: f64, limit: f64, sentence: &str) -
         "fails"
     };
     let [name, symbol, verdict, sentence] = [name, symbol, verdict, sentence].map(String::from);
-    CriterionRecord {
-        name,
-        symbol,
-        value,
-        limit,
-        verdict,
-        sentence,
-    }
+    CriterionRecord { name, symbol, value, limit, verdict, sentence }
 }
 
 fn validity() -> ValidityRecord {
     ValidityRecord {
         valid: true,
-        verdict: "The motion is slow against every vibration, so the reduced equations hold to about 0.1 %.".into(),
+        verdict: "The motion is slow against every vibration, so the reduced equations hold to about 0.1 %."
+            .into(),
         T1: 0.263,
         T2: Some(4.81),
         T3: 0.752,
         frequencies: vec![23.871, 24.466, 24.503, 31.209, 33.8, 47.25],
         decay_rates: vec![0.2079, 0.3, 0.3002, 0.51, 0.58, 1.1],
         criteria: vec![
-            criterion("Spin against the slowest vibration", "|ω|/Ω₁", 0.0557, 0.1, "Deformation follows the spin without lag."),
-            criterion("Damping force against spring force", "|B|ω/|C|", 0.0166, 0.1, "Dashpots bend the motion little within a turn."),
-            criterion("Decay of free vibrations against the spin", "T₂/T₃", 2.4, 1.0, "Vibrations at the start are not yet forgotten after one turn; forced motion does not mind."),
-            criterion("Degree 5 against degree 3", "|Ω₅|/|Ω₃|", 0.00312, 0.1, "The series converges well at this spin."),
+            criterion(
+                "Spin against the slowest vibration",
+                "|ω|/Ω₁",
+                0.0557,
+                0.1,
+                "Deformation follows the spin without lag.",
+            ),
+            criterion(
+                "Damping force against spring force",
+                "|B|ω/|C|",
+                0.0166,
+                0.1,
+                "Dashpots bend the motion little within a turn.",
+            ),
+            criterion(
+                "Decay of free vibrations against the spin",
+                "T₂/T₃",
+                2.4,
+                1.0,
+                "Vibrations at the start are not yet forgotten after one turn; forced motion does not mind.",
+            ),
+            criterion(
+                "Degree 5 against degree 3",
+                "|Ω₅|/|Ω₃|",
+                0.00312,
+                0.1,
+                "The series converges well at this spin.",
+            ),
         ],
     }
 }
 
 /// A record with a damped and a rigid history.
 pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
-    let histories = vec![
-        history("reduced", rows, duration, alpha),
-        history("rigid", rows, duration, 0.0),
-    ];
+    let histories = vec![history("reduced", rows, duration, alpha), history("rigid", rows, duration, 0.0)];
     RunRecord {
         version: "0.1.0".into(),
         model: ModelRecord {
@@ -234,8 +234,5 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
 
 /// The same without any history.
 pub fn without_histories() -> RunRecord {
-    RunRecord {
-        histories: vec![],
-        ..record(2, 1.0, 0.0)
-    }
+    RunRecord { histories: vec![], ..record(2, 1.0, 0.0) }
 }

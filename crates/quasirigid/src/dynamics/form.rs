@@ -17,14 +17,14 @@ pub enum Form {
 
 /// A form of the reduced equations: how its state `x` moves, and what it means.
 pub(super) trait Equations {
-    /// Rate of the state.
-    fn rate<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
-
     /// Spin (rad/s).
     fn omega<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
 
-    /// Rate of the form's energy along its own field (W). (P4)
-    fn energy_rate<A: Arithmetic>(&self, x: [f64; 3]) -> f64;
+    /// Rate of the state, whose spin is `omega`.
+    fn rate<A: Arithmetic>(&self, x: [f64; 3], omega: [f64; 3]) -> [f64; 3];
+
+    /// Rate of the form's energy (W) along its own field, which moves the state at `rate`. (P4)
+    fn energy_rate<A: Arithmetic>(&self, x: [f64; 3], rate: [f64; 3]) -> f64;
 
     /// Energy (J).
     fn energy(&self, x: [f64; 3]) -> f64;
@@ -37,7 +37,6 @@ pub(super) trait Equations {
 #[derive(Clone, Debug)]
 pub(super) struct MomentumForm {
     Omega: Kernel,
-    gradient: Kernel,
     /// `Ω − ∇E`: the part of the spin that changes the energy, kept apart so that no digits cancel.
     working: Kernel,
     energy: Series,
@@ -54,7 +53,6 @@ impl MomentumForm {
         }
         Self {
             Omega: Kernel::new(&body.Omega),
-            gradient: Kernel::new(&gradient),
             working: Kernel::new(&working),
             energy: body.energy_of_momentum.clone(),
         }
@@ -63,19 +61,19 @@ impl MomentumForm {
 
 impl Equations for MomentumForm {
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
-        cross(K, self.omega::<A>(K))
-    }
-
-    #[inline(always)]
     fn omega<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
         vector(self.Omega.value::<A>(K))
     }
 
     #[inline(always)]
-    fn energy_rate<A: Arithmetic>(&self, K: [f64; 3]) -> f64 {
-        let working = vector(self.working.value::<A>(K));
-        dot(vector(self.gradient.value::<A>(K)), cross(K, working))
+    fn rate<A: Arithmetic>(&self, K: [f64; 3], omega: [f64; 3]) -> [f64; 3] {
+        cross(K, omega)
+    }
+
+    /// `∇E·(K × Ω) = ∇E·(K × (Ω − ∇E)) = −(Ω − ∇E)·(K × Ω)`, which has no terms that cancel.
+    #[inline(always)]
+    fn energy_rate<A: Arithmetic>(&self, K: [f64; 3], rate: [f64; 3]) -> f64 {
+        -dot(vector(self.working.value::<A>(K)), rate)
     }
 
     fn energy(&self, K: [f64; 3]) -> f64 {
@@ -120,21 +118,21 @@ impl PaperForm {
 
 impl Equations for PaperForm {
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
+    fn omega<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
+        omega
+    }
+
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, omega: [f64; 3], _: [f64; 3]) -> [f64; 3] {
         let mu = vector(self.mu.value::<A>(omega));
         let gyroscopic = cross(sym::times(self.J, omega), omega);
         sym::times(self.inverse, sym::add(gyroscopic, mu))
     }
 
     #[inline(always)]
-    fn omega<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
-        omega
-    }
-
-    #[inline(always)]
-    fn energy_rate<A: Arithmetic>(&self, omega: [f64; 3]) -> f64 {
+    fn energy_rate<A: Arithmetic>(&self, omega: [f64; 3], rate: [f64; 3]) -> f64 {
         let mu = vector(self.mu.value::<A>(omega));
-        dot(omega, mu) + dot(vector(self.gradient.value::<A>(omega)), self.rate::<A>(omega))
+        dot(omega, mu) + dot(vector(self.gradient.value::<A>(omega)), rate)
     }
 
     fn energy(&self, omega: [f64; 3]) -> f64 {

@@ -13,7 +13,8 @@ pub(super) struct SpinOnly<'a, E>(pub &'a E);
 impl<E: Equations> System<4> for SpinOnly<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
-        let [x, y, z] = self.0.rate::<A>(vector(*y));
+        let x = vector(*y);
+        let [x, y, z] = self.0.rate::<A>(x, self.0.omega::<A>(x));
         [x, y, z, 0.0]
     }
 }
@@ -57,11 +58,12 @@ impl<E: Equations> System<12> for Accounted<'_, E> {
     fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 12]) -> [f64; 12] {
         let Accounts { x, attitude, .. } = Accounts::unpack(*y);
         let omega = self.equations.omega::<A>(x);
+        let moved = self.equations.rate::<A>(x, omega);
         let rate = Accounts {
-            x: self.equations.rate::<A>(x),
+            x: moved,
             attitude: rotation::rate(attitude, omega),
             dissipated: self.power.value::<A>(omega)[0],
-            energy_change: self.equations.energy_rate::<A>(x),
+            energy_change: self.equations.energy_rate::<A>(x, moved),
             angle: norm(omega),
         };
         rate.pack()

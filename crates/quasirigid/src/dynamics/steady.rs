@@ -17,14 +17,18 @@ pub struct SteadySpin {
 }
 
 const NEWTON_STEPS: usize = 30;
+/// Moments closer than this, relative to the largest, are those of a body of revolution.
+const DISTINCT: f64 = 1e-9;
 
 /// Steady spins of a reduced body with the momentum `|K|` (N·m·s), one near each principal axis, in the order of
 /// ascending moments. None where the axis is not determined, as across the axis of a body of revolution.
 #[must_use]
 pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3] {
-    let principal = Principal::of(body.J);
-    principal.axes.map(|axis| {
-        let K = steady_momentum(&body.Omega, axis, momentum)?;
+    let Principal { moments: [I1, I2, I3], axes } = Principal::of(body.J);
+    let (lower, upper) = (I2 - I1 > DISTINCT * I3, I3 - I2 > DISTINCT * I3);
+    let determined = [lower, lower && upper, upper];
+    std::array::from_fn(|i| {
+        let K = determined[i].then(|| steady_momentum(&body.Omega, axes[i], momentum))??;
         Some(nutation(&body.Omega, K))
     })
 }

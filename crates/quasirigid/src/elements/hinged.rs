@@ -73,6 +73,9 @@ impl Hinged {
     pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {
         let place = Place::Hinged(index);
         let count = self.axes.len();
+        if !(1..=3).contains(&count) {
+            return Err(at(place, Field::Axes)(Problem::AxisCount { count }));
+        }
         let stiffness =
             coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::Stiffness))?;
         let damping = coefficient::hinge_matrix(&self.damping, count).map_err(at(place, Field::Damping))?;

@@ -57,10 +57,11 @@ impl Criterion {
         }
     }
 
-    /// Ratio below which it holds, and from which it fails.
+    /// Ratio below which it holds, and from which it fails. At the paper's order the deviation from the rigid body is
+    /// in error by about the square of the first two: 2 % at their limit.
     fn limits(&self) -> (f64, f64) {
         match self.comparison {
-            Comparison::Spin | Comparison::Damping | Comparison::Resonance => (0.1, 0.4),
+            Comparison::Spin | Comparison::Damping | Comparison::Resonance => (0.15, 0.5),
             Comparison::Series | Comparison::Linearity | Comparison::Residual => (0.1, 0.5),
             Comparison::Forgetting => (1.0, f64::INFINITY),
         }
@@ -74,9 +75,9 @@ mod tests {
     #[test]
     fn verdicts_change_on_both_sides_of_each_limit() {
         let verdict = |comparison, value| Criterion { comparison, value }.verdict();
-        assert_eq!(verdict(Comparison::Spin, 0.099), Verdict::Holds);
-        assert_eq!(verdict(Comparison::Spin, 0.1), Verdict::Marginal);
-        assert_eq!(verdict(Comparison::Spin, 0.4), Verdict::Fails);
+        assert_eq!(verdict(Comparison::Spin, 0.149), Verdict::Holds);
+        assert_eq!(verdict(Comparison::Spin, 0.15), Verdict::Marginal);
+        assert_eq!(verdict(Comparison::Spin, 0.5), Verdict::Fails);
         assert_eq!(verdict(Comparison::Residual, 0.499), Verdict::Marginal);
         assert_eq!(verdict(Comparison::Series, f64::NAN), Verdict::Fails);
         assert_eq!(verdict(Comparison::Forgetting, f64::INFINITY), Verdict::Marginal);

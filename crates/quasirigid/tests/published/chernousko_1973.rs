@@ -81,8 +81,8 @@ fn axial_mass_has_the_closed_coefficients() {
     let reduced = reduce(&AXIAL.assembly().body().unwrap(), 3).unwrap();
     let coefficient = |degree: usize, exponents: [usize; 3], axis: usize| {
         let mu = reduced.mu(degree);
-        let found = mu.terms().find(|(monomial, _)| *monomial == exponents).unwrap().1[axis];
-        found
+        let mut terms = mu.terms();
+        terms.find(|(monomial, _)| *monomial == exponents).map(|(_, value)| value[axis]).unwrap()
     };
     let (F, D) = (AXIAL.F(), AXIAL.D());
     let close =

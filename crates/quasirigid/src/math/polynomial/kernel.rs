@@ -15,7 +15,7 @@ pub struct Kernel {
 }
 
 /// Degrees up to this one are unrolled by the compiler.
-const UNROLLED: usize = 5;
+const UNROLLED: usize = 6;
 
 impl Kernel {
     /// Compiles a map of at most four rows; missing rows are zero.
@@ -48,6 +48,7 @@ impl Kernel {
             2 => self.unrolled::<A, 2>(x),
             3 => self.unrolled::<A, 3>(x),
             4 => self.unrolled::<A, 4>(x),
+            5 => self.unrolled::<A, 5>(x),
             UNROLLED => self.unrolled::<A, UNROLLED>(x),
             _ => self.streamed::<A>(x),
         }
@@ -71,6 +72,9 @@ impl Kernel {
         }
         if D >= 5 {
             sum = scaled_sum::<A, 4>(sum, x, plane::<A, 5>(c, y, z));
+        }
+        if D >= 6 {
+            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 6>(c, y, z));
         }
         sum
     }
@@ -113,6 +117,9 @@ fn plane<A: Arithmetic, const I: usize>(c: &[[f64; 4]], y: f64, z: f64) -> [f64;
     }
     if I >= 5 {
         sum = scaled_sum::<A, 4>(sum, y, line::<A, 6>(c, start + 15, z));
+    }
+    if I >= 6 {
+        sum = scaled_sum::<A, 4>(sum, y, line::<A, 7>(c, start + 21, z));
     }
     sum
 }

@@ -8,12 +8,11 @@ const SKIPPED: [&str; 2] = [".git", "target"];
 /// Names of the files whose text the checks read.
 const READ: [&str; 5] = [".rs", ".md", ".toml", ".bib", "run"];
 
-/// The workspace in memory: every path, and the text of what the checks read.
+/// The workspace in memory: every file, and the text of what the checks read.
 ///
-/// Paths are relative to the root, with `/` between their parts.
+/// Paths are relative to the root, with `/` between their parts. As in a checkout, a folder exists if it holds a file.
 #[derive(Debug, Default)]
 pub struct Tree {
-    folders: BTreeSet<String>,
     files: BTreeMap<String, String>,
 }
 
@@ -38,7 +37,6 @@ impl Tree {
             let path = format!("{prefix}{name}");
             if entry.file_type()?.is_dir() {
                 self.load_folder(&entry.path(), &format!("{path}/"))?;
-                self.folders.insert(path);
             } else {
                 let read = READ.iter().any(|end| name.ends_with(end));
                 let text = if read { read_text(&entry.path())? } else { String::new() };
@@ -50,7 +48,7 @@ impl Tree {
 
     /// Whether a file or folder has this path.
     pub fn exists(&self, path: &str) -> bool {
-        self.files.contains_key(path) || self.folders.contains(path)
+        self.files.keys().any(|file| file == path || is_below(file, path))
     }
 
     /// Text of the file at `path`, if there is one.
@@ -67,8 +65,9 @@ impl Tree {
     }
 
     /// Names of the crates in `crates/`, in order.
-    pub fn crates(&self) -> impl Iterator<Item = &str> {
-        self.folders.iter().filter_map(|path| path.strip_prefix("crates/")).filter(|name| !name.contains('/'))
+    pub fn crates(&self) -> BTreeSet<&str> {
+        let inside = self.files.keys().filter_map(|path| path.strip_prefix("crates/"));
+        inside.filter_map(|path| path.split_once('/')).map(|(name, _)| name).collect()
     }
 }
 
@@ -111,9 +110,16 @@ mod tests {
         assert!(tree.exists("crates/one/src"));
         assert!(!tree.exists("crates/one/sr"));
         assert_eq!(tree.text("crates/one/src/lib.rs"), Some("fn f() {}"));
-        assert_eq!(tree.crates().collect::<Vec<_>>(), ["one", "one-more", "two"]);
+        assert_eq!(tree.crates(), BTreeSet::from(["one", "one-more", "two"]));
         let rust: Vec<_> = tree.files("crates/one", ".rs").map(|(path, _)| path).collect();
         assert_eq!(rust, ["crates/one/src/lib.rs"]);
+    }
+
+    #[test]
+    fn an_empty_folder_does_not_exist() {
+        let root = tempfile::tempdir().expect("a temporary folder");
+        std::fs::create_dir(root.path().join("empty")).expect("a new folder");
+        assert!(!Tree::load(root.path()).expect("the folder just made").exists("empty"));
     }
 
     #[test]

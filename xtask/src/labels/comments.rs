@@ -48,8 +48,8 @@ fn block_comment(text: &str) -> usize {
 
 /// Length of the string or character that `text` starts with, if it starts with one; `before` stands before it.
 fn literal(text: &str, before: &str) -> Option<usize> {
-    if text.starts_with('"') {
-        return Some(1 + closing(&text[1..], '"'));
+    if let Some(after) = text.strip_prefix('"') {
+        return Some(1 + closing(after, '"'));
     }
     if let Some(after) = text.strip_prefix('\'') {
         let mut next = after.chars();

@@ -5,8 +5,8 @@ use std::path::Path;
 /// Folders that hold nothing the workspace ships.
 const SKIPPED: [&str; 2] = [".git", "target"];
 
-/// Names of the files whose text the checks read.
-const READ: [&str; 5] = [".rs", ".md", ".toml", ".bib", "run"];
+/// How the paths of the files end whose text the checks read.
+const READ: [&str; 5] = [".rs", ".md", ".toml", ".bib", ".ci/run"];
 
 /// The workspace in memory: every file, and the text of what the checks read.
 ///
@@ -38,7 +38,7 @@ impl Tree {
             if entry.file_type()?.is_dir() {
                 self.load_folder(&entry.path(), &format!("{path}/"))?;
             } else {
-                let read = READ.iter().any(|end| name.ends_with(end));
+                let read = READ.iter().any(|end| path.ends_with(end));
                 let text = if read { read_text(&entry.path())? } else { String::new() };
                 self.files.insert(path, text);
             }

@@ -10,7 +10,7 @@ pub fn comments(source: &str) -> Vec<(usize, &str)> {
             rest.find('\n').unwrap_or(rest.len())
         } else if rest.starts_with("/*") {
             block_comment(rest)
-        } else if let Some(length) = literal(rest, &source[..at]) {
+        } else if let Some(length) = literal(rest) {
             length
         } else {
             c.len_utf8()
@@ -46,8 +46,8 @@ fn block_comment(text: &str) -> usize {
     text.len()
 }
 
-/// Length of the string or character that `text` starts with, if it starts with one; `before` stands before it.
-fn literal(text: &str, before: &str) -> Option<usize> {
+/// Length of the string or character that `text` starts with, if it starts with one.
+fn literal(text: &str) -> Option<usize> {
     if let Some(after) = text.strip_prefix('"') {
         return Some(1 + closing(after, '"'));
     }
@@ -59,9 +59,6 @@ fn literal(text: &str, before: &str) -> Option<usize> {
     }
     let hashes = text.strip_prefix('r')?.bytes().take_while(|&c| c == b'#').count();
     let body = text[1 + hashes..].strip_prefix('"')?;
-    if before.ends_with(|c: char| c.is_alphanumeric() && c != 'b' && c != 'c') {
-        return None;
-    }
     let end = format!("\"{}", "#".repeat(hashes));
     Some(body.find(&end).map_or(text.len(), |at| 2 + hashes + at + end.len()))
 }
@@ -98,6 +95,7 @@ mod tests {
             r##"f(r#"" // no"#, b'/', '\'', br"\")"##,
             "fn f<'a>(x: &'a str) -> char { '\u{3a9}' } ",
             "let r = for_r(\"/* no\");\n",
+            "let r#type = '\"'; ",
         ] {
             let source = format!("{code}// yes");
             let line = 1 + code.matches('\n').count();

@@ -18,14 +18,16 @@ fn labels_and_keys_that_exist_pass() {
 #[test]
 fn a_label_without_a_definition_is_found_in_code_and_documents() {
     let code = ("crates/a/src/b.rs", "\n/// (R4) and (V12)\n");
+    let test = ("crates/a/tests/b.rs", "// (R3)\n");
     let guide = ("docs/guide/x.md", "(S7)\n");
     let readme = ("README.md", "\n\n(P1)\n");
     assert_eq!(
-        found(&[THEORY, CODE, BIB, code, guide, readme]),
+        found(&[THEORY, CODE, BIB, code, test, guide, readme]),
         [
             "docs/guide/x.md:1: (S7) is not defined in docs/theory",
             "README.md:3: (P1) is not defined in docs/theory",
             "crates/a/src/b.rs:2: (V12) is not defined in docs/theory",
+            "crates/a/tests/b.rs:1: (R3) is not defined in docs/theory",
         ]
     );
 }
@@ -59,7 +61,7 @@ fn a_label_may_be_excused_from_the_code_as_long_as_the_excuse_holds() {
 
 #[test]
 fn a_key_that_the_bibliography_lacks_is_found() {
-    let guide = ("docs/guide/x.md", "[@carr1981; see @odd2001, p. 3] and a@b2002.org\n[@Odd:1]\n");
+    let guide = ("docs/guide/x.md", "[@carr1981; see @odd2001, p. 3] and [a@b2002.org]\n[@Odd:1]\n");
     let code = (
         "crates/a/src/b.rs",
         "/// odd2002\n///\n/// # References\n/// odd2003, odd2004b, dop853\n\n// odd2005 [@odd2006]\n",
@@ -79,5 +81,5 @@ fn a_key_that_the_bibliography_lacks_is_found() {
 #[test]
 fn a_label_is_a_letter_and_digits_in_a_parenthesis_of_its_own() {
     assert_eq!(labels("(R4), **(S12)** and ((V1))"), ["R4", "S12", "V1"]);
-    assert_eq!(labels("f(R4) (R123) (Q1) (R) (R4, R5) (2.8) (R-1) (R4"), [""; 0]);
+    assert_eq!(labels("f(R4) f_(R4) (R123) (Q1) (R) (R4, R5) (2.8) (R-1) (R4"), [""; 0]);
 }

@@ -116,7 +116,7 @@ impl<'ast> Visit<'ast> for Shown {
     }
 
     fn visit_item_impl(&mut self, item: &'ast ItemImpl) {
-        if item.trait_.is_some() || self.is_hidden(item) {
+        if self.is_hidden(item) {
             return;
         }
         for member in &item.items {

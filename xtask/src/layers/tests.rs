@@ -19,7 +19,8 @@ const SIDEWAYS: &str = "`dynamics` may not use `reduction`; it may use `math`, `
 #[test]
 fn a_module_may_use_itself_and_what_the_table_allows() {
     let form = "use crate::{math::Sym, model::{self, Inertia}};\nuse super::form as own;\nuse std::fmt;\n\
-                pub(crate) fn f(x: crate::dynamics::form::X) -> f64 { crate::math::g(self::h()) }\n";
+                pub(crate) fn f(x: crate::dynamics::form::X) -> f64 { crate::math::g(self::h()) }\n\
+                mod inner { use super::super::reduction; }\n";
     assert_eq!(in_dynamics(form), Vec::<String>::new());
 }
 
@@ -34,11 +35,32 @@ fn a_sideways_import_is_found_however_it_is_written() {
         "\nfn f() -> String { format!(\"{}\", 2.0 * crate::reduction::X) }",
         "mod inner {\n  use super::super::super::reduction::X; }",
         "\nimpl crate::reduction::Law for f64 {}",
+        "\nfn f(x: Vec<crate::reduction::Reduced>) {}",
+        "\nfn f() { print!(\"{}\", (crate::reduction::X)) }",
+        "mod inner {}\nuse super::super::reduction;",
     ] {
         let mut findings = in_dynamics(form);
         findings.dedup();
         assert_eq!(findings, [format!("2: {SIDEWAYS}")], "{form}");
     }
+}
+
+#[test]
+fn the_modules_form_a_star() {
+    const WORKERS: [&str; 4] = ["elements", "reduction", "dynamics", "averaging"];
+    let uses = |user: &str, used: &str| {
+        let root = format!("mod {user};");
+        let text = format!("use crate::{used}::X;");
+        let path = format!("crates/quasirigid/src/{user}.rs");
+        found(&[("crates/quasirigid/src/lib.rs", &root), (&path, &text)]).is_empty()
+    };
+    for worker in WORKERS {
+        assert!(uses(worker, "math") && uses(worker, "model"), "{worker}");
+        assert!(!uses("math", worker) && !uses("model", worker), "{worker}");
+        assert!(uses("ensemble", worker) && uses("problems", worker), "{worker}");
+        assert!(WORKERS.iter().all(|other| uses(worker, other) == (worker == *other)), "{worker}");
+    }
+    assert!(uses("model", "math") && !uses("math", "model"));
 }
 
 #[test]
@@ -55,7 +77,7 @@ fn the_crate_root_is_no_way_round_the_table() {
 #[test]
 fn tests_may_use_anything() {
     let form = "#[cfg(test)]\nmod tests { use crate::reduction::reduce; }\n#[cfg(test)]\nmod far;\n\
-                #[cfg(test)]\nuse crate::reduction::X;\n";
+                #[cfg(test)]\nuse crate::reduction::X;\n#[test]\nfn t() { crate::reduction::reduce() }\n";
     assert_eq!(in_dynamics(form), Vec::<String>::new());
 }
 
@@ -64,6 +86,7 @@ fn modules_and_crates_without_a_row_are_found() {
     let findings = found(&[
         ("crates/quasirigid/src/lib.rs", "mod odd;\nmod lost;"),
         ("crates/quasirigid/src/odd.rs", "use crate::math::Sym;"),
+        ("crates/quasirigid-cli/src/main.rs", "mod lost;"),
         ("crates/other/src/lib.rs", ""),
     ]);
     assert_eq!(
@@ -72,6 +95,7 @@ fn modules_and_crates_without_a_row_are_found() {
             "1: this crate has no row in the import table",
             "2: module `lost` has no file in crates/quasirigid/src",
             "1: module `odd` has no row in the import table",
+            "1: module `lost` has no file in crates/quasirigid-cli/src",
         ]
     );
 }
@@ -118,6 +142,8 @@ fn foreign_types_in_public_signatures_are_found() {
         "pub struct S;\nimpl S { pub fn f(&self, q: UnitQuaternion<f64>) {} }",
         "pub trait T { fn f(&self) -> DMatrix<f64>; }",
         "pub const X: Vector3<f64> = Y;",
+        "use nalgebra::base::{storage::DVector};\npub fn f(x: DVector<f64>) {}",
+        "pub mod inner { use nalgebra::DVector;\npub fn f(x: DVector<f64>) {} }",
     ] {
         let findings = in_dynamics(form);
         assert_eq!(findings.len(), 1, "{form}: {findings:?}");
@@ -131,6 +157,8 @@ fn foreign_types_behind_the_signature_are_our_own_business() {
                 impl S { pub(crate) fn m(&self) -> Matrix3<f64> { self.0 } fn v(&self) -> Vector3<f64> { x } }\n\
                 pub(super) struct Piece { pub first: Vector3<f64> }\n\
                 impl Piece { pub fn rigid(center: Vector3<f64>) -> Self { Self { first: center } } }\n\
+                enum Side { Left }\nimpl Side { pub fn normal(&self) -> Vector3<f64> { x } }\n\
+                impl Add<Vector3<f64>> for S { fn add(self, x: Vector3<f64>) -> Self { self } }\n\
                 pub fn f(x: [f64; 3]) -> [f64; 3] { Vector3::from(x).into() }\n";
     assert_eq!(in_dynamics(form), Vec::<String>::new());
 }

@@ -1,2 +1,84 @@
-//! Placeholder.
-fn main() {}
+//! Automation of the workspace, all of it in Rust: `cargo xtask check`.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod docs;
+mod finding;
+mod labels;
+mod layers;
+mod markdown;
+mod paths;
+mod tree;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use finding::{Finding, Weight};
+use tree::Tree;
+
+type Check = fn(&Tree) -> Vec<Finding>;
+
+const CHECKS: [(&str, Check); 4] =
+    [("layers", layers::check), ("labels", labels::check), ("paths", paths::check), ("docs", docs::check)];
+
+const HELP: &str = "\
+usage: cargo xtask <check>
+
+  check    all of the following
+  layers   who imports whom, and no foreign type in a public signature
+  labels   equation labels and reference keys of the code exist in docs/
+  paths    ARCHITECTURE.md names what exists, and every module folder
+  docs     TOML and commands in README.md and docs/guide are sound
+
+exit code: 0 nothing found, 1 something found, 2 could not run";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [name] = arguments.as_slice() else {
+        return refuse(HELP);
+    };
+    if ["help", "--help", "-h"].contains(&name.as_str()) {
+        println!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    let chosen: Vec<Check> = CHECKS
+        .iter()
+        .filter(|(check, _)| name == "check" || name == check)
+        .map(|&(_, check)| check)
+        .collect();
+    if chosen.is_empty() {
+        return refuse(&format!("xtask: there is no check \"{name}\"\n\n{HELP}"));
+    }
+    match workspace_root().and_then(|root| Tree::load(&root)) {
+        Ok(tree) => report(name, chosen.iter().flat_map(|check| check(&tree)).collect()),
+        Err(error) => refuse(&format!("xtask: cannot read the workspace: {error}")),
+    }
+}
+
+fn refuse(message: &str) -> ExitCode {
+    eprintln!("{message}");
+    ExitCode::from(2)
+}
+
+fn report(name: &str, mut findings: Vec<Finding>) -> ExitCode {
+    findings.sort();
+    findings.dedup();
+    for finding in &findings {
+        println!("{finding}");
+    }
+    let warnings = findings.iter().filter(|finding| finding.weight == Weight::Warning).count();
+    let errors = findings.len() - warnings;
+    println!("xtask {name}: {errors} to mend, {warnings} to note");
+    if errors == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The nearest folder above the current one whose `Cargo.toml` declares a workspace.
+fn workspace_root() -> std::io::Result<PathBuf> {
+    let here = std::env::current_dir()?;
+    here.ancestors()
+        .find(|folder| {
+            std::fs::read_to_string(folder.join("Cargo.toml"))
+                .is_ok_and(|manifest| manifest.contains("[workspace]"))
+        })
+        .map(PathBuf::from)
+        .ok_or_else(|| std::io::Error::other("no Cargo workspace here or above"))
+}

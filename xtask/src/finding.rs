@@ -1,0 +1,56 @@
+use std::fmt;
+
+/// Something a check found, and where.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Finding {
+    /// Path relative to the workspace root.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Whether it fails the check.
+    pub weight: Weight,
+    /// What is wrong and what would mend it.
+    pub message: String,
+}
+
+/// Whether a finding fails the check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Weight {
+    /// It does.
+    Error,
+    /// It is printed and passes.
+    Warning,
+}
+
+impl Finding {
+    /// A finding that fails the check.
+    pub fn error(file: &str, line: usize, message: impl Into<String>) -> Self {
+        Self { file: file.to_owned(), line, weight: Weight::Error, message: message.into() }
+    }
+
+    /// A finding that is printed and passes.
+    pub fn warning(file: &str, line: usize, message: impl Into<String>) -> Self {
+        Self { weight: Weight::Warning, ..Self::error(file, line, message) }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let prefix = match self.weight {
+            Weight::Error => "",
+            Weight::Warning => "warning: ",
+        };
+        write!(f, "{}:{}: {prefix}{}", self.file, self.line, self.message)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finding_prints_as_a_place_an_editor_can_open() {
+        assert_eq!(Finding::error("a/b.rs", 7, "wrong").to_string(), "a/b.rs:7: wrong");
+        assert_eq!(Finding::warning("a/b.rs", 7, "odd").to_string(), "a/b.rs:7: warning: odd");
+    }
+}

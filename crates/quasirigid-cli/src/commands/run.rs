@@ -20,7 +20,7 @@ use crate::{Ending, output, record};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
-const ROWS: [f64; 2] = [2_001.0, 100_001.0];
+const ROWS: [f64; 2] = [2_001.0, 20_001.0];
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {

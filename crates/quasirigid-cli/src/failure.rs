@@ -1,8 +1,7 @@
 use std::path::PathBuf;
 
 use quasirigid::dynamics::PropagateError;
-use quasirigid::math::eigen::NoConvergence;
-use quasirigid::reduction::{ReductionError, ValidityError};
+use quasirigid::reduction::{ReductionError, ValidityError, VibrationError};
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -18,13 +17,13 @@ pub enum Failure {
     #[error(transparent)]
     Validity(#[from] ValidityError),
     #[error(transparent)]
-    Vibration(#[from] NoConvergence),
+    Vibration(#[from] VibrationError),
     #[error(transparent)]
     Propagate(#[from] PropagateError),
     #[error(transparent)]
     Record(#[from] RecordError),
     #[error("--duration {text}: {cause}")]
-    Duration { text: String, cause: UnitError },
+    Duration { text: String, cause: Box<UnitError> },
     #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
     NoDuration { seconds: f64 },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]

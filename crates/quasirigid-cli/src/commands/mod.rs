@@ -51,7 +51,7 @@ fn duration(model: &Model, propagation: &Propagation, omega: [f64; 3]) -> Result
     let seconds = match text.parse() {
         Ok(seconds) => seconds,
         Err(_) => quantity(text, Dimension::TIME)
-            .map_err(|cause| Failure::Duration { text: text.clone(), cause })?,
+            .map_err(|cause| Failure::Duration { text: text.clone(), cause: Box::new(cause) })?,
     };
     if seconds > 0.0 && f64::is_finite(seconds) { Ok(seconds) } else { Err(Failure::NoDuration { seconds }) }
 }

@@ -34,16 +34,19 @@ impl Derived<'_> {
             writeln!(out, "                  {}", vector(*row))?;
         }
         writeln!(out, "principal moments {} kg m^2", vector(principal.moments))?;
-        if let [lowest, .., highest] = frequencies {
-            let count = frequencies.len();
-            writeln!(
-                out,
-                "frequencies       {count}, from {} to {} rad/s",
-                number(*lowest),
-                number(*highest)
-            )?;
-        } else if let [only] = frequencies {
-            writeln!(out, "frequency         {} rad/s", number(*only))?;
+        match frequencies {
+            None => writeln!(out, "frequencies       not found: too many coordinates")?,
+            Some([]) => writeln!(out, "frequencies       none: the body is rigid")?,
+            Some([only]) => writeln!(out, "frequency         {} rad/s", number(*only))?,
+            Some([lowest, .., highest]) => {
+                let count = frequencies.map_or(0, <[f64]>::len);
+                writeln!(
+                    out,
+                    "frequencies       {count}, from {} to {} rad/s",
+                    number(*lowest),
+                    number(*highest)
+                )?;
+            }
         }
         for part in self.mu() {
             let kind = if part.degree() % 2 == 0 { "elastic" } else { "dissipative" };

@@ -3,7 +3,9 @@
 mod axial_mass;
 mod explorer1;
 mod quartic_quintic;
+mod ring_of_points;
 
 pub use axial_mass::AxialMass;
 pub use explorer1::Explorer1;
 pub use quartic_quintic::QuarticQuintic;
+pub use ring_of_points::ring_of_points;

@@ -17,4 +17,4 @@ pub use reduce::{MAX_ORDER, ReductionError, reduce};
 pub use residual::{Residual, residual};
 pub use resonance::{Resonance, resonances};
 pub use validity::{Validity, ValidityError};
-pub use vibration::{Vibrations, frequencies};
+pub use vibration::{MOST_COORDINATES, VibrationError, Vibrations, frequencies};

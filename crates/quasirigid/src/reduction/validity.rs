@@ -5,8 +5,7 @@ use super::degrees::{DegreeSize, degree_sizes, momentum_ratio, optimal_order};
 use super::reduce::{MAX_ORDER, ReductionError, reduce};
 use super::residual::residual;
 use super::resonance::{Resonance, resonances};
-use super::vibration::Vibrations;
-use crate::math::eigen::NoConvergence;
+use super::vibration::{VibrationError, Vibrations};
 use crate::math::sym::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
@@ -43,9 +42,9 @@ pub enum ValidityError {
         /// Spin asked for (rad/s).
         omega: [f64; 3],
     },
-    /// The frequencies could not be found.
+    /// The vibrations could not be found.
     #[error(transparent)]
-    NoConvergence(#[from] NoConvergence),
+    Vibration(#[from] VibrationError),
     /// The order is not offered.
     #[error(transparent)]
     Reduction(#[from] ReductionError),

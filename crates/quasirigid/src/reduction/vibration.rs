@@ -1,7 +1,29 @@
+use thiserror::Error;
+
 use crate::math::eigen::{Dense, Modes, NoConvergence, eigenvalues, modes};
 use crate::math::sparse::SparseRows;
 use crate::math::sym;
 use crate::model::FlexibleBody;
+
+/// Vibrations that cannot be told.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum VibrationError {
+    /// The body has more coordinates than the dense solver takes.
+    #[error(
+        "the vibrations of {coordinates} coordinates cannot be found: the dense solver takes {MOST_COORDINATES}"
+    )]
+    TooMany {
+        /// Coordinates of the body.
+        coordinates: usize,
+    },
+    /// The solver failed.
+    #[error(transparent)]
+    NoConvergence(#[from] NoConvergence),
+}
+
+/// Coordinates whose vibrations are found: more would take minutes and gigabytes.
+pub const MOST_COORDINATES: usize = 2_000;
 
 /// Free vibrations of a body that does not turn.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,8 +43,9 @@ pub struct Vibrations {
 /// Undamped natural frequencies with the attitude held (rad/s), ascending. (V2)
 ///
 /// # Errors
-/// [`NoConvergence`] if the eigenvalue solver fails.
-pub fn frequencies(body: &FlexibleBody) -> Result<Vec<f64>, NoConvergence> {
+/// [`VibrationError`] if the body has too many coordinates or the eigenvalue solver fails.
+pub fn frequencies(body: &FlexibleBody) -> Result<Vec<f64>, VibrationError> {
+    few_enough(body)?;
     Ok(modes(&body.mass_matrix(), &dense(body.stiffness()))?.frequencies)
 }
 
@@ -30,8 +53,9 @@ impl Vibrations {
     /// Free vibrations of a body.
     ///
     /// # Errors
-    /// [`NoConvergence`] if an eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+    /// [`VibrationError`] if the body has too many coordinates or an eigenvalue solver fails.
+    pub fn of(body: &FlexibleBody) -> Result<Self, VibrationError> {
+        few_enough(body)?;
         let (A, B, C) = (body.mass_matrix(), dense(body.damping()), dense(body.stiffness()));
         let held = modes(&A, &C)?;
         let free = modes(&recoiling(body, A), &C)?;
@@ -46,6 +70,11 @@ impl Vibrations {
             softest,
         })
     }
+}
+
+fn few_enough(body: &FlexibleBody) -> Result<(), VibrationError> {
+    let coordinates = body.coordinates().len();
+    if coordinates > MOST_COORDINATES { Err(VibrationError::TooMany { coordinates }) } else { Ok(()) }
 }
 
 /// `A − h J⁻¹ hᵀ`: the mass matrix of a body that recoils in rotation. (V2)

@@ -1,0 +1,47 @@
+use std::f64::consts::TAU;
+
+use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use crate::model::Support;
+
+/// A free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs:
+/// as large as one likes and without any symmetry, to time the reduction.
+#[must_use]
+pub fn ring_of_points(count: usize) -> Assembly {
+    let angle = |i: usize| TAU * i as f64 / count as f64;
+    let points = (0..count).map(|i| Point {
+        name: format!("point {i}"),
+        mass: 0.2 + 0.1 * (3.0 * angle(i)).sin().abs(),
+        position: [1.3 * angle(i).cos(), 0.9 * angle(i).sin(), 0.4 * (2.0 * angle(i) + 0.3).sin()],
+        motion: Motion::Free,
+    });
+    let springs = (0..count).flat_map(|i| {
+        let next = (i + 1) % count;
+        let to_carrier = spring(i, End::Carrier, 900.0 + 40.0 * i as f64);
+        let to_next = (next != i).then(|| spring(i, End::Point(next), 250.0));
+        std::iter::once(to_carrier).chain(to_next)
+    });
+    Assembly {
+        carrier: Carrier {
+            mass: 30.0,
+            center_of_mass: [0.1, -0.05, 0.02],
+            inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
+        },
+        points: points.collect(),
+        springs: springs.collect(),
+        hinged: Vec::new(),
+        support: Support::Free,
+    }
+}
+
+fn spring(from: usize, to: End, k: f64) -> Spring {
+    let lean = 0.2 * (from as f64).cos();
+    let matrix = |k: f64| [[k, lean * k, 0.0], [lean * k, 1.3 * k, 0.1 * k], [0.0, 0.1 * k, 0.8 * k]];
+    Spring {
+        from: End::Point(from),
+        to,
+        law: Law::Spatial {
+            stiffness: Coefficient::Full(matrix(k)),
+            damping: Coefficient::Full(matrix(0.01 * k)),
+        },
+    }
+}

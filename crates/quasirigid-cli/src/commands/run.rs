@@ -20,7 +20,7 @@ use crate::{Ending, output, record};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
-const ROWS: [f64; 2] = [2_001.0, 20_001.0];
+const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
@@ -58,6 +58,9 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;
+    if let Some(picture) = quasirigid_report::sphere_picture(&record) {
+        folder.write("sphere.svg", &picture)?;
+    }
     folder.finish()?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", serde_json::json!(record)))?;

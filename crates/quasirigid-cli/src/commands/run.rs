@@ -32,7 +32,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let reduced = reduce(&body, order)?;
     let rigid = reduce(&body, 1)?;
     let mut notes = model.notes.clone();
-    let plan = Plan::new(arguments, &model, &reduced, start)?;
+    let plan = Plan::new(arguments, &model, &rigid, start)?;
     let mut histories = Vec::new();
     match plan.history("reduced", &reduced) {
         Ok(history) => histories.push(history),
@@ -89,7 +89,7 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(arguments: &Run, model: &Model, reduced: &ReducedBody, start: SpinState) -> Result<Self, Failure> {
+    fn new(arguments: &Run, model: &Model, rigid: &ReducedBody, start: SpinState) -> Result<Self, Failure> {
         let duration = duration(model, &arguments.propagation, start.omega)?;
         let turns = duration * norm(start.omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
@@ -98,7 +98,7 @@ impl Plan {
             start,
             times: even_times(rows, duration)?,
             options: options(model, &arguments.propagation),
-            axis: nearest_axis(reduced, start.omega),
+            axis: nearest_axis(rigid, start.omega),
             interrupt: Interrupt::listen()?,
             quiet: arguments.common.quiet,
         })
@@ -116,9 +116,9 @@ impl Plan {
     }
 }
 
-fn nearest_axis(reduced: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let K = reduced.momentum(omega);
-    let axes = Principal::of(reduced.J).axes;
+fn nearest_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let K = rigid.momentum(omega);
+    let axes = Principal::of(rigid.J).axes;
     let both = axes.iter().flat_map(|axis| [*axis, axis.map(|entry| -entry)]);
     both.min_by(|a, b| angle(K, *a).total_cmp(&angle(K, *b))).unwrap_or([0.0, 0.0, 1.0])
 }

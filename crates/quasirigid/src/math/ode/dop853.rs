@@ -136,10 +136,10 @@ impl<const N: usize> Dop853<N> {
             let trial = self.trial::<R>(system, h);
             let error = self.error(&trial, h);
             if !error.is_finite() {
-                if h < 1e-9 * remaining.min(self.h) || self.rate.iter().any(|rate| !rate.is_finite()) {
+                if self.rate.iter().any(|rate| !rate.is_finite()) {
                     return Err(StepError::NotFinite { t: self.t });
                 }
-                self.h = 0.1 * h;
+                self.h = SHRINK * h;
                 self.work.rejected += 1;
                 rejected = true;
                 continue;

@@ -1,7 +1,8 @@
 use std::path::PathBuf;
 
 use quasirigid::dynamics::PropagateError;
-use quasirigid::reduction::{ReductionError, ValidityError, VibrationError};
+use quasirigid::math::eigen::NoConvergence;
+use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -17,7 +18,7 @@ pub enum Failure {
     #[error(transparent)]
     Validity(#[from] ValidityError),
     #[error(transparent)]
-    Vibration(#[from] VibrationError),
+    Vibration(#[from] NoConvergence),
     #[error(transparent)]
     Propagate(#[from] PropagateError),
     #[error(transparent)]

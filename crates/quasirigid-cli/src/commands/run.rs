@@ -54,7 +54,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         histories,
     };
     record.write(folder.building())?;
-    let frequencies = Some(validity.vibrations.frequencies.as_slice());
+    let frequencies = &validity.vibrations.frequencies;
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;

@@ -41,7 +41,9 @@ pub struct Work {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// The step fell to the rounding of `t`.
-    #[error("the step at t = {t} s fell below the resolution of time; loosen the tolerance")]
+    #[error(
+        "the step at t = {t} s fell below the resolution of time: the solution runs away, or the tolerance is too small"
+    )]
     TooSmall {
         /// Time reached (s).
         t: f64,

@@ -4,6 +4,7 @@ use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use quasirigid_io::model::{Diagnostic, ModelError};
 
 use crate::failure::Failure;
+use crate::layout;
 
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
 pub fn print(failure: &Failure) {
@@ -14,10 +15,15 @@ pub fn print(failure: &Failure) {
         }
         let count = diagnostics.len();
         let problems = if count == 1 { "1 problem".into() } else { format!("{count} problems") };
-        eprintln!("quasirigid: {file}: {problems}; nothing was computed");
+        remark(&format!("{file}: {problems}; nothing was computed"));
     } else {
-        eprintln!("quasirigid: {failure}");
+        remark(&failure.to_string());
     }
+}
+
+/// Prints a remark on standard error.
+pub fn remark(text: &str) {
+    eprintln!("{}", layout::message(&format!("quasirigid: {text}")));
 }
 
 /// A diagnostic as `file:line:column: message`, the source line, and what to try.

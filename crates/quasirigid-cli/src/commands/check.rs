@@ -7,20 +7,20 @@ use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use serde_json::json;
 
-use super::{Loaded, initial, load};
+use super::{Loaded, initial, load, notes};
 use crate::args::Check;
 use crate::describe::{criterion, reasons, significant, time, verdict, word};
 use crate::failure::Failure;
+use crate::layout::paragraph;
 use crate::{Ending, output};
 
-/// Columns of the terminal that texts keep to.
-const WIDTH: usize = 79;
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
+    notes(&model, &arguments.common);
     let omega = initial(&model, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
@@ -73,10 +73,9 @@ fn write(
     omega: [f64; 3],
     validity: &Validity,
 ) -> fmt::Result {
-    writeln!(out, "{name}: {}", verdict(validity))?;
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
     for reason in reasons(validity) {
-        let indent = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
-        writeln!(out, "{}", textwrap::fill(&reason, indent))?;
+        writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
     }
     times(out, validity)?;
     writeln!(out, "\nCriteria                            symbol                 value  limit  verdict")?;
@@ -126,16 +125,14 @@ fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Resul
     let more =
         if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
     let text = format!("{title} ({unit}): {}{more}", shown.join(" "));
-    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("      ");
-    writeln!(out, "{}", textwrap::fill(&text, indent))
+    writeln!(out, "{}", paragraph(&text, "  ", "      "))
 }
 
 fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "\nSize of the terms of w' at this spin (rad/s^2)")?;
     let sizes = validity.degrees.iter().map(|d| format!("f{}={:.1e}", d.degree, d.size));
     let text = sizes.collect::<Vec<_>>().join("   ");
-    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    writeln!(out, "{}", textwrap::fill(&text, indent))?;
+    writeln!(out, "{}", paragraph(&text, "  ", "  "))?;
     let highest = validity.degrees.last().map_or(0, |d| d.degree).saturating_sub(4);
     let best = validity.optimal_order;
     let beyond = if best == highest { " or above" } else { "" };

@@ -14,36 +14,35 @@ use super::{Loaded, duration, even_times, initial, load, options};
 use crate::args::Run;
 use crate::describe::{significant, time};
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::layout::paragraph;
+use crate::message::remark;
 use crate::output::Folder;
-use crate::progress::{Collector, Interrupt};
+use crate::progress::Collector;
 use crate::{Ending, output, record};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
 const ROWS: [f64; 2] = [2_001.0, 20_001.0];
 
+/// Note on a spin outside the range of the series.
+const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the reduced equations were not \
+                           propagated; the history is that of the rigid body.";
+/// Note on a run that Ctrl-C ended.
+const INTERRUPTED: &str = "The run was interrupted, so the history of the rigid body was left out.";
+
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
     let start = initial(&model, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&model));
-    let folder = Folder::new(&path, arguments.overwrite)?;
+    Folder::check(&path, arguments.overwrite)?;
     let validity = Validity::of(&body, order, start.omega)?;
     let reduced = reduce(&body, order)?;
     let rigid = reduce(&body, 1)?;
     let mut notes = model.notes.clone();
     let plan = Plan::new(arguments, &model, &reduced, start)?;
-    let mut histories = Vec::new();
-    match plan.history("reduced", &reduced) {
-        Ok(history) => histories.push(history),
-        Err(Failure::Propagate(PropagateError::NoMomentum)) => notes.push(
-            "The truncated series has no momentum for this spin, so the reduced equations were not propagated; \
-             the history is that of the rigid body."
-                .into(),
-        ),
-        Err(failure) => return Err(failure),
-    }
-    histories.push(plan.history("rigid", &rigid)?);
+    let histories = plan.histories(&reduced, &rigid, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(&model),
@@ -53,7 +52,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         reduction: record::reduction(&body, &reduced, &validity, start.omega),
         histories,
     };
-    record.write(folder.building())?;
+    let folder = Folder::new(&path)?;
+    record.write(&folder.building())?;
     let frequencies = Some(validity.vibrations.frequencies.as_slice());
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
@@ -64,7 +64,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     } else if !arguments.common.quiet {
         output::print(&summary(&record, &path))?;
     }
-    let finished = record.histories.iter().all(|history| history.status == "finished");
+    let interrupted = record.notes.iter().any(|note| note == INTERRUPTED);
+    let finished = !interrupted && record.histories.iter().all(|history| history.status == "finished");
     let holds = validity.verdict() != Verdict::Fails;
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
@@ -101,13 +102,38 @@ impl Plan {
         })
     }
 
+    /// The histories of both systems, the reduced body first; `notes` says why one is missing.
+    fn histories(
+        &self,
+        reduced: &ReducedBody,
+        rigid: &ReducedBody,
+        notes: &mut Vec<String>,
+    ) -> Result<Vec<HistoryRecord>, Failure> {
+        let mut histories = Vec::new();
+        match self.history("reduced", reduced) {
+            Ok(history) => histories.push(history),
+            Err(Failure::Propagate(PropagateError::NoMomentum)) => notes.push(NO_MOMENTUM.into()),
+            Err(failure) => return Err(failure),
+        }
+        if self.interrupted() {
+            notes.push(INTERRUPTED.into());
+        } else {
+            histories.push(self.history("rigid", rigid)?);
+        }
+        Ok(histories)
+    }
+
+    fn interrupted(&self) -> bool {
+        self.interrupt.pressed()
+    }
+
     fn history(&self, system: &str, body: &ReducedBody) -> Result<HistoryRecord, Failure> {
         let end = self.times.last().copied().unwrap_or(0.0);
         let mut collector = Collector::new(&self.interrupt, system, end, self.quiet);
         let run = propagate(body, self.start, &self.times, self.options, &mut collector)?;
         let samples = collector.finish();
         if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
-            eprintln!("quasirigid: {system}: {}", record::status(run.outcome, run.last.t).1);
+            remark(&format!("{system}: {}", record::status(run.outcome, run.last.t).1));
         }
         Ok(record::history(system, &self.options, &samples, &run, self.axis))
     }
@@ -128,14 +154,12 @@ fn summary(record: &RunRecord, path: &std::path::Path) -> String {
 }
 
 fn write(out: &mut String, record: &RunRecord, path: &std::path::Path) -> fmt::Result {
-    writeln!(out, "{}: {}", record.model.name, record.validity.verdict)?;
+    writeln!(out, "{}", paragraph(&format!("{}: {}", record.model.name, record.validity.verdict), "", "  "))?;
     for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
-        let indent = textwrap::Options::new(79).initial_indent("  - ").subsequent_indent("    ");
-        writeln!(out, "{}", textwrap::fill(&criterion.sentence, indent))?;
+        writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
     }
     for note in &record.notes {
-        let indent = textwrap::Options::new(79).initial_indent("  Note: ").subsequent_indent("  ");
-        writeln!(out, "{}", textwrap::fill(note, indent))?;
+        writeln!(out, "{}", paragraph(note, "  Note: ", "  "))?;
     }
     for history in &record.histories {
         write_history(out, history)?;
@@ -157,7 +181,8 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
         spin.map(|name| format!("{:>12}", significant(value(name), 6))).join("")
     };
     let turns = significant(history.turns, 6);
-    writeln!(out, "\n{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message)?;
+    let title = format!("{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message);
+    writeln!(out, "\n{}", paragraph(&title, "", "  "))?;
     writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
     writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
     let degrees = |value: f64| significant(value.to_degrees(), 5);

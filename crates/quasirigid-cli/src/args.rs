@@ -41,7 +41,7 @@ pub struct Common {
     #[arg(value_name = "MODEL.toml")]
     pub model: PathBuf,
     /// Order p of the reduced equations, 1 (rigid) to 12; the file's own, or 3 (the paper's)
-    #[arg(long, value_name = "P")]
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub order: Option<usize>,
     /// Print results for machines, as one JSON object
     #[arg(long)]
@@ -55,13 +55,13 @@ pub struct Common {
 #[derive(Args, Debug)]
 pub struct Propagation {
     /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred turns
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub duration: Option<String>,
     /// Error allowed per step, relative, 1e-15 to 1e-2 [default: 1e-12]
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
     /// Number of output times, spread evenly from the start to the end
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<usize>,
     /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
     #[arg(long, value_enum)]

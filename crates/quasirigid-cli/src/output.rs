@@ -2,6 +2,7 @@
 
 mod folder;
 
+use std::error::Error;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -99,10 +100,17 @@ fn parent(path: &Path) -> &Path {
 }
 
 fn printed(cause: &io::Error) -> Failure {
-    match cause.kind() {
+    match root(cause) {
         io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
         kind => Failure::Write { path: "standard output".into(), cause: kind.into() },
     }
+}
+
+/// The kind of the first error: the writer of a table wraps that of the output in its own.
+fn root(error: &io::Error) -> io::ErrorKind {
+    let causes = std::iter::successors(error.source(), |cause| cause.source());
+    let first = causes.filter_map(|cause| cause.downcast_ref::<io::Error>()).last();
+    first.unwrap_or(error).kind()
 }
 
 /// A writer that Ctrl-C ends.

@@ -78,13 +78,13 @@ fn write(
         writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
     }
     times(out, validity)?;
-    writeln!(out, "\nCriteria                            symbol                 value  limit  verdict")?;
+    writeln!(out, "\nCriteria                          symbol                 value  limit  verdict")?;
     for each in &validity.criteria {
         let words = criterion(each, validity);
         let (value, limit) = (significant(each.value, 3), significant(each.limit(), 1));
         let verdict = word(each.verdict());
         let shown = if each.verdict() == Verdict::Fails { verdict.to_uppercase() } else { verdict.into() };
-        writeln!(out, "  {:<33} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
+        writeln!(out, "  {:<31} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
     }
     vibrations(out, validity)?;
     series(out, reduced.order, validity)?;

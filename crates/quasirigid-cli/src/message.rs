@@ -6,6 +6,11 @@ use quasirigid_io::model::{Diagnostic, ModelError};
 use crate::failure::Failure;
 use crate::layout;
 
+/// Columns before a message, `Error: `.
+const ERROR: usize = 7;
+/// Columns before what to try, `│ Help: `, with the line numbers of long files.
+const MARGIN: usize = 15;
+
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
 pub fn print(failure: &Failure) {
     if let Failure::Model(ModelError::Invalid { model, diagnostics }) = failure {
@@ -33,10 +38,10 @@ fn located(file: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let span = (file, diagnostic.span.clone());
     let mut report = Report::build(ReportKind::Error, span.clone())
         .with_config(config)
-        .with_message(&diagnostic.message)
+        .with_message(layout::paragraph_after(&diagnostic.message, ERROR))
         .with_label(Label::new(span).with_message(&diagnostic.label).with_color(Color::Red));
     if let Some(help) = &diagnostic.help {
-        report = report.with_help(help);
+        report = report.with_help(layout::narrowed(help, MARGIN));
     }
     let mut bytes = Vec::new();
     let written = report.finish().write((file, Source::from(text)), &mut bytes);

@@ -2,7 +2,6 @@
 
 mod folder;
 
-use std::error::Error;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -16,7 +15,7 @@ use crate::interrupt::Interrupt;
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(&cause))
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
 /// Writes to standard output, buffered, until Ctrl-C.
@@ -24,10 +23,14 @@ pub fn to_stdout(
     interrupt: &Interrupt,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let mut out = BufWriter::new(Stoppable { out: io::stdout().lock(), interrupt });
-    write(&mut out)
-        .and_then(|()| out.flush())
-        .map_err(|cause| if interrupt.pressed() { Failure::Interrupted } else { printed(&cause) })
+    let mut out = BufWriter::new(Watched { out: io::stdout().lock(), interrupt, failed: None });
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| {
+        if interrupt.pressed() {
+            Failure::Interrupted
+        } else {
+            printed(out.get_ref().failed.unwrap_or(error.kind()))
+        }
+    })
 }
 
 /// Refuses a file that cannot be written, before the work for it starts.
@@ -99,32 +102,29 @@ fn parent(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-fn printed(cause: &io::Error) -> Failure {
-    match root(cause) {
+fn printed(cause: io::ErrorKind) -> Failure {
+    match cause {
         io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
-        kind => Failure::Write { path: "standard output".into(), cause: kind.into() },
+        _ => Failure::Write { path: "standard output".into(), cause: cause.into() },
     }
 }
 
-/// The kind of the first error: the writer of a table wraps that of the output in its own.
-fn root(error: &io::Error) -> io::ErrorKind {
-    let causes = std::iter::successors(error.source(), |cause| cause.source());
-    let first = causes.filter_map(|cause| cause.downcast_ref::<io::Error>()).last();
-    first.unwrap_or(error).kind()
-}
-
-/// A writer that Ctrl-C ends.
-struct Stoppable<'a, W> {
+/// A writer that Ctrl-C ends, and that keeps the reason of a failure: the writer of a table hides it in its own.
+struct Watched<'a, W> {
     out: W,
     interrupt: &'a Interrupt,
+    failed: Option<io::ErrorKind>,
 }
 
-impl<W: Write> Write for Stoppable<'_, W> {
+impl<W: Write> Write for Watched<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.interrupt.pressed() { Err(io::Error::other("Ctrl-C")) } else { self.out.write(bytes) }
+        if self.interrupt.pressed() {
+            return Err(io::Error::other("Ctrl-C"));
+        }
+        self.out.write(bytes).inspect_err(|error| self.failed = Some(error.kind()))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
+        self.out.flush().inspect_err(|error| self.failed = Some(error.kind()))
     }
 }

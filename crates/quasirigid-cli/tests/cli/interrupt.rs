@@ -2,14 +2,13 @@
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
-use super::support::{Ran, Table, folder_of, names, program, ran_in};
+use super::support::{Ran, Table, folder_of, names, program};
 
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -153,16 +152,4 @@ fn reader_that_goes_away_ends_the_program_quietly() {
         assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
         assert!(first.ends_with('\n'));
     }
-}
-
-#[test]
-fn long_runs_of_the_test_would_be_long() {
-    assert!(Path::new(env!("CARGO_BIN_EXE_quasirigid")).exists());
-    let steps = |hours: u32| {
-        let folder = folder_of("explorer1-stiff");
-        let line = format!("simulate model.toml --system rigid --duration {hours}h --samples 2 --json");
-        ran_in(folder.path(), &line).json()["steps"].as_u64().unwrap()
-    };
-    // PROGRESS looks at Ctrl-C every 4096 steps: an hour has hundreds of looks, 2000 hours have a million
-    assert!(steps(1) > 100 * 4096);
 }

@@ -1,4 +1,4 @@
-use super::support::{EXAMPLES, folder_of, ran, ran_in};
+use super::support::{EXAMPLES, MODEL, folder_of, ran, ran_in, ran_with};
 
 /// Columns of a terminal.
 const COLUMNS: usize = 80;
@@ -59,6 +59,16 @@ fn refusals_fit_a_terminal() {
         let refused = ran(line);
         assert_ne!(refused.refusal(), "");
         assert_narrow(line, &refused.stderr);
+    }
+}
+
+/// The lines of the file itself stay as they are.
+#[test]
+fn mistakes_in_a_model_fit_a_terminal() {
+    for (part, by) in [("[9.0, 13.0, 16.0]", "[1.0, 2.0, 16.0]"), ("stiffness", "stifness"), ("600.0", "0.0")]
+    {
+        let refused = ran_with(&MODEL.replace(part, by), "check model.toml");
+        assert_narrow(by, refused.refusal());
     }
 }
 

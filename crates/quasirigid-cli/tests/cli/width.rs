@@ -1,4 +1,8 @@
-use super::support::{EXAMPLES, MODEL, folder_of, ran, ran_in, ran_with};
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use super::support::{EXAMPLES, MODEL, ROOT, copy, folder_of, ran, ran_in, ran_with};
 
 /// Columns of a terminal.
 const COLUMNS: usize = 80;
@@ -44,6 +48,8 @@ fn answers_to_every_example_fit_a_terminal() {
 
 #[test]
 fn refusals_fit_a_terminal() {
+    let folder = TempDir::new().unwrap();
+    copy(&Path::new(ROOT).join("examples"), &folder.path().join("examples"));
     for line in [
         "simulate examples/explorer1/model.toml",
         "simulate examples/axial-mass/model.toml --tolerance 1",
@@ -56,7 +62,7 @@ fn refusals_fit_a_terminal() {
         "derive examples/axial-mass/mode.toml",
         "check examples",
     ] {
-        let refused = ran(line);
+        let refused = ran_in(folder.path(), line);
         assert_ne!(refused.refusal(), "");
         assert_narrow(line, &refused.stderr);
     }

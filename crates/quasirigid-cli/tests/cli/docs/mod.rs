@@ -76,9 +76,9 @@ fn wrong_model(block: &Block) -> Option<(usize, String)> {
     }
     let refused = match Model::parse(Path::new("model.toml"), &block.text) {
         Err(error) => error.to_string(),
-        Ok(model) => match model.assembly.check() {
-            errors if errors.is_empty() => return None,
-            errors => model.diagnose_all(&errors).to_string(),
+        Ok(model) => match model.assembly.body() {
+            Err(error) => model.diagnose(&error).to_string(),
+            Ok(_) => return None,
         },
     };
     Some((block.line, format!("not a complete model:\n{refused}")))

@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 /// Reads a model of the body (TOML), derives its reduced equations of motion after Chernousko (1978), says how far they
 /// hold, and integrates them.
 #[derive(Debug, Parser)]
-#[command(name = "quasirigid", version, max_term_width = 100)]
+#[command(name = "quasirigid", version, max_term_width = 80)]
 #[command(after_help = "Exit codes: 0 done, 1 done but a requested check failed, 2 could not run.")]
 pub struct Arguments {
     #[command(subcommand)]
@@ -29,7 +29,7 @@ pub enum Command {
     Derive(Derive),
     /// Propagate the spin and print a table
     #[command(
-        after_help = "Example:\n  quasirigid simulate examples/three-masses/model.toml --system reduced --duration 60 --samples 7"
+        after_help = "Example:\n  quasirigid simulate examples/axial-mass/model.toml --duration 60 --samples 7"
     )]
     Simulate(Simulate),
 }
@@ -41,7 +41,7 @@ pub struct Common {
     #[arg(value_name = "MODEL.toml")]
     pub model: PathBuf,
     /// Order p of the reduced equations, 1 (rigid) to 12; the file's own, or 3 (the paper's)
-    #[arg(long, value_name = "P")]
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub order: Option<usize>,
     /// Print results for machines, as one JSON object
     #[arg(long)]
@@ -55,13 +55,13 @@ pub struct Common {
 #[derive(Args, Debug)]
 pub struct Propagation {
     /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred turns
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub duration: Option<String>,
     /// Error allowed per step, relative, 1e-15 to 1e-2 [default: 1e-12]
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
     /// Number of output times, spread evenly from the start to the end
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<usize>,
     /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
     #[arg(long, value_enum)]
@@ -123,7 +123,8 @@ pub struct Simulate {
     #[arg(long, value_enum, default_value_t = System::Reduced)]
     pub system: System,
     /// Output times in seconds, separated by commas
-    #[arg(long, value_name = "A,B,C", value_delimiter = ',', conflicts_with_all = ["duration", "samples"])]
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["duration", "samples"])]
     pub times: Option<Vec<f64>>,
     /// Form of the table
     #[arg(long, value_enum, default_value_t = TableFormat::Csv)]

@@ -23,7 +23,7 @@ pub enum Failure {
     Propagate(#[from] PropagateError),
     #[error(transparent)]
     Record(#[from] RecordError),
-    #[error("--duration {text}: {cause}")]
+    #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
     #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
     NoDuration { seconds: f64 },
@@ -33,12 +33,18 @@ pub enum Failure {
     NoSpin { file: PathBuf },
     #[error("{path} is there already; choose another with {option}, or add --overwrite", path = path.display())]
     Exists { path: PathBuf, option: &'static str },
-    #[error("{path} is not a record of quasirigid, so --overwrite will not remove it; choose another folder with -o", path = path.display())]
+    #[error("{path} is there already and is more or other than a record of quasirigid, so it is never replaced; choose another folder with -o", path = path.display())]
     Foreign { path: PathBuf },
+    #[error("{path} is a folder; name a file in it with --out", path = path.display())]
+    IsFolder { path: PathBuf },
+    #[error("cannot write {path}: there is no folder {folder}; make it first", path = path.display(), folder = folder.display())]
+    NoFolder { path: PathBuf, folder: PathBuf },
     #[error("cannot write {path}: {cause}", path = path.display())]
     Write { path: PathBuf, cause: std::io::Error },
     #[error("cannot listen for Ctrl-C: {0}")]
     Signals(#[from] ctrlc::Error),
+    #[error("interrupted; the table breaks off here")]
+    Interrupted,
     #[error("the reader of the output went away")]
     BrokenPipe,
 }

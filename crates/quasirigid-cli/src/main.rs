@@ -5,6 +5,8 @@ mod args;
 mod commands;
 mod describe;
 mod failure;
+mod interrupt;
+mod layout;
 mod message;
 mod output;
 mod progress;
@@ -45,6 +47,10 @@ fn main() -> ExitCode {
         Ok(Ending::Done) => ExitCode::SUCCESS,
         Ok(Ending::CheckFailed) => ExitCode::from(1),
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Err(failure @ Failure::Interrupted) => {
+            message::print(&failure);
+            ExitCode::from(1)
+        }
         Err(failure) => {
             message::print(&failure);
             ExitCode::from(2)

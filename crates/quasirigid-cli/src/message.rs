@@ -4,6 +4,12 @@ use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use quasirigid_io::model::{Diagnostic, ModelError};
 
 use crate::failure::Failure;
+use crate::layout;
+
+/// Columns before a message, `Error: `.
+const ERROR: usize = 7;
+/// Columns before what to try, `│ Help: `, with the line numbers of long files.
+const MARGIN: usize = 15;
 
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
 pub fn print(failure: &Failure) {
@@ -14,10 +20,15 @@ pub fn print(failure: &Failure) {
         }
         let count = diagnostics.len();
         let problems = if count == 1 { "1 problem".into() } else { format!("{count} problems") };
-        eprintln!("quasirigid: {file}: {problems}; nothing was computed");
+        remark(&format!("{file}: {problems}; nothing was computed"));
     } else {
-        eprintln!("quasirigid: {failure}");
+        remark(&failure.to_string());
     }
+}
+
+/// Prints a remark on standard error.
+pub fn remark(text: &str) {
+    eprintln!("{}", layout::message(&format!("quasirigid: {text}")));
 }
 
 /// A diagnostic as `file:line:column: message`, the source line, and what to try.
@@ -27,10 +38,10 @@ fn located(file: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let span = (file, diagnostic.span.clone());
     let mut report = Report::build(ReportKind::Error, span.clone())
         .with_config(config)
-        .with_message(&diagnostic.message)
+        .with_message(layout::paragraph_after(&diagnostic.message, ERROR))
         .with_label(Label::new(span).with_message(&diagnostic.label).with_color(Color::Red));
     if let Some(help) = &diagnostic.help {
-        report = report.with_help(help);
+        report = report.with_help(layout::narrowed(help, MARGIN));
     }
     let mut bytes = Vec::new();
     let written = report.finish().write((file, Source::from(text)), &mut bytes);

@@ -1,119 +1,130 @@
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+//! Results on standard output, and in files and folders that appear only when they are whole.
 
-use tempfile::{NamedTempFile, TempDir};
+mod folder;
+
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+pub use folder::Folder;
 
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
-        .and_then(|()| out.flush())
-        .map_err(|cause| wrote(Path::new("standard output"), cause))
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
-/// Writes to standard output, buffered.
-pub fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let mut out = BufWriter::new(io::stdout().lock());
-    write(&mut out).and_then(|()| out.flush()).map_err(|cause| wrote(Path::new("standard output"), cause))
-}
-
-/// Writes a file that appears only when it is whole.
-pub fn to_file(
-    path: &Path,
-    overwrite: bool,
+/// Writes to standard output, buffered, until Ctrl-C.
+pub fn to_stdout(
+    interrupt: &Interrupt,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    refuse(path, overwrite, "--out")?;
-    let whole = || {
-        let mut file = NamedTempFile::new_in(parent(path))?;
-        let mut out = BufWriter::new(file.as_file_mut());
-        write(&mut out)?;
-        out.flush()?;
-        drop(out);
-        file.persist(path)?;
-        Ok(())
-    };
-    whole().map_err(|cause| wrote(path, cause))
-}
-
-/// A folder that appears only when it is whole.
-pub struct Folder {
-    path: PathBuf,
-    overwrite: bool,
-    building: TempDir,
-}
-
-/// A file that only a record of ours has.
-const MARK: &str = "record.json";
-
-impl Folder {
-    /// Starts a folder; refuses one that is there.
-    pub fn new(path: &Path, overwrite: bool) -> Result<Self, Failure> {
-        refuse(path, overwrite, "-o")?;
-        if path.exists() && !path.join(MARK).exists() {
-            return Err(Failure::Foreign { path: path.into() });
+    let mut out = BufWriter::new(Watched { out: io::stdout().lock(), interrupt, failed: None });
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| {
+        if interrupt.pressed() {
+            Failure::Interrupted
+        } else {
+            printed(out.get_ref().failed.unwrap_or(error.kind()))
         }
-        let building = tempfile::Builder::new()
-            .prefix(".quasirigid-")
-            .tempdir_in(parent(path))
-            .map_err(|cause| wrote(path, cause))?;
-        Ok(Self { path: path.into(), overwrite, building })
-    }
-
-    /// Where the files go until the folder is whole.
-    pub fn building(&self) -> &Path {
-        self.building.path()
-    }
-
-    /// Writes a text file into the folder.
-    pub fn write(&self, name: &str, text: &str) -> Result<(), Failure> {
-        let path = self.building().join(name);
-        let written = File::create(&path).and_then(|mut file| file.write_all(text.as_bytes()));
-        written.map_err(|cause| wrote(&self.path.join(name), cause))
-    }
-
-    /// Puts the folder in its place.
-    pub fn finish(self) -> Result<(), Failure> {
-        let Self { path, overwrite, building } = self;
-        let place = || {
-            if overwrite && path.exists() {
-                fs::remove_dir_all(&path)?;
-            }
-            let whole = building.keep();
-            readable(&whole)?;
-            fs::rename(whole, &path)
-        };
-        place().map_err(|cause| wrote(&path, cause))
-    }
+    })
 }
 
-/// Gives a folder the access that folders usually have; temporary ones are private.
-fn readable(folder: &Path) -> io::Result<()> {
+/// Refuses a file that cannot be written, before the work for it starts.
+pub fn check_file(path: &Path, overwrite: bool) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Err(Failure::IsFolder { path: path.into() });
+    }
+    if is_device(path) {
+        return Ok(());
+    }
+    if path.exists() && !overwrite {
+        return Err(Failure::Exists { path: path.into(), option: "--out" });
+    }
+    check_parent(path)
+}
+
+/// Writes a file that appears only when it is whole. What is no file on a disk, such as a pipe, is written directly.
+pub fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let whole = || {
+        if is_device(path) {
+            return filled(&mut std::fs::OpenOptions::new().write(true).open(path)?, write);
+        }
+        let mut file = temporary().tempfile_in(parent(path))?;
+        filled(file.as_file_mut(), write)?;
+        file.persist(path).map(drop).map_err(|error| error.error)
+    };
+    whole().map_err(|cause| Failure::Write { path: path.into(), cause })
+}
+
+fn filled(file: &mut std::fs::File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(file);
+    write(&mut out)?;
+    out.flush()
+}
+
+/// Whether something is there that is neither file nor folder.
+fn is_device(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
+}
+
+/// Refuses a path whose folder is missing or takes no files.
+fn check_parent(path: &Path) -> Result<(), Failure> {
+    let folder = parent(path);
+    if !folder.is_dir() {
+        return Err(Failure::NoFolder { path: path.into(), folder: folder.into() });
+    }
+    let probe: io::Result<NamedTempFile> = temporary().tempfile_in(folder);
+    probe.map(drop).map_err(|cause| Failure::Write { path: path.into(), cause: plain(cause) })
+}
+
+/// Temporary files with the access that files usually have, not the private one.
+fn temporary() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".quasirigid-");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        fs::set_permissions(folder, fs::Permissions::from_mode(0o755))?;
+        builder.permissions(std::fs::Permissions::from_mode(0o666)); // less what the umask takes away
     }
-    let _ = folder;
-    Ok(())
+    builder
 }
 
-/// Refuses to overwrite without being asked to.
-pub fn refuse(path: &Path, overwrite: bool, option: &'static str) -> Result<(), Failure> {
-    if path.exists() && !overwrite { Err(Failure::Exists { path: path.into(), option }) } else { Ok(()) }
+/// The error without the name of a temporary file, which says nothing to a user.
+fn plain(error: io::Error) -> io::Error {
+    error.kind().into()
 }
 
 fn parent(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-fn wrote(path: &Path, cause: io::Error) -> Failure {
-    if cause.kind() == io::ErrorKind::BrokenPipe {
-        Failure::BrokenPipe
-    } else {
-        Failure::Write { path: path.into(), cause }
+fn printed(cause: io::ErrorKind) -> Failure {
+    match cause {
+        io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
+        _ => Failure::Write { path: "standard output".into(), cause: cause.into() },
+    }
+}
+
+/// A writer that Ctrl-C ends, and that keeps the reason of a failure: the writer of a table hides it in its own.
+struct Watched<'a, W> {
+    out: W,
+    interrupt: &'a Interrupt,
+    failed: Option<io::ErrorKind>,
+}
+
+impl<W: Write> Write for Watched<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.interrupt.pressed() {
+            return Err(io::Error::other("Ctrl-C"));
+        }
+        self.out.write(bytes).inspect_err(|error| self.failed = Some(error.kind()))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush().inspect_err(|error| self.failed = Some(error.kind()))
     }
 }

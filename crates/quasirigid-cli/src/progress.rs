@@ -1,27 +1,11 @@
 use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use quasirigid::dynamics::{Observer, Sample};
 
-use crate::failure::Failure;
-
-/// Set once Ctrl-C was pressed.
-#[derive(Clone, Debug)]
-pub struct Interrupt(Arc<AtomicBool>);
-
-impl Interrupt {
-    /// Starts to listen for Ctrl-C.
-    pub fn listen() -> Result<Self, Failure> {
-        let pressed = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&pressed);
-        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
-        Ok(Self(pressed))
-    }
-}
+use crate::interrupt::Interrupt;
 
 /// Collects samples, shows progress on a terminal once a second has passed, and ends on Ctrl-C.
 pub struct Collector {
@@ -65,7 +49,7 @@ impl Observer for Collector {
     }
 
     fn progress(&mut self, t: f64) -> ControlFlow<()> {
-        if self.interrupt.0.load(Ordering::Relaxed) {
+        if self.interrupt.pressed() {
             return ControlFlow::Break(());
         }
         if self.bar.elapsed() > PATIENCE {

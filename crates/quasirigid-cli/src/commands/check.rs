@@ -7,20 +7,20 @@ use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use serde_json::json;
 
-use super::{Loaded, initial, load};
+use super::{Loaded, initial, load, notes};
 use crate::args::Check;
 use crate::describe::{criterion, reasons, significant, time, verdict, word};
 use crate::failure::Failure;
+use crate::layout::paragraph;
 use crate::{Ending, output};
 
-/// Columns of the terminal that texts keep to.
-const WIDTH: usize = 79;
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
+    notes(&model, &arguments.common);
     let omega = initial(&model, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
@@ -73,19 +73,18 @@ fn write(
     omega: [f64; 3],
     validity: &Validity,
 ) -> fmt::Result {
-    writeln!(out, "{name}: {}", verdict(validity))?;
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
     for reason in reasons(validity) {
-        let indent = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
-        writeln!(out, "{}", textwrap::fill(&reason, indent))?;
+        writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
     }
     times(out, validity)?;
-    writeln!(out, "\nCriteria                            symbol                 value  limit  verdict")?;
+    writeln!(out, "\nCriteria                          symbol                 value  limit  verdict")?;
     for each in &validity.criteria {
         let words = criterion(each, validity);
         let (value, limit) = (significant(each.value, 3), each.limit());
         let verdict = word(each.verdict());
         let shown = if each.verdict() == Verdict::Fails { verdict.to_uppercase() } else { verdict.into() };
-        writeln!(out, "  {:<33} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
+        writeln!(out, "  {:<31} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
     }
     vibrations(out, validity)?;
     series(out, reduced.order, validity)?;
@@ -126,16 +125,14 @@ fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Resul
     let more =
         if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
     let text = format!("{title} ({unit}): {}{more}", shown.join(" "));
-    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("      ");
-    writeln!(out, "{}", textwrap::fill(&text, indent))
+    writeln!(out, "{}", paragraph(&text, "  ", "      "))
 }
 
 fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "\nSize of the terms of w' at this spin (rad/s^2)")?;
     let sizes = validity.degrees.iter().map(|d| format!("f{}={:.1e}", d.degree, d.size));
     let text = sizes.collect::<Vec<_>>().join("   ");
-    let indent = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-    writeln!(out, "{}", textwrap::fill(&text, indent))?;
+    writeln!(out, "{}", paragraph(&text, "  ", "  "))?;
     let highest = validity.degrees.last().map_or(0, |d| d.degree).saturating_sub(4);
     let best = validity.optimal_order;
     let beyond = if best == highest { " or above" } else { "" };
@@ -150,7 +147,7 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     let steady = steady_spins(reduced, norm(K));
     for ((name, moment), steady) in names.iter().zip(principal.moments).zip(steady) {
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
-        writeln!(out, "  {about:<51} {}", steady.map_or("as any axis across".into(), |spin| fate(&spin)))?;
+        writeln!(out, "  {about:<51} {}", steady.map_or("two moments are equal".into(), |spin| fate(&spin)))?;
     }
     let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
         let off = angle(K, *axis);

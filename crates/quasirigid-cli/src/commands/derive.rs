@@ -1,7 +1,7 @@
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::export::Derived;
 
-use super::{Loaded, load};
+use super::{Loaded, load, notes};
 use crate::args::{Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{Ending, output};
@@ -9,6 +9,7 @@ use crate::{Ending, output};
 /// Prints the reduced equations.
 pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
+    notes(&model, &arguments.common);
     let reduced = reduce(&body, order)?;
     let frequencies = frequencies(&body)?;
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies: &frequencies };

@@ -4,6 +4,7 @@ pub mod check;
 pub mod derive;
 pub mod run;
 pub mod simulate;
+mod summary;
 
 use std::path::Path;
 
@@ -15,6 +16,7 @@ use quasirigid_io::units::{Dimension, quantity};
 
 use crate::args::{self, Common, Propagation};
 use crate::failure::Failure;
+use crate::message::remark;
 
 /// A model file with its flexible body.
 struct Loaded {
@@ -32,6 +34,13 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     let body = model.assembly.body().map_err(|error| model.diagnose(&error))?;
     let order = common.order.unwrap_or(model.run.order);
     Ok(Loaded { model, body, order })
+}
+
+/// Says what is suspect in the model, on standard error.
+fn notes(model: &Model, common: &Common) {
+    if !common.quiet {
+        model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
+    }
 }
 
 /// The state the file starts from.

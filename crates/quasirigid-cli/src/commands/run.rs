@@ -1,49 +1,45 @@
-use std::fmt::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState, propagate};
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use super::{Loaded, duration, even_times, initial, load, options};
+use super::{Loaded, duration, even_times, initial, load, options, summary};
 use crate::args::Run;
-use crate::describe::{significant, time};
+use crate::describe::drift_note;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::message::remark;
 use crate::output::Folder;
-use crate::progress::{Collector, Interrupt};
+use crate::progress::Collector;
 use crate::{Ending, output, record};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
 const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
+/// Note on a spin outside the range of the series.
+const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the reduced equations were not \
+                           propagated; the history is that of the rigid body.";
+/// Note on a run that Ctrl-C ended.
+const INTERRUPTED: &str = "The run was interrupted, so the history of the rigid body was left out.";
+
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
     let start = initial(&model, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&model));
-    let folder = Folder::new(&path, arguments.overwrite)?;
+    Folder::check(&path, arguments.overwrite)?;
     let validity = Validity::of(&body, order, start.omega)?;
     let reduced = reduce(&body, order)?;
     let rigid = reduce(&body, 1)?;
     let mut notes = model.notes.clone();
     let plan = Plan::new(arguments, &model, &rigid, start)?;
-    let mut histories = Vec::new();
-    match plan.history("reduced", &reduced) {
-        Ok(history) => histories.push(history),
-        Err(Failure::Propagate(PropagateError::NoMomentum)) => notes.push(
-            "The truncated series has no momentum for this spin, so the reduced equations were not propagated; \
-             the history is that of the rigid body."
-                .into(),
-        ),
-        Err(failure) => return Err(failure),
-    }
-    histories.push(plan.history("rigid", &rigid)?);
+    let histories = plan.histories(&reduced, &rigid, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(&model),
@@ -53,7 +49,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         reduction: record::reduction(&body, &reduced, &validity, start.omega),
         histories,
     };
-    record.write(folder.building())?;
+    let folder = Folder::new(&path)?;
+    record.write(&folder.building())?;
     let frequencies = &validity.vibrations.frequencies;
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
@@ -65,16 +62,21 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     if arguments.common.json {
         output::print(&format!("{:#}\n", serde_json::json!(record)))?;
     } else if !arguments.common.quiet {
-        output::print(&summary(&record, &path))?;
+        output::print(&summary::text(&record, &path))?;
     }
-    let finished = record.histories.iter().all(|history| history.status == "finished");
+    let interrupted = record.notes.iter().any(|note| note == INTERRUPTED);
+    let finished = !interrupted && record.histories.iter().all(|history| history.status == "finished");
     let holds = validity.verdict() != Verdict::Fails;
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
 
+/// The file's name with `-run`; a file called `model.toml` has the name of its folder.
 fn default_folder(model: &Model) -> PathBuf {
-    let stem = model.source.file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    PathBuf::from(format!("{stem}-run"))
+    let file = &model.source.file;
+    let folder =
+        file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some("model".as_ref()));
+    let name = folder.or(file.file_stem()).unwrap_or_default().to_string_lossy();
+    PathBuf::from(format!("{name}-run"))
 }
 
 /// What the histories of a run have in common.
@@ -82,7 +84,7 @@ struct Plan {
     start: SpinState,
     times: Vec<f64>,
     options: Options,
-    /// The principal axis nearest to the initial momentum, on its side; nutation is counted from it.
+    /// The principal axis that the momentum of the rigid body circles; nutation is counted from it.
     axis: [f64; 3],
     interrupt: Interrupt,
     quiet: bool,
@@ -98,10 +100,38 @@ impl Plan {
             start,
             times: even_times(rows, duration)?,
             options: options(model, &arguments.propagation),
-            axis: nearest_axis(rigid, start.omega),
+            axis: circled_axis(rigid, start.omega),
             interrupt: Interrupt::listen()?,
             quiet: arguments.common.quiet,
         })
+    }
+
+    /// The histories of both systems, the reduced body first; `notes` says why one is missing.
+    fn histories(
+        &self,
+        reduced: &ReducedBody,
+        rigid: &ReducedBody,
+        notes: &mut Vec<String>,
+    ) -> Result<Vec<HistoryRecord>, Failure> {
+        let mut histories = Vec::new();
+        match self.history("reduced", reduced) {
+            Ok(history) => histories.push(history),
+            Err(Failure::Propagate(PropagateError::NoMomentum)) => notes.push(NO_MOMENTUM.into()),
+            Err(failure) => return Err(failure),
+        }
+        if self.interrupted() {
+            notes.push(INTERRUPTED.into());
+        } else {
+            histories.push(self.history("rigid", rigid)?);
+        }
+        notes.extend(
+            histories.iter().filter_map(|each| drift_note(&each.system, each.energy_drift, each.dissipated)),
+        );
+        Ok(histories)
+    }
+
+    fn interrupted(&self) -> bool {
+        self.interrupt.pressed()
     }
 
     fn history(&self, system: &str, body: &ReducedBody) -> Result<HistoryRecord, Failure> {
@@ -110,76 +140,17 @@ impl Plan {
         let run = propagate(body, self.start, &self.times, self.options, &mut collector)?;
         let samples = collector.finish();
         if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
-            eprintln!("quasirigid: {system}: {}", record::status(run.outcome, run.last.t).1);
+            remark(&format!("{system}: {}", record::status(run.outcome, run.last.t).1));
         }
         Ok(record::history(system, &self.options, &samples, &run, self.axis))
     }
 }
 
-fn nearest_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles.
+fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
     let K = rigid.momentum(omega);
-    let axes = Principal::of(rigid.J).axes;
-    let both = axes.iter().flat_map(|axis| [*axis, axis.map(|entry| -entry)]);
-    both.min_by(|a, b| angle(K, *a).total_cmp(&angle(K, *b))).unwrap_or([0.0, 0.0, 1.0])
-}
-
-/// The answer for a terminal of 80 columns.
-fn summary(record: &RunRecord, path: &std::path::Path) -> String {
-    let mut text = String::new();
-    write(&mut text, record, path).expect("a string takes any text");
-    text
-}
-
-fn write(out: &mut String, record: &RunRecord, path: &std::path::Path) -> fmt::Result {
-    writeln!(out, "{}: {}", record.model.name, record.validity.verdict)?;
-    for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
-        let indent = textwrap::Options::new(79).initial_indent("  - ").subsequent_indent("    ");
-        writeln!(out, "{}", textwrap::fill(&criterion.sentence, indent))?;
-    }
-    for note in &record.notes {
-        let indent = textwrap::Options::new(79).initial_indent("  Note: ").subsequent_indent("  ");
-        writeln!(out, "{}", textwrap::fill(note, indent))?;
-    }
-    for history in &record.histories {
-        write_history(out, history)?;
-    }
-    writeln!(out, "\nRecord and report: {}", path.join("report.html").display())
-}
-
-fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
-    let last = |name: &str| {
-        let column = history.columns.iter().find(|column| column.name == name);
-        column.and_then(|column| column.values.last().copied()).unwrap_or(f64::NAN)
-    };
-    let first = |name: &str| {
-        let column = history.columns.iter().find(|column| column.name == name);
-        column.and_then(|column| column.values.first().copied()).unwrap_or(f64::NAN)
-    };
-    let spin = ["wx", "wy", "wz"];
-    let vector = |value: &dyn Fn(&str) -> f64| {
-        spin.map(|name| format!("{:>12}", significant(value(name), 6))).join("")
-    };
-    let turns = significant(history.turns, 6);
-    writeln!(out, "\n{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message)?;
-    writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
-    writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
-    let degrees = |value: f64| significant(value.to_degrees(), 5);
-    writeln!(
-        out,
-        "  nutation           {:>12} to {} degrees",
-        degrees(first("nutation")),
-        degrees(last("nutation"))
-    )?;
-    writeln!(
-        out,
-        "  energy dissipated  {:>12} J of {} J",
-        significant(history.dissipated, 5),
-        significant(history.energy, 6)
-    )?;
-    writeln!(
-        out,
-        "  numerical drift    {:>12} J; {} of |K|",
-        significant(history.energy_drift, 2),
-        significant(history.momentum_drift, 2)
-    )
+    let Principal { moments, axes } = Principal::of(rigid.J);
+    let long_axis_mode = 2.0 * rigid.energy(omega) * moments[1] > dot(K, K);
+    let axis = axes[if long_axis_mode { 0 } else { 2 }];
+    axis.map(|entry| entry * dot(axis, K).signum())
 }

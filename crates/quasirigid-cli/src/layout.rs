@@ -1,0 +1,33 @@
+//! Texts for a terminal of 80 columns.
+
+use textwrap::{Options, WordSeparator, WordSplitter};
+
+/// Columns that texts keep to.
+const WIDTH: usize = 79;
+
+/// A paragraph, broken at spaces only, so that paths and options stay whole.
+pub fn paragraph(text: &str, first: &str, rest: &str) -> String {
+    textwrap::fill(text, options(WIDTH).initial_indent(first).subsequent_indent(rest))
+}
+
+/// A message whose own line breaks stay.
+pub fn message(text: &str) -> String {
+    text.lines().map(|line| paragraph(line, "", "")).collect::<Vec<_>>().join("\n")
+}
+
+/// A paragraph that starts behind something on the same line.
+pub fn paragraph_after(text: &str, columns: usize) -> String {
+    paragraph(text, &" ".repeat(columns), "").trim_start().to_owned()
+}
+
+/// A paragraph for a box that takes these columns from every line.
+pub fn narrowed(text: &str, columns: usize) -> String {
+    textwrap::fill(text, options(WIDTH - columns))
+}
+
+fn options(width: usize) -> Options<'static> {
+    Options::new(width)
+        .break_words(false)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+}

@@ -1,0 +1,171 @@
+use insta::assert_snapshot;
+
+use super::support::{EXAMPLES, MODEL, numbers, ran, ran_with};
+
+#[test]
+fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
+    let checked = ran("check examples/explorer1/model.toml");
+    assert_eq!((checked.code, &*checked.stderr), (Some(1), ""));
+    let (verdict, _) = checked.stdout.split_once("\n\nTimes").unwrap();
+    assert_snapshot!(verdict, @r#"
+    Explorer 1: The reduced equations DO NOT HOLD at this spin.
+      - The spin, 78.55 rad/s, is 12.6 times the slowest elastic frequency, 6.236
+        rad/s ("whip +x" about axis 1).
+      - Dashpots delay the springs by up to 2.00 s, which is 157 of the time 1/|w|
+        of the spin.
+      - Successive terms of the same kind in Omega(K) have the ratio 2.11e9 at
+        this spin.
+      - The largest displacement, of whip -y, is 178 m: 302 of the size of the
+        body.
+      - Put into the full equations, the reduced ones leave 0.977 of the elastic
+        load unbalanced.
+    "#);
+    assert!(!checked.stdout.contains("grows e-fold"), "what does not hold is not predicted");
+}
+
+#[test]
+fn every_other_example_holds_and_exits_with_0() {
+    for example in EXAMPLES.iter().filter(|name| **name != "explorer1") {
+        let checked = ran(&format!("check examples/{example}/model.toml"));
+        assert_eq!((checked.code, &*checked.stderr), (Some(0), ""), "{example}");
+        assert!(checked.stdout.lines().next().unwrap().ends_with("The reduced equations hold at this spin."));
+        assert!(!checked.stdout.contains("FAILS"), "{}", checked.stdout);
+    }
+}
+
+#[test]
+fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
+    let checked = ran("check examples/axial-mass/model.toml");
+    assert_snapshot!(checked.stdout, @r"
+    axial mass: The reduced equations hold at this spin.
+
+    Times
+      T1  0.3119 s         period of the slowest vibration
+      T2  0.4930 s         decay of the slowest vibration
+      T3  0.9285 s         the spin, 1/|w|
+
+    Criteria                          symbol                 value  limit  verdict
+      spin against slowest vibration  |w|/Omega_min         0.0535    0.1  holds
+      spin against damping            beta |w|              0.0108    0.1  holds
+      convergence of the series       Omega_d+2/Omega_d    0.00801    0.1  holds
+      harmonics near resonance        nome^(n/2)                 0    0.1  holds
+      displacement against size       max|r|/max|rho|      0.00155    0.1  holds
+      residual of the full equations  |residual|/|load|    0.00574    0.1  holds
+      decay of initial vibrations     T2/T3                  0.531      1  holds
+
+    Vibrations
+      frequencies, attitude held (rad/s): 20.14 20.14 20.14
+      frequencies, body free (rad/s): 20.14 20.40 20.40
+      decay rates (1/s): 2.029 2.029 2.029 2.029 2.029 2.029
+
+    Size of the terms of w' at this spin (rad/s^2)
+      f2=2.9e-1   f3=0.0e0   f4=1.1e-4   f5=4.5e-7   f6=5.4e-7   f7=4.6e-9
+      f8=2.7e-9   f9=3.3e-11
+      terms left out are smallest at order 5 or above; order 3 was asked for
+
+    Steady spins at this momentum, after the reduced equations
+      about the axis of least inertia, 1.0000 kg m^2:     as any axis across
+      about the axis of middle inertia, 1.0000 kg m^2:    as any axis across
+      about the axis of greatest inertia, 1.5000 kg m^2:  decays e-fold in 9.564 d
+      now 14.93 degrees from the axis of greatest inertia
+    ");
+}
+
+/// By hand: m = 0.1 kg on k = 40 N/m and c = 0.4 N s/m, carrier of 7 kg. Along the axis the reduced mass is
+/// 0.1·7/7.1 kg; held in attitude it is the same in every direction.
+#[test]
+fn json_has_the_times_of_the_theory() {
+    let checked = ran("check examples/axial-mass/model.toml --json");
+    let json = checked.json();
+    let reduced_mass: f64 = 0.1 * 7.0 / 7.1;
+    let held = (40.0 / reduced_mass).sqrt();
+    for frequency in numbers(&json["frequencies"]) {
+        assert!((frequency / held - 1.0).abs() < 1e-12, "{frequency} against {held}"); // rounding only
+    }
+    assert_eq!(numbers(&json["frequencies"]).len(), 3);
+    let close = |name: &str, expected: f64| {
+        let found = json[name].as_f64().unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-9, "{name} = {found}, by hand {expected}");
+    };
+    close("T3", 1.0 / 1.16_f64.sqrt());
+    close("T2", 2.0 * reduced_mass / 0.4);
+    let damped = (held * held - (0.2 / reduced_mass).powi(2)).sqrt();
+    let period = json["T1"].as_f64().unwrap();
+    assert!(period >= std::f64::consts::TAU / held * (1.0 - 1e-12), "{period}");
+    assert!(period <= std::f64::consts::TAU / damped * (1.0 + 1e-12), "{period}");
+    assert_eq!((json["valid"].as_bool(), json["reasons"].as_array().unwrap().len()), (Some(true), 0));
+    assert_eq!(checked.code, Some(0));
+}
+
+#[test]
+fn json_and_text_give_the_same_verdict_and_reasons() {
+    let json = ran("check examples/explorer1/model.toml --json");
+    assert_eq!(json.code, Some(1));
+    let object = json.json();
+    assert_eq!(object["valid"], false);
+    let text =
+        ran("check examples/explorer1/model.toml").stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    let reasons = object["reasons"].as_array().unwrap();
+    assert_eq!(reasons.len(), 5);
+    for reason in reasons {
+        assert!(text.contains(reason.as_str().unwrap()), "{reason}");
+    }
+}
+
+#[test]
+fn undamped_body_has_no_decay_time() {
+    let model = MODEL.replace("damping = 30.0\n", "");
+    let json = ran_with(&model, "check model.toml --json").json();
+    assert!(json["T2"].is_null(), "{json}");
+    assert!(json["T1"].as_f64().unwrap() > 0.0);
+    let text = ran_with(&model, "check model.toml").stdout;
+    assert!(text.contains("  T2  for ever "), "{text}");
+}
+
+#[test]
+fn order_of_the_command_stands_above_that_of_the_file() {
+    let order = |line: &str| {
+        ran(&format!("check examples/axial-mass/model.toml --json{line}")).json()["order"].clone()
+    };
+    assert_eq!(order(""), 3);
+    assert_eq!(order(" --order 5"), 5);
+}
+
+#[test]
+fn model_without_a_spin_is_told_what_to_add() {
+    let model = MODEL.replace("[initial]\nangular_velocity = [0.12, 0.035, 0.02]\n", "");
+    let refusals =
+        ["check", "simulate", "run"].map(|command| ran_with(&model, &format!("{command} model.toml")));
+    assert_snapshot!(refusals[0].refusal(), @r"
+    quasirigid: model.toml: the model has no initial spin; add a table such as
+
+        [initial]
+        angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes
+    ");
+    assert!(refusals.iter().all(|each| each.refusal() == refusals[0].stderr));
+    assert_eq!(ran_with(&model, "derive model.toml").code, Some(0));
+}
+
+#[test]
+fn zero_spin_is_refused() {
+    let model = MODEL.replace("[0.12, 0.035, 0.02]", "[0, 0, 0]");
+    let refusals =
+        ["check", "simulate", "run"].map(|command| ran_with(&model, &format!("{command} model.toml")));
+    assert_snapshot!(refusals[0].refusal(), @r"
+    quasirigid: the angular velocity [0.0, 0.0, 0.0] rad/s is not a spin; give a
+    finite one that is not zero
+    ");
+    assert!(refusals.iter().all(|each| each.refusal() == refusals[0].stderr));
+}
+
+#[test]
+fn note_on_the_model_goes_to_standard_error_unless_quiet() {
+    let model = MODEL.replace("[initial]", "[initial]\nattitude = [1, 0, 0, 0.001]");
+    for command in ["check", "derive", "simulate"] {
+        let shown = ran_with(&model, &format!("{command} model.toml"));
+        assert!(shown.stderr.starts_with("quasirigid: note: the initial attitude has the norm 1.0000004"));
+        let quiet = ran_with(&model, &format!("{command} model.toml --quiet"));
+        assert_eq!((quiet.code, &*quiet.stderr), (Some(0), ""), "{command}");
+        assert_eq!(quiet.stdout, shown.stdout, "{command}");
+    }
+}

@@ -1,0 +1,156 @@
+use std::path::Path;
+
+use insta::assert_snapshot;
+use quasirigid_io::model::Model;
+use serde_json::Value;
+
+use super::support::{EXAMPLES, MODEL, ROOT, numbers, ran, ran_with};
+
+fn derived(example: &str, order: usize) -> Value {
+    let ran = ran(&format!("derive examples/{example}/model.toml --format json --order {order}"));
+    assert_eq!((ran.code, &*ran.stderr), (Some(0), ""));
+    ran.json()
+}
+
+/// Exponents of every monomial from one degree to another: by degree, then in descending powers of x, then of y.
+fn monomials(degrees: std::ops::RangeInclusive<u64>) -> Vec<[u64; 3]> {
+    let of_degree =
+        |d: u64| (0..=d).rev().flat_map(move |i| (0..=d - i).rev().map(move |j| [i, j, d - i - j]));
+    degrees.flat_map(of_degree).collect()
+}
+
+fn exponents(list: &Value) -> Vec<[u64; 3]> {
+    let of = |term: &Value| [0, 1, 2].map(|axis| term["exponents"][axis].as_u64().unwrap());
+    list.as_array().unwrap().iter().map(of).collect()
+}
+
+#[test]
+fn json_has_every_field_of_the_contract() {
+    for example in EXAMPLES {
+        let json = derived(example, 3);
+        assert!(json["mass"].as_f64().unwrap() > 0.0);
+        for name in ["center_of_mass", "pole"] {
+            assert_eq!(numbers(&json[name]).len(), 3, "{name}");
+        }
+        let inertia: Vec<_> = json["inertia"].as_array().unwrap().iter().map(numbers).collect();
+        assert_eq!(inertia.iter().map(Vec::len).collect::<Vec<_>>(), [3, 3, 3]);
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            assert_eq!(inertia[row][column], inertia[column][row], "{example}");
+        }
+        let frequencies = numbers(&json["frequencies"]);
+        assert!(!frequencies.is_empty() && frequencies.is_sorted(), "{frequencies:?}");
+        assert_eq!(json["order"], 3);
+    }
+}
+
+/// Mass and centre of mass of the axial-mass example by hand: 7.1 kg, centred on the origin.
+#[test]
+fn json_has_the_mass_and_the_centre_of_mass_of_the_file() {
+    let json = derived("axial-mass", 3);
+    assert!((json["mass"].as_f64().unwrap() - 7.1).abs() < 1e-14);
+    assert!(numbers(&json["center_of_mass"]).iter().all(|x| x.abs() < 1e-16), "{json}"); // of 0.5 m
+}
+
+#[test]
+fn json_has_every_monomial_in_order_at_every_order() {
+    for order in [1, 2, 3, 5] {
+        let json = derived("three-masses", order);
+        let order = order as u64;
+        assert_eq!(exponents(&json["mu"]), monomials(4..=order + 2), "mu at order {order}");
+        assert_eq!(exponents(&json["momentum"]), monomials(3..=order + 1), "momentum at order {order}");
+        for name in ["mu", "momentum"] {
+            let terms = json[name].as_array().unwrap();
+            assert!(terms.iter().all(|term| numbers(&term["value"]).len() == 3), "{name}");
+        }
+    }
+}
+
+#[test]
+fn lower_orders_are_the_beginning_of_higher_ones() {
+    let (low, high) = (derived("three-masses", 3), derived("three-masses", 5));
+    for name in ["mu", "momentum"] {
+        let low = low[name].as_array().unwrap();
+        assert_eq!(low[..], high[name].as_array().unwrap()[..low.len()], "{name}");
+    }
+}
+
+#[test]
+fn order_of_the_file_holds_unless_the_command_gives_one() {
+    let model = MODEL.replace("[run]", "[run]\norder = 2");
+    assert_eq!(ran_with(&model, "derive model.toml --json").json()["order"], 2);
+    assert_eq!(ran_with(&model, "derive model.toml --json --order 4").json()["order"], 4);
+}
+
+#[test]
+fn json_option_and_json_format_print_the_same() {
+    let [option, format] = ["--json", "--format json"]
+        .map(|option| ran(&format!("derive examples/axial-mass/model.toml {option}")).stdout);
+    assert_eq!(option, format);
+}
+
+#[test]
+fn order_out_of_range_is_refused() {
+    let refused = ran("derive examples/axial-mass/model.toml --order 13");
+    assert_snapshot!(refused.refusal(), @"quasirigid: order 13 is not available; choose 1 (rigid) to 12, 3 is the paper's");
+    let refused = ran("derive examples/axial-mass/model.toml --order 0");
+    assert!(refused.refusal().starts_with("quasirigid: order 0 is not available; choose 1 (rigid) to 12"));
+    for order in ["-1", "2.5", "three"] {
+        let refused = ran(&format!("derive examples/axial-mass/model.toml --order {order}"));
+        assert!(refused.refusal().contains(&format!("invalid value '{order}' for '--order <P>'")));
+    }
+}
+
+#[test]
+fn latex_is_balanced_and_has_the_degrees_of_the_order() {
+    for (example, order) in [("three-masses", 1), ("three-masses", 3), ("axial-mass", 5), ("explorer1", 3)] {
+        let latex = ran(&format!("derive examples/{example}/model.toml --format latex --order {order}"));
+        assert_eq!((latex.code, &*latex.stderr), (Some(0), ""));
+        assert_balanced(&latex.stdout);
+        assert!(latex.stdout.starts_with('%'), "the name is a comment");
+        assert_eq!(
+            latex.stdout.matches(r"\begin{align*}").count(),
+            order - 1,
+            "one display a degree from 4 up"
+        );
+        assert!(!latex.stdout.contains("NaN") && !latex.stdout.contains("inf"), "{}", latex.stdout);
+        assert!(!latex.stdout.contains("\n\n"), "a blank line ends a display");
+    }
+}
+
+/// Braces close, environments close in the order in which they opened, and columns of a display are two.
+fn assert_balanced(latex: &str) {
+    let mut depth = 0;
+    for letter in latex.chars() {
+        depth += i32::from(letter == '{') - i32::from(letter == '}');
+        assert!(depth >= 0, "a brace closes nothing:\n{latex}");
+    }
+    assert_eq!(depth, 0, "braces stay open:\n{latex}");
+    let mut open = Vec::new();
+    for command in latex.split('\\').skip(1) {
+        if let Some(rest) = command.strip_prefix("begin{") {
+            open.push(rest.split('}').next().unwrap());
+        } else if let Some(rest) = command.strip_prefix("end{") {
+            assert_eq!(open.pop(), rest.split('}').next(), "{latex}");
+        }
+    }
+    assert_eq!(open, [""; 0], "{latex}");
+    for display in latex.split(r"\begin{align*}").skip(1) {
+        let (display, _) = display.split_once(r"\end{align*}").unwrap();
+        assert!(display.split(r"\\").all(|line| line.matches('&').count() == 1), "{display}");
+    }
+}
+
+#[test]
+fn text_shows_the_numbers_of_the_json() {
+    let text = ran("derive examples/three-masses/model.toml").stdout;
+    let model = Model::read(&Path::new(ROOT).join("examples/three-masses/model.toml")).unwrap();
+    assert!(text.starts_with(&format!("{}: reduced equations of order 3\n", model.name)), "{text}");
+    let terms = derived("three-masses", 3)["mu"].as_array().unwrap().clone();
+    let term = terms.iter().find(|term| term["exponents"] == serde_json::json!([2, 1, 1])).unwrap();
+    let row = text.lines().find(|line| line.starts_with("  wx^2 wy wz ")).unwrap();
+    let shown: Vec<f64> = row.split_whitespace().skip(3).map(|word| word.parse().unwrap()).collect();
+    for (shown, exact) in shown.iter().zip(numbers(&term["value"])) {
+        assert!((shown - exact).abs() <= 1e-9 * exact.abs(), "{shown} {exact}"); // ten digits are printed
+    }
+    assert_eq!(shown.len(), 3);
+}

@@ -1,0 +1,92 @@
+//! The README and the guide: their commands run and print what the pages show, their complete models are models.
+//!
+//! In a `console` block a line `$ quasirigid ...` or `$ cargo run --release -- ...` is run where the pages expect it,
+//! the root of the repository, or rather a copy that holds the examples, which the commands of one page share. What
+//! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line is
+//! `# complete` is a model.
+
+mod page;
+#[cfg(unix)]
+mod sample;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use quasirigid_io::model::Model;
+use tempfile::TempDir;
+
+use super::support::{ROOT, copy, names};
+use page::{Block, Shown, blocks, commands, matches};
+
+/// Everything wrong on the pages of a repository.
+fn problems(root: &Path) -> Vec<String> {
+    pages(root).iter().flat_map(|page| problems_of(root, page)).collect()
+}
+
+/// The README and the chapters of the guide, as far as they are there.
+fn pages(root: &Path) -> Vec<PathBuf> {
+    let guide = root.join("docs/guide");
+    let chapters = if guide.is_dir() { names(&guide) } else { Vec::new() };
+    let chapters =
+        chapters.iter().filter(|name| name.ends_with(".md")).map(|name| Path::new("docs/guide").join(name));
+    std::iter::once("README.md".into()).chain(chapters).filter(|page| root.join(page).is_file()).collect()
+}
+
+fn problems_of(root: &Path, page: &Path) -> Vec<String> {
+    let folder = TempDir::new().unwrap();
+    copy(&root.join("examples"), &folder.path().join("examples"));
+    let text = fs::read_to_string(root.join(page)).unwrap();
+    let found = blocks(&text).into_iter().flat_map(|block| match block.language.as_str() {
+        "console" => {
+            commands(&block).into_iter().filter_map(|shown| wrong_output(&shown, folder.path())).collect()
+        }
+        "toml" => wrong_model(&block).into_iter().collect(),
+        _ => Vec::new(),
+    });
+    found.map(|(line, problem)| format!("{}:{line}: {problem}", page.display())).collect()
+}
+
+/// What a command does otherwise than its page says.
+fn wrong_output(shown: &Shown, folder: &Path) -> Option<(usize, String)> {
+    let program = Path::new(env!("CARGO_BIN_EXE_quasirigid")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
+    let ran = Command::new("sh")
+        .args(["-c", &format!("exec 2>&1; {}", shown.command)])
+        .current_dir(folder)
+        .env("PATH", path)
+        .env_remove("COLUMNS")
+        .output()
+        .unwrap();
+    let printed = String::from_utf8_lossy(&ran.stdout);
+    let printed: Vec<_> = printed.trim_end().lines().map(str::trim_end).collect();
+    let command = &shown.command;
+    if shown.output.is_empty() {
+        let failed = !matches!(ran.status.code(), Some(0 | 1));
+        return failed.then(|| (shown.line, format!("`{command}` fails:\n{}", printed.join("\n"))));
+    }
+    let expected: Vec<_> = shown.output.iter().map(String::as_str).collect();
+    (!matches(&expected, &printed))
+        .then(|| (shown.line, format!("`{command}` prints otherwise:\n{}", printed.join("\n"))))
+}
+
+fn wrong_model(block: &Block) -> Option<(usize, String)> {
+    if block.text.lines().next().map(str::trim) != Some("# complete") {
+        return None;
+    }
+    let refused = match Model::parse(Path::new("model.toml"), &block.text) {
+        Err(error) => error.to_string(),
+        Ok(model) => match model.assembly.body() {
+            Err(error) => model.diagnose(&error).to_string(),
+            Ok(_) => return None,
+        },
+    };
+    Some((block.line, format!("not a complete model:\n{refused}")))
+}
+
+#[cfg(unix)]
+#[test]
+fn readme_and_guide_tell_the_truth() {
+    let problems = problems(Path::new(ROOT));
+    assert!(problems.is_empty(), "{}", problems.join("\n\n"));
+}

@@ -1,0 +1,155 @@
+//! Ctrl-C, a reader that goes away, and a process that is killed.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use quasirigid_io::record::RunRecord;
+use tempfile::TempDir;
+
+use super::support::{Ran, Table, folder_of, names, program};
+
+/// Longer than any test may take.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn start(folder: &TempDir, line: &str) -> Child {
+    let mut command = program(folder.path());
+    command.args(line.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill").args([name, &child.id().to_string()]).status();
+    assert!(status.unwrap().success());
+}
+
+/// Waits until the program listens for Ctrl-C, which is when it propagates.
+fn wait_until_it_listens(child: &Child) {
+    let start = Instant::now();
+    while !listens(child) && start.elapsed() < PATIENCE {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    std::thread::sleep(Duration::from_millis(300));
+}
+
+#[cfg(target_os = "linux")]
+fn listens(child: &Child) -> bool {
+    let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+    caught.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & 2 != 0)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn listens(_: &Child) -> bool {
+    std::thread::sleep(Duration::from_secs(3));
+    true
+}
+
+/// Presses Ctrl-C once the program propagates, and waits for its end, which must come at once.
+fn interrupted(folder: &TempDir, line: &str) -> Ran {
+    let child = start(folder, line);
+    wait_until_it_listens(&child);
+    signal(&child, "-INT");
+    let pressed = Instant::now();
+    let ran = child.wait_with_output().unwrap().into();
+    assert!(pressed.elapsed() < Duration::from_secs(10), "it went on for {:?}", pressed.elapsed());
+    ran
+}
+
+/// What `run` would compute for minutes.
+const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o spin";
+
+#[test]
+fn interrupted_run_leaves_a_valid_record_that_says_so_and_starts_no_second_history() {
+    let folder = folder_of("explorer1-stiff");
+    let ran = interrupted(&folder, LONG);
+    assert_eq!(ran.code, Some(1), "{ran:?}");
+    assert_eq!(names(&folder), ["model.toml", "spin"]);
+    let record = RunRecord::read(&folder.path().join("spin")).unwrap();
+    let [history] = &record.histories[..] else { panic!("{} histories", record.histories.len()) };
+    assert_eq!((&*history.system, &*history.status), ("reduced", "interrupted"));
+    assert!(history.message.starts_with("the run was interrupted at t = "), "{}", history.message);
+    let times = &history.columns[0].values;
+    assert!(times[0] == 0.0 && times.is_sorted() && times.len() < 2_000_001, "{}", times.len());
+    let note = "The run was interrupted, so the history of the rigid body was left out.";
+    assert_eq!(record.notes, [note]);
+    let page = fs::read_to_string(folder.path().join("spin/report.html")).unwrap();
+    assert!(page.contains("Ended early") && page.contains(&history.message) && page.contains(note));
+    let words = ran.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("the run was interrupted at t = ") && words.contains(note), "{}", ran.stdout);
+    assert!(ran.stdout.lines().all(|line| line.chars().count() <= 80), "{}", ran.stdout);
+}
+
+/// Explorer 1 has no reduced history, so that the rigid one is interrupted.
+#[test]
+fn second_history_can_be_interrupted_too() {
+    let folder = folder_of("explorer1");
+    let ran = interrupted(&folder, LONG);
+    assert_eq!(ran.code, Some(1));
+    let record = RunRecord::read(&folder.path().join("spin")).unwrap();
+    let states: Vec<_> = record.histories.iter().map(|each| (&*each.system, &*each.status)).collect();
+    assert_eq!(states, [("rigid", "interrupted")]);
+}
+
+#[test]
+fn interrupted_table_is_printed_up_to_there() {
+    let folder = folder_of("explorer1-stiff");
+    let ran = interrupted(&folder, "simulate model.toml --duration 2000h --samples 2000001");
+    assert_eq!(ran.code, Some(1));
+    let table = Table::of(&ran.stdout);
+    let times = table.column("t");
+    assert!(times[0] == 0.0 && times.is_sorted() && times.len() < 2_000_001);
+    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.starts_with("quasirigid: the run was interrupted at t = "), "{words}");
+    assert!(words.ends_with("s; the table is valid up to there"), "{words}");
+}
+
+#[test]
+fn interrupted_table_in_a_file_is_whole_rows() {
+    let folder = folder_of("explorer1-stiff");
+    let ran =
+        interrupted(&folder, "simulate model.toml --duration 2000h --samples 2000001 --out table.csv --json");
+    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.json()["status"], "interrupted");
+    let text = fs::read_to_string(folder.path().join("table.csv")).unwrap();
+    assert!(text.ends_with('\n') && !Table::of(&text).rows.is_empty());
+    assert_eq!(names(&folder), ["model.toml", "table.csv"]);
+}
+
+#[test]
+fn printing_of_a_long_table_ends_on_ctrl_c() {
+    let folder = folder_of("axial-mass");
+    let mut child = start(&folder, "simulate model.toml --duration 10 --samples 100001");
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut text = String::new();
+    out.read_line(&mut text).unwrap(); // it prints now, and waits for the pipe to be read
+    signal(&child, "-INT");
+    std::thread::sleep(Duration::from_millis(500));
+    out.read_to_string(&mut text).unwrap();
+    let ran: Ran = child.wait_with_output().unwrap().into();
+    assert_eq!((ran.code, &*ran.stderr), (Some(1), "quasirigid: interrupted; the table breaks off here\n"));
+    assert!(text.lines().count() < 50_000, "{} lines", text.lines().count());
+}
+
+#[test]
+fn killed_run_leaves_nothing() {
+    let folder = folder_of("explorer1-stiff");
+    let mut child = start(&folder, LONG);
+    wait_until_it_listens(&child);
+    signal(&child, "-KILL");
+    child.wait().unwrap();
+    assert_eq!(names(&folder), ["model.toml"]);
+}
+
+#[test]
+fn reader_that_goes_away_ends_the_program_quietly() {
+    let folder = folder_of("axial-mass");
+    for line in ["simulate model.toml --duration 60 --samples 20001", "derive model.toml --order 12 --json"] {
+        let mut child = start(&folder, line);
+        let mut first = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut first).unwrap();
+        let ran: Ran = child.wait_with_output().unwrap().into();
+        assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
+        assert!(first.ends_with('\n'));
+    }
+}

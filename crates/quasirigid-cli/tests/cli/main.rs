@@ -1,0 +1,17 @@
+//! The command line as its users meet it: what each command prints and writes, and how it ends.
+#![allow(non_snake_case, clippy::unwrap_used)]
+
+mod check;
+mod derive;
+mod docs;
+mod files;
+mod help;
+#[cfg(unix)]
+mod interrupt;
+mod model_errors;
+mod run;
+mod run_folder;
+mod simulate;
+mod simulate_refusals;
+mod support;
+mod width;

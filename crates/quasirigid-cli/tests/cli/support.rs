@@ -1,0 +1,149 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+pub const EXAMPLES: [&str; 4] = ["axial-mass", "explorer1", "explorer1-stiff", "three-masses"];
+
+/// A rigid body with one mass on a spring; the tests replace parts of it.
+pub const MODEL: &str = "\
+[carrier]
+mass = 40.0
+center_of_mass = [0.0, 0.1, 0.0]
+inertia = [9.0, 13.0, 16.0]
+[[point]]
+name = \"tip\"
+mass = 1.0
+position = [0.8, 0.3, 0.5]
+[[spring]]
+from = \"tip\"
+to = \"carrier\"
+stiffness = 600.0
+damping = 30.0
+[initial]
+angular_velocity = [0.12, 0.035, 0.02]
+[run]
+duration = 60
+";
+
+/// How a command ended and what it printed.
+#[derive(Debug)]
+pub struct Ran {
+    pub code: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl Ran {
+    pub fn json(&self) -> Value {
+        serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {self:?}"))
+    }
+
+    /// The message of a command that could not run.
+    #[track_caller]
+    pub fn refusal(&self) -> &str {
+        assert_eq!((self.code, &*self.stdout), (Some(2), ""), "{}", self.stderr);
+        &self.stderr
+    }
+}
+
+impl From<Output> for Ran {
+    fn from(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        Self { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
+    }
+}
+
+/// The program, in a folder, as if nobody had set a terminal.
+pub fn program(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_quasirigid"));
+    command.current_dir(folder).env_remove("COLUMNS").env_remove("CLICOLOR_FORCE").env_remove("NO_COLOR");
+    command
+}
+
+/// Runs a command line, split at spaces, in a folder.
+pub fn ran_in(folder: &Path, line: &str) -> Ran {
+    program(folder).args(line.split_whitespace()).output().unwrap().into()
+}
+
+/// Runs a command line in the root of the repository; for commands that write nothing.
+pub fn ran(line: &str) -> Ran {
+    ran_in(Path::new(ROOT), line)
+}
+
+/// A folder with a `model.toml`.
+pub fn folder_with(model: &str) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("model.toml"), model).unwrap();
+    folder
+}
+
+/// A folder with the model of an example.
+pub fn folder_of(example: &str) -> TempDir {
+    let text = fs::read_to_string(format!("{ROOT}/examples/{example}/model.toml")).unwrap();
+    folder_with(&text)
+}
+
+/// Runs a command line in a new folder with this `model.toml`.
+pub fn ran_with(model: &str, line: &str) -> Ran {
+    ran_in(folder_with(model).path(), line)
+}
+
+/// Names of what a folder holds, hidden files too.
+pub fn names(folder: impl AsRef<Path>) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Copies a folder with what it holds.
+pub fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for name in names(from) {
+        let (from, to): (PathBuf, PathBuf) = (from.join(&name), to.join(&name));
+        if from.is_dir() { copy(&from, &to) } else { fs::copy(&from, &to).map(drop).unwrap() }
+    }
+}
+
+/// A table as `simulate` prints it.
+pub struct Table {
+    pub header: Vec<String>,
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Table {
+    pub fn of(csv: &str) -> Self {
+        let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let header: Vec<_> = lines.next().unwrap().into_iter().map(str::to_owned).collect();
+        let rows: Vec<Vec<f64>> =
+            lines.map(|line| line.iter().map(|field| field.parse().unwrap()).collect()).collect();
+        assert!(rows.iter().all(|row| row.len() == header.len()), "a row of another width");
+        Self { header, rows }
+    }
+
+    pub fn column(&self, name: &str) -> Vec<f64> {
+        let at = self.header.iter().position(|each| each == name).unwrap();
+        self.rows.iter().map(|row| row[at]).collect()
+    }
+
+    /// A vector of three columns in one row.
+    pub fn vector(&self, names: [&str; 3], row: usize) -> [f64; 3] {
+        names.map(|name| self.column(name)[row])
+    }
+}
+
+/// Distance of two vectors relative to the second.
+pub fn difference<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    let norm = |entries: [f64; N]| entries.iter().map(|x| x * x).sum::<f64>().sqrt();
+    norm(std::array::from_fn(|i| a[i] - b[i])) / norm(b)
+}
+
+/// The numbers of a JSON array.
+pub fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|entry| entry.as_f64().unwrap()).collect()
+}

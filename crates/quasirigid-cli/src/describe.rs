@@ -113,6 +113,21 @@ pub fn reasons(validity: &Validity) -> Vec<String> {
     failing.iter().map(|criterion| sentence(criterion, validity)).collect()
 }
 
+/// Share of the dissipated energy above which the integrator's own change of energy is worth a note.
+const NOTED_DRIFT: f64 = 0.01;
+
+/// Says that the integrator may imitate the physics, if it may.
+pub fn drift_note(system: &str, energy_drift: f64, dissipated: f64) -> Option<String> {
+    (dissipated > 0.0 && energy_drift.abs() > NOTED_DRIFT * dissipated).then(|| {
+        format!(
+            "The integrator changed the energy of the {system} body by {} J, beside {} J that the dashpots took: \
+             use a smaller --tolerance.",
+            significant(energy_drift, 2),
+            significant(dissipated, 2)
+        )
+    })
+}
+
 /// A verdict in one word.
 pub fn word(verdict: Verdict) -> &'static str {
     match verdict {

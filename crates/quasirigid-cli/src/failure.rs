@@ -1,7 +1,8 @@
 use std::path::PathBuf;
 
 use quasirigid::dynamics::PropagateError;
-use quasirigid::reduction::{ReductionError, ValidityError, VibrationError};
+use quasirigid::math::eigen::NoConvergence;
+use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -17,12 +18,12 @@ pub enum Failure {
     #[error(transparent)]
     Validity(#[from] ValidityError),
     #[error(transparent)]
-    Vibration(#[from] VibrationError),
+    Vibration(#[from] NoConvergence),
     #[error(transparent)]
     Propagate(#[from] PropagateError),
     #[error(transparent)]
     Record(#[from] RecordError),
-    #[error("--duration {text}: {cause}")]
+    #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
     #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
     NoDuration { seconds: f64 },

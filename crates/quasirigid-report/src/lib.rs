@@ -18,4 +18,4 @@ mod sections;
 mod sphere;
 mod verdict;
 
-pub use page::page;
+pub use page::{page, sphere_picture};

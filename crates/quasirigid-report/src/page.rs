@@ -1,9 +1,14 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
 
+use crate::rows::main_history;
+use crate::sphere;
+
 use crate::sections::{answer, body, figures, head, provenance, reduction, validity};
 
 const STYLE: &str = include_str!("assets/page.css");
+const PALETTE: &str = include_str!("assets/palette.css");
+const SPHERE: &str = include_str!("assets/sphere.css");
 const SCRIPT: &str = include_str!("assets/plot.js");
 
 /// Nothing but what the page itself holds: the browser enforces it.
@@ -24,7 +29,7 @@ pub fn page(record: &RunRecord) -> String {
                 meta name="generator" content={ "quasirigid " (record.version) };
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (record.model.name) " · quasirigid report" }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(SPHERE)) }
             }
             body {
                 main {
@@ -41,4 +46,13 @@ pub fn page(record: &RunRecord) -> String {
         }
     };
     document.into_string()
+}
+
+/// The path of the angular momentum on its sphere, as an SVG file of its own: the report's last figure, for a paper or
+/// a slide. None if the record has no history, or lacks what the figure needs.
+pub fn sphere_picture(record: &RunRecord) -> Option<String> {
+    let drawing = sphere::drawing(&record.body, main_history(record)?)?.into_string();
+    let style = format!("<style>{PALETTE}{SPHERE}.sphere {{ font-family: system-ui, sans-serif; }}</style>");
+    let namespace = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    Some(drawing.replacen("<svg", namespace, 1).replacen('>', &format!(">{style}"), 1))
 }

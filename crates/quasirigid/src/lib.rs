@@ -1,9 +1,37 @@
-//! Spin of almost rigid bodies: reduction, validity and propagation after Chernousko (1978).
+//! Spin of almost rigid bodies after Chernousko (1978) [@chernousko1978].
+//!
+//! A rigid carrier bears masses on stiff springs with dashpots. The stiff system reduces to
+//!
+//! ```text
+//! J ω̇ + ω × Jω = μ₄(ω) + μ₅(ω) + …
+//! ```
+//!
+//! with a small torque that is polynomial in the angular velocity. The modules stand in the order the data flows:
+//!
+//! - [`math`] knows no physics,
+//! - [`model`] is what a body *is*: [`FlexibleBody`](model::FlexibleBody) with its internal coordinates, and
+//!   [`ReducedBody`](model::ReducedBody) without them,
+//! - [`elements`] are the parts a user describes, assembled into a flexible body,
+//! - [`reduction`] derives the reduced equations to any order and says how far they hold,
+//! - [`dynamics`] integrates them,
+//! - [`problems`] are bodies with known answers.
+//!
+//! SI units throughout. Vectors are in the body frame: the axes of the model file, origin at the pole `O`.
 #![allow(non_snake_case)]
 
-pub mod dynamics;
-pub mod elements;
 pub mod math;
+
 pub mod model;
-pub mod problems;
+
+pub mod elements;
+
 pub mod reduction;
+
+pub mod dynamics;
+
+pub mod problems;
+
+/// The README's example, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

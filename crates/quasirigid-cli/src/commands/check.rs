@@ -81,7 +81,7 @@ fn write(
     writeln!(out, "\nCriteria                          symbol                 value  limit  verdict")?;
     for each in &validity.criteria {
         let words = criterion(each, validity);
-        let (value, limit) = (significant(each.value, 3), significant(each.limit(), 1));
+        let (value, limit) = (significant(each.value, 3), each.limit());
         let verdict = word(each.verdict());
         let shown = if each.verdict() == Verdict::Fails { verdict.to_uppercase() } else { verdict.into() };
         writeln!(out, "  {:<31} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
@@ -147,7 +147,7 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     let steady = steady_spins(reduced, norm(K));
     for ((name, moment), steady) in names.iter().zip(principal.moments).zip(steady) {
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
-        writeln!(out, "  {about:<51} {}", steady.map_or("as any axis across".into(), |spin| fate(&spin)))?;
+        writeln!(out, "  {about:<51} {}", steady.map_or("two moments are equal".into(), |spin| fate(&spin)))?;
     }
     let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
         let off = angle(K, *axis);

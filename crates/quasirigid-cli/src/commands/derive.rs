@@ -1,4 +1,4 @@
-use quasirigid::reduction::{VibrationError, frequencies, reduce};
+use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::export::Derived;
 
 use super::{Loaded, load, notes};
@@ -11,13 +11,8 @@ pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     let Loaded { model, body, order } = load(&arguments.common)?;
     notes(&model, &arguments.common);
     let reduced = reduce(&body, order)?;
-    let frequencies = match frequencies(&body) {
-        Ok(frequencies) => Some(frequencies),
-        Err(VibrationError::TooMany { .. }) => None,
-        Err(error) => return Err(error.into()),
-    };
-    let derived =
-        Derived { name: &model.name, body: &body, reduced: &reduced, frequencies: frequencies.as_deref() };
+    let frequencies = frequencies(&body)?;
+    let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies: &frequencies };
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => derived.text(),

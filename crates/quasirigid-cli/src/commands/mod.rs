@@ -4,6 +4,7 @@ pub mod check;
 pub mod derive;
 pub mod run;
 pub mod simulate;
+mod summary;
 
 use std::path::Path;
 

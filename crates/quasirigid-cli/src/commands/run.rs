@@ -1,21 +1,18 @@
-use std::fmt::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState, propagate};
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use super::{Loaded, duration, even_times, initial, load, options};
+use super::{Loaded, duration, even_times, initial, load, options, summary};
 use crate::args::Run;
-use crate::describe::{significant, time};
+use crate::describe::drift_note;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::layout::paragraph;
 use crate::message::remark;
 use crate::output::Folder;
 use crate::progress::Collector;
@@ -23,7 +20,7 @@ use crate::{Ending, output, record};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
-const ROWS: [f64; 2] = [2_001.0, 20_001.0];
+const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
 /// Note on a spin outside the range of the series.
 const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the reduced equations were not \
@@ -41,7 +38,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let reduced = reduce(&body, order)?;
     let rigid = reduce(&body, 1)?;
     let mut notes = model.notes.clone();
-    let plan = Plan::new(arguments, &model, &reduced, start)?;
+    let plan = Plan::new(arguments, &model, &rigid, start)?;
     let histories = plan.histories(&reduced, &rigid, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
@@ -54,15 +51,18 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     };
     let folder = Folder::new(&path)?;
     record.write(&folder.building())?;
-    let frequencies = Some(validity.vibrations.frequencies.as_slice());
+    let frequencies = &validity.vibrations.frequencies;
     let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;
+    if let Some(picture) = quasirigid_report::sphere_picture(&record) {
+        folder.write("sphere.svg", &picture)?;
+    }
     folder.finish()?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", serde_json::json!(record)))?;
     } else if !arguments.common.quiet {
-        output::print(&summary(&record, &path))?;
+        output::print(&summary::text(&record, &path))?;
     }
     let interrupted = record.notes.iter().any(|note| note == INTERRUPTED);
     let finished = !interrupted && record.histories.iter().all(|history| history.status == "finished");
@@ -70,9 +70,13 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
 
+/// The file's name with `-run`; a file called `model.toml` has the name of its folder.
 fn default_folder(model: &Model) -> PathBuf {
-    let stem = model.source.file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    PathBuf::from(format!("{stem}-run"))
+    let file = &model.source.file;
+    let folder =
+        file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some("model".as_ref()));
+    let name = folder.or(file.file_stem()).unwrap_or_default().to_string_lossy();
+    PathBuf::from(format!("{name}-run"))
 }
 
 /// What the histories of a run have in common.
@@ -80,14 +84,14 @@ struct Plan {
     start: SpinState,
     times: Vec<f64>,
     options: Options,
-    /// The principal axis nearest to the initial momentum, on its side; nutation is counted from it.
+    /// The principal axis that the momentum of the rigid body circles; nutation is counted from it.
     axis: [f64; 3],
     interrupt: Interrupt,
     quiet: bool,
 }
 
 impl Plan {
-    fn new(arguments: &Run, model: &Model, reduced: &ReducedBody, start: SpinState) -> Result<Self, Failure> {
+    fn new(arguments: &Run, model: &Model, rigid: &ReducedBody, start: SpinState) -> Result<Self, Failure> {
         let duration = duration(model, &arguments.propagation, start.omega)?;
         let turns = duration * norm(start.omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
@@ -96,7 +100,7 @@ impl Plan {
             start,
             times: even_times(rows, duration)?,
             options: options(model, &arguments.propagation),
-            axis: nearest_axis(reduced, start.omega),
+            axis: circled_axis(rigid, start.omega),
             interrupt: Interrupt::listen()?,
             quiet: arguments.common.quiet,
         })
@@ -120,6 +124,9 @@ impl Plan {
         } else {
             histories.push(self.history("rigid", rigid)?);
         }
+        notes.extend(
+            histories.iter().filter_map(|each| drift_note(&each.system, each.energy_drift, each.dissipated)),
+        );
         Ok(histories)
     }
 
@@ -139,69 +146,11 @@ impl Plan {
     }
 }
 
-fn nearest_axis(reduced: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let K = reduced.momentum(omega);
-    let axes = Principal::of(reduced.J).axes;
-    let both = axes.iter().flat_map(|axis| [*axis, axis.map(|entry| -entry)]);
-    both.min_by(|a, b| angle(K, *a).total_cmp(&angle(K, *b))).unwrap_or([0.0, 0.0, 1.0])
-}
-
-/// The answer for a terminal of 80 columns.
-fn summary(record: &RunRecord, path: &std::path::Path) -> String {
-    let mut text = String::new();
-    write(&mut text, record, path).expect("a string takes any text");
-    text
-}
-
-fn write(out: &mut String, record: &RunRecord, path: &std::path::Path) -> fmt::Result {
-    writeln!(out, "{}", paragraph(&format!("{}: {}", record.model.name, record.validity.verdict), "", "  "))?;
-    for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
-        writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
-    }
-    for note in &record.notes {
-        writeln!(out, "{}", paragraph(note, "  Note: ", "  "))?;
-    }
-    for history in &record.histories {
-        write_history(out, history)?;
-    }
-    writeln!(out, "\nRecord and report: {}", path.join("report.html").display())
-}
-
-fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
-    let last = |name: &str| {
-        let column = history.columns.iter().find(|column| column.name == name);
-        column.and_then(|column| column.values.last().copied()).unwrap_or(f64::NAN)
-    };
-    let first = |name: &str| {
-        let column = history.columns.iter().find(|column| column.name == name);
-        column.and_then(|column| column.values.first().copied()).unwrap_or(f64::NAN)
-    };
-    let spin = ["wx", "wy", "wz"];
-    let vector = |value: &dyn Fn(&str) -> f64| {
-        spin.map(|name| format!("{:>12}", significant(value(name), 6))).join("")
-    };
-    let turns = significant(history.turns, 6);
-    let title = format!("{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message);
-    writeln!(out, "\n{}", paragraph(&title, "", "  "))?;
-    writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
-    writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
-    let degrees = |value: f64| significant(value.to_degrees(), 5);
-    writeln!(
-        out,
-        "  nutation           {:>12} to {} degrees",
-        degrees(first("nutation")),
-        degrees(last("nutation"))
-    )?;
-    writeln!(
-        out,
-        "  energy dissipated  {:>12} J of {} J",
-        significant(history.dissipated, 5),
-        significant(history.energy, 6)
-    )?;
-    writeln!(
-        out,
-        "  numerical drift    {:>12} J; {} of |K|",
-        significant(history.energy_drift, 2),
-        significant(history.momentum_drift, 2)
-    )
+/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles.
+fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let K = rigid.momentum(omega);
+    let Principal { moments, axes } = Principal::of(rigid.J);
+    let long_axis_mode = 2.0 * rigid.energy(omega) * moments[1] > dot(K, K);
+    let axis = axes[if long_axis_mode { 0 } else { 2 }];
+    axis.map(|entry| entry * dot(axis, K).signum())
 }

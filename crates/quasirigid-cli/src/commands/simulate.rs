@@ -40,6 +40,9 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let interrupt = Interrupt::listen()?;
     let (samples, run) = propagated(&reduced, start, &times, options, arguments, &interrupt)?;
     interrupt.forget();
+    if let Some(note) = describe::drift_note("integrated", run.last.energy_drift, run.last.dissipated) {
+        remark(&note);
+    }
     table(arguments, &samples, &interrupt)?;
     if arguments.common.json {
         output::print(&object(arguments.system, &run))?;

@@ -5,8 +5,8 @@ use quasirigid_io::record::RunRecord;
 
 use super::support::{folder_of, names, ran_in};
 
-const RECORD: [&str; 5] =
-    ["history-reduced.csv", "history-rigid.csv", "record.json", "reduced.json", "report.html"];
+const RECORD: [&str; 6] =
+    ["history-reduced.csv", "history-rigid.csv", "record.json", "reduced.json", "report.html", "sphere.svg"];
 const SHORT: &str = "run model.toml --duration 30 --samples 40";
 
 #[test]

@@ -15,7 +15,7 @@ struct Object<'a> {
     center_of_mass: [f64; 3],
     pole: [f64; 3],
     inertia: [[f64; 3]; 3],
-    frequencies: Option<&'a [f64]>,
+    frequencies: &'a [f64],
     coordinates: Vec<&'a str>,
     mu: Vec<Term>,
     momentum: Vec<Term>,

@@ -47,6 +47,8 @@ fn display(out: &mut String, part: &Homogeneous) -> fmt::Result {
             .filter(|(_, value)| value[axis].abs() > KEPT * part.amax())
             .map(|(exponents, value)| term(value[axis], exponents))
             .collect();
+        let first = terms.first().map(|term| term.trim_start_matches("+ ").to_owned());
+        let terms: Vec<_> = first.into_iter().chain(terms.into_iter().skip(1)).collect();
         let mut lines: Vec<_> = terms.chunks(TERMS_PER_LINE).map(|line| line.join(" ")).collect();
         if lines.is_empty() {
             lines.push("0".into());

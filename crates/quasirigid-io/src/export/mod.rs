@@ -16,8 +16,8 @@ pub struct Derived<'a> {
     pub body: &'a FlexibleBody,
     /// Its reduced equations.
     pub reduced: &'a ReducedBody,
-    /// Natural frequencies (rad/s), ascending; none if the body has too many coordinates to find them.
-    pub frequencies: Option<&'a [f64]>,
+    /// Natural frequencies (rad/s), ascending: all, or the lowest.
+    pub frequencies: &'a [f64],
 }
 
 impl Derived<'_> {

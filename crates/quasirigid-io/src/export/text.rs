@@ -35,11 +35,11 @@ impl Derived<'_> {
         }
         writeln!(out, "principal moments {} kg m^2", vector(principal.moments))?;
         match frequencies {
-            None => writeln!(out, "frequencies       not found: too many coordinates")?,
-            Some([]) => writeln!(out, "frequencies       none: the body is rigid")?,
-            Some([only]) => writeln!(out, "frequency         {} rad/s", number(*only))?,
-            Some([lowest, .., highest]) => {
-                let count = frequencies.map_or(0, <[f64]>::len);
+            [] => writeln!(out, "frequencies       none: the body is rigid")?,
+            [only] => writeln!(out, "frequency         {} rad/s", number(*only))?,
+            [lowest, .., highest] => {
+                let (found, all) = (frequencies.len(), body.coordinates().len());
+                let count = if found < all { format!("lowest {found} of {all}") } else { found.to_string() };
                 writeln!(
                     out,
                     "frequencies       {count}, from {} to {} rad/s",

@@ -74,7 +74,7 @@ pub struct BodyRecord {
 /// How far the reduced equations hold.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ValidityRecord {
-    /// Whether every criterion holds.
+    /// Whether no criterion fails.
     pub valid: bool,
     /// The verdict in one sentence.
     pub verdict: String,

@@ -40,6 +40,11 @@ pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
     }
 }
 
+/// The drawing alone; none if the record lacks what it needs.
+pub fn drawing(body: &BodyRecord, history: &HistoryRecord) -> Option<Markup> {
+    Scene::new(body, history).map(|scene| scene.draw())
+}
+
 struct Scene {
     /// Principal axes, each turned to the side where the path runs.
     axes: [Vector; 3],

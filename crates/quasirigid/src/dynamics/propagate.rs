@@ -121,7 +121,7 @@ pub enum PropagateError {
     },
     /// No momentum belongs to the spin: the series does not hold there.
     #[error(
-        "the truncated series has no momentum for this spin; the theory does not hold here: see `check`, or use a lower order"
+        "the truncated series has no momentum for this spin; the theory does not hold here: lower the spin, stiffen the springs, or use order 1"
     )]
     NoMomentum,
 }

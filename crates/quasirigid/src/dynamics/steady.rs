@@ -17,6 +17,8 @@ pub struct SteadySpin {
 }
 
 const NEWTON_STEPS: usize = 30;
+/// Entries of a symmetric matrix may differ by this much, relative to themselves.
+const ROUNDING: f64 = 1e-12;
 /// Moments closer than this, relative to the largest, are those of a body of revolution.
 const DISTINCT: f64 = 1e-9;
 
@@ -75,7 +77,10 @@ fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
     let M = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(linear * b)) + a.dot(&(bent * b));
     let determinant = M(&first, &first) * M(&second, &second) - M(&first, &second) * M(&second, &first);
     // The linear map is symmetric: its part of the difference is left out, since only its rounding would remain.
-    let damping = 0.5 * G * (first.dot(&(bent * second)) - second.dot(&(bent * first)));
+    let (over, under) = (first.dot(&(bent * second)), second.dot(&(bent * first)));
+    let asymmetry =
+        if (over - under).abs() > ROUNDING * (over.abs() + under.abs()) { over - under } else { 0.0 };
+    let damping = 0.5 * G * asymmetry;
     let square = damping * damping - G * G * determinant;
     let (growth, frequency) =
         if square < 0.0 { (damping, (-square).sqrt()) } else { (damping + square.sqrt(), 0.0) };

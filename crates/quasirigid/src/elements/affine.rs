@@ -1,4 +1,4 @@
-//! A rigid piece of mass whose displacement is an affine function of place: every invariant of it in closed form. (I7)
+//! A rigid piece of mass whose place (S1) is an affine function of the place on it: every invariant in closed form. (I7)
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -182,7 +182,7 @@ pub enum Problem {
         name: String,
     },
     /// No spring resists a displacement.
-    #[error("a mechanism: no spring resists the motion of {coordinates}")]
+    #[error("a mechanism: no spring resists some motion of {coordinates}")]
     Mechanism {
         /// The coordinates that move, by name.
         coordinates: String,

@@ -36,8 +36,8 @@ impl Cholesky {
     pub fn new(matrix: &SparseRows<f64>) -> Result<Self, NotPositive> {
         let size = matrix.size();
         let diagonal = matrix.diagonal();
-        if let Some(free) = diagonal.iter().position(|d| !(*d > 0.0)) {
-            let direction = (0..size).map(|row| f64::from(u8::from(row == free))).collect();
+        if diagonal.iter().any(|d| !(*d > 0.0)) {
+            let direction = diagonal.iter().map(|d| f64::from(u8::from(!(*d > 0.0)))).collect();
             return Err(NotPositive { direction });
         }
         let scale: Vec<f64> = diagonal.iter().map(|d| d.sqrt().recip()).collect();

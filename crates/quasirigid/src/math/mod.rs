@@ -3,6 +3,7 @@
 pub mod cholesky;
 pub mod eigen;
 pub mod elliptic;
+pub mod krylov;
 pub mod ode;
 pub mod polynomial;
 pub mod rotation;

@@ -48,7 +48,7 @@ pub struct Marker {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FlexibleError {
     /// Some motion of the coordinates meets no stiffness.
-    #[error("a mechanism: no spring resists the motion of {coordinates}")]
+    #[error("a mechanism: no spring resists some motion of {coordinates}")]
     Mechanism {
         /// The coordinates that move, by name.
         coordinates: String,
@@ -170,6 +170,19 @@ impl FlexibleBody {
     /// Solves `C x = right` in place for right-hand sides stored coordinate by coordinate, `width` to a row.
     pub fn solve_stiffness(&self, right: &mut [f64], width: usize) {
         self.factor.solve(right, width);
+    }
+
+    /// `A x`, with the translation of a free body eliminated. (S6)
+    #[must_use]
+    pub fn mass_times(&self, x: &[f64]) -> Vec<f64> {
+        let Invariants { pairs, S, .. } = &self.invariants;
+        let row = |j: usize| pairs.row(j).map(|(k, pair)| pair.A * x[k]).sum();
+        let mut force: Vec<f64> = (0..x.len()).map(row).collect();
+        if let Some(per_mass) = self.translation() {
+            let moment = S.iter().zip(x).fold([0.0; 3], |sum, (S, x)| sym::add(sum, sym::scale(*x, *S)));
+            force.iter_mut().zip(S).for_each(|(force, S)| *force -= per_mass * sym::dot(*S, moment));
+        }
+        force
     }
 
     /// Mass matrix `A` with the translation of a free body eliminated, `A − S Sᵀ/m*`. (S6)

@@ -1,3 +1,4 @@
+use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym::{self, Sym};
 
@@ -41,6 +42,22 @@ impl ReducedBody {
     #[must_use]
     pub fn mu(&self, degree: usize) -> Homogeneous {
         self.f.part(degree).contracted(&sym::rows(self.J))
+    }
+
+    /// Entry of the tensor of one degree of `μ`, symmetric in the indices of the spin: with indices `k, l, m, n` the
+    /// vector `D_{·klmn}` of the paper's (4.4), `μ₄ = D_{·klmn} ω_k ω_l ω_m ω_n`; with five indices `E`. (R7)
+    ///
+    /// # Panics
+    /// If there are more than `p + 2` indices, or one is above 2.
+    #[must_use]
+    pub fn tensor(&self, indices: &[usize]) -> [f64; 3] {
+        let degree = indices.len();
+        let mut exponents = [0; 3];
+        indices.iter().for_each(|axis| exponents[*axis] += 1);
+        let factorial = |n: usize| (1..=n).product::<usize>() as f64;
+        let orderings = factorial(degree) / exponents.map(factorial).iter().product::<f64>();
+        let mu = self.mu(degree);
+        [0, 1, 2].map(|row| mu.row(row)[index(exponents)] / orderings)
     }
 
     /// The whole deviation torque `μ(ω)` (N·m) at a spin (rad/s).

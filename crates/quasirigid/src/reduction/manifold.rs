@@ -3,6 +3,9 @@ use crate::math::sym::{self, Sym};
 use crate::model::FlexibleBody;
 
 /// The slow manifold: internal coordinates and spin rate as polynomials in the spin `ω`, degree by degree. (R1)
+///
+/// Coordinates and rates are kept apart: of an elastic coordinate the value is slaved to the spin and the rate follows,
+/// of a cyclic one (R13) the rate is slaved, and the same steps serve both.
 #[derive(Clone, Debug)]
 pub(super) struct Manifold {
     /// Internal coordinates `q`, to degree `p`.

@@ -14,6 +14,14 @@ pub enum ReductionError {
         /// Order asked for.
         order: usize,
     },
+    /// A coefficient is too large or too small for a number.
+    #[error(
+        "the coefficients of degree {degree} are not finite numbers; check the units of the model, or lower the order"
+    )]
+    NotFinite {
+        /// Lowest degree of `f` at fault.
+        degree: usize,
+    },
 }
 
 /// Highest order offered. The series is asymptotic: long before this its terms stop falling.
@@ -24,12 +32,15 @@ pub const MAX_ORDER: usize = 12;
 /// `p = 1` is the rigid body `S*`, `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
 ///
 /// # Errors
-/// [`ReductionError::Order`] for an order that is not offered.
+/// [`ReductionError`] for an order that is not offered, and for coefficients that overflow.
 pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {
     if order == 0 || order > MAX_ORDER {
         return Err(ReductionError::Order { order });
     }
     let manifold = Manifold::of(body, order);
+    if let Some(degree) = (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {
+        return Err(ReductionError::NotFinite { degree });
+    }
     let J = body.invariants().J;
     let Omega = momentum_form::reverted(&manifold.K, J);
     let energy = energetics::energy(body, &manifold, order);

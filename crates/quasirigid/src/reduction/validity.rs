@@ -5,7 +5,8 @@ use super::degrees::{DegreeSize, degree_sizes, momentum_ratio, optimal_order};
 use super::reduce::{MAX_ORDER, ReductionError, reduce};
 use super::residual::residual;
 use super::resonance::{Resonance, resonances};
-use super::vibration::{VibrationError, Vibrations};
+use super::vibration::Vibrations;
+use crate::math::eigen::NoConvergence;
 use crate::math::sym::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
@@ -44,7 +45,7 @@ pub enum ValidityError {
     },
     /// The vibrations could not be found.
     #[error(transparent)]
-    Vibration(#[from] VibrationError),
+    Vibration(#[from] NoConvergence),
     /// The order is not offered.
     #[error(transparent)]
     Reduction(#[from] ReductionError),

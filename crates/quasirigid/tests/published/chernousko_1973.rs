@@ -50,6 +50,7 @@ fn assert_close(name: &str, found: [f64; 3], expected: [f64; 3], tolerance: f64)
     }
 }
 
+/// The paper's own form (R15) gives these by hand.
 #[test]
 fn triaxial_body_has_the_rational_torque() {
     let body = body([2.0, 3.0, 4.0], 0.1, [0.5, -0.3, 0.8], 1000.0, 2.0);
@@ -91,6 +92,24 @@ fn axial_mass_has_the_closed_coefficients() {
     close(coefficient(4, [2, 1, 1], 0), F * AXIAL.A * AXIAL.A);
     close(coefficient(5, [1, 0, 4], 0), D);
     close(coefficient(5, [0, 2, 3], 2), -AXIAL.A / AXIAL.C * D);
+}
+
+/// The paper writes `μ₄` and `μ₅` as tensors contracted with the spin (4.4), (R7).
+#[test]
+fn tensors_contract_to_the_torque() {
+    let body = body([2.0, 3.0, 4.0], 0.1, [0.5, -0.3, 0.8], 1000.0, 2.0);
+    let reduced = reduce(&body, 3).unwrap();
+    let omega = [0.3, -0.2, 0.5];
+    for degree in [4, 5] {
+        let mut sum = [0.0; 3];
+        for number in 0..3_usize.pow(degree) {
+            let indices: Vec<usize> = (0..degree).map(|place| number / 3_usize.pow(place) % 3).collect();
+            let product: f64 = indices.iter().map(|axis| omega[*axis]).product();
+            let entry = reduced.tensor(&indices);
+            sum = std::array::from_fn(|axis| sum[axis] + entry[axis] * product);
+        }
+        assert_close("contraction", sum, value(&reduced.mu(degree as usize), omega), 1e-12);
+    }
 }
 
 /// The whole passage from 79° to 5.7° off the axis. In the paper's form the law is exact, so nothing but the integrator

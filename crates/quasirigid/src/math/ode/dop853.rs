@@ -41,7 +41,9 @@ pub struct Work {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// The step fell to the rounding of `t`.
-    #[error("the step at t = {t} s fell below the resolution of time; loosen the tolerance")]
+    #[error(
+        "the step at t = {t} s fell below the resolution of time: the solution runs away, or the tolerance is too small"
+    )]
     TooSmall {
         /// Time reached (s).
         t: f64,
@@ -136,10 +138,10 @@ impl<const N: usize> Dop853<N> {
             let trial = self.trial::<R>(system, h);
             let error = self.error(&trial, h);
             if !error.is_finite() {
-                if h < 1e-9 * remaining.min(self.h) || self.rate.iter().any(|rate| !rate.is_finite()) {
+                if self.rate.iter().any(|rate| !rate.is_finite()) {
                     return Err(StepError::NotFinite { t: self.t });
                 }
-                self.h = 0.1 * h;
+                self.h = SHRINK * h;
                 self.work.rejected += 1;
                 rejected = true;
                 continue;

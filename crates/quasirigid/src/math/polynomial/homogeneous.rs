@@ -101,6 +101,12 @@ impl Homogeneous {
         self.coefficients.iter().fold(0.0, |largest, c| largest.max(c.abs()))
     }
 
+    /// Whether every coefficient is a finite number.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.coefficients.iter().all(|c| c.is_finite())
+    }
+
     /// Adds a multiple of another map of the same degree and rows.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) {
         debug_assert_eq!((self.degree, self.rows), (other.degree, other.rows));

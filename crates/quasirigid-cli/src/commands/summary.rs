@@ -1,0 +1,73 @@
+use std::fmt::{self, Write};
+use std::path::Path;
+
+use quasirigid_io::record::{HistoryRecord, RunRecord};
+
+use crate::describe::{significant, time};
+use crate::layout::paragraph;
+
+/// The answer of a run for a terminal of 80 columns.
+pub fn text(record: &RunRecord, path: &Path) -> String {
+    let mut text = String::new();
+    write(&mut text, record, path).expect("a string takes any text");
+    text
+}
+
+fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
+    writeln!(out, "{}", paragraph(&format!("{}: {}", record.model.name, record.validity.verdict), "", "  "))?;
+    for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
+        writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
+    }
+    if record.validity.valid {
+        let residual = significant(record.reduction.residual, 2);
+        let order = record.reduction.order;
+        writeln!(out, "  Put into the full equations, order {order} leaves {residual} of the elastic load.")?;
+    }
+    for note in &record.notes {
+        writeln!(out, "{}", paragraph(note, "  Note: ", "  "))?;
+    }
+    for history in &record.histories {
+        write_history(out, history)?;
+    }
+    writeln!(out, "\nRecord and report: {}", path.join("report.html").display())
+}
+
+fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
+    let last = |name: &str| {
+        let column = history.columns.iter().find(|column| column.name == name);
+        column.and_then(|column| column.values.last().copied()).unwrap_or(f64::NAN)
+    };
+    let first = |name: &str| {
+        let column = history.columns.iter().find(|column| column.name == name);
+        column.and_then(|column| column.values.first().copied()).unwrap_or(f64::NAN)
+    };
+    let spin = ["wx", "wy", "wz"];
+    let vector = |value: &dyn Fn(&str) -> f64| {
+        spin.map(|name| format!("{:>12}", significant(value(name), 6))).join(" ")
+    };
+    let turns = significant(history.turns, 6);
+    let title = format!("{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message);
+    writeln!(out, "\n{}", paragraph(&title, "", "  "))?;
+    writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
+    writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
+    let degrees = |value: f64| significant(value.to_degrees(), 5);
+    writeln!(
+        out,
+        "  nutation           {:>12} to {} degrees",
+        degrees(first("nutation")),
+        degrees(last("nutation"))
+    )?;
+    writeln!(
+        out,
+        "  energy dissipated  {:>12} J of {} J",
+        significant(history.dissipated, 5),
+        significant(history.energy, 6)
+    )?;
+    let of_momentum = if history.form.starts_with("spin") { "of |K|, truncation included" } else { "of |K|" };
+    writeln!(
+        out,
+        "  numerical drift    {:>12} J; {} {of_momentum}",
+        significant(history.energy_drift, 2),
+        significant(history.momentum_drift, 2)
+    )
+}

@@ -1,0 +1,154 @@
+use crate::math::eigen::{Dense, Modes, NoConvergence};
+use crate::math::krylov::{Pencil, dot};
+use crate::math::sparse::SparseRows;
+use crate::math::sym;
+use crate::model::FlexibleBody;
+
+/// Mass, damping and stiffness as dense matrices: those of the body itself, or of a body of many coordinates on the
+/// space of its slowest vibrations and its slowest dashpots.
+pub(super) struct Projection {
+    /// Mass with the attitude held. (V2)
+    pub A: Dense,
+    /// Mass with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
+    pub recoiling: Dense,
+    pub B: Dense,
+    pub C: Dense,
+    /// How many of the slowest vibrations are those of the body.
+    pub trusted: usize,
+    /// Vectors that span the space; none if it is the whole.
+    span: Option<Vec<Vec<f64>>>,
+}
+
+/// Coordinates up to which the whole matrices are used.
+const WHOLE: usize = 600;
+/// Vibrations found for a body of more coordinates.
+const SLOW: usize = 12;
+
+impl Projection {
+    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+        let size = body.coordinates().len();
+        if size <= WHOLE { Ok(Self::whole(body)) } else { Self::slow(body, SLOW) }
+    }
+
+    fn whole(body: &FlexibleBody) -> Self {
+        let A = body.mass_matrix();
+        let mut recoiling = A.clone();
+        for (row, column, entry) in recoil(body) {
+            recoiling.add(row, column, entry);
+        }
+        let trusted = A.size();
+        Self { A, recoiling, B: dense(body.damping()), C: dense(body.stiffness()), trusted, span: None }
+    }
+
+    fn slow(body: &FlexibleBody, count: usize) -> Result<Self, NoConvergence> {
+        let size = body.coordinates().len();
+        let (mass, free) = (|x: &[f64]| body.mass_times(x), |x: &[f64]| recoiled(body, x));
+        let (damping, stiffness) =
+            (|x: &[f64]| body.damping().times(x), |x: &[f64]| body.stiffness().times(x));
+        let solve = |x: &mut [f64]| body.solve_stiffness(x, 1);
+        let largest = |mass: &dyn Fn(&[f64]) -> Vec<f64>, count: usize| {
+            Pencil { size, stiffness: &stiffness, solve: &solve, mass }.largest(count)
+        };
+        let mut span = largest(&mass, count)?;
+        span.extend(largest(&free, count)?);
+        if body.damping().iter().any(|(_, _, entry)| *entry != 0.0) {
+            span.extend(largest(&damping, 1)?);
+        }
+        let span = orthonormal(span, &stiffness);
+        let projected = |operator: &dyn Fn(&[f64]) -> Vec<f64>| {
+            let mut matrix = Dense::zero(span.len());
+            for (column, x) in span.iter().enumerate() {
+                let image = operator(x);
+                span.iter().enumerate().for_each(|(row, y)| matrix.add(row, column, dot(y, &image)));
+            }
+            matrix
+        };
+        let (A, recoiling, B, C) =
+            (projected(&mass), projected(&free), projected(&damping), projected(&stiffness));
+        Ok(Self { A, recoiling, B, C, trusted: count, span: Some(span) })
+    }
+
+    /// The coordinate with the largest share in the slowest mode.
+    pub fn largest_share(&self, modes: &Modes) -> Option<usize> {
+        let slowest: Vec<f64> = (0..modes.shapes.size()).map(|row| modes.shapes.at(row, 0)).collect();
+        let shape = match &self.span {
+            None => slowest,
+            Some(span) => {
+                let size = span.first().map_or(0, Vec::len);
+                (0..size)
+                    .map(|row| span.iter().zip(&slowest).map(|(x, share)| share * x[row]).sum())
+                    .collect()
+            }
+        };
+        (0..shape.len()).max_by(|a, b| shape[*a].abs().total_cmp(&shape[*b].abs()))
+    }
+}
+
+/// Entries of `−h J⁻¹ hᵀ`. (V2)
+fn recoil(body: &FlexibleBody) -> impl Iterator<Item = (usize, usize, f64)> {
+    let invariants = body.invariants();
+    let inverse = sym::inverse(invariants.J);
+    invariants.h.iter().enumerate().flat_map(move |(row, h)| {
+        let turn = sym::times(inverse, *h);
+        invariants.h.iter().enumerate().map(move |(column, other)| (row, column, -sym::dot(turn, *other)))
+    })
+}
+
+/// `(A − h J⁻¹ hᵀ) x`.
+fn recoiled(body: &FlexibleBody, x: &[f64]) -> Vec<f64> {
+    let invariants = body.invariants();
+    let zero = [0.0; 3];
+    let momentum = invariants.h.iter().zip(x).fold(zero, |sum, (h, x)| sym::add(sum, sym::scale(*x, *h)));
+    let turn = sym::times(sym::inverse(invariants.J), momentum);
+    let held = body.mass_times(x);
+    held.iter().zip(&invariants.h).map(|(force, h)| force - sym::dot(*h, turn)).collect()
+}
+
+/// The same span by vectors orthonormal in the inner product of `C`.
+fn orthonormal(span: Vec<Vec<f64>>, stiffness: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<f64>> {
+    let mut kept: Vec<Vec<f64>> = Vec::new();
+    for mut x in span {
+        for _ in 0..2 {
+            for y in &kept {
+                let share = dot(y, &stiffness(&x));
+                x.iter_mut().zip(y).for_each(|(x, y)| *x -= share * y);
+            }
+        }
+        let length = dot(&x, &stiffness(&x)).max(0.0).sqrt();
+        if length > f64::EPSILON.sqrt() {
+            x.iter_mut().for_each(|entry| *entry /= length);
+            kept.push(x);
+        }
+    }
+    kept
+}
+
+fn dense(matrix: &SparseRows<f64>) -> Dense {
+    let mut dense = Dense::zero(matrix.size());
+    matrix.iter().for_each(|(row, column, entry)| dense.add(row, column, *entry));
+    dense
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::eigen::modes;
+    use crate::problems::ring_of_points;
+
+    #[test]
+    fn slow_vibrations_of_the_projection_are_those_of_the_whole() {
+        let body = ring_of_points(60).body().unwrap();
+        let (whole, slow) = (Projection::whole(&body), Projection::slow(&body, 12).unwrap());
+        for (all, few) in [(&whole.A, &slow.A), (&whole.recoiling, &slow.recoiling)] {
+            let (all, few) = (modes(all, &whole.C).unwrap(), modes(few, &slow.C).unwrap());
+            for i in 0..12 {
+                let error = (few.frequencies[i] / all.frequencies[i] - 1.0).abs();
+                assert!(error < 1e-8, "{i}: {error:e}");
+            }
+        }
+        let stiffest = |matrix: &Projection| modes(&matrix.B, &matrix.C).unwrap().frequencies[0];
+        assert!((stiffest(&slow) / stiffest(&whole) - 1.0).abs() < 1e-9);
+        let share = |matrix: &Projection| matrix.largest_share(&modes(&matrix.A, &matrix.C).unwrap());
+        assert_eq!(share(&slow), share(&whole));
+    }
+}

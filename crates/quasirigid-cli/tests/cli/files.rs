@@ -43,12 +43,12 @@ fn file_is_replaced_only_on_request() {
     assert_eq!(names(&folder), ["model.toml", "table.csv"]);
 }
 
-/// The propagation would take minutes; a place that takes no file is found before it.
+/// The propagation would take many seconds; a place that takes no file is found before it, and said in other words.
 #[test]
 fn place_that_takes_no_file_is_refused_before_the_work() {
     let folder = folder_of("explorer1-stiff");
     let refused = |path: &str| -> Ran {
-        let line = format!("simulate model.toml --duration 2000h --samples 5 --out {path}");
+        let line = format!("simulate model.toml --duration 20h --samples 5 --out {path}");
         ran_in(folder.path(), &line)
     };
     assert_snapshot!(refused("none/table.csv").refusal(), @"quasirigid: cannot write none/table.csv: there is no folder none; make it first");

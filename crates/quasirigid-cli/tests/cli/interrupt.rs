@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, Command, Stdio};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::RunRecord;
@@ -47,13 +48,32 @@ fn listens(_: &Child) -> bool {
 
 /// Presses Ctrl-C once the program propagates, and waits for its end, which must come at once.
 fn interrupted(folder: &TempDir, line: &str) -> Ran {
-    let child = start(folder, line);
+    let mut child = start(folder, line);
+    let (stdout, stderr) = (child.stdout.take().unwrap(), child.stderr.take().unwrap());
+    let [stdout, stderr] = [reading(stdout), reading(stderr)];
     wait_until_it_listens(&child);
     signal(&child, "-INT");
     let pressed = Instant::now();
-    let ran = child.wait_with_output().unwrap().into();
-    assert!(pressed.elapsed() < Duration::from_secs(10), "it went on for {:?}", pressed.elapsed());
-    ran
+    let status = loop {
+        if let Some(status) = child.try_wait().unwrap() {
+            break status;
+        }
+        if pressed.elapsed() > Duration::from_secs(15) {
+            child.kill().unwrap();
+            panic!("it goes on after Ctrl-C");
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    };
+    Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
+}
+
+/// Reads a pipe to its end beside what else goes on.
+fn reading(mut pipe: impl Read + Send + 'static) -> JoinHandle<String> {
+    std::thread::spawn(move || {
+        let mut text = String::new();
+        pipe.read_to_string(&mut text).unwrap();
+        text
+    })
 }
 
 /// What `run` would compute for minutes.

@@ -173,3 +173,16 @@ fn theory_that_does_not_hold_is_said_before_the_refusal() {
     not hold here: lower the spin, stiffen the springs, or use order 1
     ");
 }
+
+#[test]
+fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
+    let model = super::support::MODEL.replace("[0.12, 0.035, 0.02]", "[4.8, 1.4, 0.8]");
+    let line = "simulate model.toml --duration 5 --samples 3";
+    let [said, quiet] = ["", " --quiet"].map(|option| ran_with(&model, &format!("{line}{option}")));
+    assert_eq!(
+        said.stderr,
+        "quasirigid: The reduced equations are at the edge of their range at this spin.\nSee `quasirigid check`.\n"
+    );
+    assert_eq!((quiet.code, &*quiet.stderr), (Some(0), ""));
+    assert_eq!(said.stdout, quiet.stdout);
+}

@@ -8,3 +8,5 @@ mod support;
 mod transform;
 
 mod axes_and_units;
+mod cutting;
+mod degrees;

@@ -21,8 +21,9 @@ fn is_graded(series: &Series, x: [f64; 3], s: f64) -> bool {
     for degree in 0..=series.degree() {
         for (sum, part) in sum.iter_mut().zip(value(series.part(degree), x)) {
             *sum += s.powi(degree as i32) * part;
-            terms = terms.max((s.powi(degree as i32) * part).abs());
         }
+        let length = s.abs() * x.iter().map(|x| x.abs()).sum::<f64>();
+        terms = terms.max(length.powi(degree as i32) * series.part(degree).amax());
     }
     whole.iter().zip(&sum).all(|(a, b)| (a - b).abs() <= 1e-13 * terms)
 }

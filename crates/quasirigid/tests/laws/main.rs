@@ -10,3 +10,5 @@ mod transform;
 mod axes_and_units;
 mod cutting;
 mod degrees;
+mod invariants;
+mod lagrangian;

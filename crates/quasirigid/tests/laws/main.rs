@@ -4,6 +4,7 @@
 #![allow(non_snake_case, clippy::unwrap_used)]
 
 mod compare;
+mod ray;
 mod support;
 mod transform;
 
@@ -12,3 +13,5 @@ mod cutting;
 mod degrees;
 mod invariants;
 mod lagrangian;
+mod momentum_form;
+mod orders;

@@ -7,11 +7,17 @@ mod compare;
 mod ray;
 mod support;
 mod transform;
+mod wobbler;
 
 mod axes_and_units;
 mod cutting;
 mod degrees;
+mod forms;
 mod invariants;
 mod lagrangian;
+mod mechanisms;
 mod momentum_form;
 mod orders;
+mod outcomes;
+mod propagation;
+mod refused;

@@ -36,9 +36,10 @@ fn permuted(coefficient: &HingeCoefficient, order: &[usize]) -> HingeCoefficient
 /// The matrix after the first axis has changed its sense.
 fn reversed(coefficient: &HingeCoefficient) -> HingeCoefficient {
     let mut rows = matrix(coefficient);
-    for i in 1..rows.len() {
-        rows[0][i] = -rows[0][i];
-        rows[i][0] = -rows[i][0];
+    for (i, row) in rows.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            *entry *= if (i == 0) == (j == 0) { 1.0 } else { -1.0 };
+        }
     }
     HingeCoefficient::Full(rows)
 }

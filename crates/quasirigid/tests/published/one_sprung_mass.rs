@@ -1,6 +1,6 @@
 //! Every coefficient of the paper's torque for one sprung mass on a free hub, from rational arithmetic:
 //! `data/published/one_sprung_mass`.
-#![allow(clippy::print_stdout)]
+#![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::math::polynomial::monomial::count;

@@ -21,3 +21,4 @@ mod orders;
 mod outcomes;
 mod propagation;
 mod refused;
+mod vibrations;

@@ -3,8 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Assembly;
-use quasirigid::math::sym::norm;
-use quasirigid::model::FlexibleBody;
+use quasirigid::math::polynomial::Jet;
+use quasirigid::math::sym::{add, norm};
+use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{Vibrations, reduce, residual};
 
 use crate::compare::directions;
@@ -51,6 +52,27 @@ fn lowest(body: &FlexibleBody) -> f64 {
     Vibrations::of(body).unwrap().frequencies[0]
 }
 
+/// Minus the second inertial derivative of the first moment of the displacements, for `q` of the slow manifold.
+fn recoil(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let rate = reduced.f.vector(omega);
+    let spin: [Jet; 3] = std::array::from_fn(|i| Jet { value: omega[i], first: rate[i], second: 0.0 });
+    let second = reduced.f.vector(spin);
+    let spin: [Jet; 3] = std::array::from_fn(|i| Jet { second: second[i].first, ..spin[i] });
+    let q = reduced.q.value(spin);
+    let mut s = [Jet::default(); 3];
+    for (q, S) in q.iter().zip(&body.invariants().S) {
+        s = add(s, S.map(|S| *q * Jet::from(S)));
+    }
+    for (j, k, pair) in body.invariants().pairs.iter() {
+        s = add(s, pair.S2.map(|curvature| q[j] * q[k] * Jet::from(0.5 * curvature)));
+    }
+    let [w, turning] = [omega, rate].map(Vector3::from);
+    let [s, velocity, acceleration] =
+        [s.map(|s| s.value), s.map(|s| s.first), s.map(|s| s.second)].map(Vector3::from);
+    let inertial = acceleration + turning.cross(&s) + 2.0 * w.cross(&velocity) + w.cross(&w.cross(&s));
+    (-inertial).into()
+}
+
 proptest! {
     #![proptest_config(cases(60))]
 
@@ -82,6 +104,23 @@ proptest! {
         // There the spins that can be measured are so fast that further terms of the series show.
         let slope = if p == 6 { 3.0 * SLOPE } else { SLOPE };
         prop_assert!((found - expected).abs() < slope, "p = {p}: power {found}");
+    }
+
+    /// `φ = −(ℓ̇ + ω × ℓ)` with `ℓ = ṡ + ω × s`, `s = S_j q_j + ½ Γ_jk q_j q_k`: the centre of mass of a free body rests.
+    /// Followed along the motion as Taylor series in time; what is left starts one degree above the last. (R8)
+    #[test]
+    fn force_on_the_pole_is_the_recoil_to_the_degree_p_plus_two(assembly in bodies(), p in 3..6usize) {
+        let mut free = assembly;
+        free.support = Support::Free;
+        let body = damped(&free);
+        let reduced = reduce(&body, p).unwrap();
+        let found = power(lowest(&body), |omega| {
+            let recoil = recoil(&body, &reduced, omega);
+            let phi = reduced.phi.vector(omega);
+            (norm(std::array::from_fn(|i| recoil[i] - phi[i])), 10.0 * ROUNDING * norm(phi))
+        });
+        let found = found.ok_or_else(|| TestCaseError::fail("nothing measured"))?;
+        prop_assert!((found - (p as f64 + 3.0)).abs() < SLOPE, "p = {p}: power {found}");
     }
 
     /// Euler's equations are the first order, to the last digit. (R2)

@@ -21,4 +21,5 @@ mod orders;
 mod outcomes;
 mod propagation;
 mod refused;
+mod springs;
 mod vibrations;

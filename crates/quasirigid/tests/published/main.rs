@@ -3,3 +3,4 @@
 
 mod chernousko_1973;
 mod explorer_1;
+mod one_sprung_mass;

@@ -1,0 +1,25 @@
+//! Laws that hold for every body: random carriers, points, springs and hinges, in random units.
+//!
+//! `PROPTEST_CASES` and `PROPTEST_RNG_SEED` widen the search; without them every run tries the same bodies.
+#![allow(non_snake_case, clippy::unwrap_used)]
+
+mod compare;
+mod ray;
+mod support;
+mod transform;
+mod wobbler;
+
+mod axes_and_units;
+mod cutting;
+mod degrees;
+mod forms;
+mod invariants;
+mod lagrangian;
+mod mechanisms;
+mod momentum_form;
+mod orders;
+mod outcomes;
+mod propagation;
+mod refused;
+mod springs;
+mod vibrations;

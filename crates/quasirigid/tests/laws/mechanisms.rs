@@ -1,0 +1,160 @@
+//! Bodies with a motion that no spring resists are refused, and the motion is named. (I9)
+
+use proptest::prelude::*;
+use quasirigid::elements::{
+    Assembly, Carrier, Coefficient, ElementError, End, HingeCoefficient, Law, Motion, Place, Point, Problem,
+    Spring,
+};
+use quasirigid::model::Support;
+
+use crate::support::{bodies, cases};
+use crate::wobbler;
+
+fn point(name: &str, position: [f64; 3], motion: Motion) -> Point {
+    Point { name: name.into(), mass: 0.2, position, motion }
+}
+
+fn isotropic(from: End, to: End, stiffness: f64) -> Spring {
+    let law = Law::Spatial {
+        stiffness: Coefficient::Isotropic(stiffness),
+        damping: Coefficient::Isotropic(0.01 * stiffness),
+    };
+    Spring { from, to, law }
+}
+
+fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
+    Spring { from, to, law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor } }
+}
+
+fn body(points: Vec<Point>, springs: Vec<Spring>) -> Assembly {
+    let inertia = [[1.0, 0.1, 0.0], [0.1, 1.4, 0.0], [0.0, 0.0, 1.2]];
+    let carrier = Carrier { mass: 2.0, center_of_mass: [0.1, 0.0, -0.1], inertia };
+    Assembly { carrier, points, springs, hinged: Vec::new(), support: Support::Free }
+}
+
+/// The place blamed and the coordinates named.
+fn named(assembly: &Assembly) -> (Place, String) {
+    let ElementError { place, problem, .. } = assembly.body().unwrap_err();
+    let Problem::Mechanism { coordinates } = problem else { panic!("{problem}") };
+    (place, coordinates)
+}
+
+#[test]
+fn a_point_without_a_spring_is_a_mechanism() {
+    let points =
+        vec![point("held", [0.5, 0.0, 0.2], Motion::Free), point("loose", [0.0, 0.7, 0.1], Motion::Free)];
+    let mut assembly = body(points, vec![isotropic(End::Point(0), End::Carrier, 9.0)]);
+    let (place, coordinates) = named(&assembly);
+    assert_eq!(place, Place::Point(1));
+    assert!(coordinates.starts_with("\"loose\"") && !coordinates.contains("held"), "{coordinates}");
+    assembly.springs.push(isotropic(End::Carrier, End::Point(1), 1e-9));
+    assert!(assembly.body().is_ok(), "a weak spring is a spring");
+}
+
+#[test]
+fn a_point_on_an_axial_spring_alone_moves_across_it() {
+    let place = [0.5, 0.3, 0.2];
+    let free = body(
+        vec![point("tip", place, Motion::Free)],
+        vec![axial(End::Point(0), End::Carrier, Some([0.1, 0.3, 0.2]))],
+    );
+    let (blamed, coordinates) = named(&free);
+    assert_eq!(blamed, Place::Point(0));
+    assert!(coordinates.contains("\"tip\" y") || coordinates.contains("\"tip\" z"), "{coordinates}");
+    assert!(!coordinates.contains("\"tip\" x"), "the spring lies along x: {coordinates}");
+    let skew = body(
+        vec![point("tip", place, Motion::Free)],
+        vec![axial(End::Point(0), End::Carrier, Some([-0.3, 0.1, 0.9]))],
+    );
+    assert_eq!(named(&skew).0, Place::Point(0));
+    let line = Motion::Line([1.0, 0.2, 0.0]);
+    let held = body(vec![point("tip", place, line)], free.springs.clone());
+    assert!(held.body().is_ok(), "a line along the spring is held");
+    let across = body(vec![point("tip", place, Motion::Line([0.0, 1.0, 0.0]))], free.springs);
+    assert_eq!(named(&across).1, "\"tip\" along its line");
+}
+
+#[test]
+fn two_points_joined_only_to_each_other_are_a_mechanism() {
+    let points = vec![
+        point("one", [0.5, 0.0, 0.2], Motion::Free),
+        point("two", [0.0, 0.7, 0.1], Motion::Free),
+        point("held", [0.2, 0.2, 0.9], Motion::Free),
+    ];
+    let springs =
+        vec![isotropic(End::Point(0), End::Point(1), 9.0), isotropic(End::Point(2), End::Carrier, 9.0)];
+    let mut assembly = body(points, springs);
+    let (place, coordinates) = named(&assembly);
+    assert!(matches!(place, Place::Point(0 | 1)), "{place}");
+    assert!(coordinates.contains("one") && coordinates.contains("two"), "{coordinates}");
+    assert!(!coordinates.contains("held"), "{coordinates}");
+    assembly.springs.push(isotropic(End::Point(1), End::Carrier, 9.0));
+    assert!(assembly.body().is_ok());
+}
+
+#[test]
+fn a_hinge_axis_without_stiffness_is_a_mechanism() {
+    let mut assembly = wobbler::assembly();
+    assembly.hinged[0].stiffness = HingeCoefficient::PerAxis(vec![14.0, 0.0]);
+    assert_eq!(named(&assembly), (Place::Hinged(0), "\"boom\" about axis 2".into()));
+    assembly.hinged[0].stiffness = HingeCoefficient::Full(vec![vec![4.0, 2.0], vec![2.0, 1.0]]);
+    let (place, coordinates) = named(&assembly);
+    assert_eq!(place, Place::Hinged(0));
+    assert!(coordinates.contains("axis 1") && coordinates.contains("axis 2"), "{coordinates}");
+    assembly.hinged[0].stiffness = HingeCoefficient::Full(vec![vec![4.0, 2.0], vec![2.0, 1.0 + 1e-9]]);
+    assert!(assembly.body().is_ok(), "soft in one combination of angles, but held");
+}
+
+/// Dashpots hold nothing still.
+#[test]
+fn a_dashpot_alone_is_a_mechanism() {
+    let law = Law::Spatial { stiffness: Coefficient::Isotropic(0.0), damping: Coefficient::Isotropic(3.0) };
+    let spring = Spring { from: End::Point(0), to: End::Carrier, law };
+    let assembly = body(vec![point("slow", [0.5, 0.0, 0.2], Motion::Plane([0.0, 0.3, 1.0]))], vec![spring]);
+    let (_, coordinates) = named(&assembly);
+    assert!(coordinates.starts_with("\"slow\" in its plane"), "{coordinates}");
+}
+
+#[test]
+fn many_loose_coordinates_are_counted_rather_than_named() {
+    let names = ["a", "b", "c", "d"];
+    let points: Vec<_> = (0..4u8)
+        .map(|i| point(names[usize::from(i)], [0.3 * f64::from(i), 0.2, -0.4], Motion::Line([1.0, 1.0, 1.0])))
+        .collect();
+    let springs = (1..4).map(|i| isotropic(End::Point(i - 1), End::Point(i), 1.0)).collect();
+    let (_, coordinates) = named(&body(points, springs));
+    assert_eq!(coordinates.matches("along its line").count(), 4, "{coordinates}");
+    let points: Vec<_> = (0..4u8)
+        .flat_map(|i| {
+            let place = [0.3 * f64::from(i), 0.2, -0.4];
+            [0, 1].map(|k| point(&format!("{i}{k}"), place, Motion::Line([1.0, 1.0, 1.0])))
+        })
+        .collect();
+    let springs = (1..8).map(|i| isotropic(End::Point(i - 1), End::Point(i), 1.0)).collect();
+    let (_, coordinates) = named(&body(points, springs));
+    assert!(coordinates.ends_with("and 2 more"), "{coordinates}");
+}
+
+proptest! {
+    #![proptest_config(cases(48))]
+
+    /// In any units, and whatever else the body has.
+    #[test]
+    fn a_loose_point_is_found_in_every_body(assembly in bodies()) {
+        let mut loose = assembly;
+        let position = loose.points[0].position;
+        let mass = loose.points[0].mass;
+        loose.points.push(Point { name: "loose".into(), mass, position, motion: Motion::Free });
+        let (place, coordinates) = named(&loose);
+        prop_assert_eq!(place, Place::Point(loose.points.len() - 1));
+        prop_assert!(coordinates.starts_with("\"loose\""), "{coordinates}");
+    }
+
+    /// Every spring of a point taken away, those of the others left.
+    #[test]
+    fn taking_the_springs_of_a_point_away_makes_a_mechanism(assembly in bodies()) {
+        let mut loose = assembly;
+        loose.springs.retain(|spring| spring.from != End::Point(0) && spring.to != End::Point(0));
+        prop_assert_eq!(named(&loose).0, Place::Point(0));
+    }
+}

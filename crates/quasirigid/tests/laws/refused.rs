@@ -1,0 +1,295 @@
+//! What no body can have is refused, with the place and the value; nothing is repaired. Thresholds on both sides.
+
+use quasirigid::elements::{
+    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Problem, Spring,
+};
+use quasirigid::model::{InertiaError, Support};
+use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
+
+use crate::wobbler;
+
+/// The error of the body with one change; [`Assembly::check`] finds the same one.
+fn error(change: impl Fn(&mut Assembly)) -> Option<ElementError> {
+    let mut assembly = wobbler::assembly();
+    change(&mut assembly);
+    let error = assembly.body().err();
+    if let Some(error) = &error {
+        let whole = matches!(error.problem, Problem::Mechanism { .. } | Problem::NoInertia { .. });
+        let found = assembly.check().iter().map(ToString::to_string).any(|text| text == error.to_string());
+        assert!(whole || found, "{error} is not among {:?}", assembly.check());
+    } else {
+        assert!(assembly.check().is_empty(), "{:?}", assembly.check());
+    }
+    error
+}
+
+fn place_of(change: impl Fn(&mut Assembly)) -> (Place, Field) {
+    let error = error(change).unwrap();
+    (error.place, error.field)
+}
+
+macro_rules! refused {
+    ($change:expr, $place:expr, $field:expr, $problem:pat) => {{
+        let error = error($change).unwrap();
+        assert_eq!((error.place, error.field), ($place, $field), "{error}");
+        assert!(matches!(error.problem, $problem), "{error}");
+        assert!(error.to_string().starts_with(&error.place.to_string()));
+    }};
+}
+
+fn spatial(assembly: &mut Assembly, coefficient: Coefficient) {
+    assembly.springs[0].law = Law::Spatial { stiffness: coefficient, damping: Coefficient::Isotropic(0.0) };
+}
+
+fn axial(anchor: Option<[f64; 3]>) -> Law {
+    Law::Axial { stiffness: 1.0, damping: 0.0, anchor }
+}
+
+/// A second spring beside the good one.
+fn second(assembly: &mut Assembly, from: End, to: End, law: Law) {
+    assembly.springs.push(Spring { from, to, law });
+}
+
+#[test]
+fn the_body_without_a_change_is_accepted() {
+    assert_eq!(error(|_| {}), None);
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
+    const NAN: f64 = f64::NAN;
+    const INFINITE: f64 = f64::INFINITY;
+    use Problem::{Inertia, NotFinite};
+    refused!(|a| a.carrier.mass = NAN, Place::Carrier, Field::Mass, NotFinite { .. });
+    refused!(
+        |a| a.carrier.center_of_mass[1] = INFINITE,
+        Place::Carrier,
+        Field::CenterOfMass,
+        NotFinite { .. }
+    );
+    refused!(
+        |a| a.carrier.inertia[1][2] = NAN,
+        Place::Carrier,
+        Field::Inertia,
+        Inertia(InertiaError::NotFinite { .. })
+    );
+    refused!(|a| a.points[0].mass = INFINITE, Place::Point(0), Field::Mass, NotFinite { .. });
+    refused!(|a| a.points[0].position[2] = NAN, Place::Point(0), Field::Position, NotFinite { .. });
+    let line = |a: &mut Assembly| a.points[0].motion = Motion::Line([0.0, NAN, 1.0]);
+    refused!(line, Place::Point(0), Field::Motion, NotFinite { .. });
+    let stiffness = |a: &mut Assembly| spatial(a, Coefficient::Diagonal([1.0, NAN, 1.0]));
+    refused!(stiffness, Place::Spring(0), Field::Stiffness, NotFinite { .. });
+    let anchor = |a: &mut Assembly| second(a, End::Point(0), End::Carrier, axial(Some([NAN, 0.0, 0.0])));
+    assert!(matches!(error(anchor).unwrap().problem, NotFinite { .. }));
+    refused!(|a| a.hinged[0].mass = NAN, Place::Hinged(0), Field::Mass, NotFinite { .. });
+    refused!(
+        |a| a.hinged[0].center_of_mass[0] = NAN,
+        Place::Hinged(0),
+        Field::CenterOfMass,
+        NotFinite { .. }
+    );
+    refused!(|a| a.hinged[0].hinge[0] = INFINITE, Place::Hinged(0), Field::Hinge, NotFinite { .. });
+    refused!(|a| a.hinged[0].axes[1][0] = NAN, Place::Hinged(0), Field::Axes, NotFinite { .. });
+    let damping = |a: &mut Assembly| a.hinged[0].damping = HingeCoefficient::PerAxis(vec![NAN, 1.0]);
+    refused!(damping, Place::Hinged(0), Field::Damping, NotFinite { .. });
+    let support = |a: &mut Assembly| a.support = Support::FixedPoint { point: [0.0, NAN, 0.0] };
+    refused!(support, Place::Support, Field::FixedPoint, NotFinite { .. });
+}
+
+#[test]
+fn masses_must_be_positive() {
+    for mass in [0.0, -1.0, -0.0] {
+        refused!(|a| a.carrier.mass = mass, Place::Carrier, Field::Mass, Problem::NotAMass { .. });
+        refused!(|a| a.points[0].mass = mass, Place::Point(0), Field::Mass, Problem::NotAMass { .. });
+        refused!(|a| a.hinged[0].mass = mass, Place::Hinged(0), Field::Mass, Problem::NotAMass { .. });
+    }
+    assert_eq!(error(|a| a.points[0].mass = 1e-300), None);
+}
+
+/// In units of the largest moment, and in any unit. (I1)
+#[test]
+fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
+    for unit in [1e-12, 1.0, 1e12] {
+        let diagonal = |moments: [f64; 3], shear: f64| {
+            move |a: &mut Assembly| {
+                let [x, y, z] = moments.map(|moment| unit * moment);
+                a.carrier.inertia = [[x, unit * shear, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+            }
+        };
+        let problem = |moments, shear| error(diagonal(moments, shear)).map(|error| error.problem);
+        use InertiaError::{Impossible, NotSymmetric};
+        use Problem::Inertia;
+        // Sum of two moments against the third: the tolerance is 1e-12 of the largest.
+        assert_eq!(problem([1.0, 1.0, 2.0 + 1e-12], 0.0), None);
+        assert!(matches!(problem([1.0, 1.0, 2.0 + 3e-12], 0.0), Some(Inertia(Impossible { .. }))));
+        assert!(matches!(problem([-0.1, 1.0, 1.0], 0.0), Some(Inertia(Impossible { .. }))));
+        assert!(matches!(problem([-3e-12, 1.0, 1.0], 0.0), Some(Inertia(Impossible { .. }))));
+        assert!(matches!(problem([1.0, 1.0, 1.0], 3e-12), Some(Inertia(NotSymmetric { .. }))));
+        assert_eq!(problem([1.0, 1.0, 1.0], 0.9e-12), None);
+    }
+    refused!(
+        |a| a.hinged[0].inertia[0][0] = 1.0,
+        Place::Hinged(0),
+        Field::Inertia,
+        Problem::Inertia(InertiaError::Impossible { .. })
+    );
+}
+
+#[test]
+fn directions_need_a_length() {
+    let motion = |motion: Motion| move |a: &mut Assembly| a.points[0].motion = motion;
+    refused!(motion(Motion::Line([0.0; 3])), Place::Point(0), Field::Motion, Problem::ZeroDirection);
+    refused!(motion(Motion::Plane([0.0; 3])), Place::Point(0), Field::Motion, Problem::ZeroDirection);
+    refused!(|a| a.hinged[0].axes[0] = [0.0; 3], Place::Hinged(0), Field::Axes, Problem::ZeroDirection);
+    assert_eq!(error(motion(Motion::Line([0.0, 1e-300, 0.0]))), None);
+    assert_eq!(error(motion(Motion::Plane([1e300, 1e300, 0.0]))), None);
+}
+
+#[test]
+fn coefficients_must_be_symmetric_and_take_energy() {
+    let full = |entry: f64, mirror: f64| {
+        move |a: &mut Assembly| {
+            spatial(a, Coefficient::Full([[9.0, entry, 0.0], [mirror, 9.0, 0.0], [0.0, 0.0, 9.0]]));
+        }
+    };
+    refused!(full(1.0, 2.0), Place::Spring(0), Field::Stiffness, Problem::NotSymmetric { .. });
+    refused!(full(1.0, 1.0 + 2e-11), Place::Spring(0), Field::Stiffness, Problem::NotSymmetric { .. });
+    assert_eq!(error(full(1.0, 1.0 + 5e-12)), None);
+    refused!(full(9.1, 9.1), Place::Spring(0), Field::Stiffness, Problem::Indefinite { .. });
+    refused!(
+        |a| a.springs[0].law = axial(Some([0.0; 3])).with_stiffness(-1.0),
+        Place::Spring(0),
+        Field::Stiffness,
+        Problem::Indefinite { .. }
+    );
+    let damping = |value: f64| {
+        move |a: &mut Assembly| {
+            a.hinged[0].damping = HingeCoefficient::Full(vec![vec![1.0, value], vec![value, 1.0]]);
+        }
+    };
+    // Smallest eigenvalue 1 − value against 1e-12 of the largest entry.
+    assert_eq!(error(damping(1.0 + 0.5e-12)), None);
+    refused!(damping(1.0 + 3e-12), Place::Hinged(0), Field::Damping, Problem::Indefinite { .. });
+}
+
+trait WithStiffness {
+    fn with_stiffness(self, value: f64) -> Self;
+}
+
+impl WithStiffness for Law {
+    fn with_stiffness(self, value: f64) -> Self {
+        let Law::Axial { damping, anchor, .. } = self else { return self };
+        Law::Axial { stiffness: value, damping, anchor }
+    }
+}
+
+#[test]
+fn springs_need_two_ends_and_axial_ones_a_line() {
+    let (point, carrier) = (End::Point(0), End::Carrier);
+    let place = wobbler::assembly().points[0].position;
+    let with = |from: End, to: End, law: Law| move |a: &mut Assembly| second(a, from, to, law);
+    refused!(with(point, point, axial(None)), Place::Spring(1), Field::To, Problem::SameEnds);
+    refused!(with(carrier, carrier, axial(None)), Place::Spring(1), Field::To, Problem::SameEnds);
+    let isotropic =
+        Law::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
+    refused!(
+        with(carrier, End::Point(7), isotropic),
+        Place::Spring(1),
+        Field::To,
+        Problem::NoSuchPoint { index: 7 }
+    );
+    refused!(
+        with(End::Point(1), carrier, axial(None)),
+        Place::Spring(1),
+        Field::From,
+        Problem::NoSuchPoint { .. }
+    );
+    refused!(with(point, carrier, axial(None)), Place::Spring(1), Field::To, Problem::NoAnchor);
+    refused!(with(carrier, point, axial(None)), Place::Spring(1), Field::From, Problem::NoAnchor);
+    refused!(with(point, carrier, axial(Some(place))), Place::Spring(1), Field::To, Problem::NoLine);
+    assert_eq!(error(with(point, carrier, axial(Some([0.0; 3])))), None);
+}
+
+/// The appendage is a thin rod along x from its hinge: it has no inertia about its own line.
+fn rod(assembly: &mut Assembly, axes: Vec<[f64; 3]>) {
+    let rod = &mut assembly.hinged[0];
+    rod.hinge = [0.0; 3];
+    rod.center_of_mass = [0.5, 0.0, 0.0];
+    rod.inertia = [[0.0; 3], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]];
+    rod.stiffness = HingeCoefficient::PerAxis(vec![2.0; axes.len()]);
+    rod.damping = HingeCoefficient::PerAxis(vec![0.1; axes.len()]);
+    rod.axes = axes;
+}
+
+#[test]
+fn hinges_have_one_to_three_independent_axes_that_move_mass() {
+    let with = |axes: Vec<[f64; 3]>| move |a: &mut Assembly| rod(a, axes.clone());
+    let (y, z) = ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    for count in [0, 4] {
+        let mut assembly = wobbler::assembly();
+        rod(&mut assembly, vec![y; count]);
+        assert_eq!(assembly.body().unwrap_err().problem, Problem::AxisCount { count });
+    }
+    refused!(with(vec![y, [0.0, -2.0, 0.0]]), Place::Hinged(0), Field::Axes, Problem::DependentAxes);
+    refused!(with(vec![y, z, [0.0, 1.0, 1.0]]), Place::Hinged(0), Field::Axes, Problem::DependentAxes);
+    // Independent if the sine of the angle is above 1e-6.
+    refused!(with(vec![y, [0.0, 1.0, 0.9e-6]]), Place::Hinged(0), Field::Axes, Problem::DependentAxes);
+    let assembly = |axes: Vec<[f64; 3]>| {
+        let mut assembly = wobbler::assembly();
+        rod(&mut assembly, axes);
+        assembly.check()
+    };
+    assert_eq!(assembly(vec![y, [0.0, 1.0, 1.1e-6]]), []);
+    // A rod turns nothing about its own line; massive above 1e-12 of the largest moment, so for a sine above 1e-6.
+    refused!(with(vec![[1.0, 0.0, 0.0]]), Place::Hinged(0), Field::Axes, Problem::MasslessAxis { axis: 1 });
+    refused!(
+        with(vec![y, [1.0, 0.0, 0.9e-6]]),
+        Place::Hinged(0),
+        Field::Axes,
+        Problem::MasslessAxis { axis: 2 }
+    );
+    assert_eq!(assembly(vec![y, [1.0, 0.0, 1.1e-6]]), []);
+    let values = |a: &mut Assembly| a.hinged[0].stiffness = HingeCoefficient::PerAxis(vec![1.0]);
+    refused!(values, Place::Hinged(0), Field::Stiffness, Problem::ValuePerAxis { axes: 2, values: 1 });
+    let ragged =
+        |a: &mut Assembly| a.hinged[0].damping = HingeCoefficient::Full(vec![vec![1.0, 0.0], vec![0.0]]);
+    refused!(ragged, Place::Hinged(0), Field::Damping, Problem::ValuePerAxis { axes: 2, values: 1 });
+}
+
+#[test]
+fn names_are_unique_among_points_and_appendages() {
+    let name = |a: &mut Assembly| a.hinged[0].name = "mass".into();
+    assert_eq!(place_of(name), (Place::Hinged(0), Field::Name));
+    assert!(matches!(error(name).unwrap().problem, Problem::DuplicateName { name } if name == "mass"));
+}
+
+/// A dumb-bell turns about its own line without inertia. The line between the two is √ε of the largest moment.
+#[test]
+fn a_body_without_inertia_about_some_axis_is_refused() {
+    let needle = |across: f64| {
+        move |a: &mut Assembly| {
+            a.points.clear();
+            a.springs.clear();
+            a.hinged.clear();
+            a.carrier.center_of_mass = [0.0; 3];
+            a.carrier.inertia = [[across, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        }
+    };
+    refused!(needle(0.0), Place::Carrier, Field::Inertia, Problem::NoInertia { .. });
+    refused!(needle(1.4e-8), Place::Carrier, Field::Inertia, Problem::NoInertia { .. });
+    assert_eq!(error(needle(1.6e-8)), None);
+}
+
+#[test]
+fn orders_are_refused_on_both_sides_of_their_range() {
+    let body = wobbler::assembly().body().unwrap();
+    for order in [0, MAX_ORDER + 1] {
+        assert_eq!(reduce(&body, order).unwrap_err(), ReductionError::Order { order });
+        let error = Validity::of(&body, order, [0.0, 0.0, 1.0]).unwrap_err();
+        assert_eq!(error, ValidityError::Reduction(ReductionError::Order { order }));
+    }
+    assert!(reduce(&body, 1).is_ok() && reduce(&body, MAX_ORDER).is_ok());
+    for omega in [[0.0; 3], [f64::NAN; 3], [f64::INFINITY, 0.0, 0.0]] {
+        assert!(matches!(Validity::of(&body, 3, omega), Err(ValidityError::NoSpin { .. })));
+    }
+}

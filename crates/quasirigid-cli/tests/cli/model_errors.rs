@@ -86,7 +86,7 @@ fn impossible_inertia_is_refused() {
 fn mechanism_is_refused() {
     let spring = MODEL.find("[[spring]]").unwrap()..MODEL.find("[initial]").unwrap();
     assert_snapshot!(refusal(&MODEL[spring], ""), @r#"
-    Error: a mechanism: no spring resists the motion of "tip" x
+    Error: a mechanism: no spring resists some motion of "tip" x, "tip" y, "tip" z
        ╭─[ model.toml:5:1 ]
        │
      5 │ [[point]]

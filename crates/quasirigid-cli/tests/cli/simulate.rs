@@ -170,7 +170,7 @@ fn theory_that_does_not_hold_is_said_before_the_refusal() {
     quasirigid: The reduced equations DO NOT HOLD at this spin. See `quasirigid
     check`.
     quasirigid: the truncated series has no momentum for this spin; the theory does
-    not hold here: see `check`, or use a lower order
+    not hold here: lower the spin, stiffen the springs, or use order 1
     ");
 }
 

@@ -26,7 +26,10 @@ fn too_few_and_too_many_samples_are_refused() {
 
 #[test]
 fn duration_that_is_none_is_refused() {
-    assert_snapshot!(refusal("--duration 3kg"), @r#"quasirigid: --duration 3kg: "3kg" is a mass, but a time is needed"#);
+    assert_snapshot!(refusal("--duration 3kg"), @r#"
+    quasirigid: --duration 3kg: "3kg" is a mass, but a time is needed; write for
+    example "2 h", or a plain number in s
+    "#);
     for (duration, shown) in [("0", "0"), ("-1", "-1"), ("nan", "NaN"), ("1e999", "inf"), ("-2.5h", "-9000")]
     {
         let message = refusal(&format!("--duration={duration}"));

@@ -2,7 +2,7 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::support::{EXAMPLES, MODEL, ROOT, copy, folder_of, ran, ran_in, ran_with};
+use super::support::{EXAMPLES, MODEL, ROOT, copy, folder_of, names, ran, ran_in, ran_with};
 
 /// Columns of a terminal.
 const COLUMNS: usize = 80;
@@ -26,6 +26,12 @@ fn help_fits_a_terminal() {
             assert_narrow(&line, &help.stdout);
         }
     }
+}
+
+#[test]
+fn every_example_is_tested() {
+    let folders = names(Path::new(ROOT).join("examples"));
+    assert_eq!(folders.iter().filter(|name| !name.contains('.')).collect::<Vec<_>>(), EXAMPLES);
 }
 
 #[test]

@@ -28,7 +28,8 @@ impl Derived<'_> {
             Support::Free => "free: the pole is the centre of mass",
             Support::FixedPoint { .. } => "the pole is a fixed point",
         };
-        writeln!(out, "pole              {} m   {support}", vector(body.pole()))?;
+        writeln!(out, "pole              {} m", vector(body.pole()))?;
+        writeln!(out, "                  {support}")?;
         writeln!(out, "inertia J         {} kg m^2", vector(body.inertia()[0]))?;
         for row in &body.inertia()[1..] {
             writeln!(out, "                  {}", vector(*row))?;

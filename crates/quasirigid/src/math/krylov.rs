@@ -20,8 +20,9 @@ const SPARE: usize = 4;
 const DEPTH: usize = 4;
 /// Krylov spaces tried.
 const RESTARTS: usize = 60;
-/// Residual relative to the largest eigenvalue; an eigenvalue apart from others is then right to its square.
-const CONVERGED: f64 = 1e-5;
+/// Residual relative to the largest eigenvalue; an eigenvalue apart from others is then right to its
+/// square, one in a crowd to itself.
+const CONVERGED: f64 = 1e-4;
 /// A vector that keeps less than this share of its length was in the span of the others.
 const DEPENDENT: f64 = 1e-10;
 
@@ -169,7 +170,7 @@ mod tests {
         let vectors = pencil.largest(6).unwrap();
         for (i, x) in vectors.iter().enumerate() {
             let value = dot(x, &mass(x));
-            assert!((value - theta(i)).abs() < 1e-9, "{i}: {value} {}", theta(i));
+            assert!((value - theta(i)).abs() < 1e-7, "{i}: {value} {}", theta(i));
         }
     }
 }

@@ -143,11 +143,11 @@ mod tests {
             let (all, few) = (modes(all, &whole.C).unwrap(), modes(few, &slow.C).unwrap());
             for i in 0..12 {
                 let error = (few.frequencies[i] / all.frequencies[i] - 1.0).abs();
-                assert!(error < 1e-8, "{i}: {error:e}");
+                assert!(error < 1e-7, "{i}: {error:e}");
             }
         }
         let stiffest = |matrix: &Projection| modes(&matrix.B, &matrix.C).unwrap().frequencies[0];
-        assert!((stiffest(&slow) / stiffest(&whole) - 1.0).abs() < 1e-9);
+        assert!((stiffest(&slow) / stiffest(&whole) - 1.0).abs() < 1e-7);
         let share = |matrix: &Projection| matrix.largest_share(&modes(&matrix.A, &matrix.C).unwrap());
         assert_eq!(share(&slow), share(&whole));
     }

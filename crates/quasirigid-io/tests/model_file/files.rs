@@ -31,7 +31,7 @@ fn a_file_that_is_too_large_is_refused_unread() {
     std::fs::remove_file(&path).expect("the temporary file");
     assert_eq!(
         error,
-        ModelError::Unreadable { file: path, problem: FileProblem::TooLarge { limit: 1 << 28 } }
+        ModelError::Unreadable { file: path, problem: FileProblem::TooLarge { limit: 1 << 26 } }
     );
 }
 
@@ -39,7 +39,7 @@ fn a_file_that_is_too_large_is_refused_unread() {
 #[test]
 fn a_file_without_end_is_refused() {
     let error = Model::read(Path::new("/dev/zero")).expect_err("a refusal");
-    assert_snapshot!(error, @"/dev/zero: the file is larger than 256 MiB, the most a model file may have");
+    assert_snapshot!(error, @"/dev/zero: the file is larger than 64 MiB, the most a model file may have");
 }
 
 #[test]

@@ -84,11 +84,11 @@ fn an_axial_spring_without_a_line_is_refused() {
 #[test]
 fn a_mechanism_is_refused_at_the_element_that_moves() {
     assert_snapshot!(verdict(POINT), @r#"
-    model.toml:5:1: a mechanism: no spring resists the motion of "tip" x
+    model.toml:5:1: a mechanism: no spring resists some motion of "tip" x, "tip" y, "tip" z
       add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
     "#);
     assert_snapshot!(verdict_on_spring("stiffness = 1\naxial = true\nanchor = [0, 0, 0]\n"), @r#"
-    model.toml:5:1: a mechanism: no spring resists the motion of "tip" x, "tip" y, "tip" z
+    model.toml:5:1: a mechanism: no spring resists some motion of "tip" x, "tip" y, "tip" z
       add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
     "#);
 }
@@ -135,7 +135,7 @@ fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
     "#);
     let mechanism = Problem::Mechanism { coordinates: "tip.x, tip.y".to_owned() };
     assert_snapshot!(diagnosis(&model, Place::Point(0), Field::Position, mechanism), @r#"
-    model.toml:8:12: a mechanism: no spring resists the motion of tip.x, tip.y
+    model.toml:8:12: a mechanism: no spring resists some motion of tip.x, tip.y
       add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
     "#);
     let massless = Problem::MasslessAxis { axis: 1 };

@@ -1,4 +1,4 @@
-//! Spin of almost rigid bodies after Chernousko (1978) [@chernousko1978].
+//! Spin of almost rigid bodies after Chernousko (1978) `[@chernousko1978]`.
 //!
 //! A rigid carrier bears masses on stiff springs with dashpots. The stiff system reduces to
 //!

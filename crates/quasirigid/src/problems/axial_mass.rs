@@ -1,7 +1,7 @@
 use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use crate::model::Support;
 
-/// A body of revolution with one sprung mass on its axis: solved in closed form (X1), (X2) [@chernousko1973].
+/// A body of revolution with one sprung mass on its axis: solved in closed form (X1), (X2) `[@chernousko1973]`.
 ///
 /// The frozen body has the moments `A, A, C` about its centre of mass, the mass `m` sits at the distance `rho` from it
 /// on the third axis, on an isotropic spring `c` with a dashpot `b`.

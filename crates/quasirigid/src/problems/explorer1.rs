@@ -1,7 +1,7 @@
 use crate::elements::{Assembly, Carrier, HingeCoefficient, Hinged};
 use crate::model::Support;
 
-/// Explorer 1 with its four whip antennas as thin rods on two-axis hinges [@pydy].
+/// Explorer 1 with its four whip antennas as thin rods on two-axis hinges `[@pydy]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Explorer1 {
     /// Rotational stiffness of each hinge axis (N·m/rad).

@@ -9,7 +9,7 @@ pub trait System<const N: usize> {
     fn rate<R: Arithmetic>(&self, t: f64, y: &[f64; N]) -> [f64; N];
 }
 
-/// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) [@hairer1993].
+/// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) `[@hairer1993]`.
 ///
 /// The state is kept in two parts, so that many small steps lose no digits.
 #[derive(Clone, Debug)]
@@ -283,7 +283,7 @@ mod tests {
     use super::*;
     use crate::math::simd::Plain;
 
-    /// Arenstorf's orbit of the restricted three-body problem: closes after its period [@hairer1993].
+    /// Arenstorf's orbit of the restricted three-body problem: closes after its period `[@hairer1993]`.
     struct Arenstorf;
 
     impl System<4> for Arenstorf {

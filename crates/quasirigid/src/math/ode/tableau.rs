@@ -1,5 +1,5 @@
 //! Coefficients of the pair of orders 8(5,3) of Dormand and Prince, with the dense output of order 7 of Hairer, Nørsett
-//! and Wanner [@hairer1993], stage by stage. Zeros left of the diagonal are kept so that rows line up.
+//! and Wanner `[@hairer1993]`, stage by stage. Zeros left of the diagonal are kept so that rows line up.
 
 /// Stages of a step; the last is the first of the next step.
 pub(super) const STAGES: usize = 12;

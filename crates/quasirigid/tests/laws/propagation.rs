@@ -25,8 +25,9 @@ fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
     samples
 }
 
+/// More steps than any run here needs: a run that goes astray ends.
 fn at(tolerance: f64) -> Options {
-    Options { tolerance, ..Options::default() }
+    Options { tolerance, most_steps: 1_000_000, ..Options::default() }
 }
 
 /// `|K|` is put back after each step, so only the rounding of one projection is left there; samples inside a step are

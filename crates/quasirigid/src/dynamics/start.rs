@@ -1,7 +1,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::form::Form;
-use crate::math::polynomial::{Jet, Series};
+use crate::math::polynomial::Series;
+use crate::math::scalar::Jet;
 use crate::math::sym::norm;
 use crate::model::ReducedBody;
 

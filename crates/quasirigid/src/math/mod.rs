@@ -3,10 +3,12 @@
 pub mod cholesky;
 pub mod eigen;
 pub mod elliptic;
+pub mod expression;
 pub mod krylov;
 pub mod ode;
 pub mod polynomial;
 pub mod rotation;
+pub mod scalar;
 pub mod simd;
 pub mod sparse;
 pub mod sym;

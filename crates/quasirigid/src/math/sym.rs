@@ -1,6 +1,6 @@
 //! Symmetric 3×3 matrices as their six entries xx, yy, zz, yz, zx, xy.
 
-use super::polynomial::Scalar;
+use super::scalar::Scalar;
 
 /// Entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
 pub type Sym = [f64; 6];

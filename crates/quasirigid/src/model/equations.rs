@@ -1,7 +1,7 @@
 //! The full equations (S2)–(S6) in numbers: momentum, generalised momentum, load and energy of any state.
 
 use super::FlexibleBody;
-use crate::math::polynomial::Scalar;
+use crate::math::scalar::Scalar;
 use crate::math::sym::{add, cross, dot, scale, times};
 
 /// A state of the full system: spin (rad/s, body axes), internal coordinates and their rates.

@@ -2,6 +2,7 @@
 
 mod equations;
 mod flexible;
+pub mod force;
 mod inertia;
 mod invariants;
 mod principal;

@@ -1,4 +1,5 @@
-use crate::math::polynomial::{Jet, Series};
+use crate::math::polynomial::Series;
+use crate::math::scalar::Jet;
 use crate::math::sym::{add, cross, norm};
 use crate::model::{FlexibleBody, Motion, ReducedBody};
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::math::polynomial::Jet;
+use quasirigid::math::scalar::Jet;
 use quasirigid::model::{FlexibleBody, Motion};
 
 use crate::invariants::Cloud;

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Assembly;
-use quasirigid::math::polynomial::Jet;
+use quasirigid::math::scalar::Jet;
 use quasirigid::math::sym::{add, norm};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{Vibrations, reduce, residual};

@@ -1,4 +1,4 @@
-use super::Scalar;
+use crate::math::scalar::Scalar;
 use super::monomial::{count, exponents, index};
 
 /// Rows of homogeneous polynomials of one degree in three variables.

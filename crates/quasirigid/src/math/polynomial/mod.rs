@@ -3,10 +3,8 @@
 mod homogeneous;
 mod kernel;
 pub mod monomial;
-mod scalar;
 mod series;
 
 pub use homogeneous::Homogeneous;
 pub use kernel::Kernel;
-pub use scalar::{Jet, Scalar};
 pub use series::Series;

@@ -1,4 +1,5 @@
-use super::{Homogeneous, Scalar};
+use super::Homogeneous;
+use crate::math::scalar::Scalar;
 
 /// A polynomial map of three variables, kept degree by degree; degrees above the last are zero or unknown.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,11 @@
+//! External forces: what acts on a body from outside, in numbers that may be series in time.
+
+mod apply;
+mod field;
+mod law;
+mod orbit;
+
+pub use apply::{Loads, Situation};
+pub use field::MagneticField;
+pub use law::{Axes, Force, Law, Wave};
+pub use orbit::Orbit;

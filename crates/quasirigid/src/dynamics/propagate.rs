@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::form::{Equations, Form, MomentumForm, PaperForm};
 use super::spin::{Accounted, Accounts};
 use super::start::start;
-use crate::math::ode::{Dop853, Ending, Watcher, Work, integrate};
+use crate::math::ode::{Dop853, Ending, Solver, Watcher, Work, integrate};
 use crate::math::polynomial::Kernel;
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
@@ -68,6 +68,11 @@ pub trait Observer {
     /// A sample at a time asked for.
     fn sample(&mut self, sample: &Sample);
 
+    /// The internal coordinates and their rates, just before the sample they belong to; full runs only.
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        let _ = (q, rate);
+    }
+
     /// Called every few thousand steps; `Break` ends the propagation.
     fn progress(&mut self, t: f64) -> ControlFlow<()> {
         let _ = t;
@@ -127,7 +132,7 @@ pub enum PropagateError {
 }
 
 /// Steps between two calls of [`Observer::progress`].
-const PROGRESS: u64 = 4096;
+pub(super) const PROGRESS: u64 = 4096;
 
 /// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)
 ///
@@ -140,7 +145,7 @@ pub fn propagate(
     options: Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    check(initial.omega, times, options)?;
+    check(initial.omega, times, options.tolerance)?;
     let power = Kernel::new(&body.power);
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
     Ok(match options.form {
@@ -172,12 +177,12 @@ pub fn propagate(
 }
 
 /// Refuses what no propagation can start from.
-pub(super) fn check(omega: [f64; 3], times: &[f64], options: Options) -> Result<(), PropagateError> {
+pub(super) fn check(omega: [f64; 3], times: &[f64], tolerance: f64) -> Result<(), PropagateError> {
     if !omega.iter().all(|w| w.is_finite()) || norm(omega) == 0.0 {
         return Err(PropagateError::NoSpin { omega });
     }
-    if !(1e-15..=1e-2).contains(&options.tolerance) {
-        return Err(PropagateError::Tolerance { tolerance: options.tolerance });
+    if !(1e-15..=1e-2).contains(&tolerance) {
+        return Err(PropagateError::Tolerance { tolerance });
     }
     let befores = std::iter::once(&0.0).chain(times);
     match befores.zip(times).find(|(before, t)| !(*t >= *before && t.is_finite())) {
@@ -209,7 +214,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
         let (error, attitude, free) = (options.tolerance * norm(x), options.tolerance, f64::INFINITY);
         let allowed =
             [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
-        let mut solver = Dop853::new::<A>(&system, 0.0, start.pack(), allowed);
+        let mut solver = Dop853::<_, _, A>::new(system, 0.0, start.pack(), allowed);
         let K = equations.momentum(x);
         let mut keeper = Keeper {
             equations,
@@ -220,7 +225,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
             drift: 0.0,
             observer,
         };
-        let outcome = integrate::<A, 12>(&mut solver, &system, times, options.most_steps, &mut keeper);
+        let outcome = integrate(&mut solver, times, options.most_steps, &mut keeper);
         Run { outcome, last: keeper.sample(solver.t(), Accounts::unpack(*solver.y())), work: solver.work() }
     }
 }
@@ -263,7 +268,7 @@ impl<E: Equations> Keeper<'_, E> {
 
     /// Puts `|K|` back to its value (P6) and the attitude back to the inertial momentum (P3).
     #[inline(always)]
-    fn hold_invariants(&mut self, solver: &mut Dop853<12>) {
+    fn hold_invariants(&mut self, solver: &mut impl Solver<State = [f64; 12]>) {
         let Accounts { x, attitude, .. } = Accounts::unpack(*solver.y());
         let mut change = Accounts { x: [0.0; 3], attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
         if self.form == Form::Momentum {
@@ -273,18 +278,18 @@ impl<E: Equations> Keeper<'_, E> {
         }
         let aligned = rotation::aligned(attitude, self.equations.momentum(x), self.K_N);
         change.attitude = std::array::from_fn(|i| aligned[i] - attitude[i]);
-        solver.correct(change.pack());
+        solver.correct(&change.pack());
     }
 }
 
-impl<E: Equations> Watcher<12> for Keeper<'_, E> {
-    fn output(&mut self, t: f64, y: [f64; 12]) {
-        let sample = self.sample(t, Accounts::unpack(y));
+impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
+    fn output(&mut self, t: f64, y: &[f64; 12]) {
+        let sample = self.sample(t, Accounts::unpack(*y));
         self.observer.sample(&sample);
     }
 
     #[inline(always)]
-    fn stepped(&mut self, solver: &mut Dop853<12>) -> ControlFlow<()> {
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
         self.hold_invariants(solver);
         if solver.work().steps.is_multiple_of(PROGRESS) {
             self.observer.progress(solver.t())

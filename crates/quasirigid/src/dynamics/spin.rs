@@ -10,12 +10,12 @@ use crate::math::sym::norm;
 /// Spin alone; the fourth component is idle and fills a vector register.
 pub(super) struct SpinOnly<'a, E>(pub &'a E);
 
-impl<E: Equations> System<4> for SpinOnly<'_, E> {
+impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+    fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 4], rate: &mut [f64; 4]) {
         let x = vector(*y);
         let [x, y, z] = self.0.rate::<A>(x, self.0.omega::<A>(x));
-        [x, y, z, 0.0]
+        *rate = [x, y, z, 0.0];
     }
 }
 
@@ -53,19 +53,19 @@ impl Accounts {
     }
 }
 
-impl<E: Equations> System<12> for Accounted<'_, E> {
+impl<E: Equations> System<[f64; 12]> for Accounted<'_, E> {
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, _: f64, y: &[f64; 12]) -> [f64; 12] {
+    fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 12], rate: &mut [f64; 12]) {
         let Accounts { x, attitude, .. } = Accounts::unpack(*y);
         let omega = self.equations.omega::<A>(x);
         let moved = self.equations.rate::<A>(x, omega);
-        let rate = Accounts {
+        let rates = Accounts {
             x: moved,
             attitude: rotation::rate(attitude, omega),
             dissipated: self.power.value::<A>(omega)[0],
             energy_change: self.equations.energy_rate::<A>(x, moved),
             angle: norm(omega),
         };
-        rate.pack()
+        *rate = rates.pack();
     }
 }

@@ -4,7 +4,7 @@ use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
 use super::propagate::{Options, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
-use crate::math::ode::{Dop853, Ending, Watcher, Work, integrate};
+use crate::math::ode::{Dop853, Ending, Solver, Watcher, Work, integrate};
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
 use crate::math::sym::norm;
 use crate::model::ReducedBody;
@@ -30,7 +30,7 @@ pub fn spin_path(
     times: &[f64],
     options: Options,
 ) -> Result<SpinPath, PropagateError> {
-    check(omega, times, options)?;
+    check(omega, times, options.tolerance)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
     Ok(match options.form {
         Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, times, options }),
@@ -54,9 +54,9 @@ impl<E: Equations> Task for Path<'_, E> {
         let system = SpinOnly(equations);
         let error = options.tolerance * norm(self.x);
         let allowed = [error, error, error, f64::INFINITY];
-        let mut solver = Dop853::new::<A>(&system, 0.0, [x, y, z, 0.0], allowed);
+        let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };
-        let outcome = integrate::<A, 4>(&mut solver, &system, times, options.most_steps, &mut collector);
+        let outcome = integrate(&mut solver, times, options.most_steps, &mut collector);
         SpinPath { omega: collector.omega, outcome, work: solver.work() }
     }
 }
@@ -66,13 +66,13 @@ struct Collector<'a, E> {
     omega: Vec<[f64; 3]>,
 }
 
-impl<E: Equations> Watcher<4> for Collector<'_, E> {
-    fn output(&mut self, _: f64, y: [f64; 4]) {
-        self.omega.push(self.equations.omega::<Plain>(vector(y)));
+impl<E: Equations, M: Solver<State = [f64; 4]>> Watcher<M> for Collector<'_, E> {
+    fn output(&mut self, _: f64, y: &[f64; 4]) {
+        self.omega.push(self.equations.omega::<Plain>(vector(*y)));
     }
 
     #[inline(always)]
-    fn stepped(&mut self, _: &mut Dop853<4>) -> ControlFlow<()> {
+    fn stepped(&mut self, _: &mut M) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 }

@@ -1,6 +1,7 @@
 //! Mathematics that knows no physics.
 
 pub mod cholesky;
+pub mod dynamic_stiffness;
 pub mod eigen;
 pub mod elliptic;
 pub mod expression;

@@ -1,15 +1,20 @@
 use std::ops::ControlFlow;
 
-use super::{Dop853, StepError, System};
-use crate::math::simd::Arithmetic;
+use super::{Dense, Solver, StepError};
 
 /// What happens along an integration.
-pub trait Watcher<const N: usize> {
+pub trait Watcher<M: Solver> {
     /// The state at an output time.
-    fn output(&mut self, t: f64, y: [f64; N]);
+    fn output(&mut self, t: f64, y: &M::State);
+
+    /// The time within the last step at which the integration is to end, if there is one.
+    fn event(&mut self, solver: &mut M) -> Option<f64> {
+        let _ = solver;
+        None
+    }
 
     /// Called after each step, and free to correct the state; `Break` ends the integration.
-    fn stepped(&mut self, solver: &mut Dop853<N>) -> ControlFlow<()>;
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()>;
 }
 
 /// Why an integration ended.
@@ -19,6 +24,8 @@ pub enum Ending {
     Finished,
     /// The watcher asked for an end.
     Interrupted,
+    /// An event of the watcher happened; the state is the one of that moment.
+    Event,
     /// The steps allowed were used up.
     StepLimit,
     /// No step could be made.
@@ -27,30 +34,32 @@ pub enum Ending {
 
 /// Integrates to the last of the ascending `times`, with outputs at each of them.
 #[inline(always)]
-pub fn integrate<A: Arithmetic, const N: usize>(
-    solver: &mut Dop853<N>,
-    system: &impl System<N>,
+pub fn integrate<M: Solver>(
+    solver: &mut M,
     times: &[f64],
     most_steps: u64,
-    watcher: &mut impl Watcher<N>,
+    watcher: &mut impl Watcher<M>,
 ) -> Ending {
     let mut next = 0;
     while next < times.len() && times[next] <= solver.t() {
-        watcher.output(times[next], *solver.y());
+        watcher.output(times[next], solver.y());
         next += 1;
     }
     while next < times.len() {
         if solver.work().steps >= most_steps {
             return Ending::StepLimit;
         }
-        if let Err(error) = solver.step::<A>(system, times[times.len() - 1]) {
+        if let Err(error) = solver.step(times[times.len() - 1]) {
             return Ending::Failed(error);
         }
-        if times[next] <= solver.t() {
-            let dense = solver.dense::<A>(system);
-            while next < times.len() && times[next] <= solver.t() {
-                watcher.output(times[next], dense.at(times[next]));
-                next += 1;
+        let event = watcher.event(solver);
+        let reached = event.unwrap_or(solver.t());
+        if times[next] <= reached || event.is_some() {
+            let dense = solver.dense();
+            next = outputs(&dense, times, next, reached, watcher);
+            if event.is_some() {
+                solver.rewind(reached, dense.at(reached));
+                return Ending::Event;
             }
         }
         if watcher.stepped(solver).is_break() {
@@ -58,4 +67,21 @@ pub fn integrate<A: Arithmetic, const N: usize>(
         }
     }
     Ending::Finished
+}
+
+/// Outputs at the times up to the one reached; the number of the next time.
+#[inline(always)]
+fn outputs<M: Solver>(
+    dense: &Dense<M::State>,
+    times: &[f64],
+    first: usize,
+    reached: f64,
+    watcher: &mut impl Watcher<M>,
+) -> usize {
+    let mut next = first;
+    while next < times.len() && times[next] <= reached {
+        watcher.output(times[next], &dense.at(times[next]));
+        next += 1;
+    }
+    next
 }

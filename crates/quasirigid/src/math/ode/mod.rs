@@ -1,8 +1,13 @@
 //! Initial value problems.
 
 mod dop853;
+mod dop853_tableau;
 mod integrate;
-mod tableau;
+mod radau;
+mod radau_tableau;
+mod system;
 
-pub use dop853::{Dense, Dop853, StepError, System, Work};
+pub use dop853::Dop853;
 pub use integrate::{Ending, Watcher, integrate};
+pub use radau::{Radau, Stiff};
+pub use system::{Dense, Solver, State, StepError, System, Work};

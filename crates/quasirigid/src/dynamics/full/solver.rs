@@ -1,0 +1,155 @@
+use super::system::FullSystem;
+use crate::math::ode::{Dense, Dop853, Radau, Solver, StepError, Work};
+use crate::math::simd::Plain;
+
+/// How the full system is integrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Explicit while vibrations have to be followed, implicit while the step is many times their period.
+    #[default]
+    Automatic,
+    /// Explicit, of order 8: cheap steps, but none longer than the fastest vibration.
+    Explicit,
+    /// Implicit, of order 13: dear steps, as long as the motion allows.
+    Implicit,
+}
+
+type State = Vec<f64>;
+type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
+type Implicit<'a> = Radau<FullSystem<'a>, State, Plain>;
+
+/// Both methods, one of them at work.
+pub(super) struct FullSolver<'a> {
+    method: Method,
+    active: Active<'a>,
+    allowed: State,
+    /// Fastest rate of the elastic part (1/s).
+    fastest: f64,
+    /// Steps since the last change of method.
+    since: u64,
+    /// Steps in a row that speak against the method at work.
+    against: u64,
+    /// Explicit steps before the implicit method is tried.
+    trust: u64,
+    /// Work of the methods at rest.
+    done: Work,
+}
+
+enum Active<'a> {
+    Explicit(Box<Explicit<'a>>),
+    Implicit(Box<Implicit<'a>>),
+}
+
+/// An explicit step times the fastest rate stays below 6 or so, where the method ceases to be stable.
+const STABILITY: f64 = 4.0;
+/// An implicit step costs as much as four explicit ones; below this many fastest rates it does not pay.
+const WORTHWHILE: f64 = 16.0;
+/// Steps in a row before a change of method.
+const PATIENCE: u64 = 12;
+/// Explicit steps before the implicit method is first tried; twice as many after each trial that did not pay.
+const TRUST: u64 = 50;
+/// First implicit step after explicit ones.
+const LEAP: f64 = 3.0;
+
+impl<'a> FullSolver<'a> {
+    pub fn new(mut system: FullSystem<'a>, y: State, allowed: State, method: Method) -> Self {
+        let fastest = system.fastest();
+        let explicit = Explicit::new(system.clone(), 0.0, y.clone(), allowed.clone());
+        let active = match method {
+            Method::Implicit => {
+                let h = explicit.h();
+                Active::Implicit(Box::new(Implicit::new(system, 0.0, y, allowed.clone(), h)))
+            }
+            Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
+        };
+        Self { method, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
+    }
+
+    /// Whether the last step speaks against the method at work.
+    fn misfit(&self) -> bool {
+        match &self.active {
+            Active::Explicit(solver) => solver.h() * self.fastest > STABILITY,
+            Active::Implicit(solver) => solver.h() * self.fastest < WORTHWHILE,
+        }
+    }
+
+    /// Whether the other method is to be tried.
+    fn due(&self) -> bool {
+        let tried = matches!(self.active, Active::Explicit(_)) && self.since >= self.trust;
+        self.method == Method::Automatic && (tried || self.against >= PATIENCE)
+    }
+
+    fn switch(&mut self) {
+        if matches!(self.active, Active::Implicit(_)) {
+            self.trust = if self.since < 3 * PATIENCE { 2 * self.trust } else { TRUST };
+        }
+        (self.since, self.against) = (0, 0);
+        self.done = self.work();
+        let allowed = self.allowed.clone();
+        self.active = match &self.active {
+            Active::Explicit(solver) => {
+                let (t, y, h) = (solver.t(), solver.y().clone(), LEAP * solver.h());
+                Active::Implicit(Box::new(Implicit::new(solver.system().clone(), t, y, allowed, h)))
+            }
+            Active::Implicit(solver) => {
+                let (t, y) = (solver.t(), solver.y().clone());
+                Active::Explicit(Box::new(Explicit::new(solver.system().clone(), t, y, allowed)))
+            }
+        };
+    }
+}
+
+/// Calls a method of the solver at work.
+macro_rules! active {
+    ($self:expr, $solver:ident => $call:expr) => {
+        match $self {
+            Active::Explicit($solver) => $call,
+            Active::Implicit($solver) => $call,
+        }
+    };
+}
+
+impl Solver for FullSolver<'_> {
+    type State = State;
+
+    fn t(&self) -> f64 {
+        active!(&self.active, solver => solver.t())
+    }
+
+    fn y(&self) -> &State {
+        active!(&self.active, solver => solver.y())
+    }
+
+    fn work(&self) -> Work {
+        let now = active!(&self.active, solver => solver.work());
+        Work {
+            steps: self.done.steps + now.steps,
+            rejected: self.done.rejected + now.rejected,
+            evaluations: self.done.evaluations + now.evaluations,
+            factorizations: self.done.factorizations + now.factorizations,
+            implicit_steps: self.done.implicit_steps + now.implicit_steps,
+        }
+    }
+
+    fn step(&mut self, end: f64) -> Result<(), StepError> {
+        if self.due() {
+            self.switch();
+        }
+        active!(&mut self.active, solver => solver.step(end))?;
+        self.since += 1;
+        self.against = if self.misfit() { self.against + 1 } else { 0 };
+        Ok(())
+    }
+
+    fn dense(&mut self) -> Dense<State> {
+        active!(&mut self.active, solver => solver.dense())
+    }
+
+    fn correct(&mut self, change: &State) {
+        active!(&mut self.active, solver => solver.correct(change));
+    }
+
+    fn rewind(&mut self, t: f64, y: State) {
+        active!(&mut self.active, solver => solver.rewind(t, y));
+    }
+}

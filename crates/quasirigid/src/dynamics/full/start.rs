@@ -1,0 +1,57 @@
+use super::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
+use crate::model::{FlexibleBody, Motion};
+
+/// Where a full run starts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FullState {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+    /// Internal coordinates.
+    pub q: Vec<f64>,
+    /// Their rates.
+    pub rate: Vec<f64>,
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    /// Its velocity (m/s).
+    pub velocity: [f64; 3],
+}
+
+impl FullState {
+    /// A body that turns without being displaced: the elastic parts at rest where they have their equilibrium.
+    #[must_use]
+    pub fn at_rest(body: &FlexibleBody, omega: [f64; 3], attitude: [f64; 4]) -> Self {
+        let n = body.coordinates().len();
+        let still = vec![0.0; n];
+        Self { omega, attitude, q: still.clone(), rate: still, place: [0.0; 3], velocity: [0.0; 3] }
+    }
+
+    /// Angular momentum (N·m·s), body axes.
+    #[must_use]
+    pub fn momentum(&self, body: &FlexibleBody) -> [f64; 3] {
+        body.momentum(self.motion())
+    }
+
+    /// Energy of rotation and deformation (J).
+    #[must_use]
+    pub fn energy(&self, body: &FlexibleBody) -> f64 {
+        body.energy(self.motion())
+    }
+
+    fn motion(&self) -> Motion<'_, f64> {
+        Motion { omega: self.omega, q: &self.q, rate: &self.rate }
+    }
+
+    pub(super) fn pack(&self, body: &FlexibleBody) -> Vec<f64> {
+        let layout = Layout { n: self.q.len() };
+        let mut y = vec![0.0; layout.len()];
+        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.momentum(body));
+        y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);
+        y[PLACE..PLACE + 3].copy_from_slice(&self.place);
+        y[VELOCITY..VELOCITY + 3].copy_from_slice(&self.velocity);
+        y[layout.q()].copy_from_slice(&self.q);
+        y[layout.p()].copy_from_slice(&body.generalized_momentum(self.motion()));
+        y
+    }
+}

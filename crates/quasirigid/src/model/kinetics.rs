@@ -1,0 +1,244 @@
+use nalgebra::{Matrix3, Vector3};
+
+use super::{FlexibleBody, Invariants};
+use crate::math::cholesky::Cholesky;
+use crate::math::sparse::SparseRows;
+use crate::math::sym::{self, Sym, add, cross, dot, scale, times};
+
+/// Velocities from momenta: solves (S2) and (S4) for the spin and the rates of the coordinates, at any displacement.
+///
+/// The kinetic energy is `½ωᵀJ(q)ω + ω·h(q)q̇ + ½q̇ᵀAq̇`, for a free body with the translation eliminated. (S6)
+#[derive(Clone, Debug)]
+pub struct Kinetics<'a> {
+    body: &'a FlexibleBody,
+    inverse: MassInverse,
+    /// `h_k(q)` in the first three columns, the generalised momenta in the last; then `A⁻¹` times both.
+    rows: Vec<[f64; 4]>,
+    solved: Vec<[f64; 4]>,
+}
+
+/// Spin and internal rates of a state.
+#[derive(Clone, Copy, Debug)]
+pub struct Velocities<'a> {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// First moment of the displacement, `s` (kg·m), and its inertial rate `u = ṡ + ω × s`; zero where the body is held.
+    pub moment: [[f64; 3]; 2],
+    /// Coordinates.
+    pub q: &'a [f64],
+}
+
+impl<'a> Kinetics<'a> {
+    /// Factors the mass matrix of a body.
+    #[must_use]
+    pub fn new(body: &'a FlexibleBody) -> Self {
+        let n = body.coordinates().len();
+        Self { body, inverse: MassInverse::new(body), rows: vec![[0.0; 4]; n], solved: vec![[0.0; 4]; n] }
+    }
+
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &'a FlexibleBody {
+        self.body
+    }
+
+    /// Spin at these momenta (N·m·s; coordinates' own units) and coordinates; writes the rates of the coordinates.
+    pub fn velocities<'q>(
+        &mut self,
+        K: [f64; 3],
+        p: &[f64],
+        q: &'q [f64],
+        rate: &mut [f64],
+    ) -> Velocities<'q> {
+        let (J, s) = self.prepare(q);
+        for (row, p) in self.rows.iter_mut().zip(p) {
+            row[3] = *p;
+        }
+        self.inverse.apply(&self.rows, &mut self.solved);
+        let mut schur = J;
+        let mut load = K;
+        for ([hx, hy, hz, _], [x, y, z, p]) in self.rows.iter().zip(&self.solved) {
+            let products = [hx * x, hy * y, hz * z, hy * z, hz * x, hx * y];
+            schur.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
+            load = add(load, scale(-p, [*hx, *hy, *hz]));
+        }
+        let omega = times(sym::inverse(schur), load);
+        let mut drift = [0.0; 3];
+        for ((rate, [x, y, z, p]), S) in rate.iter_mut().zip(&self.solved).zip(&self.body.invariants().S) {
+            *rate = p - (x * omega[0] + y * omega[1] + z * omega[2]);
+            drift = add(drift, scale(*rate, *S));
+        }
+        let u = if self.body.translation().is_some() { add(drift, cross(omega, s)) } else { [0.0; 3] };
+        Velocities { omega, moment: [s, u], q }
+    }
+
+    /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; the power that the
+    /// dashpots take (W). (S4)
+    pub fn add_loads(&self, velocities: Velocities, rate: &[f64], sum: &mut [f64]) -> f64 {
+        let Velocities { omega, moment: [_, u], q } = velocities;
+        let Invariants { J1, S, pairs, .. } = self.body.invariants();
+        let square = products(omega);
+        let recoil = scale(self.body.translation().unwrap_or(0.0), cross(u, omega));
+        let mut power = 0.0;
+        for (j, sum) in sum.iter_mut().enumerate() {
+            let mut load = 0.5 * form(J1[j], square) - dot(S[j], recoil);
+            for (k, pair) in pairs.row(j) {
+                load += form(pair.J2, square) * q[k] + dot(omega, pair.Z) * rate[k];
+            }
+            let damped: f64 = self.body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
+            let elastic: f64 = self.body.stiffness().row(j).map(|(k, c)| c * q[k]).sum();
+            power += damped * rate[j];
+            *sum += load - damped - elastic;
+        }
+        power
+    }
+
+    /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows.
+    fn prepare(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
+        let Invariants { J, J1, S, h, pairs, .. } = self.body.invariants();
+        let mut J = *J;
+        let mut s = [0.0; 3];
+        for (row, h) in self.rows.iter_mut().zip(h) {
+            *row = [h[0], h[1], h[2], 0.0];
+        }
+        for (j, qj) in q.iter().enumerate() {
+            s = add(s, scale(*qj, S[j]));
+            let mut change = J1[j];
+            for (k, pair) in pairs.row(j) {
+                for (change, J2) in change.iter_mut().zip(pair.J2) {
+                    *change += q[k] * J2;
+                }
+                for (h, Z) in self.rows[k].iter_mut().zip(pair.Z) {
+                    *h += qj * Z;
+                }
+            }
+            J.iter_mut().zip(change).for_each(|(J, change)| *J += qj * change);
+        }
+        let Some(per_mass) = self.body.translation() else {
+            return (J, [0.0; 3]);
+        };
+        let [xx, yy, zz, yz, zx, xy] = products(s);
+        let about_center = [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy];
+        J.iter_mut().zip(about_center).for_each(|(J, part)| *J -= per_mass * part);
+        for (row, S) in self.rows.iter_mut().zip(S) {
+            let turn = cross(s, *S);
+            row.iter_mut().zip(turn).for_each(|(h, turn)| *h -= per_mass * turn);
+        }
+        (J, s)
+    }
+}
+
+/// `xx, yy, zz, yz, zx, xy` of a vector.
+fn products([x, y, z]: [f64; 3]) -> Sym {
+    [x * x, y * y, z * z, y * z, z * x, x * y]
+}
+
+/// `ωᵀ M ω` from the products of `ω`.
+fn form([xx, yy, zz, yz, zx, xy]: Sym, square: Sym) -> f64 {
+    let [a, b, c, d, e, f] = square;
+    xx * a + yy * b + zz * c + 2.0 * (yz * d + zx * e + xy * f)
+}
+
+/// Inverse of the mass matrix `A − SSᵀ/m*` of a free body, `A` of a held one.
+#[derive(Clone, Debug)]
+struct MassInverse {
+    sparse: SparseInverse,
+    /// `A⁻¹S` and `(m* − SᵀA⁻¹S)⁻¹`, which join in for a free body.
+    recoil: Option<(Vec<[f64; 3]>, Matrix3<f64>)>,
+    S: Vec<[f64; 3]>,
+}
+
+#[derive(Clone, Debug)]
+enum SparseInverse {
+    /// Of a matrix that falls into small blocks, which its inverse shares.
+    Blocks(SparseRows<f64>),
+    Factor(Cholesky),
+}
+
+/// Largest block that is inverted as a whole.
+const BLOCK: usize = 6;
+
+impl MassInverse {
+    fn new(body: &FlexibleBody) -> Self {
+        let Invariants { pairs, S, mass, .. } = body.invariants();
+        let entries = pairs.iter().map(|(j, k, pair)| (j, k, pair.A)).collect();
+        let A: SparseRows<f64> = SparseRows::sum(S.len(), entries);
+        let sparse = match blocks(&A) {
+            Some(inverse) => SparseInverse::Blocks(inverse),
+            None => SparseInverse::Factor(Cholesky::new(&A).expect("masses are positive")),
+        };
+        let mut inverse = Self { sparse, recoil: None, S: S.clone() };
+        if body.translation().is_some() {
+            let rows: Vec<_> = S.iter().map(|S| [S[0], S[1], S[2], 0.0]).collect();
+            let mut solved = vec![[0.0; 4]; S.len()];
+            inverse.apply(&rows, &mut solved);
+            let solved: Vec<[f64; 3]> = solved.iter().map(|[x, y, z, _]| [*x, *y, *z]).collect();
+            let mut middle = *mass * Matrix3::identity();
+            for (S, X) in S.iter().zip(&solved) {
+                middle -= Vector3::from(*S) * Vector3::from(*X).transpose();
+            }
+            let middle = middle.try_inverse().expect("the carrier has mass");
+            inverse.recoil = Some((solved, middle));
+        }
+        inverse
+    }
+
+    fn apply(&self, rows: &[[f64; 4]], solved: &mut [[f64; 4]]) {
+        match &self.sparse {
+            SparseInverse::Blocks(inverse) => {
+                for (j, solved) in solved.iter_mut().enumerate() {
+                    *solved = [0.0; 4];
+                    for (k, entry) in inverse.row(j) {
+                        solved.iter_mut().zip(rows[k]).for_each(|(sum, part)| *sum += entry * part);
+                    }
+                }
+            }
+            SparseInverse::Factor(factor) => {
+                solved.copy_from_slice(rows);
+                factor.solve(solved.as_flattened_mut(), 4);
+            }
+        }
+        if let Some((recoil, middle)) = &self.recoil {
+            let mut moments = [[0.0; 3]; 4];
+            for (S, solved) in self.S.iter().zip(&*solved) {
+                for (moment, x) in moments.iter_mut().zip(solved) {
+                    *moment = add(*moment, scale(*x, *S));
+                }
+            }
+            let shifts = moments.map(|moment| <[f64; 3]>::from(middle * Vector3::from(moment)));
+            for (solved, X) in solved.iter_mut().zip(recoil) {
+                solved.iter_mut().zip(shifts).for_each(|(x, shift)| *x += dot(*X, shift));
+            }
+        }
+    }
+}
+
+/// Inverse of a matrix whose blocks are contiguous and small; none if one is larger.
+fn blocks(A: &SparseRows<f64>) -> Option<SparseRows<f64>> {
+    let mut parts = Vec::new();
+    let mut start = 0;
+    while start < A.size() {
+        let mut end = start + 1;
+        let mut row = start;
+        while row < end {
+            let last = A.row(row).map(|(column, _)| column + 1).max().unwrap_or(0);
+            end = end.max(last);
+            row += 1;
+        }
+        if end - start > BLOCK {
+            return None;
+        }
+        let mut block = nalgebra::DMatrix::zeros(end - start, end - start);
+        for row in start..end {
+            for (column, entry) in A.row(row) {
+                block[(row - start, column - start)] = *entry;
+            }
+        }
+        let inverse = block.cholesky()?.inverse();
+        for row in start..end {
+            parts.extend((start..end).map(|column| (row, column, inverse[(row - start, column - start)])));
+        }
+        start = end;
+    }
+    Some(SparseRows::sum(A.size(), parts))
+}

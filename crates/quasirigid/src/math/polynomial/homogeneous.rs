@@ -1,5 +1,5 @@
-use crate::math::scalar::Scalar;
 use super::monomial::{count, exponents, index};
+use crate::math::scalar::Scalar;
 
 /// Rows of homogeneous polynomials of one degree in three variables.
 ///

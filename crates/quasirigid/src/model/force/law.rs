@@ -12,7 +12,7 @@ pub struct Force<P> {
     pub law: Law<P>,
 }
 
-/// Laws of external forces. (F1)–(F9)
+/// Laws of external forces. (F3)–(F9)
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law<P> {
     /// The same acceleration of every mass element (m/s²), inertial axes. (F3)

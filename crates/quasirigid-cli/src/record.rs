@@ -33,6 +33,7 @@ pub fn body(body: &FlexibleBody) -> BodyRecord {
         support: match body.support() {
             Support::Free => "free".into(),
             Support::FixedPoint { .. } => "fixed-point".into(),
+            Support::Prescribed { .. } => "prescribed".into(),
         },
         inertia: body.inertia(),
         principal_moments: principal.moments,

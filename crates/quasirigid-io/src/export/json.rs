@@ -43,6 +43,7 @@ impl Derived<'_> {
             support: match body.support() {
                 Support::Free => "free",
                 Support::FixedPoint { .. } => "fixed-point",
+                Support::Prescribed { .. } => "prescribed",
             },
             order: reduced.order,
             mass: reduced.mass,

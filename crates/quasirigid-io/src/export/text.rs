@@ -27,6 +27,7 @@ impl Derived<'_> {
         let support = match body.support() {
             Support::Free => "free: the pole is the centre of mass",
             Support::FixedPoint { .. } => "the pole is a fixed point",
+            Support::Prescribed { .. } => "the pole is driven",
         };
         writeln!(out, "pole              {} m", vector(body.pole()))?;
         writeln!(out, "                  {support}")?;

@@ -46,6 +46,7 @@ pub(super) fn assembly(file: &Table<'_>, problems: &Problems<'_>) -> Option<(Ass
         springs: springs?,
         hinged: hinged?,
         support: support?,
+        forces: Vec::new(),
     };
     Some((assembly, spans))
 }

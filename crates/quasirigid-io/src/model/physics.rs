@@ -1,5 +1,5 @@
 use quasirigid::elements::{Assembly, ElementError, Place, Problem};
-use quasirigid::model::{InertiaError, Support};
+use quasirigid::model::InertiaError;
 
 use super::Diagnostic;
 use super::spans::Spans;
@@ -24,7 +24,7 @@ fn described(place: Place, assembly: &Assembly) -> String {
     let named = match place {
         Place::Point(index) => assembly.points.get(index).map(|point| format!("point {:?}", point.name)),
         Place::Hinged(index) => assembly.hinged.get(index).map(|part| format!("appendage {:?}", part.name)),
-        Place::Carrier | Place::Spring(_) | Place::Support => None,
+        Place::Carrier | Place::Spring(_) | Place::Support | Place::Force(_) => None,
     };
     named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_)) { "" } else { "the " }))
 }
@@ -72,10 +72,8 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Mechanism { .. } => {
             "add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }"
         }
-        Problem::NoInertia { support: Support::Free, .. } => {
-            "check the masses and the inertia of the carrier"
-        }
-        Problem::NoInertia { support: Support::FixedPoint { .. }, .. } => {
+        Problem::NoInertia { held: false, .. } => "check the masses and the inertia of the carrier",
+        Problem::NoInertia { held: true, .. } => {
             "check the inertia of the carrier and the place of the fixed point"
         }
         _ => return None,

@@ -31,6 +31,7 @@ impl Spans {
             Place::Spring(index) => self.springs.get(index),
             Place::Hinged(index) => self.hinged.get(index),
             Place::Support => Some(&self.support),
+            Place::Force(_) => None,
         };
         let Some(element) = element else {
             return 0..0;

@@ -1,6 +1,6 @@
 use insta::assert_snapshot;
 use quasirigid::elements::{ElementError, Field, Place, Problem};
-use quasirigid::model::{InertiaError, Support};
+use quasirigid::model::InertiaError;
 use quasirigid_io::model::{Model, ModelError};
 
 use super::{CARRIER, HINGED, POINT, read};
@@ -153,7 +153,7 @@ fn a_value_the_file_leaves_out_is_diagnosed_at_its_table() {
       write a direction such as [0, 0, 1]; its length does not matter
     "#);
     let moments = [0.0, 0.0, 1.0];
-    let no_inertia = Problem::NoInertia { moments, support: Support::Free };
+    let no_inertia = Problem::NoInertia { moments, held: false };
     assert_snapshot!(diagnosis(&model, Place::Support, Field::FixedPoint, no_inertia), @r#"
     model.toml:1:1: the whole body has no inertia about some axis (principal moments [0.0, 0.0, 1.0] kg m^2)
       check the masses and the inertia of the carrier

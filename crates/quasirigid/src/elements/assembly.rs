@@ -2,9 +2,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
 use super::error::{ElementError, Field, Place, Problem};
-use super::{Carrier, Hinged, Point, Spring, coefficient};
+use super::{Carrier, Hinged, Point, Spring, Station, coefficient, force};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::force::Force;
 use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
 
 /// A body as the user describes it: a carrier with points, springs and hinged appendages on it.
@@ -20,6 +21,8 @@ pub struct Assembly {
     pub hinged: Vec<Hinged>,
     /// How the body is held.
     pub support: Support,
+    /// External forces.
+    pub forces: Vec<Force<Station>>,
 }
 
 /// A rigid piece placed on the body, with the coordinates that move it.
@@ -56,7 +59,10 @@ impl Assembly {
         let starts = vec![0; self.points.len()];
         let springs =
             (0..self.springs.len()).filter_map(|i| self.springs[i].block(i, &self.points, &starts).err());
-        let support = self.fixed_point().err();
+        let support = self.held_point().err();
+        let points_of_forces = self.points.len();
+        let forces = self.forces.iter().enumerate();
+        let forces = forces.filter_map(|(i, force)| force::check(i, force, points_of_forces).err());
         carrier
             .into_iter()
             .chain(points)
@@ -64,6 +70,7 @@ impl Assembly {
             .chain(hinges)
             .chain(springs)
             .chain(support)
+            .chain(forces)
             .chain(self.same_names())
             .collect()
     }
@@ -79,12 +86,12 @@ impl Assembly {
         let carrier = self.carrier.piece()?;
         let movers = self.movers()?;
         let (mass, center_of_mass) = mass_center(&carrier, self.carrier.position(), &movers);
-        let pole = self.fixed_point()?.unwrap_or(center_of_mass);
+        let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = invariants(&carrier, self.carrier.position() - pole, &movers, pole, mass);
         self.has_inertia(&invariants)?;
         let (stiffness, damping) = self.matrices(&movers)?;
         FlexibleBody::new(Parts {
-            support: self.support,
+            support: self.support.clone(),
             pole: pole.into(),
             center_of_mass: center_of_mass.into(),
             invariants,
@@ -96,18 +103,44 @@ impl Assembly {
         .map_err(|error| self.blame(error))
     }
 
+    /// External forces with the places they act at, as seen from the pole of [`Self::body`].
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first force, or element under it, that cannot be.
+    pub fn forces(&self) -> Result<Vec<Force<Marker>>, ElementError> {
+        let movers = self.movers()?;
+        let (_, center_of_mass) = mass_center(&self.carrier.piece()?, self.carrier.position(), &movers);
+        let pole = self.held_point()?.unwrap_or(center_of_mass);
+        let markers = markers(&movers, pole);
+        let points = &markers[..self.points.len()];
+        let placed = |(i, force): (usize, &Force<Station>)| {
+            force::check(i, force, points.len())?;
+            force.try_map(|station| station.marker(Place::Force(i), &force.name, points, pole))
+        };
+        self.forces.iter().enumerate().map(placed).collect()
+    }
+
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {
         let points = self.points.iter().enumerate().map(|(i, point)| point.mover(i));
         let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| hinged.mover(i));
         points.chain(hinged).collect()
     }
 
-    fn fixed_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
-        let Support::FixedPoint { point } = self.support else {
-            return Ok(None);
+    /// The point that is fixed or driven; none of a free body.
+    fn held_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
+        let finite =
+            |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(Place::Support, field));
+        let point = match &self.support {
+            Support::Free => return Ok(None),
+            Support::FixedPoint { point } => point,
+            Support::Prescribed { point, velocity, position, .. } => {
+                finite(Field::Velocity, velocity)?;
+                finite(Field::Position, position)?;
+                point
+            }
         };
-        coefficient::finite(&point).map_err(at(Place::Support, Field::FixedPoint))?;
-        Ok(Some(point.into()))
+        finite(Field::FixedPoint, point)?;
+        Ok(Some((*point).into()))
     }
 
     fn same_names(&self) -> Vec<ElementError> {
@@ -128,7 +161,7 @@ impl Assembly {
         if moments[0] > f64::EPSILON.sqrt() * moments[2] {
             return Ok(());
         }
-        let problem = Problem::NoInertia { moments, support: self.support };
+        let problem = Problem::NoInertia { moments, held: self.support != Support::Free };
         Err(at(Place::Carrier, Field::Inertia)(problem))
     }
 

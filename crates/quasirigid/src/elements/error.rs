@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::model::{InertiaError, Support};
+use crate::model::InertiaError;
 
 /// An element that no body can have: where it is, which of its values is wrong, and what is wrong with it.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -27,6 +27,8 @@ pub enum Place {
     Hinged(usize),
     /// The support.
     Support,
+    /// An external force.
+    Force(usize),
 }
 
 impl std::fmt::Display for Place {
@@ -37,6 +39,7 @@ impl std::fmt::Display for Place {
             Self::Spring(index) => write!(f, "spring {}", index + 1),
             Self::Hinged(index) => write!(f, "hinged appendage {}", index + 1),
             Self::Support => write!(f, "support"),
+            Self::Force(index) => write!(f, "force {}", index + 1),
         }
     }
 }
@@ -70,8 +73,46 @@ pub enum Field {
     Hinge,
     /// Axes of a hinge.
     Axes,
-    /// The fixed point of a support.
+    /// The fixed or driven point of a support.
     FixedPoint,
+    /// Velocity of a driven point at the start.
+    Velocity,
+    /// Acceleration of gravity.
+    Acceleration,
+    /// Part that a force acts on.
+    On,
+    /// Place on the carrier where a force acts.
+    At,
+    /// Coefficient of a drag.
+    Coefficient,
+    /// Amplitude of a torque.
+    Torque,
+    /// Amplitude of a thrust.
+    Force,
+    /// Magnetic dipole moment.
+    Moment,
+    /// Uniform magnetic field.
+    MagneticField,
+    /// Strength of the dipole whose magnetic field it is.
+    Dipole,
+    /// Frequency of a periodic force.
+    Frequency,
+    /// Phase of a periodic force.
+    Phase,
+    /// Gravitational parameter of an orbit.
+    GravitationalParameter,
+    /// Semi-major axis of an orbit.
+    SemiMajorAxis,
+    /// Eccentricity of an orbit.
+    Eccentricity,
+    /// Inclination of an orbit.
+    Inclination,
+    /// Longitude of the ascending node of an orbit.
+    Node,
+    /// Argument of the periapsis of an orbit.
+    Periapsis,
+    /// Mean anomaly at the start.
+    MeanAnomaly,
 }
 
 impl std::fmt::Display for Field {
@@ -91,6 +132,25 @@ impl std::fmt::Display for Field {
             Self::Hinge => "hinge",
             Self::Axes => "axes",
             Self::FixedPoint => "point",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::On => "on",
+            Self::At => "at",
+            Self::Coefficient => "coefficient",
+            Self::Torque => "torque",
+            Self::Force => "force",
+            Self::Moment => "moment",
+            Self::MagneticField => "field",
+            Self::Dipole => "dipole",
+            Self::Frequency => "frequency",
+            Self::Phase => "phase",
+            Self::GravitationalParameter => "gravitational_parameter",
+            Self::SemiMajorAxis => "semi_major_axis",
+            Self::Eccentricity => "eccentricity",
+            Self::Inclination => "inclination",
+            Self::Node => "node",
+            Self::Periapsis => "periapsis",
+            Self::MeanAnomaly => "mean_anomaly",
         })
     }
 }
@@ -175,6 +235,30 @@ pub enum Problem {
         /// Number of the axis, from 1.
         axis: usize,
     },
+    /// A force on the carrier does not say where it acts.
+    #[error("a force on the carrier needs the place where it acts")]
+    NoStation,
+    /// A force on a point says where on the carrier it acts.
+    #[error("a force on a point acts at the point itself")]
+    StationOnPoint,
+    /// A drag gives energy instead of taking it.
+    #[error("the coefficient {value} is negative; a drag must not give energy")]
+    Driving {
+        /// The coefficient.
+        value: f64,
+    },
+    /// A quantity is zero or negative.
+    #[error("{value} is not positive")]
+    NotPositive {
+        /// The number.
+        value: f64,
+    },
+    /// An eccentricity is not that of an ellipse.
+    #[error("no ellipse has the eccentricity {value}; it is at least 0 and below 1")]
+    NotElliptic {
+        /// The eccentricity.
+        value: f64,
+    },
     /// Two elements share a name.
     #[error("the name \"{name}\" is used twice")]
     DuplicateName {
@@ -192,7 +276,7 @@ pub enum Problem {
     NoInertia {
         /// Principal moments of inertia about the pole (kg·m²), ascending.
         moments: [f64; 3],
-        /// The support that chose the pole.
-        support: Support,
+        /// Whether the pole is a point that is fixed or driven, not the centre of mass.
+        held: bool,
     },
 }

@@ -5,9 +5,11 @@ mod assembly;
 mod carrier;
 mod coefficient;
 mod error;
+mod force;
 mod hinged;
 mod point;
 mod spring;
+mod station;
 
 pub use assembly::Assembly;
 pub use carrier::Carrier;
@@ -15,3 +17,4 @@ pub use error::{ElementError, Field, Place, Problem};
 pub use hinged::{HingeCoefficient, Hinged};
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};
+pub use station::Station;

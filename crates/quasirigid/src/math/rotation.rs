@@ -3,11 +3,50 @@
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
+use super::scalar::{Scalar, Smooth};
+use super::sym::{add, dot, scale};
+
 /// Unit quaternion, scalar first.
 pub type Attitude = [f64; 4];
 
 /// Body and inertial axes coincide.
 pub const ALIGNED: Attitude = [1.0, 0.0, 0.0, 0.0];
+
+/// `R_NB` as a matrix, for numbers that may be series in time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<T> {
+    rows: [[T; 3]; 3],
+}
+
+impl<T: Smooth> Turn<T> {
+    /// The turn of an attitude; its length does not matter.
+    #[must_use]
+    pub fn of([s, x, y, z]: [T; 4]) -> Self {
+        let two = T::from(2.0) / (s * s + x * x + y * y + z * z);
+        let one = T::from(1.0);
+        let rows = [
+            [one - two * (y * y + z * z), two * (x * y - s * z), two * (x * z + s * y)],
+            [two * (x * y + s * z), one - two * (x * x + z * z), two * (y * z - s * x)],
+            [two * (x * z - s * y), two * (y * z + s * x), one - two * (x * x + y * y)],
+        ];
+        Self { rows }
+    }
+}
+
+impl<T: Scalar> Turn<T> {
+    /// Inertial components of a vector given in body components.
+    #[must_use]
+    pub fn to_inertial(&self, vector: [T; 3]) -> [T; 3] {
+        self.rows.map(|row| dot(row, vector))
+    }
+
+    /// Body components of a vector given in inertial components.
+    #[must_use]
+    pub fn to_body(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+        let [first, second, third] = self.rows;
+        add(add(scale(x, first), scale(y, second)), scale(z, third))
+    }
+}
 
 /// Inertial components of a vector given in body components.
 #[must_use]
@@ -71,6 +110,19 @@ mod tests {
         let expected = rate(start, omega);
         for i in 0..4 {
             assert!(((ahead[i] - behind[i]) / (2.0 * h) - expected[i]).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_matrix_turns_as_the_quaternion_does_whatever_its_length() {
+        let attitude = turned(ALIGNED, [0.3, -0.7, 0.2]);
+        let turn = Turn::of(attitude.map(|entry| 3.0 * entry));
+        let vector = [0.4, 1.1, -0.6];
+        let expected = to_inertial(attitude, vector);
+        let back = turn.to_body(expected);
+        for i in 0..3 {
+            assert!((turn.to_inertial(vector)[i] - expected[i]).abs() < 1e-15);
+            assert!((back[i] - vector[i]).abs() < 1e-15);
         }
     }
 

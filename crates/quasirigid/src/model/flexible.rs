@@ -106,8 +106,8 @@ impl FlexibleBody {
 
     /// How the body is held.
     #[must_use]
-    pub fn support(&self) -> Support {
-        self.support
+    pub fn support(&self) -> &Support {
+        &self.support
     }
 
     /// Pole `O` (m), in the file's frame.
@@ -158,12 +158,12 @@ impl FlexibleBody {
         &self.markers
     }
 
-    /// `1/m*` for a free body, whose translation is eliminated (S6); none where a point is fixed.
+    /// `1/m*` for a free body, whose translation is eliminated (S6); none where a point is fixed or driven.
     #[must_use]
     pub fn translation(&self) -> Option<f64> {
         match self.support {
             Support::Free => Some(self.invariants.mass.recip()),
-            Support::FixedPoint { .. } => None,
+            Support::FixedPoint { .. } | Support::Prescribed { .. } => None,
         }
     }
 

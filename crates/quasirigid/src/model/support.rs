@@ -1,5 +1,7 @@
+use crate::math::expression::Expression;
+
 /// How the body is held, which chooses the pole `O`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Support {
     /// Free in space: `O` is the centre of mass of the frozen body `S*` and the translation is eliminated.
     #[default]
@@ -8,5 +10,16 @@ pub enum Support {
     FixedPoint {
         /// The point (m), in the file's frame.
         point: [f64; 3],
+    },
+    /// One point of the carrier is driven on a given path and is the pole `O`. (F2)
+    Prescribed {
+        /// The point (m), in the file's frame.
+        point: [f64; 3],
+        /// Acceleration `R̈₀(t)` of the pole (m/s²), inertial axes: expressions of the single variable `t`.
+        acceleration: [Expression; 3],
+        /// Velocity of the pole at `t = 0` (m/s), inertial axes.
+        velocity: [f64; 3],
+        /// Place of the pole at `t = 0` (m), inertial axes.
+        position: [f64; 3],
     },
 }

@@ -51,6 +51,7 @@ impl AxialMass {
             }],
             hinged: Vec::new(),
             support: Support::Free,
+            forces: Vec::new(),
         }
     }
 

@@ -53,6 +53,7 @@ impl Explorer1 {
             springs: Vec::new(),
             hinged: whips.iter().enumerate().map(|(i, e)| self.whip(i, *e)).collect(),
             support: Support::Free,
+            forces: Vec::new(),
         }
     }
 

@@ -30,6 +30,7 @@ pub fn ring_of_points(count: usize) -> Assembly {
         springs: springs.collect(),
         hinged: Vec::new(),
         support: Support::Free,
+        forces: Vec::new(),
     }
 }
 

@@ -29,7 +29,7 @@ fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
 fn body(points: Vec<Point>, springs: Vec<Spring>) -> Assembly {
     let inertia = [[1.0, 0.1, 0.0], [0.1, 1.4, 0.0], [0.0, 0.0, 1.2]];
     let carrier = Carrier { mass: 2.0, center_of_mass: [0.1, 0.0, -0.1], inertia };
-    Assembly { carrier, points, springs, hinged: Vec::new(), support: Support::Free }
+    Assembly { carrier, points, springs, hinged: Vec::new(), support: Support::Free, forces: Vec::new() }
 }
 
 /// The place blamed and the coordinates named.

@@ -159,7 +159,14 @@ fn join(
     let carrier_piece = Carrier { mass, center_of_mass: center.into(), inertia: inertia.into() };
     let support = if free { Support::Free } else { Support::FixedPoint { point: fixed } };
     Massive {
-        assembly: Assembly { carrier: carrier_piece, points, springs, hinged: hinges, support },
+        assembly: Assembly {
+            carrier: carrier_piece,
+            points,
+            springs,
+            hinged: hinges,
+            support,
+            forces: Vec::new(),
+        },
         carrier,
         appendages,
     }

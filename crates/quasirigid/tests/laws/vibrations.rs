@@ -24,7 +24,7 @@ fn mass(body: &FlexibleBody) -> DMatrix<f64> {
     let n = body.coordinates().len();
     let mut A = DMatrix::zeros(n, n);
     invariants.pairs.iter().for_each(|(row, column, pair)| A[(row, column)] += pair.A);
-    if body.support() == Support::Free {
+    if *body.support() == Support::Free {
         let S = rows(&invariants.S);
         A -= &S * S.transpose() / invariants.mass;
     }

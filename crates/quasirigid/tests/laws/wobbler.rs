@@ -39,6 +39,7 @@ pub fn assembly() -> Assembly {
             damping: HingeCoefficient::PerAxis(vec![0.4, 0.3]),
         }],
         support: Support::Free,
+        forces: Vec::new(),
     }
 }
 

@@ -31,6 +31,7 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
         }],
         hinged: vec![],
         support: Support::FixedPoint { point: [0.0; 3] },
+        forces: Vec::new(),
     }
     .body()
     .unwrap()

@@ -36,6 +36,7 @@ fn hub() -> Assembly {
         }],
         hinged: vec![],
         support: Support::Free,
+        forces: Vec::new(),
     }
 }
 

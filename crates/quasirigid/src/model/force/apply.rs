@@ -1,4 +1,9 @@
-use crate::model::Motion;
+use super::gravity::FirstMoment;
+use super::{Axes, Force, Law, Wave};
+use crate::math::rotation::Turn;
+use crate::math::scalar::Smooth;
+use crate::math::sym::{add, cross, dot, scale};
+use crate::model::{FlexibleBody, Marker, Motion, Support};
 
 /// Where the body is and how it moves, as external forces see it.
 #[derive(Clone, Copy, Debug)]
@@ -24,4 +29,142 @@ pub struct Loads<T> {
     pub moment: [T; 3],
     /// Generalised force on each coordinate, `Q_j = Σ ∂u/∂q_j · F`.
     pub generalized: Vec<T>,
+}
+
+impl FlexibleBody {
+    /// What external forces do to the body, and the inertial force of a driven pole. (F1), (F2)
+    ///
+    /// The pole of a driven body accelerates as its support says, whatever the situation says of its velocity.
+    #[must_use]
+    pub fn loads<T: Smooth>(&self, forces: &[Force<Marker>], situation: &Situation<T>) -> Loads<T> {
+        let mut loads = Loads::none(self.coordinates().len());
+        let scene = Scene { body: self, situation, turn: Turn::of(situation.attitude) };
+        if let Support::Prescribed { acceleration, .. } = self.support() {
+            let inertial = acceleration.each_ref().map(|component| -component.value(&[situation.t]));
+            loads.add_uniform(self, situation.motion.q, scene.turn.to_body(inertial));
+        }
+        for force in forces {
+            scene.add(&force.law, &mut loads);
+        }
+        loads
+    }
+}
+
+impl<T: Smooth> Loads<T> {
+    /// No load on a body with this many coordinates.
+    #[must_use]
+    pub fn none(coordinates: usize) -> Self {
+        let zero = T::from(0.0);
+        Self { force: [zero; 3], moment: [zero; 3], generalized: vec![zero; coordinates] }
+    }
+
+    /// The loads on a free body about its true centre of mass, with the translation eliminated; those on a held body
+    /// as they are. (F11)
+    #[must_use]
+    pub fn about_center(&self, body: &FlexibleBody, q: &[T]) -> Self {
+        let mut loads = self.clone();
+        if let Some(per_mass) = body.translation() {
+            let FirstMoment { s, slopes } = FirstMoment::of(body, q);
+            let recoil = scale(T::from(-per_mass), self.force);
+            loads.add_torque(cross(s, recoil));
+            for (Q, slope) in loads.generalized.iter_mut().zip(slopes) {
+                *Q = *Q + dot(slope, recoil);
+            }
+        }
+        loads
+    }
+
+    /// Rate of work (W), `F·V + M·ω + Q·q̇`, where the point that the moment is about has the velocity `V` (m/s, body
+    /// axes). (F12)
+    #[must_use]
+    pub fn power(&self, motion: Motion<T>, velocity: [T; 3]) -> T {
+        let rigid = dot(self.force, velocity) + dot(self.moment, motion.omega);
+        self.generalized.iter().zip(motion.rate).fold(rigid, |power, (Q, rate)| power + *Q * *rate)
+    }
+
+    /// Adds a torque on the carrier (N·m, body axes).
+    pub(super) fn add_torque(&mut self, torque: [T; 3]) {
+        self.moment = add(self.moment, torque);
+    }
+
+    /// Adds a force (N, body axes) at a place that is at `u` (m) from the pole. (F1)
+    fn add_force(&mut self, at: &Marker, u: [T; 3], force: [T; 3]) {
+        self.force = add(self.force, force);
+        self.add_torque(cross(u, force));
+        for (j, H) in &at.shapes {
+            self.generalized[*j] = self.generalized[*j] + dot(H.map(T::from), force);
+        }
+    }
+}
+
+/// A body in a situation.
+struct Scene<'a, T> {
+    body: &'a FlexibleBody,
+    situation: &'a Situation<'a, T>,
+    turn: Turn<T>,
+}
+
+impl<T: Smooth> Scene<'_, T> {
+    fn add(&self, law: &Law<Marker>, loads: &mut Loads<T>) {
+        let Situation { t, motion, .. } = *self.situation;
+        match law {
+            Law::UniformGravity { acceleration } => {
+                loads.add_uniform(self.body, motion.q, self.turn.to_body(acceleration.map(T::from)));
+            }
+            Law::CentralGravity { orbit } => {
+                let passage = orbit.at(t);
+                let per_radius = T::from(1.0) / passage.radius;
+                let n = self.turn.to_body(scale(per_radius, passage.place));
+                let kappa = T::from(orbit.parameter) * per_radius * per_radius * per_radius;
+                loads.add_gradient(self.body, motion.q, n, kappa);
+            }
+            Law::Drag { at, coefficient } => {
+                let (u, velocity) = self.passing(at);
+                loads.add_force(at, u, scale(T::from(-coefficient), velocity));
+            }
+            Law::SpinDrag { coefficient } => loads.add_torque(scale(T::from(-coefficient), motion.omega)),
+            Law::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
+            Law::Thrust { at, force, axes, wave } => {
+                loads.add_force(at, self.place(at), self.varying(*force, *axes, *wave));
+            }
+            Law::MagneticDipole { moment, field } => {
+                loads.add_torque(cross(moment.map(T::from), self.turn.to_body(field.at(t))));
+            }
+            Law::Expression { at, force } => {
+                let (u, velocity) = self.passing(at);
+                let [x, y, z] = add(self.situation.pole, self.turn.to_inertial(u));
+                let [vx, vy, vz] = self.turn.to_inertial(velocity);
+                let force = force.each_ref().map(|component| component.value(&[x, y, z, vx, vy, vz, t]));
+                loads.add_force(at, u, self.turn.to_body(force));
+            }
+        }
+    }
+
+    /// Displaced place from the pole (m), body axes. (S1)
+    fn place(&self, at: &Marker) -> [T; 3] {
+        moved(at, at.position.map(T::from), self.situation.motion.q)
+    }
+
+    /// Displaced place from the pole (m) and its inertial velocity (m/s), body axes. (F5)
+    fn passing(&self, at: &Marker) -> ([T; 3], [T; 3]) {
+        let Situation { pole_velocity, motion, .. } = *self.situation;
+        let u = self.place(at);
+        let carried = add(self.turn.to_body(pole_velocity), cross(motion.omega, u));
+        (u, moved(at, carried, motion.rate))
+    }
+
+    /// An amplitude in body axes at the time. (F6)
+    fn varying(&self, amplitude: [f64; 3], axes: Axes, wave: Wave) -> [T; 3] {
+        let phase = T::from(wave.frequency) * self.situation.t + T::from(wave.phase);
+        let now = scale(phase.cos(), amplitude.map(T::from));
+        match axes {
+            Axes::Body => now,
+            Axes::Inertial => self.turn.to_body(now),
+        }
+    }
+}
+
+/// A vector plus the displacement, or rate, of a place.
+fn moved<T: Smooth>(at: &Marker, from: [T; 3], amounts: &[T]) -> [T; 3] {
+    at.shapes.iter().fold(from, |sum, (j, H)| add(sum, scale(amounts[*j], H.map(T::from))))
 }

@@ -1,6 +1,8 @@
 use super::Orbit;
+use crate::math::scalar::Smooth;
+use crate::math::sym::{add, dot, scale};
 
-/// A magnetic field, inertial axes.
+/// A magnetic field, inertial axes. (F8)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MagneticField {
     /// The same everywhere (T).
@@ -12,4 +14,22 @@ pub enum MagneticField {
         /// The orbit on which the body passes through the field.
         orbit: Orbit,
     },
+}
+
+impl MagneticField {
+    /// The field (T, inertial axes) where the body is at a time (s).
+    #[must_use]
+    pub fn at<T: Smooth>(&self, t: T) -> [T; 3] {
+        match self {
+            Self::Uniform(field) => field.map(T::from),
+            Self::Dipole { strength, orbit } => {
+                let passage = orbit.at(t);
+                let per_radius = T::from(1.0) / passage.radius;
+                let n = scale(per_radius, passage.place);
+                let m = strength.map(T::from);
+                let shape = add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry));
+                scale(per_radius * per_radius * per_radius, shape)
+            }
+        }
+    }
 }

@@ -12,7 +12,7 @@ pub struct Force<P> {
     pub law: Law<P>,
 }
 
-/// Laws of external forces. (F1)–(F9)
+/// Laws of external forces. (F3)–(F9)
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law<P> {
     /// The same acceleration of every mass element (m/s²), inertial axes. (F3)
@@ -73,6 +73,50 @@ pub enum Law<P> {
         /// Components.
         force: [Expression; 3],
     },
+}
+
+impl<P> Force<P> {
+    /// The same force with its place given in another way.
+    ///
+    /// # Errors
+    /// The error of the map.
+    pub fn try_map<Q, E>(&self, map: impl FnOnce(&P) -> Result<Q, E>) -> Result<Force<Q>, E> {
+        Ok(Force { name: self.name.clone(), law: self.law.try_map(map)? })
+    }
+}
+
+impl<P> Law<P> {
+    /// Where the force acts; none for one that acts on the whole body or is a torque.
+    #[must_use]
+    pub fn place(&self) -> Option<&P> {
+        match self {
+            Self::Drag { at, .. } | Self::Thrust { at, .. } | Self::Expression { at, .. } => Some(at),
+            Self::UniformGravity { .. }
+            | Self::CentralGravity { .. }
+            | Self::SpinDrag { .. }
+            | Self::Torque { .. }
+            | Self::MagneticDipole { .. } => None,
+        }
+    }
+
+    /// The same law with its place given in another way.
+    ///
+    /// # Errors
+    /// The error of the map.
+    pub fn try_map<Q, E>(&self, map: impl FnOnce(&P) -> Result<Q, E>) -> Result<Law<Q>, E> {
+        Ok(match self {
+            Self::UniformGravity { acceleration } => Law::UniformGravity { acceleration: *acceleration },
+            Self::CentralGravity { orbit } => Law::CentralGravity { orbit: *orbit },
+            Self::Drag { at, coefficient } => Law::Drag { at: map(at)?, coefficient: *coefficient },
+            Self::SpinDrag { coefficient } => Law::SpinDrag { coefficient: *coefficient },
+            Self::Torque { torque, axes, wave } => Law::Torque { torque: *torque, axes: *axes, wave: *wave },
+            Self::Thrust { at, force, axes, wave } => {
+                Law::Thrust { at: map(at)?, force: *force, axes: *axes, wave: *wave }
+            }
+            Self::MagneticDipole { moment, field } => Law::MagneticDipole { moment: *moment, field: *field },
+            Self::Expression { at, force } => Law::Expression { at: map(at)?, force: force.clone() },
+        })
+    }
 }
 
 /// Axes of an amplitude.

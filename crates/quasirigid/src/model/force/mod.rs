@@ -2,10 +2,11 @@
 
 mod apply;
 mod field;
+mod gravity;
 mod law;
 mod orbit;
 
 pub use apply::{Loads, Situation};
 pub use field::MagneticField;
 pub use law::{Axes, Force, Law, Wave};
-pub use orbit::Orbit;
+pub use orbit::{Orbit, Passage};

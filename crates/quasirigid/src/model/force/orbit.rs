@@ -1,4 +1,9 @@
-/// A Kepler orbit about a centre of attraction, which is the origin of the inertial axes.
+use std::f64::consts::{PI, TAU};
+
+use crate::math::scalar::Smooth;
+use crate::math::sym::{add, scale};
+
+/// A Kepler orbit about a centre of attraction, which is the origin of the inertial axes. (F10)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
     /// Gravitational parameter of the centre (m³/s²).
@@ -15,4 +20,88 @@ pub struct Orbit {
     pub periapsis: f64,
     /// Mean anomaly at time zero (rad).
     pub mean_anomaly: f64,
+}
+
+/// Where a body on an orbit is, inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passage<T> {
+    /// Place from the centre (m).
+    pub place: [T; 3],
+    /// Velocity (m/s).
+    pub velocity: [T; 3],
+    /// Distance from the centre `r` (m).
+    pub radius: T,
+}
+
+/// Newton steps on a series: each doubles the number of its terms that are exact, from one to sixteen.
+const DOUBLINGS: usize = 4;
+
+impl Orbit {
+    /// Mean motion (rad/s).
+    #[must_use]
+    pub fn mean_motion(&self) -> f64 {
+        (self.parameter / self.semi_major_axis).sqrt() / self.semi_major_axis
+    }
+
+    /// Period (s).
+    #[must_use]
+    pub fn period(&self) -> f64 {
+        TAU / self.mean_motion()
+    }
+
+    /// Place and velocity at a time (s), which may be a series of up to sixteen terms. (F10)
+    #[must_use]
+    pub fn at<T: Smooth>(&self, t: T) -> Passage<T> {
+        let (a, e) = (self.semi_major_axis, self.eccentricity);
+        let b = a * ((1.0 - e) * (1.0 + e)).sqrt();
+        let n = self.mean_motion();
+        let E = eccentric_anomaly(e, T::from(self.mean_anomaly) + T::from(n) * t);
+        let (sin, cos) = E.sin_cos();
+        let shortened = T::from(1.0) - T::from(e) * cos; // r/a
+        let rate = T::from(n) / shortened; // dE/dt
+        let [along, across] = self.axes().map(|axis| axis.map(T::from));
+        let at = |x: T, y: T| add(scale(T::from(a) * x, along), scale(T::from(b) * y, across));
+        Passage {
+            place: at(cos - T::from(e), sin),
+            velocity: at(-sin * rate, cos * rate),
+            radius: T::from(a) * shortened,
+        }
+    }
+
+    /// Unit vectors towards the periapsis and, a quarter of a turn ahead, along the motion there.
+    fn axes(&self) -> [[f64; 3]; 2] {
+        let [(si, ci), (sn, cn), (sp, cp)] =
+            [self.inclination, self.node, self.periapsis].map(|angle| angle.sin_cos());
+        [
+            [cn * cp - sn * sp * ci, sn * cp + cn * sp * ci, sp * si],
+            [-cn * sp - sn * cp * ci, -sn * sp + cn * cp * ci, cp * si],
+        ]
+    }
+}
+
+/// Root `E` of Kepler's equation `E − e sin E = M` (rad), less whole turns. (F10)
+fn eccentric_anomaly<T: Smooth>(e: f64, M: T) -> T {
+    let M = M - T::from(TAU * (M.value() / TAU).round());
+    let mut E = T::from(kepler_root(e, M.value()));
+    for _ in 0..DOUBLINGS {
+        let (sin, cos) = E.sin_cos();
+        E = E - (E - T::from(e) * sin - M) / (T::from(1.0) - T::from(e) * cos);
+    }
+    E
+}
+
+/// Root of Kepler's equation for `|M| ≤ π`.
+///
+/// For positive `M` the equation is convex up to π, so Newton's steps from above the root descend to it; they end where
+/// rounding stops them. The start is the least of three bounds: `sin E ≤ 1`, `sin E ≤ E` and `E − sin E ≥ E³/π²`.
+fn kepler_root(e: f64, M: f64) -> f64 {
+    let height = M.abs();
+    let mut E = (height + e).min(height / (1.0 - e)).min((PI * PI * height).cbrt());
+    loop {
+        let next = E - (E - e * E.sin() - height) / (1.0 - e * E.cos());
+        if !(next < E) {
+            return E.copysign(M);
+        }
+        E = next;
+    }
 }

@@ -71,6 +71,7 @@ impl CommonProblem {
             }],
             hinged: Vec::new(),
             support: Support::Free,
+            forces: Vec::new(),
         }
     }
 }

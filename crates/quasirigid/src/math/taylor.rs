@@ -90,6 +90,15 @@ impl<const N: usize> Taylor<N> {
         (Self::new(s), Self::new(c))
     }
 
+    fn quotient(&self, divisor: &Self) -> Self {
+        let mut quotient = [0.0; N];
+        for k in 0..N {
+            let known = |rest, j| rest - quotient[j] * divisor.coefficients[k - j];
+            quotient[k] = (0..k).fold(self.coefficients[k], known) / divisor.coefficients[0];
+        }
+        Self::new(quotient)
+    }
+
     /// Power of a positive series: `x dp = r p dx`.
     fn broken_power(self, exponent: f64) -> Self {
         let mut power = [0.0; N];
@@ -163,12 +172,7 @@ impl<const N: usize> Div for Taylor<N> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let mut quotient = [0.0; N];
-        for k in 0..N {
-            let known = |rest, j| rest - quotient[j] * other.coefficients[k - j];
-            quotient[k] = (0..k).fold(self.coefficients[k], known) / other.coefficients[0];
-        }
-        Self::new(quotient)
+        self.quotient(&other)
     }
 }
 
@@ -265,11 +269,7 @@ mod tests {
         x: [f64; 3],
         step: f64,
     ) -> f64 {
-        let mut coefficients = [0.0; N];
-        for (c, given) in coefficients.iter_mut().zip(x) {
-            *c = given;
-        }
-        let found = series(Taylor::new(coefficients));
+        let found = series(Taylor::new(std::array::from_fn(|k| x.get(k).copied().unwrap_or(0.0))));
         let gap = |s: f64| {
             let sum = (0..N).rev().fold(0.0, |sum, k| sum * s + found.coefficient(k));
             (sum - function(x[0] + s * (x[1] + s * x[2]))).abs()

@@ -13,6 +13,7 @@ mod axes_and_units;
 mod cutting;
 mod degrees;
 mod forms;
+mod formulas;
 mod invariants;
 mod lagrangian;
 mod mechanisms;

@@ -12,3 +12,4 @@ pub mod scalar;
 pub mod simd;
 pub mod sparse;
 pub mod sym;
+pub mod taylor;

@@ -18,11 +18,25 @@ pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
     fn exp(self) -> Self;
     /// Natural logarithm.
     fn ln(self) -> Self;
+    /// Logarithm to base ten.
+    fn log10(self) -> Self;
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
+    /// Tangent.
+    fn tan(self) -> Self;
+    /// Inverse sine.
+    fn asin(self) -> Self;
+    /// Inverse cosine.
+    fn acos(self) -> Self;
     /// Inverse tangent.
     fn atan(self) -> Self;
-    /// Power with a constant exponent.
+    /// Angle of the point `(x, self)` from the x axis, from −π to π.
+    fn atan2(self, x: Self) -> Self;
+    /// Hyperbolic sine and cosine.
+    fn sinh_cosh(self) -> (Self, Self);
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// Power with a constant exponent; a whole one is a product and has its derivatives at every base.
     fn powf(self, exponent: f64) -> Self;
 
     /// Sine.
@@ -57,17 +71,51 @@ impl Smooth for f64 {
         self.ln()
     }
 
+    fn log10(self) -> f64 {
+        self.log10()
+    }
+
     fn sin_cos(self) -> (f64, f64) {
         self.sin_cos()
+    }
+
+    fn tan(self) -> f64 {
+        self.tan()
+    }
+
+    fn asin(self) -> f64 {
+        self.asin()
+    }
+
+    fn acos(self) -> f64 {
+        self.acos()
     }
 
     fn atan(self) -> f64 {
         self.atan()
     }
 
-    fn powf(self, exponent: f64) -> f64 {
-        self.powf(exponent)
+    fn atan2(self, x: f64) -> f64 {
+        self.atan2(x)
     }
+
+    fn sinh_cosh(self) -> (f64, f64) {
+        (self.sinh(), self.cosh())
+    }
+
+    fn tanh(self) -> f64 {
+        self.tanh()
+    }
+
+    fn powf(self, exponent: f64) -> f64 {
+        whole(exponent).map_or_else(|| self.powf(exponent), |exponent| self.powi(exponent))
+    }
+}
+
+/// The whole number that an exponent is, if it is one.
+pub(super) fn whole(exponent: f64) -> Option<i32> {
+    let nearest = exponent as i32;
+    (f64::from(nearest) == exponent).then_some(nearest)
 }
 
 /// Truncated Taylor series in time: value, first and second derivative.

@@ -25,5 +25,6 @@ mod orders;
 mod outcomes;
 mod propagation;
 mod refused;
+mod refused_forces;
 mod springs;
 mod vibrations;

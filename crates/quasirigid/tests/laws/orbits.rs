@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use quasirigid::math::scalar::Smooth;
+use quasirigid::math::taylor::Taylor;
 use quasirigid::model::force::{Orbit, Passage};
 
 use crate::forced::orbit;
@@ -71,6 +73,43 @@ proptest! {
         let half = (std::f64::consts::PI - orbit.mean_anomaly) / orbit.mean_motion();
         let apoapsis = orbit.semi_major_axis * (1.0 + orbit.eccentricity);
         prop_assert!((at(&orbit, half).0.norm() / apoapsis - 1.0).abs() < 1e-12);
+    }
+}
+
+/// `(k + 1)(k + 2) R_{k+2} = −μ₀ [R/r³]_k` for every Taylor coefficient in time, and the velocity is the derivative.
+fn obeys_the_law<const N: usize>(orbit: Orbit, t: f64) -> Result<(), TestCaseError> {
+    let Passage { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
+    // Coefficients grow by powers of the rate at which the body passes; the factor covers those that vanish by chance.
+    let unit = 0.3 * radius.value() / V::from(velocity.map(|v| v.value())).norm();
+    let pull = Taylor::from(-orbit.parameter) / (radius * radius * radius);
+    for axis in 0..3 {
+        let (rate, attraction) = (place[axis].derivative(), pull * place[axis]);
+        let acceleration = rate.derivative();
+        let mut size = radius.value() / unit.powi(2);
+        for k in 0..N - 2 {
+            let (found, expected) = (acceleration.coefficient(k), attraction.coefficient(k));
+            prop_assert!((found - expected).abs() < 1e-12 * size, "{N} terms, {k}: {found:e} {expected:e}");
+            let (found, expected) = (rate.coefficient(k), velocity[axis].coefficient(k));
+            prop_assert!(
+                (found - expected).abs() < 1e-12 * size * unit,
+                "{N} terms, {k}: {found:e} {expected:e}"
+            );
+            size /= unit;
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    #[test]
+    fn every_taylor_coefficient_of_an_orbit_obeys_the_law_of_attraction((orbit, _) in orbits(), phase in -2.0..2.0) {
+        let orbit = Orbit { eccentricity: 0.9 * orbit.eccentricity, ..orbit };
+        let t = phase * orbit.period();
+        obeys_the_law::<3>(orbit, t)?;
+        obeys_the_law::<8>(orbit, t)?;
+        obeys_the_law::<17>(orbit, t)?;
     }
 }
 

@@ -179,6 +179,8 @@ impl<const N: usize> Div for Taylor<N> {
 impl<const N: usize> Scalar for Taylor<N> {}
 
 impl<const N: usize> Smooth for Taylor<N> {
+    const TERMS: usize = N;
+
     fn value(self) -> f64 {
         self.coefficients[0]
     }

@@ -86,6 +86,12 @@ pub fn turned(attitude: Attitude, rotation: [f64; 3]) -> Attitude {
     [q.w, q.i, q.j, q.k]
 }
 
+/// Angle (rad) of the rotation from one attitude to another.
+#[must_use]
+pub fn angle_between(a: Attitude, b: Attitude) -> f64 {
+    unit(a).rotation_to(&unit(b)).angle()
+}
+
 /// Angle (rad) between two directions, without loss of digits near 0 and π.
 #[must_use]
 pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -15,6 +15,7 @@ mod cutting;
 mod degrees;
 mod forces;
 mod forms;
+mod formulas;
 mod gravity;
 mod invariants;
 mod lagrangian;

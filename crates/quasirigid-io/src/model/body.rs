@@ -3,10 +3,12 @@ use quasirigid::model::Support;
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
 use super::names::Names;
 use super::spans::Spans;
 use super::spring::{SPRING, spring};
+use super::support;
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -14,41 +16,64 @@ use crate::units::Dimension;
 const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], later: &[] };
 const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"], later: &[] };
 const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
-const SUPPORT: Keys = Keys { known: &["kind", "point"], later: &[] };
 
-/// Reads everything that describes the body, and where it stands.
-pub(super) fn assembly(file: &Table<'_>, problems: &Problems<'_>) -> Option<(Assembly, Spans)> {
+/// What a file says of the body.
+pub(super) struct Body<'a> {
+    /// Names of its parts.
+    pub(super) names: Names<'a>,
+    /// The body and where its parts stand in the file, if nothing is wrong with them.
+    pub(super) content: Option<(Assembly, Spans)>,
+}
+
+impl Body<'_> {
+    /// The body, if nothing is wrong with its parts.
+    pub(super) fn assembly(&self) -> Option<&Assembly> {
+        self.content.as_ref().map(|(assembly, _)| assembly)
+    }
+}
+
+/// Reads everything that describes the body, what it stands on, and what acts on it.
+pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
     if file.get("carrier").is_none() {
         report_missing_carrier(problems);
     }
-    let support_table = file.table("support", "[support]", &SUPPORT);
+    let has_support = file.get("support").is_some();
+    let support = support::table(file);
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
     let hinged_tables = file.tables("hinged", "[[hinged]]", &HINGED);
-    let names = Names::new(&point_tables, &hinged_tables, problems);
+    let force_tables = force::tables(file);
+    let names = Names::new(&point_tables, &hinged_tables, &force_tables, problems);
 
-    let carrier = carrier_table.as_ref().and_then(carrier);
-    let support = support_table.as_ref().map_or_else(|| Some(Support::default()), support);
-    let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
-    let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
-    let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
         points: point_tables.iter().map(Table::spans).collect(),
         springs: spring_tables.iter().map(Table::spans).collect(),
         hinged: hinged_tables.iter().map(Table::spans).collect(),
-        support: support_table.as_ref().map(Table::spans).unwrap_or_default(),
+        support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
+        forces: force_tables.iter().map(ForceTable::spans).collect(),
     };
-    let assembly = Assembly {
-        carrier: carrier?,
-        points: points?,
-        springs: springs?,
-        hinged: hinged?,
-        support: support?,
-        forces: Vec::new(),
+    let carrier = carrier_table.as_ref().and_then(carrier);
+    let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
+    let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
+    let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
+    let support = match support {
+        Some((table, kind)) => (kind.read)(&table),
+        None => (!has_support).then(Support::default),
     };
-    Some((assembly, spans))
+    let forces = every(force_tables.iter().zip(&names.forces).map(|(table, name)| table.force(name, &names)));
+    let assembly = || {
+        Some(Assembly {
+            carrier: carrier?,
+            points: points?,
+            springs: springs?,
+            hinged: hinged?,
+            support: support?,
+            forces: forces?,
+        })
+    };
+    Body { content: assembly().map(|assembly| (assembly, spans)), names }
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.
@@ -99,28 +124,6 @@ fn motion(value: &Value<'_>) -> Option<Motion> {
         _ => {
             let message = "`motion` needs either a line or a plane".to_owned();
             value.refuse(message, "a line or a plane", Some(help.to_owned()))
-        }
-    }
-}
-
-fn support(table: &Table<'_>) -> Option<Support> {
-    #[derive(Clone, Copy, PartialEq)]
-    enum Kind {
-        Free,
-        FixedPoint,
-    }
-    let kinds = [("free", Some(Kind::Free)), ("fixed-point", Some(Kind::FixedPoint)), ("prescribed", None)];
-    let kind = table.required("kind", "kind = \"free\"").and_then(|value| value.choice(&kinds));
-    match (kind?, table.get("point")) {
-        (Kind::Free, None) => Some(Support::Free),
-        (Kind::Free, Some(point)) => point.refuse(
-            "a free body has no fixed `point`".to_owned(),
-            "not for a free body",
-            Some("leave it out, or write kind = \"fixed-point\"".to_owned()),
-        ),
-        (Kind::FixedPoint, _) => {
-            let point = table.required("point", "point = [0.0, 0.0, 0.0]")?.vector(Dimension::LENGTH)?;
-            Some(Support::FixedPoint { point })
         }
     }
 }

@@ -60,6 +60,11 @@ impl<'a> Problems<'a> {
         self.found.borrow().len() > MOST
     }
 
+    /// What the file has at a span.
+    pub(super) fn text(&self, span: Range<usize>) -> Option<&'a str> {
+        self.text.get(span)
+    }
+
     /// Line of the file, from 1, at which a span starts.
     pub(super) fn line(&self, span: Range<usize>) -> usize {
         Diagnostic::new(span, "", "").position(self.text).0

@@ -6,13 +6,20 @@
 mod body;
 mod diagnostic;
 mod error;
+mod force;
+mod formula;
 mod hinged;
+mod initial;
+mod kinds;
+mod literal;
 mod names;
+mod orbit;
 mod physics;
 mod settings;
 mod source;
 mod spans;
 mod spring;
+mod support;
 mod syntax;
 mod table;
 mod value;
@@ -23,7 +30,8 @@ use quasirigid::elements::{Assembly, ElementError};
 
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
-pub use settings::{Form, Initial, Run};
+pub use initial::{Displacements, Initial};
+pub use settings::{Form, Method, Run, Stop, System, Verify};
 pub use source::Source;
 
 use diagnostic::Problems;
@@ -31,9 +39,8 @@ use spans::Spans;
 use table::{Keys, Table};
 
 const FILE: Keys = Keys {
-    known: &["body", "carrier", "point", "spring", "hinged", "support", "initial", "run"],
+    known: &["body", "carrier", "point", "spring", "hinged", "support", "force", "initial", "run"],
     later: &[
-        ("force", "[[force]]"),
         ("beam", "[[beam]]"),
         ("panel", "[[panel]]"),
         ("solid", "[[solid]]"),
@@ -130,20 +137,20 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
         problems.report(Diagnostic::new(0..0, message, "nothing to read").help(help));
         return None;
     }
-    let file = Table::new("the file", 0..0, &tree, &FILE, problems);
+    let file = Table::new("the file", 0..0, &tree, &FILE, &|_| None, problems);
     let mut notes = Vec::new();
     let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.text()).map(str::to_owned);
-    let body = body::assembly(&file, problems);
-    let initial = match file.table("initial", "[initial]", &settings::INITIAL) {
-        Some(table) => settings::initial(&table, &mut notes),
+    let body = body::body(&file, problems);
+    let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
+        Some(table) => initial::initial(&table, &body, &mut notes),
         None => Some(Initial::default()),
     };
     let run = match file.table("run", "[run]", &settings::RUN) {
         Some(table) => settings::run(&table),
         None => Some(Run::default()),
     };
-    let (assembly, spans) = body?;
+    let (assembly, spans) = body.content?;
     Some(Content { name, assembly, spans, initial: initial?, run: run?, notes })
 }
 

@@ -5,73 +5,142 @@ use quasirigid::elements::End;
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::force::ForceTable;
 use super::table::Table;
 use super::value::Value;
 use crate::nearest::nearest;
 
-/// The carrier's name where springs say what they are fixed to.
+/// The carrier's name where springs and forces say what they are fixed to.
 const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points and appendages of a file.
+/// Names of the points, appendages and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
     /// Names of the hinged appendages, in the order of the file.
     pub(super) hinged: Vec<String>,
-    owners: HashMap<String, (Owner, Range<usize>)>,
-    problems: &'a Problems<'a>,
+    /// Names of the forces, in the order of the file.
+    pub(super) forces: Vec<String>,
+    parts: Register<'a, Part>,
 }
 
+/// A part of the body that moves, by its index in the list of its kind.
 #[derive(Clone, Copy)]
-enum Owner {
+pub(super) enum Part {
     Point(usize),
-    Hinged,
+    Hinged(usize),
+}
+
+/// What says which point it is fixed to.
+#[derive(Clone, Copy)]
+pub(super) enum Fixed {
+    Spring,
+    Force,
+}
+
+impl Fixed {
+    fn rule(self) -> &'static str {
+        match self {
+            Self::Spring => "a spring joins points and the carrier",
+            Self::Force => "a force acts on a point or on the carrier",
+        }
+    }
+
+    fn instead_of_appendage(self) -> &'static str {
+        match self {
+            Self::Spring => "give the hinge its own `stiffness` instead",
+            Self::Force => "let it act on the carrier at the hinge, or on a point",
+        }
+    }
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`.
-    pub(super) fn new(points: &[Table<'_>], hinged: &[Table<'_>], problems: &'a Problems<'a>) -> Self {
-        let mut names = Self { points: Vec::new(), hinged: Vec::new(), owners: HashMap::new(), problems };
-        for (index, table) in points.iter().enumerate() {
-            let name = names.enter(table, format!("point {}", index + 1), Owner::Point(index));
-            names.points.push(name);
-        }
-        for (index, table) in hinged.iter().enumerate() {
-            let name = names.enter(table, format!("appendage {}", index + 1), Owner::Hinged);
-            names.hinged.push(name);
-        }
-        names
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `force 1`.
+    pub(super) fn new(
+        points: &[Table<'_>],
+        hinged: &[Table<'_>],
+        forces: &[ForceTable<'_>],
+        problems: &'a Problems<'a>,
+    ) -> Self {
+        let mut parts = Register { owners: HashMap::new(), problems };
+        let points = points.iter().enumerate();
+        let points = points
+            .map(|(index, table)| parts.enter(table, format!("point {}", index + 1), Part::Point(index)))
+            .collect();
+        let hinged = hinged.iter().enumerate();
+        let hinged = hinged
+            .map(|(index, table)| parts.enter(table, format!("appendage {}", index + 1), Part::Hinged(index)))
+            .collect();
+        let mut register = Register { owners: HashMap::new(), problems };
+        let forces = forces.iter().enumerate();
+        let forces = forces
+            .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
+            .collect();
+        Self { points, hinged, forces, parts }
     }
 
-    /// What an end of a spring is fixed to.
-    pub(super) fn end(&self, value: &Value<'_>) -> Option<End> {
+    /// What a spring or force is fixed to.
+    pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
         let name = value.text()?;
         if name == CARRIER {
             return Some(End::Carrier);
         }
-        match self.owners.get(name) {
-            Some((Owner::Point(index), _)) => Some(End::Point(*index)),
-            Some((Owner::Hinged, _)) => {
-                let message =
-                    format!("{name:?} is a hinged appendage, but a spring joins points and the carrier");
-                value.refuse(
-                    message,
-                    "not a point",
-                    Some("give the hinge its own `stiffness` instead".to_owned()),
-                )
-            }
-            None if self.problems.full() => None,
-            None => value.refuse(
+        match self.parts.owner(name) {
+            Some(Part::Point(index)) => Some(End::Point(index)),
+            Some(Part::Hinged(_)) => value.refuse(
+                format!("{name:?} is a hinged appendage, but {}", what.rule()),
+                "not a point",
+                Some(what.instead_of_appendage().to_owned()),
+            ),
+            None if self.parts.problems.full() => None,
+            None if self.points.is_empty() => value.refuse(
                 format!("there is no point {name:?}"),
                 "unknown point",
-                Some(self.suggestion(name)),
+                Some(format!("the file has no [[point]]; {}", what.rule())),
             ),
+            None => {
+                let names = || [CARRIER].into_iter().chain(self.points.iter().map(String::as_str));
+                let count = self.points.len() + 1;
+                let help = suggestion(name, names, count);
+                value.refuse(format!("there is no point {name:?}"), "unknown point", Some(help))
+            }
         }
     }
 
-    fn enter(&mut self, table: &Table<'_>, number: String, owner: Owner) -> String {
+    /// The part with the name under which a value stands, at `key`.
+    pub(super) fn part(&self, key: Range<usize>, value: &Value<'_>) -> Option<Part> {
+        let name = value.key();
+        if let Some(part) = self.parts.owner(name) {
+            return Some(part);
+        }
+        if self.parts.problems.full() {
+            return None;
+        }
+        let names = || self.points.iter().chain(&self.hinged).map(String::as_str);
+        let help = match self.points.len() + self.hinged.len() {
+            0 => "the file has no [[point]] and no [[hinged]]".to_owned(),
+            _ if name == CARRIER => "the rest of the body is displaced from the carrier".to_owned(),
+            count => suggestion(name, names, count),
+        };
+        value.refuse_at(key, format!("there is no point or appendage {name:?}"), "unknown name", Some(help))
+    }
+}
+
+/// Names that must differ, each with its owner and place.
+struct Register<'a, T> {
+    owners: HashMap<String, (T, Range<usize>)>,
+    problems: &'a Problems<'a>,
+}
+
+impl<T: Copy> Register<'_, T> {
+    fn owner(&self, name: &str) -> Option<T> {
+        self.owners.get(name).map(|(owner, _)| *owner)
+    }
+
+    /// The name that a table gives, or else the one made from its number.
+    fn enter(&mut self, table: &Table<'_>, number: String, owner: T) -> String {
         let given = table.get("name");
         let span = given.map_or_else(|| table.header(), |value| value.span());
         let name = given.and_then(|value| value.text()).map_or(number, str::to_owned);
@@ -88,20 +157,17 @@ impl<'a> Names<'a> {
         }
         name
     }
+}
 
-    fn suggestion(&self, name: &str) -> String {
-        if self.points.is_empty() {
-            return "the file has no [[point]]; a spring joins points and the carrier".to_owned();
-        }
-        let names = || [CARRIER].into_iter().chain(self.points.iter().map(String::as_str));
-        let mut listed: Vec<&str> = names().take(MOST_LISTED).collect();
-        if self.points.len() >= MOST_LISTED {
-            listed.push("…");
-        }
-        let list = format!("there are {}", listed.join(", "));
-        match nearest(name, names()) {
-            Some(known) => format!("did you mean {known:?}? {list}"),
-            None => list,
-        }
+/// The name that is probably meant, if one is near, and the first of all `count` names.
+fn suggestion<'n, I: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> I, count: usize) -> String {
+    let mut listed: Vec<&str> = names().take(MOST_LISTED).collect();
+    if count > MOST_LISTED {
+        listed.push("…");
+    }
+    let list = format!("there are {}", listed.join(", "));
+    match nearest(name, names()) {
+        Some(known) => format!("did you mean {known:?}? {list}"),
+        None => list,
     }
 }

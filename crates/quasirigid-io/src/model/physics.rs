@@ -24,7 +24,8 @@ fn described(place: Place, assembly: &Assembly) -> String {
     let named = match place {
         Place::Point(index) => assembly.points.get(index).map(|point| format!("point {:?}", point.name)),
         Place::Hinged(index) => assembly.hinged.get(index).map(|part| format!("appendage {:?}", part.name)),
-        Place::Carrier | Place::Spring(_) | Place::Support | Place::Force(_) => None,
+        Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
+        Place::Carrier | Place::Spring(_) | Place::Support => None,
     };
     named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_)) { "" } else { "the " }))
 }
@@ -40,6 +41,11 @@ fn label(problem: &Problem) -> &'static str {
         Problem::NoSuchPoint { .. } => "no such point",
         Problem::DuplicateName { .. } => "used twice",
         Problem::NoAnchor => "needs an `anchor`",
+        Problem::NoStation => "needs an `at`",
+        Problem::StationOnPoint => "not for a point",
+        Problem::Driving { .. } => "gives energy",
+        Problem::NotPositive { .. } => "must be positive",
+        Problem::NotElliptic { .. } => "no ellipse",
         _ => "here",
     }
 }
@@ -62,6 +68,11 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::SameEnds => "a spring joins two points, or a point and the carrier",
         Problem::NoLine => "move one end, or leave out axial = true",
         Problem::NoAnchor => "add anchor = [x, y, z], the place of the spring's end on the carrier",
+        Problem::NoStation => "add at = [x, y, z], the place on the carrier, in the file's frame",
+        Problem::StationOnPoint => "leave it out, or write on = \"carrier\"",
+        Problem::Driving { .. } => "write a positive coefficient; the force is opposite to the velocity",
+        Problem::NotPositive { .. } => "write a positive number",
+        Problem::NotElliptic { .. } => "write 0 for a circle; a body that escapes is not modelled",
         Problem::AxisCount { .. } => "write one to three axes, for example axes = [[0, 0, 1]]",
         Problem::DependentAxes => "no axis may be a combination of the others",
         Problem::ValuePerAxis { .. } => {
@@ -74,7 +85,7 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         }
         Problem::NoInertia { held: false, .. } => "check the masses and the inertia of the carrier",
         Problem::NoInertia { held: true, .. } => {
-            "check the inertia of the carrier and the place of the fixed point"
+            "check the inertia of the carrier and the `point` of the support"
         }
         _ => return None,
     })

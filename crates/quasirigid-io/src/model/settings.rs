@@ -1,41 +1,26 @@
+use std::f64::consts::PI;
+
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const BODY: Keys = Keys { known: &["name"], later: &[] };
-pub(super) const INITIAL: Keys =
-    Keys { known: &["angular_velocity", "attitude", "displacements"], later: &[] };
 pub(super) const RUN: Keys = Keys {
-    known: &["order", "duration", "tolerance", "samples", "form"],
-    later: &[("evolve", "evolve"), ("verify", "verify")],
+    known: &["order", "duration", "tolerance", "samples", "form", "systems", "method", "stop", "verify"],
+    later: &[("evolve", "evolve")],
 };
+const STOP: Keys = Keys { known: &["energy", "nutation", "validity"], later: &[] };
+const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"], later: &[] };
 
 /// Order of the reduced equations unless the file chooses another.
 const ORDER: usize = 3;
 const HIGHEST_ORDER: usize = 12;
 const MOST_SAMPLES: usize = 10_000_000;
-/// Largest deviation of a quaternion's norm from one that is taken for rounding.
-const ROUNDED_NORM: f64 = 1e-3;
-/// Largest deviation that is not worth a note.
-const PRINTED_NORM: f64 = 1e-9;
-
-/// State of the body at time zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Initial {
-    /// Angular velocity (rad/s), body axes; none if the file gives none.
-    pub angular_velocity: Option<[f64; 3]>,
-    /// Unit quaternion, scalar first, that turns body components into inertial ones.
-    pub attitude: [f64; 4],
-}
-
-impl Default for Initial {
-    fn default() -> Self {
-        Self { angular_velocity: None, attitude: [1.0, 0.0, 0.0, 0.0] }
-    }
-}
+/// Most halvings of the spin: the last is a thousandth of the first, and its run a thousand times as long.
+const MOST_HALVINGS: usize = 10;
 
 /// What to compute.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// Order of the reduced equations, from 1 to 12.
     pub order: usize,
@@ -47,11 +32,29 @@ pub struct Run {
     pub samples: Option<usize>,
     /// Form of the reduced equations.
     pub form: Option<Form>,
+    /// Systems of equations to integrate.
+    pub systems: Option<Vec<System>>,
+    /// Method for the full system.
+    pub method: Option<Method>,
+    /// What ends a run before its time.
+    pub stop: Stop,
+    /// How the reduced equations are compared with the full ones; none if the file does not ask for it.
+    pub verify: Option<Verify>,
 }
 
 impl Default for Run {
     fn default() -> Self {
-        Self { order: ORDER, duration: None, tolerance: None, samples: None, form: None }
+        Self {
+            order: ORDER,
+            duration: None,
+            tolerance: None,
+            samples: None,
+            form: None,
+            systems: None,
+            method: None,
+            stop: Stop::default(),
+            verify: None,
+        }
     }
 }
 
@@ -64,17 +67,48 @@ pub enum Form {
     Paper,
 }
 
-/// Reads `[initial]`; what is merely suspect goes into `notes`.
-pub(super) fn initial(table: &Table<'_>, notes: &mut Vec<String>) -> Option<Initial> {
-    let angular_velocity =
-        optional(table.get("angular_velocity"), |value| value.vector(Dimension::ANGULAR_VELOCITY));
-    let attitude = match table.get("attitude") {
-        Some(value) => unit_quaternion(&value, notes),
-        None => Some(Initial::default().attitude),
-    };
-    let displacements = table.get("displacements").is_none_or(|value| slow_manifold(&value).is_some());
-    let initial = Initial { angular_velocity: angular_velocity?, attitude: attitude? };
-    displacements.then_some(initial)
+/// A system of equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// The reduced equations.
+    Reduced,
+    /// The frozen body.
+    Rigid,
+    /// The body with all its coordinates, which is stiff.
+    Full,
+}
+
+/// Method for the full system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Both, in turns, as the stiffness asks.
+    Automatic,
+    /// Explicit steps, which follow every vibration.
+    Explicit,
+    /// Implicit steps, which may pass over vibrations that have died out.
+    Implicit,
+}
+
+/// What ends a run before its time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stop {
+    /// Energy (J) at which it ends.
+    pub energy: Option<f64>,
+    /// Nutation angle (rad) at which it ends.
+    pub nutation: Option<f64>,
+    /// Whether it ends where the reduced equations cease to hold.
+    pub validity: bool,
+}
+
+/// How the reduced equations are compared with the full ones.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Verify {
+    /// Length of each run in rotations.
+    pub rotations: Option<f64>,
+    /// Orders of the reduced equations.
+    pub orders: Option<Vec<usize>>,
+    /// How many times the spin is halved.
+    pub halvings: Option<usize>,
 }
 
 /// Reads `[run]`.
@@ -84,55 +118,112 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
     let form = optional(table.get("form"), |value| form(&value));
+    let systems = optional(table.get("systems"), |value| systems(&value));
+    let method = optional(table.get("method"), |value| method(&value));
+    let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
+    let verify = optional(table.get("verify"), |value| verify(&value));
     Some(Run {
         order: order?.unwrap_or(ORDER),
         duration: duration?,
         tolerance: tolerance?,
         samples: samples?,
         form: form?,
+        systems: systems?,
+        method: method?,
+        stop: stop?,
+        verify: verify?,
     })
 }
 
 /// Reads a value that may be absent: nothing only if it is there and wrong.
-fn optional<'a, T>(value: Option<Value<'a>>, read: impl FnOnce(Value<'a>) -> Option<T>) -> Option<Option<T>> {
+pub(super) fn optional<'a, T>(
+    value: Option<Value<'a>>,
+    read: impl FnOnce(Value<'a>) -> Option<T>,
+) -> Option<Option<T>> {
     match value {
         Some(value) => read(value).map(Some),
         None => Some(None),
     }
 }
 
-fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Option<[f64; 4]> {
-    let quaternion: [f64; 4] = value.numbers(Dimension::NUMBER)?;
-    let norm = quaternion.iter().fold(0.0, |norm: f64, component| norm.hypot(*component));
-    let deviation = (norm - 1.0).abs();
-    if deviation > ROUNDED_NORM {
-        let message = format!("`attitude` has the norm {norm}, but an attitude is a unit quaternion");
-        let help = "write four numbers, scalar first, whose squares add up to 1".to_owned();
-        return value.refuse(message, "not a unit quaternion", Some(help));
-    }
-    if deviation > PRINTED_NORM {
-        notes.push(format!("the initial attitude has the norm {norm}; it was divided by it"));
-    }
-    Some(quaternion.map(|component| component / norm))
-}
-
-fn slow_manifold(value: &Value<'_>) -> Option<()> {
-    if value.is_array() {
-        let message = "`displacements` as numbers are not supported by this version of quasirigid".to_owned();
-        return value.refuse(message, "not supported yet", Some("write \"slow-manifold\"".to_owned()));
-    }
-    value.choice(&[("slow-manifold", Some(())), ("rest", None)])
-}
-
 fn tolerance(value: &Value<'_>) -> Option<f64> {
     let tolerance = value.quantity(Dimension::NUMBER)?;
-    if tolerance > 1e-15 && tolerance < 1e-2 {
+    if (1e-15..=1e-2).contains(&tolerance) {
         return Some(tolerance);
     }
-    let message = format!("`tolerance` is {tolerance:e}, but must lie between 1e-15 and 1e-2");
+    let message = format!("`tolerance` is {tolerance:e}, but must lie from 1e-15 to 1e-2");
     value.refuse(message, "out of range", Some("write for example tolerance = 1e-9".to_owned()))
 }
 
 fn form(value: &Value<'_>) -> Option<Form> {
     value.choice(&[("momentum", Some(Form::Momentum)), ("paper", Some(Form::Paper))])
+}
+
+fn systems(value: &Value<'_>) -> Option<Vec<System>> {
+    let choices =
+        [("reduced", Some(System::Reduced)), ("rigid", Some(System::Rigid)), ("full", Some(System::Full))];
+    let help = "write for example [\"reduced\", \"rigid\", \"full\"]";
+    distinct(value, "a list of systems", help, |item| item.choice(&choices))
+}
+
+fn method(value: &Value<'_>) -> Option<Method> {
+    value.choice(&[
+        ("automatic", Some(Method::Automatic)),
+        ("explicit", Some(Method::Explicit)),
+        ("implicit", Some(Method::Implicit)),
+    ])
+}
+
+fn stop(value: &Value<'_>) -> Option<Stop> {
+    let table = value.table("`stop`", &STOP)?;
+    let energy = optional(table.get("energy"), |value| value.positive(Dimension::ENERGY));
+    let nutation = optional(table.get("nutation"), |value| nutation(&value));
+    let validity = table.get("validity").map_or(Some(false), |value| value.boolean());
+    Some(Stop { energy: energy?, nutation: nutation?, validity: validity? })
+}
+
+fn nutation(value: &Value<'_>) -> Option<f64> {
+    let angle = value.positive(Dimension::ANGLE)?;
+    if angle <= PI {
+        return Some(angle);
+    }
+    let message = format!("`nutation` is {angle} rad, but must be at most half a turn");
+    value.refuse(message, "out of range", Some("write for example nutation = \"45 deg\"".to_owned()))
+}
+
+fn verify(value: &Value<'_>) -> Option<Verify> {
+    let table = value.table("`verify`", &VERIFY)?;
+    let rotations = optional(table.get("rotations"), |value| value.positive(Dimension::NUMBER));
+    let orders = optional(table.get("orders"), |value| {
+        let help = "write for example [1, 2, 3]";
+        distinct(&value, "a list of orders", help, |item| item.integer(1..=HIGHEST_ORDER))
+    });
+    let halvings = optional(table.get("halvings"), |value| value.integer(1..=MOST_HALVINGS));
+    Some(Verify { rotations: rotations?, orders: orders?, halvings: halvings? })
+}
+
+/// Reads a list of one or more values, each of them once.
+fn distinct<T: PartialEq + Copy>(
+    value: &Value<'_>,
+    expected: &str,
+    help: &str,
+    read: impl Fn(Value<'_>) -> Option<T>,
+) -> Option<Vec<T>> {
+    let Some(items) = value.items().filter(|items| !items.is_empty()) else {
+        return value.mismatch(expected, help);
+    };
+    let mut values = Vec::new();
+    let mut wrong = false;
+    for item in items {
+        match read(item) {
+            Some(value) if values.contains(&value) => {
+                let message = format!("`{}` has this twice", item.key());
+                item.refuse::<T>(message, "given before", Some("leave it out".to_owned()));
+                wrong = true;
+            }
+            Some(value) => values.push(value),
+            None => wrong = true,
+        }
+    }
+    (!wrong).then_some(values)
 }

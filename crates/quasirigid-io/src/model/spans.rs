@@ -10,6 +10,7 @@ pub(super) struct Spans {
     pub(super) springs: Vec<ElementSpans>,
     pub(super) hinged: Vec<ElementSpans>,
     pub(super) support: ElementSpans,
+    pub(super) forces: Vec<ElementSpans>,
 }
 
 /// Where an element and its values stand.
@@ -31,7 +32,7 @@ impl Spans {
             Place::Spring(index) => self.springs.get(index),
             Place::Hinged(index) => self.hinged.get(index),
             Place::Support => Some(&self.support),
-            Place::Force(_) => None,
+            Place::Force(index) => self.forces.get(index),
         };
         let Some(element) = element else {
             return 0..0;

@@ -1,6 +1,6 @@
-use quasirigid::elements::{Coefficient, Law, Spring};
+use quasirigid::elements::{Coefficient, End, Law, Spring};
 
-use super::names::Names;
+use super::names::{Fixed, Names};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -10,8 +10,8 @@ pub(super) const SPRING: Keys =
 
 /// Reads a `[[spring]]`.
 pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
-    let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value));
-    let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value));
+    let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Spring));
+    let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Spring));
     let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
     let law = axial.and_then(|axial| if axial { along_the_line(table) } else { in_space(table) });
     let (from, to) = (from?, to?);
@@ -19,6 +19,16 @@ pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
         let message = "both ends of the spring are the same".to_owned();
         let help = "a spring joins two points, or a point and the carrier".to_owned();
         return table.get("to")?.refuse(message, "the same as `from`", Some(help));
+    }
+    let between_points = from != End::Carrier && to != End::Carrier;
+    if let Some(anchor) = table.get("anchor").filter(|_| axial == Some(true) && between_points) {
+        let message =
+            "`anchor` is the end of an axial spring on the carrier, and this spring joins two points";
+        return anchor.refuse(
+            message.to_owned(),
+            "not for this spring",
+            Some("leave it out, or write \"carrier\" for one end".to_owned()),
+        );
     }
     Some(Spring { from, to, law: law? })
 }

@@ -7,6 +7,7 @@ use super::diagnostic::Problems;
 use super::spans::ElementSpans;
 use super::value::Value;
 use crate::nearest::nearest;
+use crate::units::Dimension;
 
 /// The keys a table can have.
 pub(super) struct Keys {
@@ -28,18 +29,23 @@ pub(super) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// Reports every key that is not one of `keys`.
+    /// Reports every key that is not one of `keys`; `others` names the kinds of table that such a key is for.
     pub(super) fn new(
         title: &'static str,
         header: Range<usize>,
         entries: &'a DeTable<'a>,
         keys: &'static Keys,
+        others: &dyn Fn(&str) -> Option<String>,
         problems: &'a Problems<'a>,
     ) -> Self {
         let mut misspelt = Vec::new();
         for key in entries.keys().filter(|key| !keys.known.contains(&key.get_ref().as_ref())) {
             if problems.full() {
                 break;
+            }
+            if let Some(kinds) = others(key.get_ref()) {
+                problems.report(foreign_key(title, key.get_ref(), key.span(), keys, &kinds));
+                continue;
             }
             let meant = nearest(key.get_ref(), keys.known.iter().copied());
             problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
@@ -77,6 +83,11 @@ impl<'a> Table<'a> {
         value
     }
 
+    /// Three quantities, zero if the table has none.
+    pub(super) fn vector_or_zero(&self, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
+        self.get(key).map_or(Some([0.0; 3]), |value| value.vector(dimension))
+    }
+
     /// The table under a key that stands once, as in `[carrier]`.
     pub(super) fn table(
         &self,
@@ -84,6 +95,11 @@ impl<'a> Table<'a> {
         title: &'static str,
         keys: &'static Keys,
     ) -> Option<Table<'a>> {
+        self.single(key, title)?.table(title, keys)
+    }
+
+    /// What stands under a key that stands once.
+    pub(super) fn single(&self, key: &'static str, title: &'static str) -> Option<Value<'a>> {
         let value = self.get(key)?;
         if value.is_array() {
             let message = format!("there is one {title}, not a list of them");
@@ -91,7 +107,7 @@ impl<'a> Table<'a> {
             self.problems.report(Diagnostic::new(value.span(), message, "a list").help(help));
             return None;
         }
-        value.table(title, keys)
+        Some(value)
     }
 
     /// The tables under a key that can stand any number of times, as in `[[point]]`.
@@ -101,6 +117,11 @@ impl<'a> Table<'a> {
         title: &'static str,
         keys: &'static Keys,
     ) -> Vec<Table<'a>> {
+        self.several(key, title).iter().filter_map(|item| item.table(title, keys)).collect()
+    }
+
+    /// What stands under a key that can stand any number of times.
+    pub(super) fn several(&self, key: &'static str, title: &'static str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else {
             return Vec::new();
         };
@@ -110,8 +131,14 @@ impl<'a> Table<'a> {
             self.problems.report(Diagnostic::new(value.span(), message, "not a list of tables").help(help));
             return Vec::new();
         };
-        items.iter().filter_map(|item| item.table(title, keys)).collect()
+        items
     }
+}
+
+fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &str) -> Diagnostic {
+    let message = format!("`{key}` is not a key of {title}");
+    let help = format!("it is for {kinds}; the keys here are {}", keys.known.join(", "));
+    Diagnostic::new(span, message, "not for this kind").help(help)
 }
 
 fn unknown_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, meant: Option<&str>) -> Diagnostic {

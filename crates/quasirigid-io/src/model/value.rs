@@ -5,29 +5,42 @@ use toml::de::{DeInteger, DeValue};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::literal;
+use super::spans::ElementSpans;
 use super::table::{Keys, Table};
+use crate::nearest::nearest;
 use crate::units::{Dimension, quantity};
 
 /// A value of the file and the key it stands under. Every reading of it that fails reports why and returns nothing.
 #[derive(Clone, Copy)]
 pub(super) struct Value<'a> {
-    key: &'static str,
+    key: &'a str,
     inner: &'a Spanned<DeValue<'a>>,
     problems: &'a Problems<'a>,
 }
 
 impl<'a> Value<'a> {
-    pub(super) fn new(
-        key: &'static str,
-        inner: &'a Spanned<DeValue<'a>>,
-        problems: &'a Problems<'a>,
-    ) -> Self {
+    pub(super) fn new(key: &'a str, inner: &'a Spanned<DeValue<'a>>, problems: &'a Problems<'a>) -> Self {
         Self { key, inner, problems }
+    }
+
+    /// The key it stands under.
+    pub(super) fn key(&self) -> &'a str {
+        self.key
     }
 
     /// Where it stands.
     pub(super) fn span(&self) -> Range<usize> {
         self.inner.span()
+    }
+
+    /// Where a part of it stands, given by its bytes in a text.
+    pub(super) fn span_of(&self, part: Range<usize>) -> Range<usize> {
+        let Range { start, end } = self.span();
+        match self.problems.text(start..end).and_then(|literal| literal::place(literal, part)) {
+            Some(place) => start + place.start..start + place.end,
+            None => start..end,
+        }
     }
 
     pub(super) fn is_array(&self) -> bool {
@@ -51,10 +64,47 @@ impl<'a> Value<'a> {
 
     /// A table.
     pub(super) fn table(&self, title: &'static str, keys: &'static Keys) -> Option<Table<'a>> {
+        self.table_among(title, keys, &|_| None)
+    }
+
+    /// A table of one of several kinds; `others` names those that an unknown key is for.
+    pub(super) fn table_among(
+        &self,
+        title: &'static str,
+        keys: &'static Keys,
+        others: &dyn Fn(&str) -> Option<String>,
+    ) -> Option<Table<'a>> {
         match self.inner.get_ref().as_table() {
-            Some(entries) => Some(Table::new(title, self.span(), entries, keys, self.problems)),
-            None => self.mismatch("a table", &format!("write {title} with its keys below")),
+            Some(entries) => Some(Table::new(title, self.span(), entries, keys, others, self.problems)),
+            None => self.mismatch("a table", &format!("write {title} with its keys")),
         }
+    }
+
+    /// The values of a table, without a look at its keys.
+    pub(super) fn entries(&self) -> Option<impl Iterator<Item = (Range<usize>, Self)>> {
+        let (entries, problems) = (self.inner.get_ref().as_table()?, self.problems);
+        Some(entries.iter().map(move |(key, inner)| (key.span(), Value::new(key.get_ref(), inner, problems))))
+    }
+
+    /// The value under a key of a table, without a look at the others.
+    pub(super) fn entry(&self, key: &'static str) -> Option<Self> {
+        let inner = self.inner.get_ref().as_table()?.get(key)?;
+        Some(Self { key, inner, ..*self })
+    }
+
+    /// Where a table and its values stand.
+    pub(super) fn spans(&self, keys: &Keys) -> ElementSpans {
+        let values = keys.known.iter().filter_map(|key| Some((*key, self.entry(key)?.span()))).collect();
+        ElementSpans { header: self.span(), values }
+    }
+
+    /// A text as it is, empty or not.
+    pub(super) fn words(&self) -> Option<&'a str> {
+        self.inner.get_ref().as_str()
+    }
+
+    pub(super) fn is_number(&self) -> bool {
+        matches!(self.inner.get_ref(), DeValue::Integer(_) | DeValue::Float(_))
     }
 
     /// A text.
@@ -70,12 +120,12 @@ impl<'a> Value<'a> {
     /// One of several words; a word without a value is part of the format but not of this version.
     pub(super) fn choice<T: Copy>(&self, choices: &[(&str, Option<T>)]) -> Option<T> {
         let text = self.text()?;
-        let available: Vec<String> = choices
-            .iter()
-            .filter(|(_, value)| value.is_some())
-            .map(|(word, _)| format!("{word:?}"))
-            .collect();
-        let help = Some(format!("write {}", available.join(" or ")));
+        let available = || choices.iter().filter(|(_, value)| value.is_some()).map(|(word, _)| *word);
+        let list = alternatives(&available().map(|word| format!("{word:?}")).collect::<Vec<_>>());
+        let help = Some(match nearest(text, available()) {
+            Some(meant) => format!("did you mean {meant:?}? write {list}"),
+            None => format!("write {list}"),
+        });
         match choices.iter().find(|(word, _)| *word == text) {
             Some((_, Some(value))) => Some(*value),
             Some((_, None)) => {
@@ -201,7 +251,18 @@ impl<'a> Value<'a> {
 
     /// Reports what is wrong with the value.
     pub(super) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
-        self.problems.report(Diagnostic { help, ..Diagnostic::new(self.span(), message, label) });
+        self.refuse_at(self.span(), message, label, help)
+    }
+
+    /// Reports what is wrong at a place that belongs to the value.
+    pub(super) fn refuse_at<T>(
+        &self,
+        span: Range<usize>,
+        message: String,
+        label: &str,
+        help: Option<String>,
+    ) -> Option<T> {
+        self.problems.report(Diagnostic { help, ..Diagnostic::new(span, message, label) });
         None
     }
 
@@ -240,6 +301,14 @@ impl<'a> Value<'a> {
 /// All values, if none is missing.
 fn all<T>(values: Vec<Option<T>>) -> Option<Vec<T>> {
     values.into_iter().collect()
+}
+
+/// Words with commas between them, and "or" before the last.
+pub(super) fn alternatives(words: &[String]) -> String {
+    match words {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => words.concat(),
+    }
 }
 
 fn nearest_number(integer: &DeInteger<'_>) -> f64 {

@@ -1,5 +1,5 @@
-/// Exponents of kilogram, metre, second and radian.
-pub(super) type Exponents = [i32; 4];
+/// Exponents of kilogram, metre, second, ampere and radian.
+pub(super) type Exponents = [i32; 5];
 
 /// What a quantity of the model file measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,29 +12,54 @@ pub struct Dimension {
 
 impl Dimension {
     /// Pure number.
-    pub const NUMBER: Self = Self::new("a plain number", "", "", [0, 0, 0, 0]);
+    pub const NUMBER: Self = Self::new("a plain number", "", "", [0, 0, 0, 0, 0]);
     /// Mass (kg).
-    pub const MASS: Self = Self::new("a mass", "kg", "12 lb", [1, 0, 0, 0]);
+    pub const MASS: Self = Self::new("a mass", "kg", "12 lb", [1, 0, 0, 0, 0]);
     /// Length (m).
-    pub const LENGTH: Self = Self::new("a length", "m", "22 in", [0, 1, 0, 0]);
+    pub const LENGTH: Self = Self::new("a length", "m", "22 in", [0, 1, 0, 0, 0]);
     /// Time (s).
-    pub const TIME: Self = Self::new("a time", "s", "2 h", [0, 0, 1, 0]);
+    pub const TIME: Self = Self::new("a time", "s", "2 h", [0, 0, 1, 0, 0]);
     /// Angular velocity (rad/s).
-    pub const ANGULAR_VELOCITY: Self = Self::new("an angular velocity", "rad/s", "750 rpm", [0, 0, -1, 1]);
+    pub const ANGULAR_VELOCITY: Self = Self::new("an angular velocity", "rad/s", "750 rpm", [0, 0, -1, 0, 1]);
     /// Moment of inertia (kg·m²).
-    pub const INERTIA: Self = Self::new("a moment of inertia", "kg m^2", "3.2 lb ft^2", [1, 2, 0, 0]);
+    pub const INERTIA: Self = Self::new("a moment of inertia", "kg m^2", "3.2 lb ft^2", [1, 2, 0, 0, 0]);
     /// Stiffness (N/m).
-    pub const STIFFNESS: Self = Self::new("a stiffness", "N/m", "12.5 lbf/in", [1, 0, -2, 0]);
+    pub const STIFFNESS: Self = Self::new("a stiffness", "N/m", "12.5 lbf/in", [1, 0, -2, 0, 0]);
     /// Damping (N·s/m).
-    pub const DAMPING: Self = Self::new("a damping", "N s/m", "0.3 lbf s/in", [1, 0, -1, 0]);
+    pub const DAMPING: Self = Self::new("a damping", "N s/m", "0.3 lbf s/in", [1, 0, -1, 0, 0]);
     /// Rotational stiffness (N·m/rad).
     pub const ROTATIONAL_STIFFNESS: Self =
-        Self::new("a rotational stiffness", "N m/rad", "0.565 N m/rad", [1, 2, -2, -1]);
+        Self::new("a rotational stiffness", "N m/rad", "0.565 N m/rad", [1, 2, -2, 0, -1]);
     /// Rotational damping (N·m·s/rad).
     pub const ROTATIONAL_DAMPING: Self =
-        Self::new("a rotational damping", "N m s/rad", "0.01 N m s/rad", [1, 2, -1, -1]);
+        Self::new("a rotational damping", "N m s/rad", "0.01 N m s/rad", [1, 2, -1, 0, -1]);
+    /// Angle (rad).
+    pub const ANGLE: Self = Self::new("an angle", "rad", "30 deg", [0, 0, 0, 0, 1]);
+    /// Frequency (rad/s); hertz are turns per second.
+    pub const FREQUENCY: Self = Self::new("a frequency", "rad/s", "2 Hz", [0, 0, -1, 0, 1]);
+    /// Velocity (m/s).
+    pub const VELOCITY: Self = Self::new("a velocity", "m/s", "3 km/s", [0, 1, -1, 0, 0]);
+    /// Acceleration (m/s²).
+    pub const ACCELERATION: Self = Self::new("an acceleration", "m/s^2", "32 ft/s^2", [0, 1, -2, 0, 0]);
+    /// Force (N).
+    pub const FORCE: Self = Self::new("a force", "N", "0.2 lbf", [1, 1, -2, 0, 0]);
+    /// Torque (N·m).
+    pub const TORQUE: Self = Self::new("a torque", "N m", "3 lbf ft", [1, 2, -2, 0, 0]);
+    /// Energy (J).
+    pub const ENERGY: Self = Self::new("an energy", "J", "12 kJ", [1, 2, -2, 0, 0]);
+    /// Gravitational parameter (m³/s²).
+    pub const GRAVITATIONAL_PARAMETER: Self =
+        Self::new("a gravitational parameter", "m^3/s^2", "398600.4 km^3/s^2", [0, 3, -2, 0, 0]);
+    /// Magnetic dipole moment (A·m²).
+    pub const MAGNETIC_MOMENT: Self = Self::new("a magnetic moment", "A m^2", "200 mA m^2", [0, 2, 0, 1, 0]);
+    /// Magnetic field (T).
+    pub const MAGNETIC_FIELD: Self = Self::new("a magnetic field", "T", "30 uT", [1, 0, -2, -1, 0]);
+    /// Magnetic field of a dipole times the cube of the distance (T·m³), `μ₀/4π` times its moment.
+    pub const DIPOLE_STRENGTH: Self =
+        Self::new("a dipole strength", "T m^3", "7.8e15 T m^3", [1, 3, -2, -1, 0]);
 
-    const ALL: [Self; 10] = [
+    /// Those a unit alone can stand for: hertz and radians per second are told apart by their symbols.
+    const ALL: [Self; 20] = [
         Self::NUMBER,
         Self::MASS,
         Self::LENGTH,
@@ -45,6 +70,16 @@ impl Dimension {
         Self::DAMPING,
         Self::ROTATIONAL_STIFFNESS,
         Self::ROTATIONAL_DAMPING,
+        Self::ANGLE,
+        Self::VELOCITY,
+        Self::ACCELERATION,
+        Self::FORCE,
+        Self::TORQUE,
+        Self::ENERGY,
+        Self::GRAVITATIONAL_PARAMETER,
+        Self::MAGNETIC_MOMENT,
+        Self::MAGNETIC_FIELD,
+        Self::DIPOLE_STRENGTH,
     ];
 
     const fn new(
@@ -76,16 +111,18 @@ impl Dimension {
 
     /// Whether a unit with these exponents measures this dimension, with its radian or without.
     pub(super) fn accepts(&self, exponents: Exponents) -> bool {
-        let [.., radian] = exponents;
-        exponents[..3] == self.exponents[..3] && (radian == 0 || radian == self.exponents[3])
+        let ([base @ .., radian], [own_base @ .., own_radian]) = (exponents, self.exponents);
+        base == own_base && (radian == 0 || radian == own_radian)
     }
 
     /// What a unit with these exponents measures, in words.
     pub(super) fn describe(exponents: Exponents) -> String {
-        if let Some(dimension) = Self::ALL.iter().find(|dimension| dimension.exponents == exponents) {
-            return dimension.name.to_owned();
+        let same = Self::ALL.iter().filter(|dimension| dimension.exponents == exponents);
+        let names: Vec<&str> = same.map(|dimension| dimension.name).collect();
+        if !names.is_empty() {
+            return names.join(" or ");
         }
-        let factors: Vec<String> = ["kg", "m", "s", "rad"]
+        let factors: Vec<String> = ["kg", "m", "s", "A", "rad"]
             .iter()
             .zip(exponents)
             .filter(|(_, exponent)| *exponent != 0)

@@ -32,6 +32,12 @@ impl Expression {
         if self.up >= self.down { number * (self.up / self.down) } else { number / (self.down / self.up) }
     }
 
+    /// Whether an angle takes part, which says what hertz count.
+    pub(super) fn has_angle(&self) -> bool {
+        let [.., radian] = self.exponents;
+        radian != 0
+    }
+
     fn times(self, other: Self) -> Self {
         Self {
             up: self.up * other.up,

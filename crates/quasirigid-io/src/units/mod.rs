@@ -11,6 +11,8 @@ mod symbols;
 pub use dimension::Dimension;
 pub use error::UnitError;
 
+use std::f64::consts::TAU;
+
 use expression::Expression;
 
 /// Longest text that is read; no unit that means something comes near it.
@@ -45,7 +47,8 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
             needed: dimension,
         });
     }
-    let value = expression.in_si(number);
+    let turns = expression.hertz && dimension == Dimension::FREQUENCY && !expression.has_angle();
+    let value = expression.in_si(number) * if turns { TAU } else { 1.0 };
     if value.is_finite() && (value != 0.0 || number == 0.0) {
         Ok(value)
     } else {

@@ -29,19 +29,21 @@ const FOOT: f64 = 0.304_8;
 const INCH: f64 = 0.025_4;
 const POUND_FORCE: f64 = POUND * 9.806_65;
 
-const NUMBER: Exponents = [0, 0, 0, 0];
-const MASS: Exponents = [1, 0, 0, 0];
-const LENGTH: Exponents = [0, 1, 0, 0];
-const TIME: Exponents = [0, 0, 1, 0];
-const ANGLE: Exponents = [0, 0, 0, 1];
-const FREQUENCY: Exponents = [0, 0, -1, 0];
-const ANGULAR_VELOCITY: Exponents = [0, 0, -1, 1];
-const FORCE: Exponents = [1, 1, -2, 0];
-const PRESSURE: Exponents = [1, -1, -2, 0];
-const ENERGY: Exponents = [1, 2, -2, 0];
-const POWER: Exponents = [1, 2, -3, 0];
-const KINEMATIC_VISCOSITY: Exponents = [0, 2, -1, 0];
-const VISCOSITY: Exponents = [1, -1, -1, 0];
+const NUMBER: Exponents = [0, 0, 0, 0, 0];
+const MASS: Exponents = [1, 0, 0, 0, 0];
+const LENGTH: Exponents = [0, 1, 0, 0, 0];
+const TIME: Exponents = [0, 0, 1, 0, 0];
+const ANGLE: Exponents = [0, 0, 0, 0, 1];
+const FREQUENCY: Exponents = [0, 0, -1, 0, 0];
+const ANGULAR_VELOCITY: Exponents = [0, 0, -1, 0, 1];
+const FORCE: Exponents = [1, 1, -2, 0, 0];
+const PRESSURE: Exponents = [1, -1, -2, 0, 0];
+const ENERGY: Exponents = [1, 2, -2, 0, 0];
+const POWER: Exponents = [1, 2, -3, 0, 0];
+const KINEMATIC_VISCOSITY: Exponents = [0, 2, -1, 0, 0];
+const VISCOSITY: Exponents = [1, -1, -1, 0, 0];
+const CURRENT: Exponents = [0, 0, 0, 1, 0];
+const MAGNETIC_FIELD: Exponents = [1, 0, -2, -1, 0];
 
 /// Symbol, `up`, `down`, exponents, prefixes. Feet and pounds are the international ones, the year is the Julian year
 /// and the astronomical unit that of the IAU (2012).
@@ -85,6 +87,8 @@ const SYMBOLS: &[(&str, f64, f64, Exponents, Prefixes)] = &[
     ("W", 1.0, 1.0, POWER, Si),
     ("St", 1.0, 1e4, KINEMATIC_VISCOSITY, Si),
     ("P", 1.0, 10.0, VISCOSITY, Si),
+    ("A", 1.0, 1.0, CURRENT, Si),
+    ("T", 1.0, 1.0, MAGNETIC_FIELD, Si),
 ];
 
 const PREFIXES: &[(&str, i32)] = &[
@@ -143,6 +147,10 @@ const WORDS: &[(&str, &str)] = &[
     ("newton", "N"),
     ("pascal", "Pa"),
     ("stokes", "St"),
+    ("joule", "J"),
+    ("ampere", "A"),
+    ("amp", "A"),
+    ("tesla", "T"),
 ];
 
 /// The unit with this symbol, with or without a prefix.

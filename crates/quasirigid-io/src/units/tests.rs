@@ -48,6 +48,25 @@ fn units_have_their_defined_values() {
         ("5lbf ft", Dimension::ROTATIONAL_STIFFNESS, 5.0 * 1.355_817_948_331_400_4), // NIST SP 811
         ("3 N*m*s/rad", Dimension::ROTATIONAL_DAMPING, 3.0),
         ("3 N m/(rad/s)", Dimension::ROTATIONAL_DAMPING, 3.0),
+        ("51.6 deg", Dimension::ANGLE, 51.6 * PI / 180.0),
+        ("3 km/s", Dimension::VELOCITY, 3000.0),
+        ("9.81 m/s^2", Dimension::ACCELERATION, 9.81),
+        ("5 mN", Dimension::FORCE, 5e-3),
+        ("0.05 N m", Dimension::TORQUE, 0.05),
+        ("12 J", Dimension::ENERGY, 12.0),
+        ("398600.4418 km^3/s^2", Dimension::GRAVITATIONAL_PARAMETER, 3.986_004_418e14),
+        ("200 mA m^2", Dimension::MAGNETIC_MOMENT, 0.2),
+        ("31000 nT", Dimension::MAGNETIC_FIELD, 3.1e-5),
+        ("5 N/(A m)", Dimension::MAGNETIC_FIELD, 5.0),
+        ("7.8e15 T m^3", Dimension::DIPOLE_STRENGTH, 7.8e15),
+        ("7.8 TT km^3/1", Dimension::DIPOLE_STRENGTH, 7.8e21),
+        ("2 Hz", Dimension::FREQUENCY, 2.0 * TAU),
+        ("1 mHz", Dimension::FREQUENCY, 1e-3 * TAU),
+        ("1 rad Hz", Dimension::FREQUENCY, 1.0),
+        ("1 rev Hz", Dimension::FREQUENCY, TAU),
+        ("3 rad/s", Dimension::FREQUENCY, 3.0),
+        ("3 1/s", Dimension::FREQUENCY, 3.0),
+        ("60 rpm", Dimension::FREQUENCY, TAU),
     ];
     for (text, dimension, expected) in cases {
         let value = quantity(text, dimension).unwrap_or_else(|error| panic!("{text}: {error}"));
@@ -62,11 +81,13 @@ fn units_of_other_fields_are_known() {
         ("2 g/cm^3", "a quantity in kg m^-3"),
         ("2 psi", "a quantity in kg m^-1 s^-2"),
         ("2 GPa", "a quantity in kg m^-1 s^-2"),
-        ("2 J", "a quantity in kg m^2 s^-2"),
+        ("2 J", "a torque or an energy"),
         ("2 W", "a quantity in kg m^2 s^-3"),
         ("2 cSt", "a quantity in m^2 s^-1"),
         ("2 cP", "a quantity in kg m^-1 s^-1"),
-        ("2 rev", "a quantity in rad"),
+        ("2 rev", "an angle"),
+        ("2 Hz", "a quantity in s^-1"),
+        ("2 mA", "a quantity in A"),
         ("2 m/in", "a plain number"),
     ] {
         let Err(UnitError::WrongDimension { found, .. }) = quantity(text, Dimension::MASS) else {
@@ -80,7 +101,7 @@ fn units_of_other_fields_are_known() {
 fn another_dimension_is_refused() {
     insta::assert_snapshot!(refusal("12 kg", Dimension::LENGTH), @r#""12 kg" is a mass, but a length is needed; write for example "22 in", or a plain number in m"#);
     insta::assert_snapshot!(refusal("12.5 lb/in", Dimension::STIFFNESS), @r#""12.5 lb/in" is a quantity in kg m^-1, but a stiffness is needed; lb is the mass, lbf the force; write for example "12.5 lbf/in", or a plain number in N/m"#);
-    insta::assert_snapshot!(refusal("3 deg", Dimension::NUMBER), @r#""3 deg" is a quantity in rad, but a plain number is needed; write a number without quotes"#);
+    insta::assert_snapshot!(refusal("3 deg", Dimension::NUMBER), @r#""3 deg" is an angle, but a plain number is needed; write a number without quotes"#);
     insta::assert_snapshot!(refusal("3 N m rad", Dimension::ROTATIONAL_STIFFNESS), @r#""3 N m rad" is a quantity in kg m^2 s^-2 rad, but a rotational stiffness is needed; write for example "0.565 N m/rad", or a plain number in N m/rad"#);
     insta::assert_snapshot!(refusal("3 kg m^2/rad", Dimension::INERTIA), @r#""3 kg m^2/rad" is a quantity in kg m^2 rad^-1, but a moment of inertia is needed; write for example "3.2 lb ft^2", or a plain number in kg m^2"#);
 }

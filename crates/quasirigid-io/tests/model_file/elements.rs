@@ -80,6 +80,13 @@ fn an_axial_spring_has_one_stiffness_and_alone_an_anchor() {
     model.toml:13:10: `anchor` is the carrier's end of an axial spring, and this spring is not axial
       add axial = true, or leave it out
     "#);
+    let second = POINT.replace("tip", "top");
+    let spring =
+        "[[spring]]\nfrom = \"tip\"\nto = \"top\"\nstiffness = 1\naxial = true\nanchor = [0, 0, 1]\n";
+    assert_snapshot!(refusal_of(&format!("{second}{spring}")), @r#"
+    model.toml:18:10: `anchor` is the end of an axial spring on the carrier, and this spring joins two points
+      leave it out, or write "carrier" for one end
+    "#);
 }
 
 #[test]
@@ -172,16 +179,4 @@ fn a_hinge_can_have_a_stiffness_matrix() {
         HingeCoefficient::Full(vec![vec![3.0, 1.0], vec![1.0, 4.0]])
     );
     assert_eq!(model.assembly.hinged[0].damping, HingeCoefficient::PerAxis(vec![0.0, 0.0]));
-}
-
-#[test]
-fn a_free_body_has_no_fixed_point() {
-    assert_snapshot!(refusal_of("[support]\nkind = \"free\"\npoint = [0, 0, 0]\n"), @r#"
-    model.toml:11:9: a free body has no fixed `point`
-      leave it out, or write kind = "fixed-point"
-    "#);
-    assert_snapshot!(refusal_of("[support]\nkind = \"pinned\"\n"), @r#"
-    model.toml:10:8: `kind` cannot be "pinned"
-      write "free" or "fixed-point"
-    "#);
 }

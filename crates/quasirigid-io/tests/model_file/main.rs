@@ -2,6 +2,8 @@
 
 mod elements;
 mod files;
+mod forces;
+mod initial;
 mod keys;
 mod physics;
 mod reading;

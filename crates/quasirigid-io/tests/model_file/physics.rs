@@ -120,6 +120,69 @@ fn impossible_hinges_and_motions_are_refused() {
     "#);
 }
 
+/// What mechanics says to a force with these lines, which start in line 10, on a body with a point.
+fn verdict_on_force(lines: &str) -> String {
+    verdict(&format!("{POINT}[[force]]\n{lines}"))
+}
+
+#[test]
+fn impossible_forces_are_refused() {
+    assert_snapshot!(verdict_on_force("kind = \"drag\"\non = \"carrier\"\ncoefficient = 1\n"), @r#"
+    model.toml:9:1: `at` of force "force 1": a force on the carrier needs the place where it acts
+      add at = [x, y, z], the place on the carrier, in the file's frame
+    "#);
+    assert_snapshot!(verdict_on_force("kind = \"thrust\"\non = \"tip\"\nat = [0, 0, 1]\nforce = [0, 0, 1]\n"), @r#"
+    model.toml:12:6: `at` of force "force 1": a force on a point acts at the point itself
+      leave it out, or write on = "carrier"
+    "#);
+    let orbit = |keys: &str| {
+        let orbit = format!("orbit = {{ body = \"Earth\", semi_major_axis = 7e6, {keys} }}");
+        verdict_on_force(&format!("name = \"pull\"\nkind = \"central-gravity\"\n{orbit}\n"))
+    };
+    assert_snapshot!(orbit("eccentricity = 1"), @r#"
+    model.toml:12:65: `eccentricity` of force "pull": no ellipse has the eccentricity 1; it is at least 0 and below 1
+      write 0 for a circle; a body that escapes is not modelled
+    "#);
+    assert_snapshot!(orbit("node = 0, eccentricity = -0.1"), @r#"
+    model.toml:12:75: `eccentricity` of force "pull": no ellipse has the eccentricity -0.1; it is at least 0 and below 1
+      write 0 for a circle; a body that escapes is not modelled
+    "#);
+    assert_snapshot!(verdict_on_force("kind = \"torque\"\ntorque = [0, 0, 1]\nperiod = 1e-309\n"), @r#"
+    model.toml:12:10: `frequency` of force "force 1": inf is not a finite number
+      write a finite number
+    "#);
+}
+
+#[test]
+fn what_mechanics_says_of_forces_and_driven_points_is_located() {
+    let pull = "[[force]]\nkind = \"central-gravity\"\norbit = { gravitational_parameter = 1, semi_major_axis = 2 }\n";
+    let push = "[[force]]\nkind = \"spin-drag\"\ncoefficient = 2\n";
+    let support = "[support]\nkind = \"prescribed\"\npoint = [0, 0, 0]\nacceleration = [0, 0, 0]\nvelocity = [0, 0, 1]\n";
+    let model = read(&format!("{CARRIER}{pull}{push}{support}"));
+    let not_positive = || Problem::NotPositive { value: -1.0 };
+    assert_snapshot!(diagnosis(&model, Place::Force(0), Field::SemiMajorAxis, not_positive()), @r#"
+    model.toml:7:58: `semi_major_axis` of force "force 1": -1 is not positive
+      write a positive number
+    "#);
+    assert_snapshot!(diagnosis(&model, Place::Force(0), Field::Node, not_positive()), @r#"
+    model.toml:5:1: `node` of force "force 1": -1 is not positive
+      write a positive number
+    "#);
+    assert_snapshot!(diagnosis(&model, Place::Force(1), Field::Coefficient, Problem::Driving { value: -1.0 }), @r#"
+    model.toml:10:15: `coefficient` of force "force 2": the coefficient -1 is negative; a drag must not give energy
+      write a positive coefficient; the force is opposite to the velocity
+    "#);
+    let infinite = || Problem::NotFinite { value: f64::INFINITY };
+    assert_snapshot!(diagnosis(&model, Place::Support, Field::Velocity, infinite()), @"
+    model.toml:15:12: `velocity` of the support: inf is not a finite number
+      write a finite number
+    ");
+    assert_snapshot!(diagnosis(&model, Place::Support, Field::Position, infinite()), @"
+    model.toml:11:1: `position` of the support: inf is not a finite number
+      write a finite number
+    ");
+}
+
 #[test]
 fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
     let model = model();

@@ -8,11 +8,8 @@ use super::{CARRIER, HINGED, POINT};
 proptest! {
     /// A good model with some of its text replaced is read or refused with places inside the text.
     #[test]
-    fn no_mutation_makes_it_panic(start in 0usize..700, length in 0usize..12, patch in "([a-z0-9]|[\\[\\]={}.,\"'#\n -]|é){0,12}") {
-        let spring = "[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = \"6 N/cm\"\ndamping = [1, 2, 3]\n";
-        let hinge = "axes = [[0, 0, 1]]\nstiffness = [[3]]\n";
-        let rest = "[support]\nkind = \"free\"\n[initial]\nangular_velocity = [1, \"2 rpm\", 3]\n[run]\norder = 3\n";
-        let mut text = format!("{CARRIER}{POINT}motion = {{ line = [1, 0, 0] }}\n{spring}{HINGED}{hinge}{rest}");
+    fn no_mutation_makes_it_panic(start in 0usize..1300, length in 0usize..12, patch in "([a-z0-9]|[\\[\\]={}.,\"'#\n -]|é){0,12}") {
+        let mut text = good();
         let start = start.min(text.len());
         text.replace_range(start..(start + length).min(text.len()), &patch);
         if let Err(error) = Model::parse(Path::new("model.toml"), &text) {
@@ -26,4 +23,70 @@ proptest! {
     fn no_text_makes_it_panic(text in "(\\PC|\n|\\[\\[?(point|spring|carrier)\\]\\]?\n){0,40}") {
         let _ = Model::parse(Path::new("model.toml"), &text);
     }
+}
+
+/// A model with something of everything.
+fn good() -> String {
+    let spring =
+        "[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = \"6 N/cm\"\ndamping = [1, 2, 3]\n";
+    let hinge = "axes = [[0, 0, 1]]\nstiffness = [[3]]\n";
+    let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"-2*\\u0076x\", 'sin(t)', 0]\n";
+    let pull =
+        "[[force]]\nkind = \"thrust\"\non = \"carrier\"\nat = [0, 0, 1]\nforce = [0, 0, 1]\nperiod = 3\n";
+    let orbit =
+        "[[force]]\nkind = \"central-gravity\"\norbit = { body = \"Earth\", semi_major_axis = 7e6 }\n";
+    let support = "[support]\nkind = \"prescribed\"\npoint = [0, 0, 0]\nacceleration = [\"0\", \"t\", 3]\n";
+    let initial =
+        "[initial]\nangular_velocity = [1, \"2 rpm\", 3]\ndisplacements = { tip = [1, 0, 0], boom = [1] }\n";
+    let run = "[run]\norder = 3\nsystems = [\"full\"]\nstop = { energy = 1 }\nverify = { orders = [1, 2] }\n";
+    let rest = format!("{force}{pull}{orbit}{support}{initial}{run}");
+    format!("{CARRIER}{POINT}motion = {{ line = [1, 0, 0] }}\n{spring}{HINGED}{hinge}{rest}")
+}
+
+#[test]
+fn the_text_that_is_mutated_is_good() {
+    assert_eq!(super::read(&good()).assembly.forces.len(), 3);
+}
+
+#[test]
+fn formulas_without_end_are_refused_without_delay() {
+    let start = std::time::Instant::now();
+    let force = |formula: &str| {
+        let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\n";
+        super::refusal_of(&format!("{force}force = [\"{formula}\", \"0\", \"0\"]\n"))
+    };
+    insta::assert_snapshot!(force(&"t + ".repeat(25_000)), @"
+    model.toml:12:11: `force`: the formula has 100000 bytes, more than 16384; split it or tabulate it
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
+    insta::assert_snapshot!(force(&"(".repeat(16_000)), @"
+    model.toml:12:212: `force`: more than 200 parentheses, signs or powers inside one another; split the formula
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
+    insta::assert_snapshot!(force(&"(".repeat(1_000_000)), @"
+    model.toml:12:11: `force`: the formula has 1000000 bytes, more than 16384; split it or tabulate it
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
+    insta::assert_snapshot!(force("1e400"), @"
+    model.toml:12:11: `force`: `1e400` is beyond the largest number, 1.8e308
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
+    insta::assert_snapshot!(force("0*nan"), @"
+    model.toml:12:13: `force`: unknown name `nan`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
+    // work that grows with the square of the length takes minutes
+    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
+
+#[test]
+fn many_displacements_are_read_without_delay() {
+    let points: String = (0..100_000)
+        .map(|index| format!("[[point]]\nname = \"p{index}\"\nmass = 1\nposition = [0, 0, 1]\n"))
+        .collect();
+    let displacements: String = (0..100_000).map(|index| format!("p{index} = [0, 0, 0.1]\n")).collect();
+    let start = std::time::Instant::now();
+    let _ = super::read(&format!("{CARRIER}{points}[initial.displacements]\n{displacements}"));
+    // ten times what an unoptimised build on a busy machine needs; quadratic work takes minutes
+    assert!(start.elapsed().as_secs() < 30, "{:?}", start.elapsed());
 }

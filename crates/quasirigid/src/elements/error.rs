@@ -259,6 +259,12 @@ pub enum Problem {
         /// The eccentricity.
         value: f64,
     },
+    /// A point is displaced where its constraints do not let it go.
+    #[error("its constraints leave only the part {left:?} of this motion")]
+    Barred {
+        /// The part they leave (m or m/s), file's axes.
+        left: [f64; 3],
+    },
     /// Two elements share a name.
     #[error("the name \"{name}\" is used twice")]
     DuplicateName {

@@ -30,7 +30,27 @@ pub enum Motion {
     Plane([f64; 3]),
 }
 
+/// A displacement is along the directions left to a point if all but this share of it is.
+const ALONG: f64 = 1e-6;
+
 impl Point {
+    /// Coordinates of a displacement of the point (m, file's axes), or of its rate.
+    ///
+    /// # Errors
+    /// [`Problem::Barred`] if the constraints do not leave it, and what the directions they leave may have wrong.
+    pub fn coordinates_of(&self, displacement: [f64; 3]) -> Result<Vec<f64>, Problem> {
+        coefficient::finite(&displacement)?;
+        let displacement = Vector3::from(displacement);
+        let directions = self.directions()?;
+        let coordinates: Vec<f64> = directions.iter().map(|(e, _)| e.dot(&displacement)).collect();
+        let left: Vector3<f64> = directions.iter().zip(&coordinates).map(|((e, _), q)| *q * e).sum();
+        if (displacement - left).amax() <= ALONG * displacement.amax() {
+            Ok(coordinates)
+        } else {
+            Err(Problem::Barred { left: left.into() })
+        }
+    }
+
     /// Unit vectors along which the point moves, with the name of each.
     pub(super) fn directions(&self) -> Result<Vec<(Vector3<f64>, &'static str)>, Problem> {
         Ok(match self.motion {

@@ -1,0 +1,246 @@
+use std::f64::consts::TAU;
+
+use quasirigid::elements::Station;
+use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+
+use super::formula::{PLACE, formulas};
+use super::kinds::{Kind, opened};
+use super::names::{Fixed, Names};
+use super::orbit::{ORBIT, orbit};
+use super::spans::ElementSpans;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+type Read = fn(&Table<'_>, &Names<'_>) -> Option<Law<Station>>;
+
+const fn kind(
+    word: &'static str,
+    title: &'static str,
+    known: &'static [&'static str],
+    read: Read,
+) -> Kind<Read> {
+    Kind { word, title, keys: Keys { known, later: &[] }, read }
+}
+
+static KINDS: [Kind<Read>; 8] = [
+    kind(
+        "uniform-gravity",
+        "[[force]] of kind \"uniform-gravity\"",
+        &["kind", "name", "acceleration"],
+        uniform_gravity,
+    ),
+    kind(
+        "central-gravity",
+        "[[force]] of kind \"central-gravity\"",
+        &["kind", "name", "orbit"],
+        central_gravity,
+    ),
+    kind("drag", "[[force]] of kind \"drag\"", &["kind", "name", "on", "at", "coefficient"], drag),
+    kind("spin-drag", "[[force]] of kind \"spin-drag\"", &["kind", "name", "coefficient"], spin_drag),
+    kind(
+        "torque",
+        "[[force]] of kind \"torque\"",
+        &["kind", "name", "torque", "axes", "frequency", "period", "phase"],
+        torque,
+    ),
+    kind(
+        "thrust",
+        "[[force]] of kind \"thrust\"",
+        &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"],
+        thrust,
+    ),
+    kind(
+        "magnetic-dipole",
+        "[[force]] of kind \"magnetic-dipole\"",
+        &["kind", "name", "moment", "field", "dipole", "orbit"],
+        magnetic_dipole,
+    ),
+    kind(
+        "expression",
+        "[[force]] of kind \"expression\"",
+        &["kind", "name", "on", "at", "force"],
+        expression,
+    ),
+];
+
+/// Keys of a force that does not say its kind: those of every kind.
+const ANY: Keys = Keys {
+    known: &[
+        "kind",
+        "name",
+        "on",
+        "at",
+        "coefficient",
+        "acceleration",
+        "orbit",
+        "torque",
+        "force",
+        "axes",
+        "frequency",
+        "period",
+        "phase",
+        "moment",
+        "field",
+        "dipole",
+    ],
+    later: &[],
+};
+
+/// A `[[force]]` whose keys have been checked.
+pub(super) struct ForceTable<'a> {
+    pub(super) table: Table<'a>,
+    kind: &'static Kind<Read>,
+}
+
+/// Opens every `[[force]]` that says what it is.
+pub(super) fn tables<'a>(file: &Table<'a>) -> Vec<ForceTable<'a>> {
+    let open = |value: &Value<'a>| {
+        let (table, kind) = opened(value, "[[force]]", &ANY, &KINDS)?;
+        Some(ForceTable { table, kind })
+    };
+    file.several("force", "[[force]]").iter().filter_map(open).collect()
+}
+
+impl ForceTable<'_> {
+    /// Reads it.
+    pub(super) fn force(&self, name: &str, names: &Names<'_>) -> Option<Force<Station>> {
+        let law = (self.kind.read)(&self.table, names)?;
+        Some(Force { name: name.to_owned(), law })
+    }
+
+    /// Where its values stand, also those of its orbit; a period gives the frequency.
+    pub(super) fn spans(&self) -> ElementSpans {
+        let mut spans = self.table.spans();
+        if let Some(period) = self.table.get("period") {
+            spans.values.push(("frequency", period.span()));
+        }
+        if let Some(orbit) = self.table.get("orbit") {
+            spans.values.extend(orbit.spans(&ORBIT).values);
+        }
+        spans
+    }
+}
+
+fn uniform_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+    let acceleration =
+        vector(table, "acceleration", Dimension::ACCELERATION, "acceleration = [0, 0, -9.81]")?;
+    Some(Law::UniformGravity { acceleration })
+}
+
+fn central_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+    Some(Law::CentralGravity { orbit: required_orbit(table)? })
+}
+
+fn drag(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+    let at = station(table, names);
+    let coefficient = coefficient(table, Dimension::DAMPING, "coefficient = \"0.2 N s/m\"");
+    Some(Law::Drag { at: at?, coefficient: coefficient? })
+}
+
+fn spin_drag(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+    let coefficient = coefficient(table, Dimension::ROTATIONAL_DAMPING, "coefficient = \"1e-4 N m s\"")?;
+    Some(Law::SpinDrag { coefficient })
+}
+
+fn torque(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+    let torque = vector(table, "torque", Dimension::TORQUE, "torque = [0, 0, \"0.05 N m\"]");
+    let axes = axes(table);
+    let wave = wave(table);
+    Some(Law::Torque { torque: torque?, axes: axes?, wave: wave? })
+}
+
+fn thrust(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+    let at = station(table, names);
+    let force = vector(table, "force", Dimension::FORCE, "force = [0, 0, \"5 mN\"]");
+    let axes = axes(table);
+    let wave = wave(table);
+    Some(Law::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
+}
+
+fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+    let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
+    let field = match (table.get("field"), table.get("dipole")) {
+        (None, Some(dipole)) => {
+            let strength = dipole.vector(Dimension::DIPOLE_STRENGTH);
+            let orbit = required_orbit(table);
+            strength.zip(orbit).map(|(strength, orbit)| MagneticField::Dipole { strength, orbit })
+        }
+        (Some(_), Some(dipole)) => dipole.refuse(
+            "the magnetic field is given by `field` already".to_owned(),
+            "given twice",
+            Some("leave out one of the two".to_owned()),
+        ),
+        (_, None) => uniform_field(table),
+    };
+    Some(Law::MagneticDipole { moment: moment?, field: field? })
+}
+
+fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
+    let help = "field = [0, 0, \"30 uT\"], or dipole = [0, 0, 7.8e15] and an orbit";
+    let field = table.required("field", help)?.vector(Dimension::MAGNETIC_FIELD);
+    if let Some(orbit) = table.get("orbit") {
+        let message = "`orbit` goes with `dipole`, and this `field` is the same everywhere".to_owned();
+        return orbit.refuse(message, "not for this field", Some("leave out one of the two".to_owned()));
+    }
+    Some(MagneticField::Uniform(field?))
+}
+
+fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+    let at = station(table, names);
+    let force = table
+        .required("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]")
+        .and_then(|value| formulas(&value, &PLACE, Dimension::FORCE));
+    Some(Law::Expression { at: at?, force: force? })
+}
+
+/// Where a force acts: on a point, or at a place of the carrier. Which of them needs a place is for mechanics to say.
+fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
+    let on = table.required("on", "on = \"carrier\"").and_then(|value| names.end(&value, Fixed::Force));
+    let at = match table.get("at") {
+        Some(value) => value.vector(Dimension::LENGTH).map(Some),
+        None => Some(None),
+    };
+    Some(Station { on: on?, at: at? })
+}
+
+fn axes(table: &Table<'_>) -> Option<Axes> {
+    let choices = [("body", Some(Axes::Body)), ("inertial", Some(Axes::Inertial))];
+    table.get("axes").map_or(Some(Axes::Body), |value| value.choice(&choices))
+}
+
+/// Reads how an amplitude varies.
+fn wave(table: &Table<'_>) -> Option<Wave> {
+    let phase = table.get("phase").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
+    let frequency = match (table.get("frequency"), table.get("period")) {
+        (Some(frequency), None) => frequency.quantity(Dimension::FREQUENCY),
+        (None, Some(period)) => period.positive(Dimension::TIME).map(|period| TAU / period),
+        (Some(_), Some(period)) => period.refuse(
+            "the `period` follows from the `frequency`".to_owned(),
+            "given twice",
+            Some("leave out one of the two".to_owned()),
+        ),
+        (None, None) => match table.get("phase") {
+            Some(phase) => phase.refuse(
+                "a `phase` without a `frequency` or a `period`".to_owned(),
+                "of what?",
+                Some("add for example frequency = \"2 Hz\", or leave it out".to_owned()),
+            ),
+            None => Some(0.0),
+        },
+    };
+    Some(Wave { frequency: frequency?, phase: phase? })
+}
+
+fn required_orbit(table: &Table<'_>) -> Option<Orbit> {
+    let example = "orbit = { body = \"Earth\", semi_major_axis = \"6778 km\", inclination = \"51.6 deg\" }";
+    orbit(&table.required("orbit", example)?)
+}
+
+fn vector(table: &Table<'_>, key: &'static str, dimension: Dimension, example: &str) -> Option<[f64; 3]> {
+    table.required(key, example)?.vector(dimension)
+}
+
+fn coefficient(table: &Table<'_>, dimension: Dimension, example: &str) -> Option<f64> {
+    table.required("coefficient", example)?.non_negative(dimension)
+}

@@ -1,0 +1,44 @@
+use quasirigid::math::expression::Expression;
+
+use super::value::Value;
+use crate::units::Dimension;
+
+/// Variables of a formula, in the order in which it is given them, and what they mean.
+pub(super) struct Variables {
+    pub(super) names: &'static [&'static str],
+    pub(super) meaning: &'static str,
+}
+
+/// The time.
+pub(super) const TIME: Variables = Variables { names: &["t"], meaning: "t (s)" };
+/// Where a force acts, how fast that place moves, and the time.
+pub(super) const PLACE: Variables = Variables {
+    names: &["x", "y", "z", "vx", "vy", "vz", "t"],
+    meaning: "x y z (m), vx vy vz (m/s) and t (s)",
+};
+
+/// Reads three formulas, or numbers in their place.
+pub(super) fn formulas(
+    value: &Value<'_>,
+    variables: &Variables,
+    dimension: Dimension,
+) -> Option<[Expression; 3]> {
+    value.array("formulas", |item| formula(&item, variables, dimension))
+}
+
+fn formula(value: &Value<'_>, variables: &Variables, dimension: Dimension) -> Option<Expression> {
+    let help =
+        format!("write a formula in {} that gives {}, or a number", variables.meaning, dimension.unit());
+    let text = match value.words() {
+        Some(text) => text.to_owned(),
+        None if value.is_number() => format!("{:?}", value.quantity(Dimension::NUMBER)?),
+        None => return value.mismatch("a formula", &help),
+    };
+    match Expression::parse(&text, variables.names) {
+        Ok(formula) => Some(formula),
+        Err(error) => {
+            let message = format!("`{}`: {}", value.key(), error.message);
+            value.refuse_at(value.span_of(error.span), message, "in this formula", Some(help))
+        }
+    }
+}

@@ -1,0 +1,224 @@
+use quasirigid::elements::Problem;
+use quasirigid::model::Support;
+
+use super::body::Body;
+use super::names::Part;
+use super::settings::optional;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const INITIAL: Keys = Keys {
+    known: &["angular_velocity", "attitude", "displacements", "displacement_rates", "position", "velocity"],
+    later: &[],
+};
+
+/// Largest deviation of a quaternion's norm from one that is taken for rounding.
+const ROUNDED_NORM: f64 = 1e-3;
+/// Largest deviation that is not worth a note.
+const PRINTED_NORM: f64 = 1e-9;
+
+/// State of the body at time zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Initial {
+    /// Angular velocity (rad/s), body axes; none if the file gives none.
+    pub angular_velocity: Option<[f64; 3]>,
+    /// Unit quaternion, scalar first, that turns body components into inertial ones.
+    pub attitude: [f64; 4],
+    /// Internal coordinates.
+    pub displacements: Displacements,
+    /// Place of the centre of mass of a free body (m), inertial axes.
+    pub position: [f64; 3],
+    /// Its velocity (m/s), inertial axes.
+    pub velocity: [f64; 3],
+}
+
+/// Internal coordinates at time zero.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Displacements {
+    /// Those that follow the spin, without vibration.
+    SlowManifold,
+    /// Given ones, in the order of the body's coordinates.
+    Given {
+        /// Coordinates (m, rad).
+        q: Vec<f64>,
+        /// Their rates (m/s, rad/s).
+        rate: Vec<f64>,
+    },
+}
+
+impl Default for Initial {
+    fn default() -> Self {
+        Self {
+            angular_velocity: None,
+            attitude: [1.0, 0.0, 0.0, 0.0],
+            displacements: Displacements::SlowManifold,
+            position: [0.0; 3],
+            velocity: [0.0; 3],
+        }
+    }
+}
+
+/// Reads `[initial]`; what is merely suspect goes into `notes`.
+pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String>) -> Option<Initial> {
+    let angular_velocity =
+        optional(table.get("angular_velocity"), |value| value.vector(Dimension::ANGULAR_VELOCITY));
+    let attitude = match table.get("attitude") {
+        Some(value) => unit_quaternion(&value, notes),
+        None => Some(Initial::default().attitude),
+    };
+    let displacements = displacements(table, body);
+    let position = of_free_body(table, "position", Dimension::LENGTH, body);
+    let velocity = of_free_body(table, "velocity", Dimension::VELOCITY, body);
+    Some(Initial {
+        angular_velocity: angular_velocity?,
+        attitude: attitude?,
+        displacements: displacements?,
+        position: position?,
+        velocity: velocity?,
+    })
+}
+
+fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Option<[f64; 4]> {
+    let quaternion: [f64; 4] = value.numbers(Dimension::NUMBER)?;
+    let norm = quaternion.iter().fold(0.0, |norm: f64, component| norm.hypot(*component));
+    let deviation = (norm - 1.0).abs();
+    if deviation > ROUNDED_NORM {
+        let message = format!("`attitude` has the norm {norm}, but an attitude is a unit quaternion");
+        let help = "write four numbers, scalar first, whose squares add up to 1".to_owned();
+        return value.refuse(message, "not a unit quaternion", Some(help));
+    }
+    if deviation > PRINTED_NORM {
+        notes.push(format!("the initial attitude has the norm {norm}; it was divided by it"));
+    }
+    Some(quaternion.map(|component| component / norm))
+}
+
+/// Reads a vector that only a body that moves freely has.
+fn of_free_body(
+    table: &Table<'_>,
+    key: &'static str,
+    dimension: Dimension,
+    body: &Body<'_>,
+) -> Option<[f64; 3]> {
+    let vector = table.vector_or_zero(key, dimension);
+    let help = match body.assembly().map(|assembly| &assembly.support) {
+        Some(Support::FixedPoint { .. }) => {
+            "leave it out; the fixed point is the origin of the inertial axes".to_owned()
+        }
+        Some(Support::Prescribed { .. }) => format!("write `{key}` in [support], for the driven point"),
+        _ => return vector,
+    };
+    let Some(value) = table.get(key) else { return vector };
+    let message = format!("`{key}` is that of the centre of mass of a free body, and this body is held");
+    value.refuse(message, "not for this body", Some(help))
+}
+
+/// What a file says of the displacements.
+enum Said<'a> {
+    SlowManifold,
+    Rest,
+    Table(Value<'a>),
+}
+
+fn said<'a>(value: Option<Value<'a>>) -> Option<Said<'a>> {
+    let Some(value) = value else { return Some(Said::SlowManifold) };
+    if value.is_table() {
+        return Some(Said::Table(value));
+    }
+    if value.words().is_none() {
+        let help = "write \"slow-manifold\", \"rest\", or a table such as { tip = [0.01, 0, 0] }";
+        return value.mismatch("\"slow-manifold\", \"rest\" or a table of names", help);
+    }
+    let slow = value.choice(&[("slow-manifold", Some(true)), ("rest", Some(false))])?;
+    Some(if slow { Said::SlowManifold } else { Said::Rest })
+}
+
+fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
+    let rates = table.get("displacement_rates");
+    let rate = match &rates {
+        Some(rates) => amounts(rates, body, Dimension::VELOCITY, Dimension::ANGULAR_VELOCITY),
+        None => Some(at_rest(body).concat()),
+    };
+    let q = match said(table.get("displacements"))? {
+        Said::SlowManifold => {
+            let Some(rates) = rates else { return Some(Displacements::SlowManifold) };
+            let message =
+                "`displacement_rates` without given `displacements`: the slow manifold has its own rates";
+            let help = "write displacements = \"rest\" or a table of them, too".to_owned();
+            return rates.refuse(message.to_owned(), "not on the slow manifold", Some(help));
+        }
+        Said::Rest => Some(at_rest(body).concat()),
+        Said::Table(table) => amounts(&table, body, Dimension::LENGTH, Dimension::ANGLE),
+    };
+    Some(Displacements::Given { q: q?, rate: rate? })
+}
+
+/// Coordinates of every part, points first, all zero.
+fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
+    let Some(assembly) = body.assembly() else { return Vec::new() };
+    // A motion that is none is refused by the laws of mechanics, with the rest of the body.
+    let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
+    points.chain(assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()])).collect()
+}
+
+/// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
+fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimension) -> Option<Vec<f64>> {
+    let Some(entries) = value.entries() else {
+        return value.mismatch("a table of names", "write for example { tip = [0.01, 0, 0] }");
+    };
+    let mut parts = at_rest(body);
+    let mut good = true;
+    for (key, value) in entries {
+        let amount = match body.names.part(key, &value) {
+            Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
+            Some(Part::Hinged(index)) => {
+                of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))
+            }
+            None => None,
+        };
+        good &= amount.is_some();
+        if let Some((index, q)) = amount
+            && let Some(part) = parts.get_mut(index)
+        {
+            *part = q;
+        }
+    }
+    good.then(|| parts.concat())
+}
+
+fn of_point(value: &Value<'_>, body: &Body<'_>, index: usize, along: Dimension) -> Option<Vec<f64>> {
+    let vector = value.vector(along)?;
+    match body.assembly()?.points[index].coordinates_of(vector) {
+        Err(Problem::Barred { left }) => {
+            let left = left.map(|entry| format!("{entry:.3e}").parse().unwrap_or(entry) + 0.0);
+            let message = format!("`{}`: its `motion` does not leave the point this way", value.key());
+            let help = format!("of this vector it leaves {left:?}");
+            value.refuse(message, "barred", Some(help))
+        }
+        other => Some(other.unwrap_or_default()),
+    }
+}
+
+fn of_hinge(value: &Value<'_>, body: &Body<'_>, index: usize, about: Dimension) -> Option<Vec<f64>> {
+    let angles = value.list("an array with a value per axis", |item| item.quantity(about))?;
+    let axes = body.assembly()?.hinged[index].axes.len();
+    if angles.len() == axes {
+        return Some(angles);
+    }
+    let message = format!(
+        "`{}` has {}, but the hinge has {}",
+        value.key(),
+        counted(angles.len(), "value", "values"),
+        counted(axes, "axis", "axes")
+    );
+    value.refuse(
+        message,
+        "one value per axis",
+        Some("write one value for each axis, in their order".to_owned()),
+    )
+}
+
+fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
+}

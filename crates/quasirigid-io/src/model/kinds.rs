@@ -1,0 +1,36 @@
+use super::table::{Keys, Table};
+use super::value::{Value, alternatives};
+
+/// A kind of table, chosen by its key `kind`.
+pub(super) struct Kind<R: 'static> {
+    /// The word that chooses it.
+    pub(super) word: &'static str,
+    /// The table as messages call it.
+    pub(super) title: &'static str,
+    /// Its keys.
+    pub(super) keys: Keys,
+    /// What reads it.
+    pub(super) read: R,
+}
+
+/// A table of the kind it says it is; `title` and `any` are the name and the keys of one that does not say.
+pub(super) fn opened<'a, R>(
+    value: &Value<'a>,
+    title: &'static str,
+    any: &'static Keys,
+    kinds: &'static [Kind<R>],
+) -> Option<(Table<'a>, &'static Kind<R>)> {
+    let Some(word) = value.entry("kind") else {
+        let words: Vec<String> = kinds.iter().map(|kind| format!("{:?}", kind.word)).collect();
+        value.table(title, any)?.required("kind", &format!("kind = {}", alternatives(&words)));
+        return None;
+    };
+    let choices: Vec<_> = kinds.iter().map(|kind| (kind.word, Some(kind))).collect();
+    let kind = word.choice(&choices)?;
+    let others = |key: &str| {
+        let with = kinds.iter().filter(|kind| kind.keys.known.contains(&key));
+        let words: Vec<String> = with.map(|kind| format!("kind = {:?}", kind.word)).collect();
+        (!words.is_empty()).then(|| alternatives(&words))
+    };
+    Some((value.table_among(kind.title, &kind.keys, &others)?, kind))
+}

@@ -1,0 +1,68 @@
+use quasirigid::model::force::Orbit;
+
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const ORBIT: Keys = Keys {
+    known: &[
+        "body",
+        "gravitational_parameter",
+        "semi_major_axis",
+        "eccentricity",
+        "inclination",
+        "node",
+        "periapsis",
+        "mean_anomaly",
+    ],
+    later: &[],
+};
+
+/// Gravitational parameters (m³/s²): of the Earth as recommended by the IAU (2009), in TCG; of the others as in the
+/// ephemeris DE440, in TDB.
+const BODIES: [(&str, Option<f64>); 4] = [
+    ("Earth", Some(3.986_004_418e14)),
+    ("Moon", Some(4.902_800_118e12)),
+    ("Mars", Some(4.282_837_362e13)),
+    ("Sun", Some(1.327_124_400_41e20)),
+];
+
+/// Reads an orbit.
+pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
+    let table = value.table("`orbit`", &ORBIT)?;
+    let parameter = parameter(&table);
+    let semi_major_axis = table
+        .required("semi_major_axis", "semi_major_axis = \"6778 km\"")
+        .and_then(|value| value.positive(Dimension::LENGTH));
+    let number =
+        |key, dimension| table.get(key).map_or(Some(0.0), |value: Value<'_>| value.quantity(dimension));
+    let eccentricity = number("eccentricity", Dimension::NUMBER);
+    let inclination = number("inclination", Dimension::ANGLE);
+    let node = number("node", Dimension::ANGLE);
+    let periapsis = number("periapsis", Dimension::ANGLE);
+    let mean_anomaly = number("mean_anomaly", Dimension::ANGLE);
+    Some(Orbit {
+        parameter: parameter?,
+        semi_major_axis: semi_major_axis?,
+        eccentricity: eccentricity?,
+        inclination: inclination?,
+        node: node?,
+        periapsis: periapsis?,
+        mean_anomaly: mean_anomaly?,
+    })
+}
+
+/// Reads the gravitational parameter of the centre, or takes that of a body known by name.
+fn parameter(table: &Table<'_>) -> Option<f64> {
+    match (table.get("body"), table.get("gravitational_parameter")) {
+        (Some(body), None) => body.choice(&BODIES),
+        (Some(_), Some(parameter)) => parameter.refuse(
+            "`gravitational_parameter` is that of the `body` already".to_owned(),
+            "given twice",
+            Some("leave out one of the two".to_owned()),
+        ),
+        (None, _) => table
+            .required("gravitational_parameter", "body = \"Earth\", or gravitational_parameter = 3.986e14")?
+            .positive(Dimension::GRAVITATIONAL_PARAMETER),
+    }
+}

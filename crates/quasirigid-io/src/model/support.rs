@@ -1,0 +1,56 @@
+use quasirigid::model::Support;
+
+use super::formula::{TIME, formulas};
+use super::kinds::{Kind, opened};
+use super::table::{Keys, Table};
+use crate::units::Dimension;
+
+pub(super) type Read = fn(&Table<'_>) -> Option<Support>;
+
+const KEYS: &[&str] = &["kind", "point", "acceleration", "velocity", "position"];
+const ANY: Keys = Keys { known: KEYS, later: &[] };
+
+static KINDS: [Kind<Read>; 3] = [
+    Kind {
+        word: "free",
+        title: "[support] of kind \"free\"",
+        keys: Keys { known: &["kind"], later: &[] },
+        read: |_| Some(Support::Free),
+    },
+    Kind {
+        word: "fixed-point",
+        title: "[support] of kind \"fixed-point\"",
+        keys: Keys { known: &["kind", "point"], later: &[] },
+        read: |table| Some(Support::FixedPoint { point: point(table)? }),
+    },
+    Kind {
+        word: "prescribed",
+        title: "[support] of kind \"prescribed\"",
+        keys: Keys { known: KEYS, later: &[] },
+        read: prescribed,
+    },
+];
+
+/// Opens `[support]`, if the file has it.
+pub(super) fn table<'a>(file: &Table<'a>) -> Option<(Table<'a>, &'static Kind<Read>)> {
+    opened(&file.single("support", "[support]")?, "[support]", &ANY, &KINDS)
+}
+
+fn prescribed(table: &Table<'_>) -> Option<Support> {
+    let point = point(table);
+    let acceleration = table
+        .required("acceleration", "acceleration = [\"0\", \"0\", \"0.3*cos(2*t)\"]")
+        .and_then(|value| formulas(&value, &TIME, Dimension::ACCELERATION));
+    let velocity = table.vector_or_zero("velocity", Dimension::VELOCITY);
+    let position = table.vector_or_zero("position", Dimension::LENGTH);
+    Some(Support::Prescribed {
+        point: point?,
+        acceleration: acceleration?,
+        velocity: velocity?,
+        position: position?,
+    })
+}
+
+fn point(table: &Table<'_>) -> Option<[f64; 3]> {
+    table.required("point", "point = [0.0, 0.0, 0.0]")?.vector(Dimension::LENGTH)
+}

@@ -20,6 +20,25 @@ pub struct Start {
     pub velocity: [f64; 3],
 }
 
+impl Start {
+    /// The full state on the slow manifold, two orders above `order` where there are so many, with this spin.
+    ///
+    /// # Errors
+    /// [`VerificationError`] if there is no such state.
+    pub fn settled(&self, system: Forced, order: usize) -> Result<FullState, VerificationError> {
+        let Start { omega, attitude, place, velocity } = *self;
+        if system.acts() {
+            let above = (order + 2).min(MAX_FORCED_ORDER);
+            let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+            let slow = still.with_spin(system, above, omega)?;
+            return Ok(FullState::on_manifold(system, above, &slow)?);
+        }
+        let reduced = reduce(system.body, (order + 2).min(MAX_ORDER))?;
+        let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
+        Ok(FullState { omega, attitude, q, rate, place, velocity })
+    }
+}
+
 /// The full history at the times, from the slow manifold of an order above `order`; and where it starts.
 pub(super) fn full(
     system: Forced,
@@ -29,17 +48,7 @@ pub(super) fn full(
     options: Options,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<(FullState, Vec<Sample>), VerificationError> {
-    let Start { omega, attitude, place, velocity } = *start;
-    let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
-    let state = if system.acts() {
-        let above = (order + 1).min(MAX_FORCED_ORDER);
-        let slow = still.with_spin(system, above, omega)?;
-        FullState::on_manifold(system, above, &slow)?
-    } else {
-        let reduced = reduce(system.body, (order + 2).min(MAX_ORDER))?;
-        let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
-        FullState { omega, attitude, q, rate, place, velocity }
-    };
+    let state = start.settled(system, order)?;
     let mut collector = Collector { samples: Vec::new(), watch };
     let run = propagate_full(system, &state, times, options, &mut collector)?;
     finished(run.outcome)?;

@@ -141,7 +141,7 @@ pub fn verify(
 
 /// The highest order asked for.
 fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
-    let highest = if system.acts() { MAX_FORCED_ORDER - 1 } else { MAX_ORDER - 2 };
+    let highest = if system.acts() { MAX_FORCED_ORDER - 2 } else { MAX_ORDER - 2 };
     let wrong = plan.orders.iter().find(|order| !(1..=highest).contains(*order));
     if let Some(order) = wrong.copied().or(plan.orders.is_empty().then_some(0)) {
         return Err(VerificationError::Order { order, highest });

@@ -148,7 +148,7 @@ fn dense_output_is_where_a_step_would_have_ended() {
         let times = [3.1, 3.2, 17.0, 33.3, 50.0];
         let dense = run(&body, &times, options.clone());
         for (t, inside) in times.iter().zip(&dense) {
-            let ended = run(&body, &[*t], options)[0];
+            let ended = run(&body, &[*t], options.clone())[0];
             for i in 0..3 {
                 // Some fifty steps of 1e-12 each.
                 assert!((inside.omega[i] - ended.omega[i]).abs() < 2e-10, "t = {t}");

@@ -18,6 +18,7 @@ mod invariants;
 mod lagrangian;
 mod mechanisms;
 mod momentum_form;
+mod nutation;
 mod orders;
 mod outcomes;
 mod propagation;

@@ -33,7 +33,9 @@ pub enum Command {
     )]
     Simulate(Simulate),
     /// Set the full stiff system against the reduced equations, with the measured order
-    #[command(after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5")]
+    #[command(
+        after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
+    )]
     Verify(Verify),
 }
 

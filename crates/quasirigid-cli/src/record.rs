@@ -157,11 +157,16 @@ pub fn status(outcome: Outcome, t: f64) -> (&'static str, String) {
         }
         Outcome::Event(Event::Nutation { angle, .. }) => (
             "event",
-            format!("the nutation passed {} degrees at t = {t} s, where the run was to stop", angle.to_degrees()),
+            format!(
+                "the nutation passed {} degrees at t = {t} s, where the run was to stop",
+                angle.to_degrees()
+            ),
         ),
         Outcome::Event(Event::Validity { limit, .. }) => (
             "left-validity",
-            format!("the spin passed {limit} of the slowest elastic frequency at t = {t} s: the theory ends there"),
+            format!(
+                "the spin passed {limit} of the slowest elastic frequency at t = {t} s: the theory ends there"
+            ),
         ),
     }
 }

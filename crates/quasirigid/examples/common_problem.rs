@@ -33,7 +33,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "{{\"case\": \"{name}\", \"tolerance\": {tolerance:e}, \"omega\": [{x:?}, {y:?}, {z:?}], \
          \"energy\": {:?}, \"momentum_drift\": {:e}, \"seconds\": {seconds:e}, \"steps\": {}, \"implicit_steps\": {}, \"rejected\": {}, \"evaluations\": {}, \"factorizations\": {}}}",
-        run.last.energy, run.last.momentum_drift, run.work.steps, run.work.implicit_steps, run.work.rejected, run.work.evaluations, run.work.factorizations
+        run.last.energy,
+        run.last.momentum_drift,
+        run.work.steps,
+        run.work.implicit_steps,
+        run.work.rejected,
+        run.work.evaluations,
+        run.work.factorizations
     );
     Ok(())
 }

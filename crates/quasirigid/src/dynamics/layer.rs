@@ -50,7 +50,8 @@ pub struct FastPart {
 pub fn matched_start(system: Forced, order: usize, full: &FullState) -> Result<SlowState, PropagateError> {
     let body = system.body;
     let K = full.momentum(body);
-    let state = SlowState { momentum: K, attitude: full.attitude, place: full.place, velocity: full.velocity };
+    let state =
+        SlowState { momentum: K, attitude: full.attitude, place: full.place, velocity: full.velocity };
     let slow = slow_state_point(system, order, &state)?;
     let fast: Vec<f64> = full.q.iter().zip(&slow.q).map(|(q, slow)| q - slow).collect();
     let turn = turned_by(&recoils(body), &fast);
@@ -125,8 +126,7 @@ fn damped_modes(body: &FlexibleBody, q: &[f64], rate: &[f64]) -> Result<Vec<Damp
     let (inertia, moving) = (mass.times(q), mass.times(rate));
     let modal = |force: &[f64], k: usize| (0..n).map(|j| shape(j, k) * force[j]).sum::<f64>();
     let start = (0..2 * n).map(|i| {
-        let value =
-            if i < n { undamped.frequencies[i] * modal(&inertia, i) } else { modal(&moving, i - n) };
+        let value = if i < n { undamped.frequencies[i] * modal(&inertia, i) } else { modal(&moving, i - n) };
         Complex::from(value)
     });
     let (values, vectors) = eigenvectors(&system)?;

@@ -24,7 +24,8 @@ pub use layer::{BoundaryLayer, DampedMode, FastPart, composite_spin, matched_sta
 pub use reduced::propagate;
 pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
 pub use slow::{
-    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced, slow_state_point,
+    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced,
+    slow_state_point,
 };
 pub use spin_path::{SpinPath, spin_path};
 pub use steady::{SteadySpin, steady_spins};

@@ -175,7 +175,9 @@ pub enum PropagateError {
     )]
     NoMomentum,
     /// The order is beyond the reduction of a forced body.
-    #[error("order {order} is out of range for a body with external forces; choose one from 1 to {MAX_FORCED_ORDER}, in the paper's form to 3")]
+    #[error(
+        "order {order} is out of range for a body with external forces; choose one from 1 to {MAX_FORCED_ORDER}, in the paper's form to 3"
+    )]
     Order {
         /// Order asked for.
         order: usize,

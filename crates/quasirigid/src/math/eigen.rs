@@ -47,7 +47,10 @@ impl Dense {
     /// Product with a vector.
     #[must_use]
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
-        self.entries.chunks_exact(self.size.max(1)).map(|row| row.iter().zip(x).map(|(a, b)| a * b).sum()).collect()
+        self.entries
+            .chunks_exact(self.size.max(1))
+            .map(|row| row.iter().zip(x).map(|(a, b)| a * b).sum())
+            .collect()
     }
 
     fn mat(&self) -> Mat<f64> {

@@ -6,7 +6,8 @@ use super::scalar::{Scalar, Smooth, whole};
 
 /// Taylor series in time, cut off after `N` terms: `x(t + s) = Σ c_k s^k`, `c_k = x⁽ᵏ⁾(t) / k!`, `k < N`.
 ///
-/// What is cut off never enters what is kept, so every coefficient is exact to rounding.
+/// What is cut off never enters what is kept, so every coefficient is exact to rounding. The operations are calls, not
+/// inlined: a formula on series would otherwise unroll to hundreds of times its length and take minutes to compile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor<const N: usize> {
     coefficients: [f64; N],
@@ -44,6 +45,7 @@ impl<const N: usize> Taylor<N> {
 
     /// Series of the time derivative; its last coefficient is not known and stands as zero.
     #[must_use]
+    #[inline(never)]
     pub fn derivative(&self) -> Self {
         let above = |k: usize| self.coefficients.get(k + 1).map_or(0.0, |c| (k + 1) as f64 * c);
         Self::new(std::array::from_fn(above))
@@ -51,6 +53,7 @@ impl<const N: usize> Taylor<N> {
 
     /// Series of the integral over time that begins with `constant`.
     #[must_use]
+    #[inline(never)]
     pub fn integral(&self, constant: f64) -> Self {
         let below = |k: usize| if k == 0 { constant } else { self.coefficients[k - 1] / k as f64 };
         Self::new(std::array::from_fn(below))
@@ -138,6 +141,7 @@ impl<const N: usize> From<f64> for Taylor<N> {
 impl<const N: usize> Add for Taylor<N> {
     type Output = Self;
 
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         Self::new(std::array::from_fn(|k| self.coefficients[k] + other.coefficients[k]))
     }
@@ -146,6 +150,7 @@ impl<const N: usize> Add for Taylor<N> {
 impl<const N: usize> Sub for Taylor<N> {
     type Output = Self;
 
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         Self::new(std::array::from_fn(|k| self.coefficients[k] - other.coefficients[k]))
     }
@@ -154,6 +159,7 @@ impl<const N: usize> Sub for Taylor<N> {
 impl<const N: usize> Neg for Taylor<N> {
     type Output = Self;
 
+    #[inline(never)]
     fn neg(self) -> Self {
         Self::new(self.coefficients.map(|c| -c))
     }
@@ -162,6 +168,7 @@ impl<const N: usize> Neg for Taylor<N> {
 impl<const N: usize> Mul for Taylor<N> {
     type Output = Self;
 
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let term = |k: usize| (0..=k).map(|j| self.coefficients[j] * other.coefficients[k - j]).sum();
         Self::new(std::array::from_fn(term))
@@ -171,6 +178,7 @@ impl<const N: usize> Mul for Taylor<N> {
 impl<const N: usize> Div for Taylor<N> {
     type Output = Self;
 
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         self.quotient(&other)
     }

@@ -20,10 +20,8 @@ impl Difference {
     #[must_use]
     pub fn between(full: &[Sample], reduced: &[Sample]) -> Self {
         let spin = full.iter().map(|sample| norm(sample.omega)).fold(0.0, f64::max);
-        let mut difference = Self {
-            dissipation: full.last().map_or(0.0, |last| last.dissipated),
-            ..Self::default()
-        };
+        let mut difference =
+            Self { dissipation: full.last().map_or(0.0, |last| last.dissipated), ..Self::default() };
         if full.len() != reduced.len() {
             return Self { omega: f64::NAN, attitude: f64::NAN, dissipated: f64::NAN, ..difference };
         }

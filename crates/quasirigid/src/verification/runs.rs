@@ -2,8 +2,8 @@ use std::ops::ControlFlow;
 
 use super::verify::VerificationError;
 use crate::dynamics::{
-    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, SpinState,
-    propagate, propagate_forced, propagate_full,
+    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, SpinState, propagate,
+    propagate_forced, propagate_full,
 };
 use crate::reduction::{MAX_ORDER, reduce};
 

@@ -65,7 +65,9 @@ pub enum VerificationError {
         highest: usize,
     },
     /// A number of the plan that means nothing.
-    #[error("a verification over {rotations} rotations with {halvings} halvings means nothing; choose more than 0 rotations, and 1 to 12 halvings")]
+    #[error(
+        "a verification over {rotations} rotations with {halvings} halvings means nothing; choose more than 0 rotations, and 1 to 12 halvings"
+    )]
     Plan {
         /// Rotations asked for.
         rotations: f64,

@@ -1,11 +1,14 @@
 //! One sprung mass: closed forms, and exact rationals for a triaxial body [@chernousko1973].
 
-use quasirigid::dynamics::{Form, Options, spin_path};
+use quasirigid::dynamics::{Forced, Form, Options, Sample, propagate_full, spin_path};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::math::polynomial::Homogeneous;
+use quasirigid::math::rotation::ALIGNED;
+use quasirigid::math::sym::dot;
 use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
+use quasirigid::verification::Start;
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
 
@@ -134,4 +137,45 @@ fn axial_mass_keeps_its_law_in_time() {
     }
     let end = (problem.C * path.omega[49][2] / G).powi(2);
     assert!((end - 0.99).abs() < 1e-8, "{end}");
+}
+
+/// Dissipation in a full run over the power of an order at the same spins, and the shift of the precession likewise.
+fn full_over_reduced(case: &AxialMass, order: usize) -> [f64; 2] {
+    let body = case.assembly().body().unwrap();
+    let start = Start { omega: [0.4, 0.0, 1.0], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let full = start.settled(Forced::not(&body), 9).unwrap();
+    let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.01).collect();
+    let options = Options { tolerance: 1e-14, ..Options::default() };
+    let mut samples = Vec::new();
+    propagate_full(Forced::not(&body), &full, &times, options, &mut samples).unwrap();
+    let reduced = reduce(&body, order).unwrap();
+    let power = |sample: &Sample| reduced.power.scalar(sample.omega);
+    let mean = samples.iter().map(power).sum::<f64>() / samples.len() as f64;
+    let Sample { omega, momentum: K, .. } = samples[0];
+    let precession = (K[2] * omega[0] - K[0] * omega[2]) / K[0];
+    let rigid = (case.C - case.A) / case.A * omega[2];
+    [samples[100].dissipated / mean, (precession - rigid) / (-case.F() * dot(K, K) * omega[2])]
+}
+
+/// Departures `4.09/Ω₀²` in the power and `2.1/Ω₀²` in the precession, as simulated by others. They do not say how heavy
+/// their body was; what is left of the departure at 2 kg altogether is of the next order.
+#[test]
+fn full_dynamics_departs_from_the_closed_form_as_simulated() {
+    for (frequency, power, rate) in
+        [(10.0_f64, 1.04199, 1.02150), (20.0, 1.01028, 1.00530), (40.0, 1.002557, 1.00132)]
+    {
+        let case = AxialMass { carrier: 1.9, c: 0.1 * frequency * frequency, b: 0.02 * frequency, ..AXIAL };
+        let [third, shift] = full_over_reduced(&case, 3);
+        let [fifth, _] = full_over_reduced(&case, 5);
+        println!(
+            "{frequency}: power {third:.6}, table {power}; p = 5 {fifth:.6}; shift {shift:.6}, table {rate}"
+        );
+        let next = frequency.powi(-4);
+        assert!((third - power).abs() < 2.5 * next + 2e-6, "{frequency}: {third}, table {power}");
+        assert!(
+            (shift - rate).abs() < 2e-2 * frequency.powi(-2) + 5e-6,
+            "{frequency}: {shift}, table {rate}"
+        );
+        assert!((fifth - 1.0).abs() < 12.0 * next, "{frequency}: at p = 5 {fifth}");
+    }
 }

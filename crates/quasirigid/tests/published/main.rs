@@ -2,5 +2,6 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod chernousko_1973;
+mod common_problem;
 mod explorer_1;
 mod one_sprung_mass;

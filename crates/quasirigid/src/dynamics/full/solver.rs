@@ -64,13 +64,17 @@ impl<'a> FullSolver<'a> {
 
     /// Whether the other method is to be tried.
     fn due(&self) -> bool {
-        let tried = matches!(self.active, Active::Explicit(_)) && self.since >= self.trust;
-        self.method == Method::Automatic && (tried || self.against >= PATIENCE)
+        let unfit = self.against >= PATIENCE;
+        let due = match &self.active {
+            Active::Explicit(_) => self.since >= self.trust || (unfit && self.trust == TRUST),
+            Active::Implicit(_) => unfit,
+        };
+        due && self.method == Method::Automatic
     }
 
     fn switch(&mut self) {
         if matches!(self.active, Active::Implicit(_)) {
-            self.trust = if self.since < 3 * PATIENCE { 2 * self.trust } else { TRUST };
+            self.trust = if self.since < 3 * PATIENCE { self.trust.saturating_mul(2) } else { TRUST };
         }
         (self.since, self.against) = (0, 0);
         self.done = self.work();

@@ -73,13 +73,7 @@ struct Flow<const N: usize> {
 }
 
 impl<const N: usize> Flow<N> {
-    fn along(
-        system: Forced,
-        K0: [f64; 3],
-        start: &Pose<f64>,
-        q: &[Taylor<N>],
-        rate: &[Taylor<N>],
-    ) -> Self {
+    fn along(system: Forced, K0: [f64; 3], start: &Pose<f64>, q: &[Taylor<N>], rate: &[Taylor<N>]) -> Self {
         let mut K = K0.map(Taylor::from);
         let mut pose = Pose {
             t: Taylor::variable(start.t),

@@ -1,7 +1,7 @@
 use super::flow::MAX_FORCED_ORDER;
 use super::state::SlowState;
-use super::system::SlowSystem;
 use super::state::slow_state_point;
+use super::system::SlowSystem;
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
 use crate::dynamics::keeper::Keeper;

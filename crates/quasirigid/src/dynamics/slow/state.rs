@@ -40,7 +40,11 @@ impl SlowState {
             state.momentum = add(state.momentum, times(J, gap));
         }
         let near = best <= 1e-10 * norm(omega) || best.is_infinite();
-        if near && state.momentum.iter().all(|K| K.is_finite()) { Ok(state) } else { Err(PropagateError::NoMomentum) }
+        if near && state.momentum.iter().all(|K| K.is_finite()) {
+            Ok(state)
+        } else {
+            Err(PropagateError::NoMomentum)
+        }
     }
 
     pub(super) fn pose(&self, t: f64) -> Pose<f64> {
@@ -70,7 +74,11 @@ impl SlowState {
 ///
 /// # Errors
 /// [`PropagateError::Order`] if the order is not from 1 to [`MAX_FORCED_ORDER`].
-pub fn slow_state_point(system: Forced, order: usize, state: &SlowState) -> Result<SlowPoint, PropagateError> {
+pub fn slow_state_point(
+    system: Forced,
+    order: usize,
+    state: &SlowState,
+) -> Result<SlowPoint, PropagateError> {
     if !(1..=MAX_FORCED_ORDER).contains(&order) {
         return Err(PropagateError::Order { order });
     }

@@ -59,7 +59,8 @@ pub fn forced_torque(system: Forced, order: usize, state: &RigidState) -> Forced
         })
         .collect();
     let lag = compliant(system, &damped);
-    let q: Vec<Series> = springs.iter().zip(lag).map(|(spring, lag)| *spring - weight(order > 2) * lag).collect();
+    let q: Vec<Series> =
+        springs.iter().zip(lag).map(|(spring, lag)| *spring - weight(order > 2) * lag).collect();
     let (moment, force) = flow.first_variation(system, state, &q);
     let value = |v: [Series; 3]| v.map(Smooth::value);
     let (turning, recoil) = flow.momenta(system, &q);

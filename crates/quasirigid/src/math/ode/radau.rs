@@ -232,7 +232,8 @@ impl<S: Stiff<Y>, Y: State, R: Arithmetic> Radau<S, Y, R> {
             *error += START * h * rate;
         }
         let stiff = self.system.stiff();
-        let mut smoothed: Vec<_> = error.as_ref()[stiff.clone()].iter().map(|e| [e / (START * h), 0.0]).collect();
+        let mut smoothed: Vec<_> =
+            error.as_ref()[stiff.clone()].iter().map(|e| [e / (START * h), 0.0]).collect();
         self.system.solve(0, &mut smoothed);
         for (error, [smooth, _]) in error.as_mut()[stiff].iter_mut().zip(smoothed) {
             *error = smooth;

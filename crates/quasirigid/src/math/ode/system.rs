@@ -106,7 +106,9 @@ pub enum StepError {
         t: f64,
     },
     /// The rate is NaN or infinite.
-    #[error("the rates of the system are not finite numbers beyond t = {t} s: look for a square root, logarithm or division in a force that fails there")]
+    #[error(
+        "the rates of the system are not finite numbers beyond t = {t} s: look for a square root, logarithm or division in a force that fails there"
+    )]
     NotFinite {
         /// Time reached (s).
         t: f64,

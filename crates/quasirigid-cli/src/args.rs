@@ -32,6 +32,9 @@ pub enum Command {
         after_help = "Example:\n  quasirigid simulate examples/axial-mass/model.toml --duration 60 --samples 7"
     )]
     Simulate(Simulate),
+    /// Set the full stiff system against the reduced equations, with the measured order
+    #[command(after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5")]
+    Verify(Verify),
 }
 
 /// The model, and what holds for every command.
@@ -66,6 +69,17 @@ pub struct Propagation {
     /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
     #[arg(long, value_enum)]
     pub form: Option<Form>,
+    /// How the full system is integrated [default: automatic]
+    #[arg(long, value_enum)]
+    pub method: Option<Method>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// Explicit while vibrations have to be followed, implicit once they have died out
+    Automatic,
+    Explicit,
+    Implicit,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -139,6 +153,8 @@ pub struct Simulate {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum System {
+    /// The stiff equations with every internal coordinate
+    Full,
     /// The reduced equations of the nearly rigid body
     Reduced,
     /// The body frozen in its equilibrium shape
@@ -148,4 +164,19 @@ pub enum System {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableFormat {
     Csv,
+}
+
+#[derive(Args, Debug)]
+pub struct Verify {
+    #[command(flatten)]
+    pub common: Common,
+    /// Orders to verify, separated by commas [default: 1 to the model's order]
+    #[arg(long, value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
+    pub orders: Option<Vec<usize>>,
+    /// Turns that each history makes [default: 5]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub rotations: Option<f64>,
+    /// How often epsilon is halved [default: 4]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub halvings: Option<usize>,
 }

@@ -3,6 +3,7 @@ use std::path::PathBuf;
 use quasirigid::dynamics::PropagateError;
 use quasirigid::math::eigen::NoConvergence;
 use quasirigid::reduction::{ReductionError, ValidityError};
+use quasirigid::verification::VerificationError;
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -21,6 +22,8 @@ pub enum Failure {
     Vibration(#[from] NoConvergence),
     #[error(transparent)]
     Propagate(#[from] PropagateError),
+    #[error(transparent)]
+    Verification(#[from] VerificationError),
     #[error(transparent)]
     Record(#[from] RecordError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]

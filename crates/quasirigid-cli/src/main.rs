@@ -8,6 +8,7 @@ mod failure;
 mod interrupt;
 mod layout;
 mod message;
+mod motion;
 mod output;
 mod progress;
 mod record;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Command::Check(check) => commands::check::check(check),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
+        Command::Verify(verify) => commands::verify::verify(verify),
     };
     match result {
         Ok(Ending::Done) => ExitCode::SUCCESS,

@@ -7,11 +7,14 @@ use quasirigid::dynamics::{Observer, Sample};
 
 use crate::interrupt::Interrupt;
 
-/// Collects samples, shows progress on a terminal once a second has passed, and ends on Ctrl-C.
+/// A progress bar on a terminal, once a second has passed.
+pub struct Bar(ProgressBar);
+
+/// Collects samples, shows progress, and ends on Ctrl-C.
 pub struct Collector {
     pub samples: Vec<Sample>,
     interrupt: Interrupt,
-    bar: ProgressBar,
+    bar: Bar,
     duration: f64,
 }
 
@@ -20,8 +23,8 @@ const MARKS: u64 = 1000;
 /// Time before a progress bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-impl Collector {
-    pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
+impl Bar {
+    pub fn new(what: &str, quiet: bool) -> Self {
         let bar = ProgressBar::new(MARKS);
         let hidden = quiet || !stderr().is_terminal();
         bar.set_draw_target(if hidden {
@@ -33,12 +36,29 @@ impl Collector {
             bar.set_style(style);
         }
         bar.set_message(what.to_owned());
-        Self { samples: Vec::new(), interrupt: interrupt.clone(), bar, duration }
+        Self(bar)
+    }
+
+    /// Shows the share of the work that is done.
+    pub fn show(&self, share: f64) {
+        if self.0.elapsed() > PATIENCE {
+            self.0.set_position((MARKS as f64 * share) as u64);
+        }
+    }
+
+    pub fn clear(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
+impl Collector {
+    pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
+        Self { samples: Vec::new(), interrupt: interrupt.clone(), bar: Bar::new(what, quiet), duration }
     }
 
     /// The samples, and the progress bar cleared away.
     pub fn finish(self) -> Vec<Sample> {
-        self.bar.finish_and_clear();
+        self.bar.clear();
         self.samples
     }
 }
@@ -52,9 +72,7 @@ impl Observer for Collector {
         if self.interrupt.pressed() {
             return ControlFlow::Break(());
         }
-        if self.bar.elapsed() > PATIENCE {
-            self.bar.set_position((MARKS as f64 * t / self.duration) as u64);
-        }
+        self.bar.show(t / self.duration);
         ControlFlow::Continue(())
     }
 }

@@ -1,6 +1,7 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Form, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
+use quasirigid::math::ode::Work;
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
@@ -11,7 +12,8 @@ use quasirigid_io::record::{
     ValidityRecord,
 };
 
-use crate::describe;
+use crate::args::System;
+use crate::{describe, motion};
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -91,7 +93,8 @@ pub fn reduction(
 
 /// A spin history; nutation is counted from the `axis` (body axes).
 pub fn history(
-    system: &str,
+    system: System,
+    forced: bool,
     options: &Options,
     samples: &[Sample],
     run: &Run,
@@ -99,11 +102,9 @@ pub fn history(
 ) -> HistoryRecord {
     let (status, message) = status(run.outcome, run.last.t);
     HistoryRecord {
-        system: system.into(),
-        form: match options.form {
-            Form::Momentum => "momentum in body axes, K' = K x Omega(K)".into(),
-            Form::Paper => "spin, J w' + w x Jw = mu(w)".into(),
-        },
+        system: name(system).into(),
+        form: motion::form(system, forced, options.form).into(),
+        method: method(system, run.work),
         status: status.into(),
         message,
         tolerance: options.tolerance,
@@ -112,9 +113,33 @@ pub fn history(
         turns: run.last.turns,
         energy: samples.first().map_or(f64::NAN, |first| first.energy),
         dissipated: run.last.dissipated,
+        work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
         columns: columns(samples, Some(axis)),
+    }
+}
+
+/// The name of a system.
+pub fn name(system: System) -> &'static str {
+    match system {
+        System::Full => "full",
+        System::Reduced => "reduced",
+        System::Rigid => "rigid",
+    }
+}
+
+/// How a system was integrated, in words.
+fn method(system: System, work: Work) -> String {
+    let explicit = work.steps - work.implicit_steps;
+    match (system, work.implicit_steps, explicit) {
+        (System::Reduced | System::Rigid, ..) | (_, 0, _) => {
+            "explicit Runge-Kutta of order 8 (DOP853)".into()
+        }
+        (_, _, 0) => "implicit Runge-Kutta of order 13 (Radau IIA)".into(),
+        (_, implicit, explicit) => format!(
+            "{explicit} steps explicit (DOP853) while vibrations had to be followed, {implicit} implicit (Radau IIA, order 13)"
+        ),
     }
 }
 
@@ -127,6 +152,17 @@ pub fn status(outcome: Outcome, t: f64) -> (&'static str, String) {
             ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
         }
         Outcome::Failed(error) => ("failed", error.to_string()),
+        Outcome::Event(Event::Energy(energy)) => {
+            ("event", format!("the energy passed {energy} J at t = {t} s, where the run was to stop"))
+        }
+        Outcome::Event(Event::Nutation { angle, .. }) => (
+            "event",
+            format!("the nutation passed {} degrees at t = {t} s, where the run was to stop", angle.to_degrees()),
+        ),
+        Outcome::Event(Event::Validity { limit, .. }) => (
+            "left-validity",
+            format!("the spin passed {limit} of the slowest elastic frequency at t = {t} s: the theory ends there"),
+        ),
     }
 }
 
@@ -149,6 +185,7 @@ pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
         column("energy", "J", &|s| s.energy),
         column("momentum", "N m s", &|s| norm(s.momentum)),
         column("dissipated", "J", &|s| s.dissipated),
+        column("work", "J", &|s| s.work),
         column("energy_drift", "J", &|s| s.energy_drift),
         column("momentum_drift", "1", &|s| s.momentum_drift),
     ];

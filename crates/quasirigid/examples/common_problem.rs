@@ -4,7 +4,7 @@
 use std::error::Error;
 use std::time::Instant;
 
-use quasirigid::dynamics::{FullOptions, FullState, Method, propagate_full};
+use quasirigid::dynamics::{Forced, FullState, Method, Options, propagate_full};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::problems::CommonProblem;
 
@@ -25,9 +25,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = CommonProblem::named(&name).ok_or("cases: A, B, C, over, soft, long")?;
     let body = case.assembly().body()?;
     let start = FullState::at_rest(&body, CommonProblem::SPIN, ALIGNED);
-    let options = FullOptions { tolerance, method, ..FullOptions::default() };
+    let options = Options { tolerance, method, ..Options::default() };
     let clock = Instant::now();
-    let run = propagate_full(&body, &start, &[case.duration], options, &mut Vec::new())?;
+    let run = propagate_full(Forced::not(&body), &start, &[case.duration], options, &mut Vec::new())?;
     let seconds = clock.elapsed().as_secs_f64();
     let [x, y, z] = run.last.omega;
     println!(

@@ -13,7 +13,8 @@
 //!   [`ReducedBody`](model::ReducedBody) without them,
 //! - [`elements`] are the parts a user describes, assembled into a flexible body,
 //! - [`reduction`] derives the reduced equations to any order and says how far they hold,
-//! - [`dynamics`] integrates them,
+//! - [`dynamics`] integrates them, and the full stiff system beside them,
+//! - [`verification`] sets one against the other,
 //! - [`problems`] are bodies with known answers.
 //!
 //! SI units throughout. Vectors are in the body frame: the axes of the model file, origin at the pole `O`.
@@ -28,6 +29,8 @@ pub mod elements;
 pub mod reduction;
 
 pub mod dynamics;
+
+pub mod verification;
 
 pub mod problems;
 

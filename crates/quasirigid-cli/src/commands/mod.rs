@@ -5,13 +5,16 @@ pub mod derive;
 pub mod run;
 pub mod simulate;
 mod summary;
+pub mod verify;
 
 use std::path::Path;
 
-use quasirigid::dynamics::{Form, Options, SpinState};
-use quasirigid::math::sym::norm;
-use quasirigid::model::FlexibleBody;
-use quasirigid_io::model::Model;
+use quasirigid::dynamics::{Event, Form, Method, Options, SpinState};
+use quasirigid::math::sym::{dot, norm};
+use quasirigid::model::force::Force;
+use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
+use quasirigid::reduction::{Comparison, Criterion, frequencies};
+use quasirigid_io::model::{Model, Stop};
 use quasirigid_io::units::{Dimension, quantity};
 
 use crate::args::{self, Common, Propagation};
@@ -22,6 +25,7 @@ use crate::message::remark;
 struct Loaded {
     model: Model,
     body: FlexibleBody,
+    forces: Vec<Force<Marker>>,
     order: usize,
 }
 
@@ -32,8 +36,9 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
         return Err(model.diagnose_all(&errors).into());
     }
     let body = model.assembly.body().map_err(|error| model.diagnose(&error))?;
+    let forces = model.assembly.forces().map_err(|error| model.diagnose(&error))?;
     let order = common.order.unwrap_or(model.run.order);
-    Ok(Loaded { model, body, order })
+    Ok(Loaded { model, body, forces, order })
 }
 
 /// Says what is suspect in the model, on standard error.
@@ -65,9 +70,23 @@ fn duration(model: &Model, propagation: &Propagation, omega: [f64; 3]) -> Result
     if seconds > 0.0 && f64::is_finite(seconds) { Ok(seconds) } else { Err(Failure::NoDuration { seconds }) }
 }
 
-/// Options of a propagation: the command's, the file's, or the defaults.
-fn options(model: &Model, propagation: &Propagation) -> Options {
-    let mut options = Options::default();
+/// Options of a propagation: the command's, the file's, or the defaults. Nutation is counted from the `axis`.
+fn options(loaded: &Loaded, propagation: &Propagation, axis: [f64; 3]) -> Result<Options, Failure> {
+    let model = &loaded.model;
+    let mut options = Options { events: events(loaded, axis)?, ..Options::default() };
+    if let Some(method) = propagation.method {
+        options.method = match method {
+            args::Method::Automatic => Method::Automatic,
+            args::Method::Explicit => Method::Explicit,
+            args::Method::Implicit => Method::Implicit,
+        };
+    } else if let Some(method) = model.run.method {
+        options.method = match method {
+            quasirigid_io::model::Method::Automatic => Method::Automatic,
+            quasirigid_io::model::Method::Explicit => Method::Explicit,
+            quasirigid_io::model::Method::Implicit => Method::Implicit,
+        };
+    }
     if let Some(tolerance) = propagation.tolerance.or(model.run.tolerance) {
         options.tolerance = tolerance;
     }
@@ -76,7 +95,28 @@ fn options(model: &Model, propagation: &Propagation) -> Options {
         None => model.run.form == Some(quasirigid_io::model::Form::Paper),
     };
     options.form = if paper { Form::Paper } else { Form::Momentum };
-    options
+    Ok(options)
+}
+
+/// What ends a propagation, as the file asks.
+fn events(loaded: &Loaded, axis: [f64; 3]) -> Result<Vec<Event>, Failure> {
+    let Stop { energy, nutation, validity } = loaded.model.run.stop;
+    let mut events: Vec<Event> = energy.map(Event::Energy).into_iter().collect();
+    events.extend(nutation.map(|angle| Event::Nutation { axis, angle }));
+    if validity && let Some(slowest) = frequencies(&loaded.body)?.first() {
+        let limit = Criterion { comparison: Comparison::Spin, value: 0.0 }.failure();
+        events.push(Event::Validity { slowest: *slowest, limit });
+    }
+    Ok(events)
+}
+
+/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles.
+fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let K = rigid.momentum(omega);
+    let Principal { moments, axes } = Principal::of(rigid.J);
+    let long_axis_mode = 2.0 * rigid.energy(omega) * moments[1] > dot(K, K);
+    let axis = axes[if long_axis_mode { 0 } else { 2 }];
+    axis.map(|entry| entry * dot(axis, K).signum())
 }
 
 /// Output times from zero to `duration`.

@@ -1,19 +1,19 @@
 use std::path::{Path, PathBuf};
 
-use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState, propagate};
-use quasirigid::math::sym::{dot, norm};
-use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::dynamics::{Options, Outcome, PropagateError};
+use quasirigid::math::sym::norm;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use super::{Loaded, duration, even_times, initial, load, options, summary};
-use crate::args::Run;
+use super::{Loaded, circled_axis, duration, even_times, initial, load, options, summary};
+use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
+use crate::motion::Motion;
 use crate::output::Folder;
 use crate::progress::Collector;
 use crate::{Ending, output, record};
@@ -26,33 +26,39 @@ const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the reduced equations were not \
                            propagated; the history is that of the rigid body.";
 /// Note on a run that Ctrl-C ended.
-const INTERRUPTED: &str = "The run was interrupted, so the history of the rigid body was left out.";
+const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
+/// Note on a start off the slow manifold.
+const DISPLACED: &str = "The elastic parts do not start on the slow manifold: the full system vibrates until its dashpots have \
+                         stilled it, and the reduced body starts from the state that it settles on.";
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
-    let Loaded { model, body, order } = load(&arguments.common)?;
-    let start = initial(&model, &arguments.common.model)?;
-    let path = arguments.out.clone().unwrap_or_else(|| default_folder(&model));
+    let loaded = load(&arguments.common)?;
+    let Loaded { model, body, forces, order } = &loaded;
+    let order = *order;
+    let start = initial(model, &arguments.common.model)?;
+    let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
-    let validity = Validity::of(&body, order, start.omega)?;
-    let reduced = reduce(&body, order)?;
-    let rigid = reduce(&body, 1)?;
+    let motion = Motion::new(model, body, forces, order, start);
+    let validity = Validity::of(body, order, start.omega)?;
+    let reduced = reduce(body, order)?;
+    let axis = circled_axis(&reduce(body, 1)?, start.omega);
     let mut notes = model.notes.clone();
-    let plan = Plan::new(arguments, &model, &rigid, start)?;
-    let histories = plan.histories(&reduced, &rigid, &mut notes)?;
+    let plan = Plan::new(arguments, &loaded, &motion, axis)?;
+    let histories = plan.histories(&mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
-        model: record::model(&model),
+        model: record::model(model),
         notes,
-        body: record::body(&body),
+        body: record::body(body),
         validity: record::validity(&validity),
-        reduction: record::reduction(&body, &reduced, &validity, start.omega),
+        reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
     };
     let folder = Folder::new(&path)?;
     record.write(&folder.building())?;
     let frequencies = &validity.vibrations.frequencies;
-    let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies };
+    let derived = Derived { name: &model.name, body, reduced: &reduced, frequencies };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;
     if let Some(picture) = quasirigid_report::sphere_picture(&record) {
@@ -64,8 +70,9 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     } else if !arguments.common.quiet {
         output::print(&summary::text(&record, &path))?;
     }
-    let interrupted = record.notes.iter().any(|note| note == INTERRUPTED);
-    let finished = !interrupted && record.histories.iter().all(|history| history.status == "finished");
+    let complete = record.histories.len() == plan.systems.len();
+    let ended = |status: &str| matches!(status, "finished" | "event");
+    let finished = complete && record.histories.iter().all(|history| ended(&history.status));
     let holds = validity.verdict() != Verdict::Fails;
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
@@ -80,8 +87,9 @@ fn default_folder(model: &Model) -> PathBuf {
 }
 
 /// What the histories of a run have in common.
-struct Plan {
-    start: SpinState,
+struct Plan<'a> {
+    motion: &'a Motion<'a>,
+    systems: Vec<System>,
     times: Vec<f64>,
     options: Options,
     /// The principal axis that the momentum of the rigid body circles; nutation is counted from it.
@@ -90,39 +98,48 @@ struct Plan {
     quiet: bool,
 }
 
-impl Plan {
-    fn new(arguments: &Run, model: &Model, rigid: &ReducedBody, start: SpinState) -> Result<Self, Failure> {
-        let duration = duration(model, &arguments.propagation, start.omega)?;
-        let turns = duration * norm(start.omega) / std::f64::consts::TAU;
+impl<'a> Plan<'a> {
+    fn new(
+        arguments: &Run,
+        loaded: &Loaded,
+        motion: &'a Motion<'a>,
+        axis: [f64; 3],
+    ) -> Result<Self, Failure> {
+        let Loaded { model, .. } = loaded;
+        let omega = motion.start.omega;
+        let duration = duration(model, &arguments.propagation, omega)?;
+        let turns = duration * norm(omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
         let rows = arguments.propagation.samples.or(model.run.samples).unwrap_or(rows);
         Ok(Self {
-            start,
+            motion,
+            systems: systems(model),
             times: even_times(rows, duration)?,
-            options: options(model, &arguments.propagation),
-            axis: circled_axis(rigid, start.omega),
+            options: options(loaded, &arguments.propagation, axis)?,
+            axis,
             interrupt: Interrupt::listen()?,
             quiet: arguments.common.quiet,
         })
     }
 
-    /// The histories of both systems, the reduced body first; `notes` says why one is missing.
-    fn histories(
-        &self,
-        reduced: &ReducedBody,
-        rigid: &ReducedBody,
-        notes: &mut Vec<String>,
-    ) -> Result<Vec<HistoryRecord>, Failure> {
+    /// The histories, in the order asked for; `notes` says why one is missing.
+    fn histories(&self, notes: &mut Vec<String>) -> Result<Vec<HistoryRecord>, Failure> {
         let mut histories = Vec::new();
-        match self.history("reduced", reduced) {
-            Ok(history) => histories.push(history),
-            Err(Failure::Propagate(PropagateError::NoMomentum)) => notes.push(NO_MOMENTUM.into()),
-            Err(failure) => return Err(failure),
+        for system in &self.systems {
+            if self.interrupted() {
+                notes.push(INTERRUPTED.replace("{system}", record::name(*system)));
+                continue;
+            }
+            match self.history(*system) {
+                Ok(history) => histories.push(history),
+                Err(Failure::Propagate(PropagateError::NoMomentum)) if *system == System::Reduced => {
+                    notes.push(NO_MOMENTUM.into());
+                }
+                Err(failure) => return Err(failure),
+            }
         }
-        if self.interrupted() {
-            notes.push(INTERRUPTED.into());
-        } else {
-            histories.push(self.history("rigid", rigid)?);
+        if self.motion.starts_displaced() {
+            notes.push(DISPLACED.into());
         }
         notes.extend(
             histories.iter().filter_map(|each| drift_note(&each.system, each.energy_drift, each.dissipated)),
@@ -134,23 +151,28 @@ impl Plan {
         self.interrupt.pressed()
     }
 
-    fn history(&self, system: &str, body: &ReducedBody) -> Result<HistoryRecord, Failure> {
+    fn history(&self, system: System) -> Result<HistoryRecord, Failure> {
         let end = self.times.last().copied().unwrap_or(0.0);
-        let mut collector = Collector::new(&self.interrupt, system, end, self.quiet);
-        let run = propagate(body, self.start, &self.times, self.options, &mut collector)?;
+        let name = record::name(system);
+        let mut collector = Collector::new(&self.interrupt, name, end, self.quiet);
+        let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
         let samples = collector.finish();
         if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
-            remark(&format!("{system}: {}", record::status(run.outcome, run.last.t).1));
+            remark(&format!("{name}: {}", record::status(run.outcome, run.last.t).1));
         }
-        Ok(record::history(system, &self.options, &samples, &run, self.axis))
+        let forced = self.motion.system().acts();
+        Ok(record::history(system, forced, &self.options, &samples, &run, self.axis))
     }
 }
 
-/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles.
-fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let K = rigid.momentum(omega);
-    let Principal { moments, axes } = Principal::of(rigid.J);
-    let long_axis_mode = 2.0 * rigid.energy(omega) * moments[1] > dot(K, K);
-    let axis = axes[if long_axis_mode { 0 } else { 2 }];
-    axis.map(|entry| entry * dot(axis, K).signum())
+/// The systems to follow: the file's, or the reduced body beside the rigid one.
+fn systems(model: &Model) -> Vec<System> {
+    use quasirigid_io::model::System as Named;
+    let named = model.run.systems.clone().unwrap_or_else(|| vec![Named::Reduced, Named::Rigid]);
+    let system = |named: Named| match named {
+        Named::Full => System::Full,
+        Named::Reduced => System::Reduced,
+        Named::Rigid => System::Rigid,
+    };
+    named.into_iter().map(system).collect()
 }

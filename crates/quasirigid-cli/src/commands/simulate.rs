@@ -1,16 +1,16 @@
-use quasirigid::dynamics::{Options, Outcome, Run, Sample, SpinState, propagate};
-use quasirigid::model::ReducedBody;
+use quasirigid::dynamics::{Outcome, Run, Sample};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::history_csv;
 use serde_json::json;
 
-use super::{Loaded, duration, even_times, initial, load, notes, options};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, notes, options};
 use crate::args::{Simulate, System, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
+use crate::motion::Motion;
 use crate::progress::Collector;
-use crate::record::{columns, status};
+use crate::record::{columns, name, status};
 use crate::{Ending, describe, output};
 
 /// Rows of a table when nothing says how many.
@@ -18,27 +18,31 @@ const ROWS: usize = 1001;
 
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
-    let Loaded { model, body, order } = load(&arguments.common)?;
-    notes(&model, &arguments.common);
-    let start = initial(&model, &arguments.common.model)?;
-    let options = options(&model, &arguments.propagation);
+    let loaded = load(&arguments.common)?;
+    let Loaded { model, body, forces, order } = &loaded;
+    notes(model, &arguments.common);
+    let start = initial(model, &arguments.common.model)?;
+    let axis = circled_axis(&reduce(body, 1)?, start.omega);
+    let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {
         Some(times) => times.clone(),
         None => {
             let rows = arguments.propagation.samples.or(model.run.samples).unwrap_or(ROWS);
-            even_times(rows, duration(&model, &arguments.propagation, start.omega)?)?
+            even_times(rows, duration(model, &arguments.propagation, start.omega)?)?
         }
     };
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }
-    let order = if arguments.system == System::Rigid { 1 } else { order };
-    let reduced = reduce(&body, order)?;
+    let motion = Motion::new(model, body, forces, *order, start);
     if !arguments.common.quiet && arguments.system == System::Reduced {
-        warn(&Validity::of(&body, order, start.omega)?);
+        warn(&Validity::of(body, *order, start.omega)?);
     }
     let interrupt = Interrupt::listen()?;
-    let (samples, run) = propagated(&reduced, start, &times, options, arguments, &interrupt)?;
+    let end = times.last().copied().unwrap_or(0.0);
+    let mut collector = Collector::new(&interrupt, "propagating", end, arguments.common.quiet);
+    let run = motion.follow(arguments.system, &times, options, &mut collector)?;
+    let samples = collector.finish();
     interrupt.forget();
     if let Some(note) = describe::drift_note("integrated", run.last.energy_drift, run.last.dissipated) {
         remark(&note);
@@ -47,31 +51,24 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     if arguments.common.json {
         output::print(&object(arguments.system, &run))?;
     }
-    if run.outcome == Outcome::Finished {
-        return Ok(Ending::Done);
+    let message = status(run.outcome, run.last.t).1;
+    match run.outcome {
+        Outcome::Finished => Ok(Ending::Done),
+        Outcome::Event(_) => {
+            remark(&message);
+            Ok(Ending::Done)
+        }
+        _ => {
+            remark(&format!("{message}; the table is valid up to there"));
+            Ok(Ending::CheckFailed)
+        }
     }
-    remark(&format!("{}; the table is valid up to there", status(run.outcome, run.last.t).1));
-    Ok(Ending::CheckFailed)
 }
 
 fn warn(validity: &Validity) {
     if validity.verdict() != Verdict::Holds {
         remark(&format!("{} See `quasirigid check`.", describe::verdict(validity)));
     }
-}
-
-fn propagated(
-    reduced: &ReducedBody,
-    start: SpinState,
-    times: &[f64],
-    options: Options,
-    arguments: &Simulate,
-    interrupt: &Interrupt,
-) -> Result<(Vec<Sample>, Run), Failure> {
-    let end = times.last().copied().unwrap_or(0.0);
-    let mut collector = Collector::new(interrupt, "propagating", end, arguments.common.quiet);
-    let run = propagate(reduced, start, times, options, &mut collector)?;
-    Ok((collector.finish(), run))
 }
 
 fn table(arguments: &Simulate, samples: &[Sample], interrupt: &Interrupt) -> Result<(), Failure> {
@@ -87,7 +84,7 @@ fn table(arguments: &Simulate, samples: &[Sample], interrupt: &Interrupt) -> Res
 fn object(system: System, Run { outcome, last, work }: &Run) -> String {
     let (status, message) = status(*outcome, last.t);
     let object = json!({
-        "system": match system { System::Reduced => "reduced", System::Rigid => "rigid" },
+        "system": name(system),
         "status": status,
         "message": message,
         "t": last.t,
@@ -96,12 +93,15 @@ fn object(system: System, Run { outcome, last, work }: &Run) -> String {
         "momentum": last.momentum,
         "energy": last.energy,
         "dissipated": last.dissipated,
+        "work": last.work,
         "energy_drift": last.energy_drift,
         "momentum_drift": last.momentum_drift,
         "turns": last.turns,
         "steps": work.steps,
         "rejected": work.rejected,
+        "implicit_steps": work.implicit_steps,
         "evaluations": work.evaluations,
+        "factorizations": work.factorizations,
     });
     format!("{object:#}\n")
 }

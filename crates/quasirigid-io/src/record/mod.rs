@@ -149,10 +149,12 @@ pub struct DegreeRecord {
 /// A spin history.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct HistoryRecord {
-    /// `reduced` or `rigid`.
+    /// `full`, `reduced` or `rigid`.
     pub system: String,
     /// Equations integrated, in words.
     pub form: String,
+    /// How they were integrated, in words.
+    pub method: String,
     /// `finished`, or why the run ended early.
     pub status: String,
     /// What the end of the run means, in one sentence.
@@ -173,6 +175,9 @@ pub struct HistoryRecord {
     /// Energy taken by the dashpots (J).
     #[serde(with = "number")]
     pub dissipated: f64,
+    /// Work of the external forces (J).
+    #[serde(with = "number")]
+    pub work: f64,
     /// Change of energy made by the integrator alone (J).
     #[serde(with = "number")]
     pub energy_drift: f64,

@@ -1,15 +1,30 @@
 //! Motion of a body: full, reduced, rigid.
 
+mod event;
+mod external;
 mod form;
 mod full;
-mod propagate;
+mod keeper;
+mod layer;
+mod layout;
+mod reduced;
+mod run;
+mod scale;
+mod slow;
 mod spin;
 mod spin_path;
 mod start;
 mod steady;
 
+pub use event::Event;
+pub use external::Forced;
 pub use form::Form;
-pub use full::{FullOptions, FullState, Method, propagate_full};
-pub use propagate::{Observer, Options, Outcome, PropagateError, Run, Sample, SpinState, propagate};
+pub use full::{FullState, propagate_full};
+pub use layer::{BoundaryLayer, DampedMode, FastPart, composite_spin, matched_start};
+pub use reduced::propagate;
+pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
+pub use slow::{
+    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced, slow_state_point,
+};
 pub use spin_path::{SpinPath, spin_path};
 pub use steady::{SteadySpin, steady_spins};

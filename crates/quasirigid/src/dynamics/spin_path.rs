@@ -1,10 +1,10 @@
 use std::ops::ControlFlow;
 
 use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
-use super::propagate::{Options, PropagateError, check};
+use super::run::{Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
-use crate::math::ode::{Dop853, Ending, Solver, Watcher, Work, integrate};
+use crate::math::ode::{Dop853, Solver, Watcher, Work, integrate};
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
 use crate::math::sym::norm;
 use crate::model::ReducedBody;
@@ -15,7 +15,7 @@ pub struct SpinPath {
     /// One spin per time reached.
     pub omega: Vec<[f64; 3]>,
     /// Why the path ends.
-    pub outcome: Ending,
+    pub outcome: Outcome,
     /// Work done.
     pub work: Work,
 }
@@ -30,11 +30,11 @@ pub fn spin_path(
     times: &[f64],
     options: Options,
 ) -> Result<SpinPath, PropagateError> {
-    check(omega, times, options.tolerance)?;
+    check(norm(omega), times, options.tolerance)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
     Ok(match options.form {
-        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, times, options }),
-        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, times, options }),
+        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, times, options: &options }),
+        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, times, options: &options }),
     })
 }
 
@@ -42,7 +42,7 @@ struct Path<'a, E> {
     equations: &'a E,
     x: [f64; 3],
     times: &'a [f64],
-    options: Options,
+    options: &'a Options,
 }
 
 impl<E: Equations> Task for Path<'_, E> {
@@ -56,8 +56,8 @@ impl<E: Equations> Task for Path<'_, E> {
         let allowed = [error, error, error, f64::INFINITY];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };
-        let outcome = integrate(&mut solver, times, options.most_steps, &mut collector);
-        SpinPath { omega: collector.omega, outcome, work: solver.work() }
+        let ending = integrate(&mut solver, times, options.most_steps, &mut collector);
+        SpinPath { omega: collector.omega, outcome: Outcome::of(ending, None), work: solver.work() }
     }
 }
 

@@ -141,4 +141,24 @@ mod tests {
         let entries = [1e-12, 1.0, 1e12].iter().enumerate().map(|(i, d)| (i, i, *d)).collect();
         assert!(Cholesky::new(&SparseRows::sum(3, entries)).is_ok());
     }
+
+    /// A unit diagonal and the smallest eigenvalue `softness`, in units of its own for each row.
+    fn pair(softness: f64) -> SparseRows<f64> {
+        let units = [3e-6, 7e5];
+        let entry = |row: usize, column: usize| {
+            let share = if row == column { 1.0 } else { softness - 1.0 };
+            (row, column, units[row] * units[column] * share)
+        };
+        SparseRows::sum(2, vec![entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1)])
+    }
+
+    #[test]
+    fn a_matrix_is_singular_below_the_line_and_not_above() {
+        assert!(Cholesky::new(&pair(1.02e-13)).is_ok());
+        for softness in [0.98e-13, 1e-15, 0.0, -1e-15] {
+            let direction = Cholesky::new(&pair(softness)).expect_err("a singular matrix").direction;
+            assert!((direction[0] - 1.0).abs() < 1e-9, "{softness:e}: {direction:?}");
+            assert!((direction[1] / (3e-6 / 7e5) - 1.0).abs() < 1e-9, "{softness:e}: {direction:?}");
+        }
+    }
 }

@@ -44,6 +44,12 @@ impl Dense {
         self.entries[row * self.size + column] += value;
     }
 
+    /// Product with a vector.
+    #[must_use]
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        self.entries.chunks_exact(self.size.max(1)).map(|row| row.iter().zip(x).map(|(a, b)| a * b).sum()).collect()
+    }
+
     fn mat(&self) -> Mat<f64> {
         Mat::from_fn(self.size, self.size, |row, column| self.at(row, column))
     }
@@ -103,6 +109,25 @@ pub fn eigenvalues(matrix: &Dense) -> Result<Vec<[f64; 2]>, NoConvergence> {
     }
     let values = matrix.mat().eigenvalues().map_err(|_| NoConvergence { size: matrix.size() })?;
     Ok(values.iter().map(|value| [value.re, value.im]).collect())
+}
+
+/// Eigenvalues, and eigenvectors as lists; real and imaginary parts.
+pub type Eigenvectors = (Vec<[f64; 2]>, Vec<Vec<[f64; 2]>>);
+
+/// Eigenvalues of a square matrix with an eigenvector of each.
+///
+/// # Errors
+/// [`NoConvergence`] if the solver fails.
+pub fn eigenvectors(matrix: &Dense) -> Result<Eigenvectors, NoConvergence> {
+    let size = matrix.size();
+    if size == 0 {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    let eigen = matrix.mat().eigen().map_err(|_| NoConvergence { size })?;
+    let (values, vectors) = (eigen.S(), eigen.U());
+    let pair = |entry: faer::c64| [entry.re, entry.im];
+    let list = |column: usize| (0..size).map(|row| pair(vectors[(row, column)])).collect();
+    Ok(((0..size).map(|i| pair(values[i])).collect(), (0..size).map(list).collect()))
 }
 
 #[cfg(test)]

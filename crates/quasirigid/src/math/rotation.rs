@@ -57,12 +57,13 @@ pub fn to_inertial(attitude: Attitude, vector: [f64; 3]) -> [f64; 3] {
 /// Rate of the attitude at a spin in body axes, `½ q ⊗ (0, ω)`. (P3)
 #[inline(always)]
 #[must_use]
-pub fn rate([s, x, y, z]: Attitude, [wx, wy, wz]: [f64; 3]) -> Attitude {
+pub fn rate<T: Scalar>([s, x, y, z]: [T; 4], [wx, wy, wz]: [T; 3]) -> [T; 4] {
+    let half = T::from(0.5);
     [
-        -0.5 * (x * wx + y * wy + z * wz),
-        0.5 * (s * wx + y * wz - z * wy),
-        0.5 * (s * wy + z * wx - x * wz),
-        0.5 * (s * wz + x * wy - y * wx),
+        T::from(-0.5) * (x * wx + y * wy + z * wz),
+        half * (s * wx + y * wz - z * wy),
+        half * (s * wy + z * wx - x * wz),
+        half * (s * wz + x * wy - y * wx),
     ]
 }
 
@@ -83,6 +84,12 @@ pub fn aligned(attitude: Attitude, body: [f64; 3], inertial: [f64; 3]) -> Attitu
 pub fn turned(attitude: Attitude, rotation: [f64; 3]) -> Attitude {
     let q = UnitQuaternion::from_scaled_axis(Vector3::from(rotation)) * unit(attitude);
     [q.w, q.i, q.j, q.k]
+}
+
+/// Angle (rad) of the rotation from one attitude to another.
+#[must_use]
+pub fn angle_between(a: Attitude, b: Attitude) -> f64 {
+    unit(a).rotation_to(&unit(b)).angle()
 }
 
 /// Angle (rad) between two directions, without loss of digits near 0 and π.

@@ -10,6 +10,9 @@ pub trait Scalar: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 /// Of a series, each function gives the series of the function; where the function has no derivative the series holds
 /// NaN, as `f64` does where the function has no value.
 pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
+    /// Number of terms kept: one of a plain number.
+    const TERMS: usize;
+
     /// The number itself: of a series, its first term.
     fn value(self) -> f64;
     /// Square root.
@@ -55,6 +58,8 @@ pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
 impl Scalar for f64 {}
 
 impl Smooth for f64 {
+    const TERMS: usize = 1;
+
     fn value(self) -> f64 {
         self
     }

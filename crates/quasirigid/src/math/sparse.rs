@@ -56,6 +56,12 @@ impl<T> SparseRows<T> {
 }
 
 impl SparseRows<f64> {
+    /// Every entry times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { entries: self.entries.iter().map(|entry| factor * entry).collect(), ..self.clone() }
+    }
+
     /// The diagonal.
     #[must_use]
     pub fn diagonal(&self) -> Vec<f64> {

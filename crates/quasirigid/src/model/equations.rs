@@ -1,8 +1,8 @@
 //! The full equations (S2)–(S6) in numbers: momentum, generalised momentum, load and energy of any state.
 
-use super::FlexibleBody;
+use super::{FlexibleBody, Invariants};
 use crate::math::scalar::Scalar;
-use crate::math::sym::{add, cross, dot, scale, times};
+use crate::math::sym::{Sym, add, cross, dot, scale, times};
 
 /// A state of the full system: spin (rad/s, body axes), internal coordinates and their rates.
 ///
@@ -18,6 +18,32 @@ pub struct Motion<'a, T> {
 }
 
 impl FlexibleBody {
+    /// Inertia tensor at a displacement (kg·m²): about the pole of a held body, about the centre of mass of a free one.
+    /// (S2), (S6)
+    #[must_use]
+    pub fn inertia_at<T: Scalar>(&self, q: &[T]) -> [T; 6] {
+        let Invariants { J, J1, S, pairs, .. } = self.invariants();
+        let mut sum = J.map(T::from);
+        let mut grow = |amount: T, part: Sym| {
+            for (sum, part) in sum.iter_mut().zip(part) {
+                *sum = *sum + amount * T::from(part);
+            }
+        };
+        q.iter().zip(J1).for_each(|(q, J1)| grow(*q, *J1));
+        pairs.iter().for_each(|(j, k, pair)| grow(q[j] * q[k], pair.J2));
+        if let Some(per_mass) = self.translation() {
+            let zero = [T::from(0.0); 3];
+            let [x, y, z] = q.iter().zip(S).fold(zero, |s, (q, S)| add(s, scale(*q, S.map(T::from))));
+            let about = [y * y + z * z, z * z + x * x, x * x + y * y];
+            let mixed = [y * z, z * x, x * y];
+            for axis in 0..3 {
+                sum[axis] = sum[axis] - T::from(per_mass) * about[axis];
+                sum[3 + axis] = sum[3 + axis] + T::from(per_mass) * mixed[axis];
+            }
+        }
+        sum
+    }
+
     /// Angular momentum about the pole, body axes (N·m·s). (S2)
     #[must_use]
     pub fn momentum<T: Scalar>(&self, motion: Motion<T>) -> [T; 3] {
@@ -91,8 +117,7 @@ impl FlexibleBody {
     }
 
     /// First moment `s = Σ q_j S_j` of the displacement and its inertial rate `u = ṡ + ω × s`. (S6)
-    #[must_use]
-    fn translation_of<T: Scalar>(&self, Motion { omega, q, rate }: Motion<T>) -> ([T; 3], [T; 3]) {
+    pub(crate) fn translation_of<T: Scalar>(&self, Motion { omega, q, rate }: Motion<T>) -> ([T; 3], [T; 3]) {
         let zero = [T::from(0.0); 3];
         let (mut s, mut u) = (zero, zero);
         for (j, S) in self.invariants().S.iter().enumerate() {

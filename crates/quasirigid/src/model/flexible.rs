@@ -104,6 +104,23 @@ impl FlexibleBody {
         })
     }
 
+    /// The same body with `C → C/ε²`, `B → B/ε`; paper, (2.2).
+    ///
+    /// # Errors
+    /// [`FlexibleError`] if the stiffness overflows.
+    pub fn stiffened(&self, epsilon: f64) -> Result<Self, FlexibleError> {
+        Self::new(Parts {
+            support: self.support.clone(),
+            pole: self.pole,
+            center_of_mass: self.center_of_mass,
+            invariants: self.invariants.clone(),
+            damping: self.damping.scaled(epsilon.recip()),
+            stiffness: self.stiffness.scaled(epsilon.powi(-2)),
+            coordinates: self.coordinates.clone(),
+            markers: self.markers.clone(),
+        })
+    }
+
     /// How the body is held.
     #[must_use]
     pub fn support(&self) -> &Support {

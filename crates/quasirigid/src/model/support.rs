@@ -2,6 +2,7 @@ use crate::math::expression::Expression;
 
 /// How the body is held, which chooses the pole `O`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a body has one")]
 pub enum Support {
     /// Free in space: `O` is the centre of mass of the frozen body `S*` and the translation is eliminated.
     #[default]

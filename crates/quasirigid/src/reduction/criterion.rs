@@ -44,6 +44,12 @@ impl Criterion {
         self.limits().0
     }
 
+    /// The ratio from which the criterion fails.
+    #[must_use]
+    pub fn failure(&self) -> f64 {
+        self.limits().1
+    }
+
     /// What the number says. Vibrations that outlast the spin concern the start only, so that criterion never fails.
     #[must_use]
     pub fn verdict(&self) -> Verdict {

@@ -44,12 +44,13 @@ pub(super) fn momentum_ratio(body: &ReducedBody, momentum: f64, [from, to]: [usi
 /// Largest value of one degree of a map of three rows over the sphere of a radius.
 fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     let part = map.part(degree);
+    // Coefficients may lie beyond the range where they can be squared, the values do not.
     let values = directions().map(|direction| {
         let mut value = [0.0; 3];
-        part.add_value(direction, &mut value);
+        part.add_value(direction.map(|u| radius * u), &mut value);
         norm(value)
     });
-    values.fold(0.0, f64::max) * radius.powi(degree as i32)
+    values.fold(0.0, f64::max)
 }
 
 /// Unit vectors spread evenly over the sphere: a spiral that turns by the golden angle.

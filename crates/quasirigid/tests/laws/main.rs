@@ -4,6 +4,7 @@
 #![allow(non_snake_case, clippy::unwrap_used)]
 
 mod compare;
+mod forced;
 mod ray;
 mod support;
 mod transform;
@@ -12,14 +13,19 @@ mod wobbler;
 mod axes_and_units;
 mod cutting;
 mod degrees;
+mod forces;
 mod forms;
+mod formulas;
+mod gravity;
 mod invariants;
 mod lagrangian;
 mod mechanisms;
 mod momentum_form;
+mod orbits;
 mod orders;
 mod outcomes;
 mod propagation;
 mod refused;
+mod refused_forces;
 mod springs;
 mod vibrations;

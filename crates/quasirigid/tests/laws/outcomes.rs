@@ -63,7 +63,7 @@ fn a_step_limit_leaves_valid_samples() {
     let times = times_to(100.0, 50);
     let mut samples: Vec<Sample> = Vec::new();
     let options = Options { most_steps: 20, ..Options::default() };
-    let run = propagate(&body, state(START), &times, options, &mut samples).unwrap();
+    let run = propagate(&body, state(START), &times, options.clone(), &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::StepLimit);
     assert_eq!(run.work.steps, 20);
     let reached = times.iter().take_while(|t| **t <= run.last.t).count();
@@ -112,7 +112,7 @@ fn a_run_without_times_ends_at_its_start() {
 fn refused(omega: [f64; 3], times: &[f64], options: Options) -> Option<PropagateError> {
     let body = reduced(3);
     let mut samples: Vec<Sample> = Vec::new();
-    let error = propagate(&body, state(omega), times, options, &mut samples).err();
+    let error = propagate(&body, state(omega), times, options.clone(), &mut samples).err();
     assert!(error.is_none() || samples.is_empty(), "refused before the first step");
     // `spin_path` refuses the same; NaN keeps errors from being compared.
     let other = spin_path(&body, omega, times, options).err();

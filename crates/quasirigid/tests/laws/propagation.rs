@@ -146,9 +146,9 @@ fn dense_output_is_where_a_step_would_have_ended() {
     for form in [Form::Momentum, Form::Paper] {
         let options = Options { form, ..at(1e-12) };
         let times = [3.1, 3.2, 17.0, 33.3, 50.0];
-        let dense = run(&body, &times, options);
+        let dense = run(&body, &times, options.clone());
         for (t, inside) in times.iter().zip(&dense) {
-            let ended = run(&body, &[*t], options)[0];
+            let ended = run(&body, &[*t], options.clone())[0];
             for i in 0..3 {
                 // Some fifty steps of 1e-12 each.
                 assert!((inside.omega[i] - ended.omega[i]).abs() < 2e-10, "t = {t}");
@@ -192,7 +192,7 @@ proptest! {
         let times = times_to(100.0 / norm(omega), 7);
         let form = if paper { Form::Paper } else { Form::Momentum };
         let options = Options { form, ..at(1e-13) };
-        let path = spin_path(&body, omega, &times, options).unwrap();
+        let path = spin_path(&body, omega, &times, options.clone()).unwrap();
         let mut samples = Vec::new();
         let initial = SpinState { omega, attitude: attitude() };
         propagate(&body, initial, &times, options, &mut samples).unwrap();

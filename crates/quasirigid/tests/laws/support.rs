@@ -60,16 +60,6 @@ pub fn units() -> impl Strategy<Value = Units> {
     })
 }
 
-/// Units between 1e-6 and 1e6.
-pub fn moderate_units() -> impl Strategy<Value = Units> {
-    let root = |x: f64| x.cbrt() * x.cbrt();
-    units().prop_map(move |Units { length, mass, time }| Units {
-        length: root(length),
-        mass: root(mass),
-        time: root(time),
-    })
-}
-
 /// A rotation of any angle.
 pub fn rotation() -> impl Strategy<Value = Matrix3<f64>> {
     uniform4(-1.0..1.0)

@@ -1,18 +1,7 @@
 use super::system::FullSystem;
+use crate::dynamics::run::Method;
 use crate::math::ode::{Dense, Dop853, Radau, Solver, StepError, Work};
 use crate::math::simd::Plain;
-
-/// How the full system is integrated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
-    /// Explicit while vibrations have to be followed, implicit while the step is many times their period.
-    #[default]
-    Automatic,
-    /// Explicit, of order 8: cheap steps, but none longer than the fastest vibration.
-    Explicit,
-    /// Implicit, of order 13: dear steps, as long as the motion allows.
-    Implicit,
-}
 
 type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;

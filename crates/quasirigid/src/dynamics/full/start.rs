@@ -1,4 +1,7 @@
-use super::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
+use crate::dynamics::external::{Forced, Pose};
+use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
+use crate::dynamics::run::PropagateError;
+use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
 use crate::model::{FlexibleBody, Motion};
 
 /// Where a full run starts.
@@ -27,6 +30,16 @@ impl FullState {
         Self { omega, attitude, q: still.clone(), rate: still, place: [0.0; 3], velocity: [0.0; 3] }
     }
 
+    /// A state on the slow manifold of order `p`, where a slow motion is.
+    ///
+    /// # Errors
+    /// [`PropagateError::Order`] if the order is beyond the reduction of forced bodies.
+    pub fn on_manifold(system: Forced, order: usize, slow: &SlowState) -> Result<Self, PropagateError> {
+        let SlowPoint { omega, q, rate, .. } = slow_state_point(system, order, slow)?;
+        let SlowState { attitude, place, velocity, .. } = *slow;
+        Ok(Self { omega, attitude, q, rate, place, velocity })
+    }
+
     /// Angular momentum (N·m·s), body axes.
     #[must_use]
     pub fn momentum(&self, body: &FlexibleBody) -> [f64; 3] {
@@ -37,6 +50,10 @@ impl FullState {
     #[must_use]
     pub fn energy(&self, body: &FlexibleBody) -> f64 {
         body.energy(self.motion())
+    }
+
+    pub(super) fn pose(&self) -> Pose<f64> {
+        Pose { t: 0.0, attitude: self.attitude, place: self.place, velocity: self.velocity }
     }
 
     fn motion(&self) -> Motion<'_, f64> {

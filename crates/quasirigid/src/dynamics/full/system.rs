@@ -1,19 +1,25 @@
 use std::ops::Range;
 
-use super::layout::{ANGLE, ATTITUDE, DISSIPATED, Layout, MOMENTUM, SLOW, attitude, triple};
+use crate::dynamics::external::{Forced, Pose};
+use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
+use crate::dynamics::layout::{
+    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, attitude, triple,
+};
 use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
 use crate::math::ode::{Stiff, System};
-use crate::math::rotation;
+use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::{self, cross, dot, norm};
-use crate::model::{FlexibleBody, Kinetics};
+use crate::model::force::Loads;
+use crate::model::{FlexibleBody, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4)
 #[derive(Clone, Debug)]
 pub(super) struct FullSystem<'a> {
-    pub layout: Layout,
-    pub kinetics: Kinetics<'a>,
+    system: Forced<'a>,
+    layout: Layout,
+    kinetics: Kinetics<'a>,
     vibrator: Vibrator,
     shifts: Vec<DynamicStiffness>,
 }
@@ -22,25 +28,32 @@ pub(super) struct FullSystem<'a> {
 const POWER_ITERATIONS: usize = 40;
 
 impl<'a> FullSystem<'a> {
-    pub fn new(body: &'a FlexibleBody) -> Self {
+    pub fn new(system: Forced<'a>) -> Self {
+        let body = system.body;
         let layout = Layout { n: body.coordinates().len() };
-        Self { layout, kinetics: Kinetics::new(body), vibrator: vibrator(body), shifts: Vec::new() }
+        Self { system, layout, kinetics: Kinetics::new(body), vibrator: vibrator(body), shifts: Vec::new() }
     }
 
-    /// Spin, rates, and energy of a state.
-    pub fn motion(&mut self, y: &[f64]) -> ([f64; 3], Vec<f64>, f64) {
-        let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
-        let mut rate = vec![0.0; self.layout.n];
-        let K = triple(y, MOMENTUM);
-        let omega = self.kinetics.velocities(K, p, q, &mut rate).omega;
-        let kinetic = dot(omega, K) + product(p, &rate);
-        let elastic = product(&self.kinetics.body().stiffness().times(q), q);
-        (omega, rate, 0.5 * (kinetic + elastic))
+    /// Adds what external forces do to the rates of a state. (F1), (F11)
+    fn add_external(&self, t: f64, y: &[f64], motion: Motion<f64>, slow: &mut [f64], p_rate: &mut [f64]) {
+        let velocity = triple(y, VELOCITY);
+        let pose = Pose { t, attitude: attitude(y), place: triple(y, PLACE), velocity };
+        let loads = self.system.loads(&pose, motion);
+        let impulse = Turn::of(pose.attitude).to_inertial(loads.moment);
+        let acceleration = self.system.acceleration(&pose, &loads);
+        for axis in 0..3 {
+            slow[MOMENTUM + axis] += loads.moment[axis];
+            slow[IMPULSE + axis] = impulse[axis];
+            slow[PLACE + axis] = velocity[axis];
+            slow[VELOCITY + axis] = acceleration[axis];
+        }
+        p_rate.iter_mut().zip(&loads.generalized).for_each(|(rate, Q)| *rate += Q);
+        slow[WORK] = Loads { force: [0.0; 3], ..loads }.power(motion, [0.0; 3]);
     }
 
     /// An upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (X1)
     pub fn fastest(&mut self) -> f64 {
-        let body = self.kinetics.body();
+        let body = self.system.body;
         let damping = self.largest(body.damping());
         let stiffness = self.largest(body.stiffness());
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
@@ -69,7 +82,7 @@ impl<'a> FullSystem<'a> {
 }
 
 impl System<Vec<f64>> for FullSystem<'_> {
-    fn rate<A: Arithmetic>(&mut self, _: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+    fn rate<A: Arithmetic>(&mut self, t: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
         let K = triple(y, MOMENTUM);
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let (slow, fast) = rate.split_at_mut(SLOW);
@@ -80,6 +93,26 @@ impl System<Vec<f64>> for FullSystem<'_> {
         slow[ANGLE] = norm(velocities.omega);
         slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, velocities.omega));
         slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), velocities.omega));
+        if self.system.acts() {
+            let motion = Motion { omega: velocities.omega, q, rate: q_rate };
+            self.add_external(t, y, motion, slow, p_rate);
+        }
+    }
+}
+
+impl Followed for FullSystem<'_> {
+    fn look(&mut self, _: f64, y: &[f64]) -> Look {
+        let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
+        let mut rate = vec![0.0; self.layout.n];
+        let momentum = triple(y, MOMENTUM);
+        let omega = self.kinetics.velocities(momentum, p, q, &mut rate).omega;
+        let kinetic = dot(omega, momentum) + product(p, &rate);
+        let elastic = product(&self.system.body.stiffness().times(q), q);
+        Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate }
+    }
+
+    fn invariant(&self) -> Invariant {
+        if self.system.acts() { Invariant::Impulse } else { Invariant::Momentum }
     }
 }
 

@@ -155,6 +155,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
     #[inline(always)]
     fn step(&mut self, end: f64) -> Result<(), StepError> {
         let mut rejected = false;
+        let mut undefined = self.stages[STAGES].as_ref().iter().any(|rate| !rate.is_finite());
         let (first, rest) = self.stages.split_at_mut(STAGES);
         first[0].clone_from(&rest[0]);
         loop {
@@ -162,14 +163,12 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
             let reaches = self.h >= 0.999_999 * remaining;
             let h = if reaches { remaining } else { self.h };
             if !(h > f64::EPSILON * self.t.abs()) {
-                return Err(StepError::TooSmall { t: self.t });
+                return Err(StepError::at(self.t, undefined));
             }
             self.trial(h);
             let error = self.error(h);
-            if !error.is_finite() {
-                if self.stages[0].as_ref().iter().any(|rate| !rate.is_finite()) {
-                    return Err(StepError::NotFinite { t: self.t });
-                }
+            undefined = !error.is_finite();
+            if undefined {
                 self.h = SHRINK * h;
                 self.work.rejected += 1;
                 rejected = true;

@@ -281,18 +281,18 @@ impl<S: Stiff<Y>, Y: State, R: Arithmetic> Solver for Radau<S, Y, R> {
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {
         let mut rejected = false;
+        let mut undefined = self.rate.as_ref().iter().any(|rate| !rate.is_finite());
         loop {
             let remaining = end - self.t;
             let reaches = self.h >= 0.999_999 * remaining;
             let h = if reaches { remaining } else { self.h };
             if !(h > f64::EPSILON * self.t.abs()) {
-                return Err(StepError::TooSmall { t: self.t });
-            }
-            if self.rate.as_ref().iter().any(|rate| !rate.is_finite()) {
-                return Err(StepError::NotFinite { t: self.t });
+                return Err(StepError::at(self.t, undefined));
             }
             self.factor(h);
-            if !matches!(self.find_stages(h), Stages::Found) {
+            let stages = self.find_stages(h);
+            undefined = matches!(stages, Stages::NotFinite);
+            if !matches!(stages, Stages::Found) {
                 self.h = 0.5 * h;
                 self.work.rejected += 1;
                 rejected = true;

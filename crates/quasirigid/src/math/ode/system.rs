@@ -106,11 +106,18 @@ pub enum StepError {
         t: f64,
     },
     /// The rate is NaN or infinite.
-    #[error("the rate at t = {t} s is not a finite number")]
+    #[error("the rates of the system are not finite numbers beyond t = {t} s: look for a square root, logarithm or division in a force that fails there")]
     NotFinite {
         /// Time reached (s).
         t: f64,
     },
+}
+
+impl StepError {
+    /// The error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
+    pub(super) fn at(t: f64, undefined: bool) -> Self {
+        if undefined { Self::NotFinite { t } } else { Self::TooSmall { t } }
+    }
 }
 
 /// The solution over a step, as a polynomial of degree 7 in time.

@@ -33,9 +33,6 @@ pub struct Passage<T> {
     pub radius: T,
 }
 
-/// Newton steps on a series: each doubles the number of its terms that are exact, from one to sixteen.
-const DOUBLINGS: usize = 4;
-
 impl Orbit {
     /// Mean motion (rad/s).
     #[must_use]
@@ -49,7 +46,7 @@ impl Orbit {
         TAU / self.mean_motion()
     }
 
-    /// Place and velocity at a time (s), which may be a series of up to sixteen terms. (F10)
+    /// Place and velocity at a time (s), which may be a series. (F10)
     #[must_use]
     pub fn at<T: Smooth>(&self, t: T) -> Passage<T> {
         let (a, e) = (self.semi_major_axis, self.eccentricity);
@@ -83,7 +80,9 @@ impl Orbit {
 fn eccentric_anomaly<T: Smooth>(e: f64, M: T) -> T {
     let M = M - T::from(TAU * (M.value() / TAU).round());
     let mut E = T::from(kepler_root(e, M.value()));
-    for _ in 0..DOUBLINGS {
+    // Each step doubles the number of terms that are exact.
+    let doublings = T::TERMS.next_power_of_two().ilog2();
+    for _ in 0..doublings {
         let (sin, cos) = E.sin_cos();
         E = E - (E - T::from(e) * sin - M) / (T::from(1.0) - T::from(e) * cos);
     }

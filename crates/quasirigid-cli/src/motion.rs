@@ -1,0 +1,119 @@
+//! The motion that a model asks for, in each of its systems.
+
+use quasirigid::dynamics::{
+    Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Run, SlowState, SpinState, matched_start,
+    propagate, propagate_forced, propagate_full,
+};
+use quasirigid::model::force::Force;
+use quasirigid::model::{FlexibleBody, Marker, Support};
+use quasirigid::reduction::reduce;
+use quasirigid::verification::Start;
+use quasirigid_io::model::{Displacements, Model};
+
+use crate::args::System;
+use crate::failure::Failure;
+
+/// A body with its forces and its initial state.
+pub struct Motion<'a> {
+    pub body: &'a FlexibleBody,
+    pub forces: &'a [Force<Marker>],
+    pub order: usize,
+    pub start: Start,
+    /// Internal coordinates and rates, where the file gives them.
+    displaced: Option<(Vec<f64>, Vec<f64>)>,
+}
+
+impl<'a> Motion<'a> {
+    pub fn new(
+        model: &Model,
+        body: &'a FlexibleBody,
+        forces: &'a [Force<Marker>],
+        order: usize,
+        spin: SpinState,
+    ) -> Self {
+        let (place, velocity) = match body.support() {
+            Support::Free => (model.initial.position, model.initial.velocity),
+            Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
+            Support::Prescribed { position, velocity, .. } => (*position, *velocity),
+        };
+        let displaced = match &model.initial.displacements {
+            Displacements::SlowManifold => None,
+            Displacements::Given { q, rate } => Some((q.clone(), rate.clone())),
+        };
+        let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
+        Self { body, forces, order, start, displaced }
+    }
+
+    pub fn system(&self) -> Forced<'a> {
+        Forced { body: self.body, forces: self.forces }
+    }
+
+    /// Whether the elastic parts start elsewhere than on the slow manifold.
+    pub fn starts_displaced(&self) -> bool {
+        self.displaced.is_some()
+    }
+
+    /// Follows one of the systems.
+    pub fn follow(
+        &self,
+        system: System,
+        times: &[f64],
+        options: Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Run, Failure> {
+        let order = if system == System::Rigid { 1 } else { self.order };
+        match system {
+            System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
+            System::Reduced | System::Rigid if self.system().acts() => {
+                let slow = self.slow(order)?;
+                Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
+            }
+            System::Reduced | System::Rigid => {
+                let reduced = reduce(self.body, order)?;
+                let Start { omega, attitude, .. } = self.start;
+                let spin = if system == System::Reduced && self.starts_displaced() {
+                    let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
+                    SpinState { omega: reduced.Omega.vector(slow.momentum), attitude: slow.attitude }
+                } else {
+                    SpinState { omega, attitude }
+                };
+                Ok(propagate(&reduced, spin, times, options, observer)?)
+            }
+        }
+    }
+
+    /// The full state at the start.
+    pub fn full(&self) -> Result<FullState, Failure> {
+        let Start { omega, attitude, place, velocity } = self.start;
+        match &self.displaced {
+            Some((q, rate)) => {
+                Ok(FullState { omega, attitude, q: q.clone(), rate: rate.clone(), place, velocity })
+            }
+            None => Ok(self.start.settled(self.system(), self.order)?),
+        }
+    }
+
+    fn matched(&self, order: usize) -> Result<SlowState, Failure> {
+        Ok(matched_start(self.system(), order, &self.full()?)?)
+    }
+
+    fn slow(&self, order: usize) -> Result<SlowState, Failure> {
+        if self.starts_displaced() && order > 1 {
+            return self.matched(order);
+        }
+        let Start { omega, attitude, place, velocity } = self.start;
+        let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+        Ok(still.with_spin(self.system(), order, omega)?)
+    }
+}
+
+/// The equations integrated, in words.
+pub fn form(system: System, forced: bool, form: Form) -> &'static str {
+    match (system, forced, form) {
+        (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
+        (_, false, Form::Momentum) => "momentum in body axes, K' = K x Omega(K)",
+        (_, true, Form::Momentum) => "momentum in body axes, K' = K x w + M",
+        (_, false, Form::Paper) => "spin, J w' + w x Jw = mu(w)",
+        (_, true, Form::Paper) => "spin, J w' + w x Jw = M + mu",
+    }
+}

@@ -1,0 +1,90 @@
+use super::Sample;
+use crate::math::rotation::angle;
+use crate::math::sym::norm;
+
+/// Something that ends a propagation when it happens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// The energy passes this value (J).
+    Energy(f64),
+    /// The angle between the momentum and an axis of the body passes this value.
+    Nutation {
+        /// The axis, body axes.
+        axis: [f64; 3],
+        /// The angle (rad).
+        angle: f64,
+    },
+    /// The spin passes the range of validity.
+    Validity {
+        /// Slowest elastic frequency (rad/s).
+        slowest: f64,
+        /// Largest `|ω|/Ω_min`.
+        limit: f64,
+    },
+}
+
+impl Event {
+    /// A quantity that changes its sign when the event happens.
+    fn level(&self, sample: &Sample) -> f64 {
+        match self {
+            Self::Energy(energy) => sample.energy - energy,
+            Self::Nutation { axis, angle: wanted } => angle(sample.momentum, *axis) - wanted,
+            Self::Validity { slowest, limit } => norm(sample.omega) / slowest - limit,
+        }
+    }
+}
+
+/// Watches for events from step to step.
+#[derive(Clone, Debug)]
+pub(super) struct Alarm {
+    events: Vec<Event>,
+    levels: Vec<f64>,
+    /// The event that ended the propagation.
+    pub rung: Option<Event>,
+}
+
+/// Halvings of a step in which an event lies: to the rounding of its time.
+const HALVINGS: usize = 52;
+
+impl Alarm {
+    pub fn new(events: &[Event]) -> Self {
+        Self { events: events.to_vec(), levels: Vec::new(), rung: None }
+    }
+
+    /// Whether there is anything to watch for.
+    pub fn idle(&self) -> bool {
+        self.events.is_empty()
+    }
+
+    /// Takes the levels at the start.
+    pub fn set(&mut self, start: &Sample) {
+        self.levels = self.events.iter().map(|event| event.level(start)).collect();
+    }
+
+    /// The first event in a step, whose end has the sample `end`: the time it happens at.
+    pub fn check(
+        &mut self,
+        [from, to]: [f64; 2],
+        end: &Sample,
+        mut at: impl FnMut(f64) -> Sample,
+    ) -> Option<f64> {
+        let mut first: Option<(f64, Event)> = None;
+        for (event, before) in self.events.iter().zip(&mut self.levels) {
+            let after = event.level(end);
+            if *before != 0.0 && (after > 0.0) != (*before > 0.0) {
+                let (mut low, mut high) = (from, to);
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (low + high);
+                    let same = (event.level(&at(middle)) > 0.0) == (*before > 0.0);
+                    if same { low = middle } else { high = middle }
+                }
+                if first.is_none_or(|(t, _)| high < t) {
+                    first = Some((high, *event));
+                }
+            }
+            *before = after;
+        }
+        self.rung = first.map(|(_, event)| event);
+        first.map(|(t, _)| t)
+    }
+}

@@ -1,0 +1,164 @@
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use super::event::Alarm;
+use super::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, WORK, attitude, triple};
+use super::run::{Observer, Options, PROGRESS, Sample};
+use crate::math::ode::{Solver, State, Watcher};
+use crate::math::rotation;
+use crate::math::sym::{add, norm, scale};
+
+/// A system whose state begins with the slow parts of [`layout`](super::layout).
+pub(super) trait Motion {
+    /// What a state means.
+    fn look(&mut self, t: f64, y: &[f64]) -> Look;
+
+    /// What is constant along the motion.
+    fn invariant(&self) -> Invariant;
+}
+
+/// What a state means.
+#[derive(Clone, Debug)]
+pub(super) struct Look {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Momentum (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Energy of rotation and deformation (J).
+    pub energy: f64,
+    /// Internal coordinates and their rates.
+    pub q: Vec<f64>,
+    pub rate: Vec<f64>,
+}
+
+/// What is constant along a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Invariant {
+    /// The inertial momentum, of which the state holds the body components.
+    Momentum,
+    /// The inertial momentum, which the truncation disturbs.
+    Direction,
+    /// The inertial momentum less the impulse of the external moments.
+    Impulse,
+}
+
+/// Keeps the invariants and the accounts of a run.
+pub(super) struct Keeper<'o, F> {
+    motion: F,
+    /// Inertial momentum at the start.
+    K_N: [f64; 3],
+    /// Energy at the start.
+    energy: f64,
+    /// `Σ ln(|K|/G)` of the projections made. (P6)
+    drift: f64,
+    pub alarm: Alarm,
+    observer: &'o mut dyn Observer,
+}
+
+impl<'o, F: Motion> Keeper<'o, F> {
+    pub fn new(mut motion: F, y: &[f64], options: &Options, observer: &'o mut dyn Observer) -> Self {
+        let start = motion.look(0.0, y);
+        let K_N = rotation::to_inertial(attitude(y), start.momentum);
+        let alarm = Alarm::new(&options.events);
+        let mut keeper = Self { motion, K_N, energy: start.energy, drift: 0.0, alarm, observer };
+        let sample = keeper.sample(0.0, y);
+        keeper.alarm.set(&sample);
+        keeper
+    }
+
+    pub fn sample(&mut self, t: f64, y: &[f64]) -> Sample {
+        let look = self.motion.look(t, y);
+        self.read(t, y, &look)
+    }
+
+    fn read(&self, t: f64, y: &[f64], look: &Look) -> Sample {
+        let (momentum, energy) = (look.momentum, look.energy);
+        let attitude = self.aligned(y, momentum);
+        let momentum_drift = match self.motion.invariant() {
+            Invariant::Momentum => self.drift,
+            Invariant::Direction => norm(momentum) / norm(self.K_N) - 1.0,
+            Invariant::Impulse => {
+                let expected = add(self.K_N, triple(y, IMPULSE));
+                let gap = add(rotation::to_inertial(attitude, momentum), scale(-1.0, expected));
+                norm(gap) / norm(expected).max(norm(self.K_N))
+            }
+        };
+        Sample {
+            t,
+            omega: look.omega,
+            attitude,
+            momentum,
+            energy,
+            dissipated: y[DISSIPATED],
+            work: y[WORK],
+            energy_drift: energy - self.energy + y[DISSIPATED] - y[WORK],
+            momentum_drift,
+            turns: y[ANGLE] / TAU,
+        }
+    }
+
+    /// The attitude that gives the momentum its inertial direction where that is known (P3); a unit one elsewhere.
+    fn aligned(&self, y: &[f64], momentum: [f64; 3]) -> [f64; 4] {
+        let attitude = attitude(y);
+        match self.motion.invariant() {
+            Invariant::Momentum | Invariant::Direction => rotation::aligned(attitude, momentum, self.K_N),
+            Invariant::Impulse => {
+                let size = attitude.iter().map(|part| part * part).sum::<f64>().sqrt();
+                attitude.map(|part| part / size)
+            }
+        }
+    }
+
+    /// Puts `|K|` back to its value (P6) and the attitude where it belongs (P3).
+    fn hold_invariants<M: Solver>(&mut self, solver: &mut M) {
+        let y = solver.y().as_ref();
+        let mut change = solver.y().zeroed();
+        let momentum = match self.motion.invariant() {
+            Invariant::Momentum => {
+                let K = triple(y, MOMENTUM);
+                let drift = (norm(K) / norm(self.K_N)).ln();
+                self.drift += drift;
+                for axis in 0..3 {
+                    change.as_mut()[MOMENTUM + axis] = -drift * K[axis];
+                }
+                K
+            }
+            Invariant::Direction => self.motion.look(solver.t(), y).momentum,
+            Invariant::Impulse => [0.0; 3],
+        };
+        for (i, part) in self.aligned(y, momentum).into_iter().enumerate() {
+            change.as_mut()[ATTITUDE + i] = part - y[ATTITUDE + i];
+        }
+        solver.correct(&change);
+    }
+}
+
+impl<M: Solver, F: Motion> Watcher<M> for Keeper<'_, F> {
+    fn output(&mut self, t: f64, y: &M::State) {
+        let look = self.motion.look(t, y.as_ref());
+        let sample = self.read(t, y.as_ref(), &look);
+        self.observer.coordinates(&look.q, &look.rate);
+        self.observer.sample(&sample);
+    }
+
+    fn event(&mut self, solver: &mut M) -> Option<f64> {
+        if self.alarm.idle() {
+            return None;
+        }
+        let mut alarm = self.alarm.clone();
+        let dense = solver.dense();
+        let end = self.sample(solver.t(), solver.y().as_ref());
+        let event = alarm.check(dense.span(), &end, |t| self.sample(t, dense.at(t).as_ref()));
+        self.alarm = alarm;
+        event
+    }
+
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
+        self.hold_invariants(solver);
+        if solver.work().steps.is_multiple_of(PROGRESS) {
+            self.observer.progress(solver.t())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}

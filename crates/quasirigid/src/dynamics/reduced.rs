@@ -1,0 +1,164 @@
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use super::event::Alarm;
+use super::form::{Equations, Form, MomentumForm, PaperForm};
+use super::run::{Observer, Options, Outcome, PROGRESS, PropagateError, Run, Sample, SpinState, check};
+use super::spin::{Accounted, Accounts};
+use super::start::start;
+use crate::math::ode::{Dop853, Solver, Watcher, integrate};
+use crate::math::polynomial::Kernel;
+use crate::math::rotation;
+use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
+use crate::math::sym::norm;
+use crate::model::ReducedBody;
+
+/// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)
+///
+/// # Errors
+/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`].
+pub fn propagate(
+    body: &ReducedBody,
+    initial: SpinState,
+    times: &[f64],
+    options: Options,
+    observer: &mut dyn Observer,
+) -> Result<Run, PropagateError> {
+    check(norm(initial.omega), times, options.tolerance)?;
+    let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
+    let power = Kernel::new(&body.power);
+    let plan = Plan { power: &power, x, initial, times, options: &options, observer };
+    Ok(match options.form {
+        Form::Momentum => dispatch(Propagation { equations: &MomentumForm::new(body), plan }),
+        Form::Paper => dispatch(Propagation { equations: &PaperForm::new(body), plan }),
+    })
+}
+
+/// A propagation ready to run, in either form.
+struct Plan<'a> {
+    power: &'a Kernel,
+    x: [f64; 3],
+    initial: SpinState,
+    times: &'a [f64],
+    options: &'a Options,
+    observer: &'a mut dyn Observer,
+}
+
+struct Propagation<'a, E> {
+    equations: &'a E,
+    plan: Plan<'a>,
+}
+
+impl<E: Equations> Task for Propagation<'_, E> {
+    type Output = Run;
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> Run {
+        let Self { equations, plan: Plan { power, x, initial, times, options, observer } } = self;
+        let system = Accounted { equations, power };
+        let start =
+            Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
+        let (error, attitude, free) = (options.tolerance * norm(x), options.tolerance, f64::INFINITY);
+        let allowed =
+            [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
+        let mut solver = Dop853::<_, _, A>::new(system, 0.0, start.pack(), allowed);
+        let K = equations.momentum(x);
+        let mut keeper = Keeper {
+            equations,
+            form: options.form,
+            K_N: rotation::to_inertial(initial.attitude, K),
+            G: norm(K),
+            energy: equations.energy(x),
+            drift: 0.0,
+            alarm: Alarm::new(&options.events),
+            observer,
+        };
+        keeper.alarm.set(&keeper.sample(0.0, start));
+        let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
+        let last = keeper.sample(solver.t(), Accounts::unpack(*solver.y()));
+        Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() }
+    }
+}
+
+/// Keeps the invariants and the accounts of a propagation.
+struct Keeper<'a, E> {
+    equations: &'a E,
+    form: Form,
+    /// Inertial momentum.
+    K_N: [f64; 3],
+    /// `|K|` at the start.
+    G: f64,
+    /// Energy at the start.
+    energy: f64,
+    /// `Σ ln(|K|/G)` of the projections made. (P6)
+    drift: f64,
+    alarm: Alarm,
+    observer: &'a mut dyn Observer,
+}
+
+impl<E: Equations> Keeper<'_, E> {
+    fn sample(&self, t: f64, accounts: Accounts) -> Sample {
+        let x = accounts.x;
+        let K = self.equations.momentum(x);
+        let energy = self.equations.energy(x);
+        Sample {
+            t,
+            omega: self.equations.omega::<Plain>(x),
+            attitude: rotation::aligned(accounts.attitude, K, self.K_N),
+            momentum: K,
+            energy,
+            dissipated: accounts.dissipated,
+            work: 0.0,
+            energy_drift: energy - self.energy - accounts.energy_change,
+            momentum_drift: match self.form {
+                Form::Momentum => self.drift,
+                Form::Paper => norm(K) / self.G - 1.0,
+            },
+            turns: accounts.angle / TAU,
+        }
+    }
+
+    /// Puts `|K|` back to its value (P6) and the attitude back to the inertial momentum (P3).
+    #[inline(always)]
+    fn hold_invariants(&mut self, solver: &mut impl Solver<State = [f64; 12]>) {
+        let Accounts { x, attitude, .. } = Accounts::unpack(*solver.y());
+        let mut change = Accounts { x: [0.0; 3], attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
+        if self.form == Form::Momentum {
+            let drift = (norm(x) / self.G).ln();
+            self.drift += drift;
+            change.x = x.map(|K| -drift * K);
+        }
+        let aligned = rotation::aligned(attitude, self.equations.momentum(x), self.K_N);
+        change.attitude = std::array::from_fn(|i| aligned[i] - attitude[i]);
+        solver.correct(&change.pack());
+    }
+}
+
+impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
+    fn output(&mut self, t: f64, y: &[f64; 12]) {
+        let sample = self.sample(t, Accounts::unpack(*y));
+        self.observer.sample(&sample);
+    }
+
+    fn event(&mut self, solver: &mut M) -> Option<f64> {
+        if self.alarm.idle() {
+            return None;
+        }
+        let mut alarm = self.alarm.clone();
+        let dense = solver.dense();
+        let end = self.sample(solver.t(), Accounts::unpack(*solver.y()));
+        let event = alarm.check(dense.span(), &end, |t| self.sample(t, Accounts::unpack(dense.at(t))));
+        self.alarm = alarm;
+        event
+    }
+
+    #[inline(always)]
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
+        self.hold_invariants(solver);
+        if solver.work().steps.is_multiple_of(PROGRESS) {
+            self.observer.progress(solver.t())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}

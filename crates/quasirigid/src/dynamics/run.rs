@@ -1,0 +1,204 @@
+use std::ops::ControlFlow;
+
+use thiserror::Error;
+
+use super::event::Event;
+use super::form::Form;
+use super::slow::MAX_FORCED_ORDER;
+use crate::math::ode::{Ending, StepError, Work};
+
+/// Where a propagation starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpinState {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+}
+
+/// How a propagation is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Variable of a reduced system that is integrated.
+    pub form: Form,
+    /// How a full system is integrated.
+    pub method: Method,
+    /// Error allowed per step, relative to `|K|` or `|ω|` (1e-15 to 1e-2); the attitude is held to it in radians, and the
+    /// internal coordinates of a full system to the part of it that their share of the energy allows.
+    pub tolerance: f64,
+    /// Steps allowed.
+    pub most_steps: u64,
+    /// What ends the propagation.
+    pub events: Vec<Event>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            form: Form::Momentum,
+            method: Method::Automatic,
+            tolerance: 1e-12,
+            most_steps: 1_000_000_000,
+            events: Vec::new(),
+        }
+    }
+}
+
+/// How a full system is integrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Explicit while vibrations have to be followed, implicit while the step is many times their period.
+    #[default]
+    Automatic,
+    /// Explicit, of order 8: cheap steps, but none longer than the fastest vibration.
+    Explicit,
+    /// Implicit, of order 13: dear steps, as long as the motion allows.
+    Implicit,
+}
+
+/// The body at one time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Time (s).
+    pub t: f64,
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude, `R_NB`, scalar first.
+    pub attitude: [f64; 4],
+    /// Momentum (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Energy of the system integrated (J).
+    pub energy: f64,
+    /// Energy taken by the dashpots since the start (J). (P4)
+    pub dissipated: f64,
+    /// Work of the external forces since the start (J). (F12)
+    pub work: f64,
+    /// Change of energy that the integrator made by itself (J), of a reduced system under external forces that of the
+    /// truncation too. (P4)
+    pub energy_drift: f64,
+    /// Relative change of `|K|`: in the momentum form and the full system what the integrator made before it was
+    /// projected away (P6), in the paper's form the whole change, most of it the truncation of the series. Under external
+    /// forces the change of the inertial momentum beyond their impulse.
+    pub momentum_drift: f64,
+    /// Turns made, `∫|ω| dt / 2π`.
+    pub turns: f64,
+}
+
+/// Receives what a propagation produces while it runs.
+pub trait Observer {
+    /// A sample at a time asked for.
+    fn sample(&mut self, sample: &Sample);
+
+    /// The internal coordinates and their rates, just before the sample they belong to; full runs only.
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        let _ = (q, rate);
+    }
+
+    /// Called every few thousand steps; `Break` ends the propagation.
+    fn progress(&mut self, t: f64) -> ControlFlow<()> {
+        let _ = t;
+        ControlFlow::Continue(())
+    }
+}
+
+impl Observer for Vec<Sample> {
+    fn sample(&mut self, sample: &Sample) {
+        self.push(*sample);
+    }
+}
+
+/// How a propagation ended, with the last state reached; what was observed is valid up to there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Why it ended.
+    pub outcome: Outcome,
+    /// The last state reached.
+    pub last: Sample,
+    /// Work done.
+    pub work: Work,
+}
+
+/// Why a propagation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// The last output time was reached.
+    Finished,
+    /// The observer asked for an end.
+    Interrupted,
+    /// An event happened.
+    Event(Event),
+    /// The steps allowed were used up.
+    StepLimit,
+    /// No step could be made.
+    Failed(StepError),
+}
+
+impl Outcome {
+    pub(super) fn of(ending: Ending, rung: Option<Event>) -> Self {
+        match (ending, rung) {
+            (Ending::Event, Some(event)) => Self::Event(event),
+            (Ending::Finished | Ending::Event, _) => Self::Finished,
+            (Ending::Interrupted, _) => Self::Interrupted,
+            (Ending::StepLimit, _) => Self::StepLimit,
+            (Ending::Failed(error), _) => Self::Failed(error),
+        }
+    }
+}
+
+/// A propagation that cannot start.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum PropagateError {
+    /// The body does not turn, or its spin is no number.
+    #[error("{spin} rad/s is not a spin; give an angular velocity that is finite and not zero")]
+    NoSpin {
+        /// Size of the spin asked for (rad/s).
+        spin: f64,
+    },
+    /// The tolerance cannot be met, or means nothing.
+    #[error("the tolerance {tolerance:e} is out of range; choose one from 1e-15 to 1e-2")]
+    Tolerance {
+        /// Tolerance asked for.
+        tolerance: f64,
+    },
+    /// The times do not ascend from zero.
+    #[error("the output times must be finite, ascend and not be negative; {t} s follows {before} s")]
+    Times {
+        /// The time at fault (s).
+        t: f64,
+        /// The time before it (s).
+        before: f64,
+    },
+    /// No momentum belongs to the spin: the series does not hold there.
+    #[error(
+        "the truncated series has no momentum for this spin; the theory does not hold here: lower the spin, stiffen the springs, or use order 1"
+    )]
+    NoMomentum,
+    /// The order is beyond the reduction of a forced body.
+    #[error("order {order} is out of range for a body with external forces; choose one from 1 to {MAX_FORCED_ORDER}, in the paper's form to 3")]
+    Order {
+        /// Order asked for.
+        order: usize,
+    },
+    /// The free vibrations cannot be told apart.
+    #[error("the damped modes of the body could not be found; the damping matrix may be defective")]
+    NoModes,
+}
+
+/// Steps between two calls of [`Observer::progress`].
+pub(super) const PROGRESS: u64 = 4096;
+
+/// Refuses what no propagation can start from.
+pub(super) fn check(spin: f64, times: &[f64], tolerance: f64) -> Result<(), PropagateError> {
+    if !(spin.is_finite() && spin > 0.0) {
+        return Err(PropagateError::NoSpin { spin });
+    }
+    if !(1e-15..=1e-2).contains(&tolerance) {
+        return Err(PropagateError::Tolerance { tolerance });
+    }
+    let befores = std::iter::once(&0.0).chain(times);
+    match befores.zip(times).find(|(before, t)| !(*t >= *before && t.is_finite())) {
+        Some((&before, &t)) => Err(PropagateError::Times { t, before }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,12 @@
+//! Reduced motion of a body under external forces, by series in time at each state.
+
+mod flow;
+mod propagate;
+mod state;
+mod system;
+mod torque;
+
+pub use flow::{MAX_FORCED_ORDER, SlowPoint};
+pub use propagate::propagate_forced;
+pub use state::{SlowState, slow_state_point};
+pub use torque::{ForcedTorque, RigidState, forced_torque};

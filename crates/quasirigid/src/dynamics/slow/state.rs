@@ -1,0 +1,78 @@
+use super::flow::{MAX_FORCED_ORDER, SlowPoint, slow_point};
+use crate::dynamics::external::{Forced, Pose};
+use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY, attitude, triple};
+use crate::dynamics::run::PropagateError;
+use crate::math::sym::{add, norm, scale, times};
+
+/// A state of the slow motion: the momentum decides everything that is internal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlowState {
+    /// Momentum (N·m·s), body axes: about the centre of mass of a free body, about the pole of a held one.
+    pub momentum: [f64; 3],
+    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    /// Its velocity (m/s).
+    pub velocity: [f64; 3],
+}
+
+/// Steps of the iteration for the momentum of a spin; each gains the ratio of elastic to rigid momentum.
+const ITERATIONS: usize = 60;
+
+impl SlowState {
+    /// The state whose spin is `omega` (rad/s, body axes) on the slow manifold of order `p` at `t = 0`; the rest is taken
+    /// from `self`.
+    ///
+    /// # Errors
+    /// [`PropagateError::Order`], or [`PropagateError::NoMomentum`] if the slow manifold has no such spin.
+    pub fn with_spin(self, system: Forced, order: usize, omega: [f64; 3]) -> Result<Self, PropagateError> {
+        let J = system.body.invariants().J;
+        let mut state = Self { momentum: times(J, omega), ..self };
+        let mut best = f64::INFINITY;
+        for _ in 0..ITERATIONS {
+            let point = slow_state_point(system, order, &state)?;
+            let gap = add(omega, scale(-1.0, point.omega));
+            if norm(gap) <= 1e-15 * norm(omega) || norm(gap) >= 0.9 * best {
+                break;
+            }
+            best = norm(gap);
+            state.momentum = add(state.momentum, times(J, gap));
+        }
+        let near = best <= 1e-10 * norm(omega) || best.is_infinite();
+        if near && state.momentum.iter().all(|K| K.is_finite()) { Ok(state) } else { Err(PropagateError::NoMomentum) }
+    }
+
+    pub(super) fn pose(&self, t: f64) -> Pose<f64> {
+        Pose { t, attitude: self.attitude, place: self.place, velocity: self.velocity }
+    }
+
+    pub(super) fn pack(&self) -> [f64; SLOW] {
+        let mut y = [0.0; SLOW];
+        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.momentum);
+        y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);
+        y[PLACE..PLACE + 3].copy_from_slice(&self.place);
+        y[VELOCITY..VELOCITY + 3].copy_from_slice(&self.velocity);
+        y
+    }
+
+    pub(super) fn unpack(y: &[f64]) -> Self {
+        Self {
+            momentum: triple(y, MOMENTUM),
+            attitude: attitude(y),
+            place: triple(y, PLACE),
+            velocity: triple(y, VELOCITY),
+        }
+    }
+}
+
+/// The slow motion of order `p` through a state at `t = 0`. (E2)
+///
+/// # Errors
+/// [`PropagateError::Order`] if the order is not from 1 to [`MAX_FORCED_ORDER`].
+pub fn slow_state_point(system: Forced, order: usize, state: &SlowState) -> Result<SlowPoint, PropagateError> {
+    if !(1..=MAX_FORCED_ORDER).contains(&order) {
+        return Err(PropagateError::Order { order });
+    }
+    Ok(slow_point(system, order, state.momentum, &state.pose(0.0)))
+}

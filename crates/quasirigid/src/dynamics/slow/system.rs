@@ -1,0 +1,111 @@
+use super::flow::slow_point;
+use super::state::SlowState;
+use super::torque::{ForcedTorque, RigidState, forced_torque};
+use crate::dynamics::external::Forced;
+use crate::dynamics::form::Form;
+use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
+use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK};
+use crate::math::ode::System;
+use crate::math::rotation::{self, Turn};
+use crate::math::simd::Arithmetic;
+use crate::math::sym::{add, cross, inverse, norm, scale, times};
+use crate::model::force::{Loads, Situation};
+use crate::model::{Motion, Support};
+
+/// The reduced equations of a forced body. In the momentum form the state holds the momentum, `K̇ = K × ω + M`, with spin and
+/// loads of the slow motion (E2); in the paper's form the spin, `Jω̇ + ω × Jω = M* + μ` (E3).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlowSystem<'a> {
+    pub system: Forced<'a>,
+    pub order: usize,
+    pub form: Form,
+}
+
+/// What the equations need of a state.
+struct Rates {
+    omega: [f64; 3],
+    first: [f64; 3],
+    acceleration: [f64; 3],
+    loads: Loads<f64>,
+    q: Vec<f64>,
+    rate: Vec<f64>,
+}
+
+impl SlowSystem<'_> {
+    fn rates(&self, t: f64, y: &[f64]) -> Rates {
+        match self.form {
+            Form::Momentum => self.momentum_form(t, y),
+            Form::Paper => self.paper_form(t, y),
+        }
+    }
+
+    fn momentum_form(&self, t: f64, y: &[f64]) -> Rates {
+        let state = SlowState::unpack(y);
+        let pose = state.pose(t);
+        let point = slow_point(self.system, self.order, state.momentum, &pose);
+        Rates {
+            omega: point.omega,
+            first: add(cross(state.momentum, point.omega), point.loads.moment),
+            acceleration: self.system.acceleration(&pose, &point.loads),
+            loads: point.loads,
+            q: point.q,
+            rate: point.rate,
+        }
+    }
+
+    fn paper_form(&self, t: f64, y: &[f64]) -> Rates {
+        let SlowState { momentum: omega, attitude, place, velocity } = SlowState::unpack(y);
+        let body = self.system.body;
+        let at = RigidState { t, omega, attitude, pole: place, pole_velocity: velocity };
+        let ForcedTorque { moment, mu, force, phi, q, rate } = forced_torque(self.system, self.order, &at);
+        let J = body.invariants().J;
+        let torque = add(add(moment, mu), cross(times(J, omega), omega));
+        let motion = Motion { omega, q: &q, rate: &rate };
+        let situation = Situation { t, attitude, pole: place, pole_velocity: velocity, motion };
+        let loads = body.loads(self.system.forces, &situation).about_center(body, &q);
+        let acceleration = match body.support() {
+            Support::Free => {
+                scale(body.invariants().mass.recip(), Turn::of(attitude).to_inertial(add(force, phi)))
+            }
+            Support::FixedPoint { .. } | Support::Prescribed { .. } => {
+                self.system.acceleration(&SlowState::unpack(y).pose(t), &loads)
+            }
+        };
+        Rates { omega, first: times(inverse(J), torque), acceleration, loads, q, rate }
+    }
+}
+
+impl System<[f64; SLOW]> for SlowSystem<'_> {
+    fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW], rate: &mut [f64; SLOW]) {
+        let now = self.rates(t, y);
+        let attitude = SlowState::unpack(y).attitude;
+        let motion = Motion { omega: now.omega, q: &now.q, rate: &now.rate };
+        let damped = self.system.body.damping().times(&now.rate);
+        rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);
+        rate[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, now.omega));
+        rate[DISSIPATED] = damped.iter().zip(&now.rate).map(|(force, rate)| force * rate).sum();
+        rate[WORK] = Loads { force: [0.0; 3], ..now.loads.clone() }.power(motion, [0.0; 3]);
+        rate[ANGLE] = norm(now.omega);
+        let impulse = Turn::of(attitude).to_inertial(now.loads.moment);
+        rate[IMPULSE..IMPULSE + 3].copy_from_slice(&impulse);
+        rate[PLACE..PLACE + 3].copy_from_slice(&SlowState::unpack(y).velocity);
+        rate[VELOCITY..VELOCITY + 3].copy_from_slice(&now.acceleration);
+    }
+}
+
+impl Followed for SlowSystem<'_> {
+    fn look(&mut self, t: f64, y: &[f64]) -> Look {
+        let Rates { omega, q, rate, .. } = self.rates(t, y);
+        let motion = Motion { omega, q: &q, rate: &rate };
+        let momentum = self.system.body.momentum(motion);
+        Look { omega, momentum, energy: self.system.body.energy(motion), q, rate }
+    }
+
+    fn invariant(&self) -> Invariant {
+        match (self.system.acts(), self.form) {
+            (true, _) => Invariant::Impulse,
+            (false, Form::Momentum) => Invariant::Momentum,
+            (false, Form::Paper) => Invariant::Direction,
+        }
+    }
+}

@@ -1,0 +1,46 @@
+use crate::dynamics::Sample;
+use crate::math::rotation::angle_between;
+use crate::math::sym::{add, norm, scale};
+
+/// How far a reduced history is from the full one: the largest difference at any of its times.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Difference {
+    /// Of the spin, relative to the largest spin.
+    pub omega: f64,
+    /// Of the attitude (rad).
+    pub attitude: f64,
+    /// Of the energy that the dashpots have taken (J).
+    pub dissipated: f64,
+    /// That energy itself (J), at the end of the full history.
+    pub dissipation: f64,
+}
+
+impl Difference {
+    /// Compares two histories at the same times.
+    #[must_use]
+    pub fn between(full: &[Sample], reduced: &[Sample]) -> Self {
+        let spin = full.iter().map(|sample| norm(sample.omega)).fold(0.0, f64::max);
+        let mut difference = Self {
+            dissipation: full.last().map_or(0.0, |last| last.dissipated),
+            ..Self::default()
+        };
+        if full.len() != reduced.len() {
+            return Self { omega: f64::NAN, attitude: f64::NAN, dissipated: f64::NAN, ..difference };
+        }
+        for (full, reduced) in full.iter().zip(reduced) {
+            let gap = norm(add(full.omega, scale(-1.0, reduced.omega))) / spin;
+            let turned = angle_between(full.attitude, reduced.attitude);
+            let taken = (full.dissipated - reduced.dissipated).abs();
+            for (largest, value) in [
+                (&mut difference.omega, gap),
+                (&mut difference.attitude, turned),
+                (&mut difference.dissipated, taken),
+            ] {
+                if !(value <= *largest) {
+                    *largest = value;
+                }
+            }
+        }
+        difference
+    }
+}

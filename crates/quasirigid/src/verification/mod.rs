@@ -1,0 +1,9 @@
+//! Proof of a reduction: the full system beside the reduced ones, at ever stiffer springs.
+
+mod compare;
+mod runs;
+mod verify;
+
+pub use compare::Difference;
+pub use runs::Start;
+pub use verify::{OrderRow, Plan, Verification, VerificationError, verify};

@@ -1,0 +1,103 @@
+use std::ops::ControlFlow;
+
+use super::verify::VerificationError;
+use crate::dynamics::{
+    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, SpinState,
+    propagate, propagate_forced, propagate_full,
+};
+use crate::reduction::{MAX_ORDER, reduce};
+
+/// Where the histories start: the state of a slow motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// Spin (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    /// Its velocity (m/s).
+    pub velocity: [f64; 3],
+}
+
+impl Start {
+    /// The full state on the slow manifold, two orders above `order` where there are so many, with this spin.
+    ///
+    /// # Errors
+    /// [`VerificationError`] if there is no such state.
+    pub fn settled(&self, system: Forced, order: usize) -> Result<FullState, VerificationError> {
+        let Start { omega, attitude, place, velocity } = *self;
+        if system.acts() {
+            let above = (order + 2).min(MAX_FORCED_ORDER);
+            let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+            let slow = still.with_spin(system, above, omega)?;
+            return Ok(FullState::on_manifold(system, above, &slow)?);
+        }
+        let reduced = reduce(system.body, (order + 2).min(MAX_ORDER))?;
+        let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
+        Ok(FullState { omega, attitude, q, rate, place, velocity })
+    }
+}
+
+/// The full history at the times, from the slow manifold of an order above `order`; and where it starts.
+pub(super) fn full(
+    system: Forced,
+    start: &Start,
+    order: usize,
+    times: &[f64],
+    options: Options,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<(FullState, Vec<Sample>), VerificationError> {
+    let state = start.settled(system, order)?;
+    let mut collector = Collector { samples: Vec::new(), watch };
+    let run = propagate_full(system, &state, times, options, &mut collector)?;
+    finished(run.outcome)?;
+    Ok((state, collector.samples))
+}
+
+/// The reduced history of order `p` at the times, with the momentum that the full one starts with.
+pub(super) fn reduced(
+    system: Forced,
+    full: &FullState,
+    order: usize,
+    times: &[f64],
+    options: Options,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Vec<Sample>, VerificationError> {
+    let momentum = full.momentum(system.body);
+    let mut collector = Collector { samples: Vec::new(), watch };
+    let run = if system.acts() {
+        let FullState { attitude, place, velocity, .. } = *full;
+        let slow = SlowState { momentum, attitude, place, velocity };
+        propagate_forced(system, order, &slow, times, options, &mut collector)?
+    } else {
+        let body = reduce(system.body, order)?;
+        let initial = SpinState { omega: body.Omega.vector(momentum), attitude: full.attitude };
+        propagate(&body, initial, times, options, &mut collector)?
+    };
+    finished(run.outcome)?;
+    Ok(collector.samples)
+}
+
+fn finished(outcome: Outcome) -> Result<(), VerificationError> {
+    match outcome {
+        Outcome::Finished => Ok(()),
+        Outcome::Interrupted => Err(VerificationError::Interrupted),
+        other => Err(VerificationError::Unfinished { outcome: other }),
+    }
+}
+
+struct Collector<'a> {
+    samples: Vec<Sample>,
+    watch: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
+}
+
+impl Observer for Collector<'_> {
+    fn sample(&mut self, sample: &Sample) {
+        self.samples.push(*sample);
+    }
+
+    fn progress(&mut self, t: f64) -> ControlFlow<()> {
+        (self.watch)(t)
+    }
+}

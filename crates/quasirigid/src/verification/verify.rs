@@ -1,0 +1,183 @@
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use thiserror::Error;
+
+use super::compare::Difference;
+use super::runs::{Start, full, reduced};
+use crate::dynamics::{Forced, MAX_FORCED_ORDER, Options, Outcome, PropagateError};
+use crate::math::sym::norm;
+use crate::model::FlexibleError;
+use crate::reduction::{MAX_ORDER, ReductionError};
+
+/// What a verification does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Orders `p` to verify, from 1.
+    pub orders: Vec<usize>,
+    /// Turns of the histories at the initial spin.
+    pub rotations: f64,
+    /// How often `ε` is halved: `C → C/ε²`, `B → B/ε` with `ε = 1, ½, ¼, …`.
+    pub halvings: usize,
+    /// Times at which the histories are compared.
+    pub samples: usize,
+}
+
+impl Default for Plan {
+    fn default() -> Self {
+        Self { orders: vec![1, 2, 3], rotations: 5.0, halvings: 4, samples: 200 }
+    }
+}
+
+/// Differences between full and reduced histories, order by order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verification {
+    /// Factors `ε`, descending from 1, which is the model itself.
+    pub epsilons: Vec<f64>,
+    /// Duration of the histories (s).
+    pub duration: f64,
+    /// One row per order asked for.
+    pub rows: Vec<OrderRow>,
+}
+
+/// What was measured at one order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrderRow {
+    /// Order `p`.
+    pub p: usize,
+    /// Differences at each `ε`.
+    pub differences: Vec<Difference>,
+    /// Order in `ε` of the difference in spin, from the smallest `ε` whose difference stands above rounding; none if
+    /// there are no two of them.
+    pub order: Option<f64>,
+}
+
+/// A verification that could not be made.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum VerificationError {
+    /// No order to verify, or one out of range.
+    #[error("order {order} cannot be verified here; choose orders from 1 to {highest}")]
+    Order {
+        /// Order asked for.
+        order: usize,
+        /// Highest order.
+        highest: usize,
+    },
+    /// A number of the plan that means nothing.
+    #[error("a verification over {rotations} rotations with {halvings} halvings means nothing; choose more than 0 rotations, and 1 to 12 halvings")]
+    Plan {
+        /// Rotations asked for.
+        rotations: f64,
+        /// Halvings asked for.
+        halvings: usize,
+    },
+    /// The reduction failed.
+    #[error(transparent)]
+    Reduction(#[from] ReductionError),
+    /// The stiffened body is no body.
+    #[error(transparent)]
+    Body(#[from] FlexibleError),
+    /// A history could not start.
+    #[error(transparent)]
+    Propagate(#[from] PropagateError),
+    /// A history ended early.
+    #[error("a history ended early: {outcome:?}")]
+    Unfinished {
+        /// Why it ended.
+        outcome: Outcome,
+    },
+    /// The observer asked for an end.
+    #[error("the verification was interrupted")]
+    Interrupted,
+}
+
+/// Tolerances of the full and the reduced histories.
+const FULL: f64 = 1e-13;
+const REDUCED: f64 = 1e-14;
+/// Differences in spin below this, per turn, may be the integrators'.
+const ROUNDING: f64 = 1e-12;
+
+/// Runs the full system and the reduced ones side by side, from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
+///
+/// `watch` is called with the share of the work done; `Break` ends the verification.
+///
+/// # Errors
+/// [`VerificationError`].
+pub fn verify(
+    system: Forced,
+    start: &Start,
+    plan: &Plan,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Verification, VerificationError> {
+    let highest = check(system, plan)?;
+    let duration = plan.rotations * TAU / norm(start.omega);
+    let times: Vec<f64> = (1..=plan.samples).map(|i| duration * i as f64 / plan.samples as f64).collect();
+    let epsilons: Vec<f64> = (0..=plan.halvings).map(|k| 0.5_f64.powi(k as i32)).collect();
+    let runs = (epsilons.len() * (plan.orders.len() + 1)) as f64;
+    let mut done = 0.0;
+    let mut rows: Vec<OrderRow> =
+        plan.orders.iter().map(|p| OrderRow { p: *p, differences: Vec::new(), order: None }).collect();
+    for epsilon in &epsilons {
+        let body = system.body.stiffened(*epsilon)?;
+        let scaled = Forced { body: &body, ..system };
+        let part = |done: f64| move |t: f64| (done + t / duration) / runs;
+        let mut share = part(done);
+        let options = |tolerance: f64| Options { tolerance, ..Options::default() };
+        let (state, truth) = full(scaled, start, highest, &times, options(FULL), &mut |t| watch(share(t)))?;
+        done += 1.0;
+        for row in &mut rows {
+            share = part(done);
+            let history = reduced(scaled, &state, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
+            row.differences.push(Difference::between(&truth, &history));
+            done += 1.0;
+        }
+    }
+    for row in &mut rows {
+        row.order = order(&epsilons, &row.differences, ROUNDING * plan.rotations.max(1.0));
+    }
+    Ok(Verification { epsilons, duration, rows })
+}
+
+/// The highest order asked for.
+fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
+    let highest = if system.acts() { MAX_FORCED_ORDER - 2 } else { MAX_ORDER - 2 };
+    let wrong = plan.orders.iter().find(|order| !(1..=highest).contains(*order));
+    if let Some(order) = wrong.copied().or(plan.orders.is_empty().then_some(0)) {
+        return Err(VerificationError::Order { order, highest });
+    }
+    let Plan { rotations, halvings, .. } = *plan;
+    if !(rotations > 0.0 && rotations.is_finite() && (1..=12).contains(&halvings)) {
+        return Err(VerificationError::Plan { rotations, halvings });
+    }
+    Ok(plan.orders.iter().copied().max().unwrap_or(1))
+}
+
+/// Slope of the difference in spin at the smallest `ε` that rounding leaves alone.
+fn order(epsilons: &[f64], differences: &[Difference], rounding: f64) -> Option<f64> {
+    let above = differences.iter().take_while(|difference| difference.omega > rounding).count();
+    let (last, before) = (above.checked_sub(1)?, above.checked_sub(2)?);
+    let ratio = differences[before].omega / differences[last].omega;
+    Some(ratio.ln() / (epsilons[before] / epsilons[last]).ln())
+}
+
+/// An order that falls short by more than this is not reached.
+const SHORT: f64 = 0.3;
+
+impl OrderRow {
+    /// Whether the difference falls as `ε^{p+1}`, as it should; a difference that cannot be told from rounding is small
+    /// enough.
+    #[must_use]
+    pub fn reached(&self) -> bool {
+        self.order.is_none_or(|order| order > (self.p + 1) as f64 - SHORT)
+            && self.differences.iter().all(|difference| difference.omega.is_finite())
+    }
+}
+
+impl Verification {
+    /// Whether every order asked for was reached.
+    #[must_use]
+    pub fn reached(&self) -> bool {
+        self.rows.iter().all(OrderRow::reached)
+    }
+}

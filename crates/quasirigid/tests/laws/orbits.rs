@@ -1,0 +1,143 @@
+//! Orbits against the law they obey, `R̈ = −μ₀ R/r³`, and its integrals. (F10)
+
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use quasirigid::math::scalar::Smooth;
+use quasirigid::math::taylor::Taylor;
+use quasirigid::model::force::{Orbit, Passage};
+
+use crate::forced::orbit;
+use crate::support::cases;
+
+type V = Vector3<f64>;
+
+fn at(orbit: &Orbit, t: f64) -> (V, V) {
+    let Passage { place, velocity, .. } = orbit.at(t);
+    (place.into(), velocity.into())
+}
+
+/// Orbits of every size and eccentricity, with the largest first power of rounding that they suffer: the equation for
+/// the anomaly loses digits where the orbit is nearly a line.
+fn orbits() -> impl Strategy<Value = (Orbit, f64)> {
+    (orbit(), 0.0..6.0, -9.0..9.0, -9.0..9.0).prop_map(
+        |(orbit, narrow, length, time): (Orbit, f64, f64, f64)| {
+            let flatness = 10f64.powf(-narrow);
+            let (length, time) = (10f64.powf(length), 10f64.powf(time));
+            let orbit = Orbit {
+                eccentricity: 1.0 - flatness,
+                semi_major_axis: orbit.semi_major_axis * length,
+                parameter: orbit.parameter * length.powi(3) / time.powi(2),
+                ..orbit
+            };
+            (orbit, 1e-14 / flatness)
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(cases(128))]
+
+    #[test]
+    fn energy_momentum_and_shape_are_constant_along_an_orbit(
+        (orbit, rounding) in orbits(), phase in -20.0..20.0
+    ) {
+        let Orbit { parameter, semi_major_axis: a, eccentricity: e, .. } = orbit;
+        let (R, velocity) = at(&orbit, phase * orbit.period());
+        let r = R.norm();
+        let radius: f64 = orbit.at(phase * orbit.period()).radius;
+        prop_assert!((radius / r - 1.0).abs() < rounding);
+        let energy = 0.5 * velocity.norm_squared() - parameter / r;
+        prop_assert!((energy + 0.5 * parameter / a).abs() < rounding * (parameter / r), "{energy:e}");
+        let momentum = R.cross(&velocity);
+        let (si, ci) = orbit.inclination.sin_cos();
+        let (sn, cn) = orbit.node.sin_cos();
+        let normal = V::new(si * sn, -si * cn, ci);
+        let size = (parameter * a * (1.0 - e) * (1.0 + e)).sqrt();
+        prop_assert!((momentum / size - normal).norm() < rounding, "{momentum:?}");
+        // Laplace's vector points to the periapsis, which is the angle from the node.
+        let laplace = velocity.cross(&momentum) / parameter - R / r;
+        let node = V::new(cn, sn, 0.0);
+        let (sp, cp) = orbit.periapsis.sin_cos();
+        prop_assert!((laplace - e * (cp * node + sp * normal.cross(&node))).norm() < rounding);
+    }
+
+    #[test]
+    fn the_body_returns_after_a_period_and_starts_at_its_mean_anomaly((orbit, _) in orbits(), phase in -2.0..2.0) {
+        let orbit = Orbit { eccentricity: 0.9 * orbit.eccentricity, ..orbit };
+        let t = phase * orbit.period();
+        let (R, velocity) = at(&orbit, t);
+        let (later, faster) = at(&orbit, t + orbit.period());
+        prop_assert!((later - R).norm() < 1e-12 * R.norm());
+        prop_assert!((faster - velocity).norm() < 1e-12 * velocity.norm());
+        // Halfway between two passages of the periapsis the body is at the apoapsis.
+        let half = (std::f64::consts::PI - orbit.mean_anomaly) / orbit.mean_motion();
+        let apoapsis = orbit.semi_major_axis * (1.0 + orbit.eccentricity);
+        prop_assert!((at(&orbit, half).0.norm() / apoapsis - 1.0).abs() < 1e-12);
+    }
+}
+
+/// `(k + 1)(k + 2) R_{k+2} = −μ₀ [R/r³]_k` for every Taylor coefficient in time, and the velocity is the derivative.
+fn obeys_the_law<const N: usize>(orbit: Orbit, t: f64) -> Result<(), TestCaseError> {
+    let Passage { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
+    // Coefficients grow by powers of the rate at which the body passes; the factor covers those that vanish by chance.
+    let unit = 0.3 * radius.value() / V::from(velocity.map(|v| v.value())).norm();
+    let pull = Taylor::from(-orbit.parameter) / (radius * radius * radius);
+    for axis in 0..3 {
+        let (rate, attraction) = (place[axis].derivative(), pull * place[axis]);
+        let acceleration = rate.derivative();
+        let mut size = radius.value() / unit.powi(2);
+        for k in 0..N - 2 {
+            let (found, expected) = (acceleration.coefficient(k), attraction.coefficient(k));
+            prop_assert!((found - expected).abs() < 1e-12 * size, "{N} terms, {k}: {found:e} {expected:e}");
+            let (found, expected) = (rate.coefficient(k), velocity[axis].coefficient(k));
+            prop_assert!(
+                (found - expected).abs() < 1e-12 * size * unit,
+                "{N} terms, {k}: {found:e} {expected:e}"
+            );
+            size /= unit;
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    #[test]
+    fn every_taylor_coefficient_of_an_orbit_obeys_the_law_of_attraction((orbit, _) in orbits(), phase in -2.0..2.0) {
+        let orbit = Orbit { eccentricity: 0.9 * orbit.eccentricity, ..orbit };
+        let t = phase * orbit.period();
+        obeys_the_law::<3>(orbit, t)?;
+        obeys_the_law::<8>(orbit, t)?;
+        obeys_the_law::<17>(orbit, t)?;
+    }
+}
+
+/// Near the periapsis of a nearly straight orbit, where Newton's method from the mean anomaly goes astray.
+#[test]
+fn the_anomaly_is_found_however_narrow_the_orbit() {
+    for e in [0.0, 0.5, 0.999, 1.0 - 1e-9, 1.0 - 1e-15] {
+        for exponent in -60..1 {
+            for sign in [1.0, -1.0] {
+                let M = sign * 3.1 * 10f64.powf(f64::from(exponent) / 4.0);
+                let orbit = Orbit {
+                    parameter: 1.0,
+                    semi_major_axis: 1.0,
+                    eccentricity: e,
+                    inclination: 0.0,
+                    node: 0.0,
+                    periapsis: 0.0,
+                    mean_anomaly: M,
+                };
+                let ([x, y, _], radius) = (orbit.at(0.0).place, orbit.at(0.0).radius);
+                let E = (y / ((1.0 - e) * (1.0 + e)).sqrt()).atan2(x + e);
+                // The equation, to the rounding of its largest term.
+                assert!(
+                    (E - e * E.sin() - M).abs() < 1e-15 * E.abs().max(1e-15),
+                    "e = {e}, M = {M:e}: {E:e}"
+                );
+                assert!(radius > 0.0, "e = {e}, M = {M:e}");
+            }
+        }
+    }
+}

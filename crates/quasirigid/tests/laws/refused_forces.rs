@@ -1,0 +1,161 @@
+//! Forces that cannot be are refused, with the place and the value; and where the others act. Thresholds on both sides.
+
+use nalgebra::Vector3;
+use quasirigid::elements::{Assembly, ElementError, End, Field, Place, Problem, Station};
+use quasirigid::math::expression::Expression;
+use quasirigid::model::Support;
+use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+
+use crate::wobbler;
+
+const NAN: f64 = f64::NAN;
+const GOOD: [f64; 3] = [0.1, -0.2, 0.3];
+const BAD: [f64; 3] = [0.1, f64::INFINITY, 0.3];
+const STEADY: Wave = Wave { frequency: 0.0, phase: 0.0 };
+const CARRIER: Station = Station { on: End::Carrier, at: Some(GOOD) };
+const POINT: Station = Station { on: End::Point(0), at: None };
+const ORBIT: Orbit = Orbit {
+    parameter: 3.986e14,
+    semi_major_axis: 7e6,
+    eccentricity: 0.1,
+    inclination: 1.0,
+    node: -2.0,
+    periapsis: 9.0,
+    mean_anomaly: 0.5,
+};
+
+fn body(law: Law<Station>) -> Assembly {
+    let force = |law| Force { name: "wind".into(), law };
+    // The second force is the one tried.
+    Assembly { forces: vec![force(Law::SpinDrag { coefficient: 1.0 }), force(law)], ..wobbler::assembly() }
+}
+
+/// The error of a force; [`Assembly::check`] finds the same one and no other, and the body is none the worse for it.
+fn error(law: Law<Station>) -> Option<ElementError> {
+    let assembly = body(law);
+    assert!(assembly.body().is_ok());
+    let error = assembly.forces().err();
+    let texts = |errors: &[ElementError]| errors.iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!(texts(&assembly.check()), texts(error.as_slice()));
+    error
+}
+
+macro_rules! refused {
+    ($law:expr, $field:expr, $problem:pat) => {{
+        let error = error($law).unwrap();
+        assert_eq!((error.place, error.field), (Place::Force(1), $field), "{error}");
+        assert!(matches!(error.problem, $problem), "{error}");
+        assert!(error.to_string().starts_with("force 2: "), "{error}");
+    }};
+}
+
+#[test]
+fn amplitudes_that_are_not_finite_are_refused() {
+    use Problem::NotFinite;
+    let torque = |torque, wave| Law::Torque { torque, axes: Axes::Body, wave };
+    let thrust = |force, wave| Law::Thrust { at: POINT, force, axes: Axes::Inertial, wave };
+    let magnet = |moment, field| Law::MagneticDipole { moment, field };
+    refused!(Law::UniformGravity { acceleration: BAD }, Field::Acceleration, NotFinite { .. });
+    refused!(torque(BAD, STEADY), Field::Torque, NotFinite { .. });
+    refused!(thrust(BAD, STEADY), Field::Force, NotFinite { .. });
+    refused!(thrust(GOOD, Wave { frequency: NAN, phase: 0.0 }), Field::Frequency, NotFinite { .. });
+    refused!(torque(GOOD, Wave { frequency: 1.0, phase: NAN }), Field::Phase, NotFinite { .. });
+    refused!(magnet(BAD, MagneticField::Uniform(GOOD)), Field::Moment, NotFinite { .. });
+    refused!(magnet(GOOD, MagneticField::Uniform(BAD)), Field::MagneticField, NotFinite { .. });
+    let dipole = |strength, orbit| magnet(GOOD, MagneticField::Dipole { strength, orbit });
+    refused!(dipole(BAD, ORBIT), Field::Dipole, NotFinite { .. });
+    let low = Orbit { semi_major_axis: 0.0, ..ORBIT };
+    refused!(dipole(GOOD, low), Field::SemiMajorAxis, Problem::NotPositive { .. });
+    for law in [
+        Law::UniformGravity { acceleration: [0.0; 3] },
+        torque(GOOD, Wave { frequency: -1.0, phase: -9.0 }),
+        thrust(GOOD, STEADY),
+        dipole(GOOD, ORBIT),
+    ] {
+        assert_eq!(error(law), None);
+    }
+}
+
+#[test]
+fn a_drag_must_not_drive() {
+    for value in [-1e-300, -1.0] {
+        let drag = Law::Drag { at: CARRIER, coefficient: value };
+        refused!(drag, Field::Coefficient, Problem::Driving { .. });
+        refused!(Law::SpinDrag { coefficient: value }, Field::Coefficient, Problem::Driving { .. });
+    }
+    refused!(Law::Drag { at: POINT, coefficient: NAN }, Field::Coefficient, Problem::NotFinite { .. });
+    assert_eq!(error(Law::Drag { at: CARRIER, coefficient: 0.0 }), None);
+}
+
+#[test]
+fn an_orbit_is_an_ellipse_about_something() {
+    let on = |orbit| Law::CentralGravity { orbit };
+    for value in [0.0, -1.0] {
+        let centre = Orbit { parameter: value, ..ORBIT };
+        refused!(on(centre), Field::GravitationalParameter, Problem::NotPositive { .. });
+        let size = Orbit { semi_major_axis: value, ..ORBIT };
+        refused!(on(size), Field::SemiMajorAxis, Problem::NotPositive { .. });
+    }
+    for eccentricity in [-1e-9, 1.0, 1.5] {
+        refused!(on(Orbit { eccentricity, ..ORBIT }), Field::Eccentricity, Problem::NotElliptic { .. });
+    }
+    for eccentricity in [0.0, 1.0 - f64::EPSILON] {
+        assert_eq!(error(on(Orbit { eccentricity, ..ORBIT })), None);
+    }
+    let not_finite = [
+        (Orbit { parameter: NAN, ..ORBIT }, Field::GravitationalParameter),
+        (Orbit { semi_major_axis: f64::INFINITY, ..ORBIT }, Field::SemiMajorAxis),
+        (Orbit { eccentricity: NAN, ..ORBIT }, Field::Eccentricity),
+        (Orbit { inclination: NAN, ..ORBIT }, Field::Inclination),
+        (Orbit { node: NAN, ..ORBIT }, Field::Node),
+        (Orbit { periapsis: NAN, ..ORBIT }, Field::Periapsis),
+        (Orbit { mean_anomaly: NAN, ..ORBIT }, Field::MeanAnomaly),
+    ];
+    for (orbit, field) in not_finite {
+        refused!(on(orbit), field, Problem::NotFinite { .. });
+    }
+}
+
+#[test]
+fn a_force_acts_somewhere() {
+    let drag = |on, at| Law::Drag { at: Station { on, at }, coefficient: 1.0 };
+    refused!(drag(End::Carrier, None), Field::At, Problem::NoStation);
+    refused!(drag(End::Carrier, Some(BAD)), Field::At, Problem::NotFinite { .. });
+    refused!(drag(End::Point(0), Some(GOOD)), Field::At, Problem::StationOnPoint);
+    let points = wobbler::assembly().points.len();
+    refused!(drag(End::Point(points), None), Field::On, Problem::NoSuchPoint { .. });
+    assert_eq!(error(drag(End::Point(points - 1), None)), None);
+}
+
+#[test]
+fn the_start_of_a_driven_pole_is_finite() {
+    let driven = |velocity, position| {
+        let mut assembly = wobbler::assembly();
+        let acceleration = ["1", "sin(t)", "0"].map(|text| Expression::parse(text, &["t"]).unwrap());
+        assembly.support = Support::Prescribed { point: GOOD, acceleration, velocity, position };
+        let error = assembly.body().err();
+        assert_eq!(assembly.check().first(), error.as_ref());
+        error.map(|error| (error.place, error.field))
+    };
+    assert_eq!(driven(BAD, GOOD), Some((Place::Support, Field::Velocity)));
+    assert_eq!(driven(GOOD, BAD), Some((Place::Support, Field::Position)));
+    assert_eq!(driven(GOOD, GOOD), None);
+}
+
+/// Places are from the pole, wherever the body is held, and those on a point move with it.
+#[test]
+fn forces_act_at_their_stations() {
+    let drag = |at| Law::Drag { at, coefficient: 1.0 };
+    for support in [Support::Free, Support::FixedPoint { point: [0.7, -0.4, 0.2] }] {
+        let mut assembly = body(drag(CARRIER));
+        assembly.forces.push(Force { name: "tip".into(), law: drag(POINT) });
+        assembly.support = support;
+        let (whole, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+        assert_eq!(forces[0].law.place(), None);
+        let on_carrier = forces[1].law.place().unwrap();
+        let from_pole = Vector3::from(GOOD) - Vector3::from(whole.pole());
+        assert_eq!((&on_carrier.name[..], on_carrier.position), ("wind", from_pole.into()));
+        assert!(on_carrier.shapes.is_empty());
+        assert_eq!(forces[2].law.place(), whole.markers().first());
+    }
+}

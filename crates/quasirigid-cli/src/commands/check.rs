@@ -19,7 +19,7 @@ const LISTED: usize = 9;
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
-    let Loaded { model, body, order } = load(&arguments.common)?;
+    let Loaded { model, body, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
     let omega = initial(&model, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;

@@ -8,7 +8,7 @@ use crate::{Ending, output};
 
 /// Prints the reduced equations.
 pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
-    let Loaded { model, body, order } = load(&arguments.common)?;
+    let Loaded { model, body, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
     let reduced = reduce(&body, order)?;
     let frequencies = frequencies(&body)?;

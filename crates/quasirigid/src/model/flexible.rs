@@ -32,7 +32,7 @@ pub struct Coordinate {
     pub unit: &'static str,
 }
 
-/// A place on the body whose displacement says whether the body stays nearly rigid.
+/// A place on the body: its displacement says whether the body stays nearly rigid, and a force may act there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
     /// What it marks.

@@ -21,6 +21,7 @@ mod invariants;
 mod lagrangian;
 mod mechanisms;
 mod momentum_form;
+mod nutation;
 mod orbits;
 mod orders;
 mod outcomes;

@@ -20,7 +20,7 @@ pub struct SlowPoint {
 }
 
 /// Highest order of the reduction of a forced body.
-pub const MAX_FORCED_ORDER: usize = 7;
+pub const MAX_FORCED_ORDER: usize = 5;
 
 /// The slow motion of order `p` through a state. (E2)
 ///
@@ -33,8 +33,6 @@ pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<
         3 => point::<5>(system, order, K, pose),
         4 => point::<7>(system, order, K, pose),
         5 => point::<9>(system, order, K, pose),
-        6 => point::<11>(system, order, K, pose),
-        7 => point::<13>(system, order, K, pose),
         _ => unreachable!("orders are checked where they enter"),
     }
 }

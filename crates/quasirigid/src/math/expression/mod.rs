@@ -118,6 +118,7 @@ mod tests {
             ("atan2(x, -t)", x.atan2(-t)),
             ("min(x, t) + 10*max(x, t) + 100*min(t, x) + 1000*max(t, x)", 101.0 * x + 1010.0 * t),
             ("hypot(x, t)", x.hypot(t)),
+            ("hypot(x - x, 0*t)", 0.0),
             ("hypot(1e200*x, 1e200*t)*1e-200", x.hypot(t)),
         ];
         for (text, expected) in pairs {
@@ -163,10 +164,13 @@ mod tests {
 
     #[test]
     fn what_needs_much_room_is_evaluated_too() {
-        let text = format!("{}x{}", "t - (".repeat(150), ")".repeat(150));
-        assert!((value(&text) - POINT[1]).abs() < 1e-13);
-        let wide = vec!["t"; 4000].join(" + ");
-        assert!((value(&wide) - 2800.0).abs() < 1e-9);
+        for depth in (2..20).chain([150]) {
+            let text = format!("{}x{}", "(t + x) - (".repeat(depth), ")".repeat(depth));
+            let expected = if depth % 2 == 0 { POINT[1] } else { POINT[0] };
+            assert!((value(&text) - expected).abs() < 1e-13, "{text}");
+        }
+        let wide = vec!["(t)"; 2000].join(" + ");
+        assert!((value(&wide) - 1400.0).abs() < 1e-9);
     }
 
     #[test]

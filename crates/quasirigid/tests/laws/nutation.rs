@@ -1,0 +1,82 @@
+//! Small nutation about a steady spin grows and turns as the flow of the momentum says. (P5)
+
+use proptest::prelude::*;
+use quasirigid::dynamics::{SteadySpin, steady_spins};
+use quasirigid::math::sym::{cross, dot, norm, times};
+use quasirigid::math::taylor::Taylor;
+use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::reduction::reduce;
+
+use crate::support::{assemblies, cases, direction, units};
+use crate::transform::rescaled;
+
+/// Newton's method ends at rounding of the spin.
+const STEADY: f64 = 1e-12;
+/// Rounding of the flow's derivatives, whose linear parts cancel in the sum of the roots.
+const ROUNDING: f64 = 1e-12;
+/// A share of a spin that is itself a tenth of the lowest frequency.
+const SLOW: f64 = 0.03;
+
+/// Sum and product of the two eigenvalues across `K` of the derivative of `K × Ω(K)`: the third is zero, since the flow
+/// has no part along `K`.
+fn roots(body: &ReducedBody, K: [f64; 3]) -> (f64, f64) {
+    let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
+        let beside: [Taylor<2>; 3] =
+            std::array::from_fn(|i| if i == j { Taylor::variable(K[i]) } else { K[i].into() });
+        cross(beside, body.Omega.vector(beside)).map(|rate| rate.coefficient(1))
+    });
+    let minor = |i: usize, j: usize| columns[i][i] * columns[j][j] - columns[i][j] * columns[j][i];
+    (columns[0][0] + columns[1][1] + columns[2][2], minor(0, 1) + minor(1, 2) + minor(2, 0))
+}
+
+/// What is wrong with a steady spin near an axis.
+fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], momentum: f64) -> Option<String> {
+    let SteadySpin { omega, growth, frequency } = spin;
+    let scale = norm(omega);
+    let K = omega.map(|w| momentum * w / scale);
+    let left = norm(cross(K, body.Omega.vector(K))) / (momentum * scale);
+    let (sum, product) = roots(body, K);
+    let wrong = if frequency > 0.0 {
+        let turning = growth * growth + frequency * frequency - product;
+        ((2.0 * growth - sum) / scale).abs().max(turning.abs() / (scale * scale))
+    } else {
+        let root = growth * growth - sum * growth + product;
+        if growth >= 0.5 * sum { root.abs() / (scale * scale) } else { f64::INFINITY }
+    };
+    let near = dot(K, axis) > 0.9 * momentum;
+    let sound = near && left < STEADY && wrong < ROUNDING;
+    (!sound).then(|| format!("{spin:?} near {axis:?}: left {left:e}, roots {wrong:e}, {sum:e} {product:e}"))
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    #[test]
+    fn nutation_has_the_roots_of_the_flow(
+        assembly in assemblies(), units in units(), spin in direction(), p in 3..6usize
+    ) {
+        let body = reduce(&rescaled(&assembly, units).body().unwrap(), p).unwrap();
+        let momentum = norm(times(body.J, spin.map(|w| w / units.time)));
+        let axes = Principal::of(body.J).axes;
+        let spins = steady_spins(&body, momentum).map(|spin| spin.expect("distinct moments"));
+        for (spin, axis) in spins.into_iter().zip(axes) {
+            let fault = fault(&body, spin, axis, momentum);
+            prop_assert!(fault.is_none(), "{fault:?}");
+        }
+    }
+
+    /// A damped body leaves its minor axis, as Explorer 1 did, and settles on its major one; the middle one repels.
+    ///
+    /// At a spin so slow that no higher degree outweighs the first that dissipates.
+    #[test]
+    fn nutation_grows_about_the_minor_axis_and_dies_about_the_major(
+        assembly in assemblies(), units in units(), spin in direction()
+    ) {
+        let body = reduce(&rescaled(&assembly, units).body().unwrap(), 3).unwrap();
+        let momentum = norm(times(body.J, spin.map(|w| SLOW * w / units.time)));
+        let [minor, middle, major] = steady_spins(&body, momentum).map(|spin| spin.expect("distinct moments"));
+        prop_assert!(minor.growth > 0.0 && minor.frequency > 0.0, "{minor:?}");
+        prop_assert!(middle.growth > 0.0 && middle.frequency == 0.0, "{middle:?}");
+        prop_assert!(major.growth < 0.0 && major.frequency > 0.0, "{major:?}");
+    }
+}

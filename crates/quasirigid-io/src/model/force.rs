@@ -14,54 +14,26 @@ use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, &Names<'_>) -> Option<Law<Station>>;
 
-const fn kind(
-    word: &'static str,
-    title: &'static str,
-    known: &'static [&'static str],
-    read: Read,
-) -> Kind<Read> {
-    Kind { word, title, keys: Keys { known, later: &[] }, read }
+macro_rules! kind {
+    ($word:literal, $known:expr, $read:expr) => {
+        Kind {
+            word: $word,
+            title: concat!("[[force]] of kind \"", $word, "\""),
+            keys: Keys { known: $known, later: &[] },
+            read: $read,
+        }
+    };
 }
 
 static KINDS: [Kind<Read>; 8] = [
-    kind(
-        "uniform-gravity",
-        "[[force]] of kind \"uniform-gravity\"",
-        &["kind", "name", "acceleration"],
-        uniform_gravity,
-    ),
-    kind(
-        "central-gravity",
-        "[[force]] of kind \"central-gravity\"",
-        &["kind", "name", "orbit"],
-        central_gravity,
-    ),
-    kind("drag", "[[force]] of kind \"drag\"", &["kind", "name", "on", "at", "coefficient"], drag),
-    kind("spin-drag", "[[force]] of kind \"spin-drag\"", &["kind", "name", "coefficient"], spin_drag),
-    kind(
-        "torque",
-        "[[force]] of kind \"torque\"",
-        &["kind", "name", "torque", "axes", "frequency", "period", "phase"],
-        torque,
-    ),
-    kind(
-        "thrust",
-        "[[force]] of kind \"thrust\"",
-        &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"],
-        thrust,
-    ),
-    kind(
-        "magnetic-dipole",
-        "[[force]] of kind \"magnetic-dipole\"",
-        &["kind", "name", "moment", "field", "dipole", "orbit"],
-        magnetic_dipole,
-    ),
-    kind(
-        "expression",
-        "[[force]] of kind \"expression\"",
-        &["kind", "name", "on", "at", "force"],
-        expression,
-    ),
+    kind!("uniform-gravity", &["kind", "name", "acceleration"], uniform_gravity),
+    kind!("central-gravity", &["kind", "name", "orbit"], central_gravity),
+    kind!("drag", &["kind", "name", "on", "at", "coefficient"], drag),
+    kind!("spin-drag", &["kind", "name", "coefficient"], spin_drag),
+    kind!("torque", &["kind", "name", "torque", "axes", "frequency", "period", "phase"], torque),
+    kind!("thrust", &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"], thrust),
+    kind!("magnetic-dipole", &["kind", "name", "moment", "field", "dipole", "orbit"], magnetic_dipole),
+    kind!("expression", &["kind", "name", "on", "at", "force"], expression),
 ];
 
 /// Keys of a force that does not say its kind: those of every kind.

@@ -101,7 +101,10 @@ mod tests {
         /// Every character of a text is found where it is written, whatever stands around it.
         #[test]
         fn every_character_is_found(text in "(\\PC|\n|\t|[\"'\\\\é]){0,20}") {
-            for literal in [toml::Value::from(text.as_str()).to_string(), format!("{text:?}")] {
+            let quoted = |quotes: &str| format!("{quotes}{text}{quotes}");
+            let windows = quoted("\"\"\"").replace('\n', "\r\n");
+            let written = [quoted("\""), quoted("'"), quoted("\"\"\""), quoted("'''"), windows];
+            for literal in written.into_iter().chain([toml::Value::from(text.as_str()).to_string(), format!("{text:?}")]) {
                 let Ok(value) = DeValue::parse(&literal) else { continue };
                 let Some(read) = value.get_ref().as_str() else { continue };
                 for (at, character) in read.char_indices() {

@@ -381,6 +381,11 @@ fn a_mistake_in_a_formula_is_shown_where_it_stands() {
     model.toml:14:12: `force`: no sign between `3` and `N`; write `3*N` for a product
       write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
     ");
+    let force = text("expression", "on = \"carrier\"\nat = [0, 0, 0]\nforce = [0, \"foo\", 0]\n");
+    assert_snapshot!(refusal(&format!("\u{feff}{CARRIER}{force}")), @"
+    model.toml:9:14: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    ");
     assert_snapshot!(formulas("[0, nan, true]"), @"
     model.toml:12:13: `force` is nan, which is not a finite number
       write a number

@@ -62,8 +62,8 @@ fn displacements_are_along_the_axes_of_the_file() {
     assert_eq!(units, ["m", "m", "m", "m", "m", "m", "rad", "rad"]);
     let moved = |amounts: &[f64], marker: usize| {
         let shapes = body.markers()[marker].shapes.iter();
-        shapes.fold([0.0; 3], |sum: [f64; 3], (j, H)| {
-            std::array::from_fn(|axis| sum[axis] + amounts[*j] * H[axis])
+        shapes.fold([0.0; 3], |sum: [f64; 3], (j, shape)| {
+            std::array::from_fn(|axis| sum[axis] + amounts[*j] * shape[axis])
         })
     };
     let near = |found: [f64; 3], expected: [f64; 3]| {

@@ -3,6 +3,7 @@
 mod elements;
 mod files;
 mod forces;
+mod guide;
 mod initial;
 mod keys;
 mod physics;

@@ -67,13 +67,13 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 
 prop_compose! {
     fn history(system: &'static str)(
-        form in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
-        numbers in [ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(),
+        form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
+        numbers in [ANY, ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(),
     ) -> HistoryRecord {
-        let [tolerance, turns, energy, dissipated, energy_drift, momentum_drift] = numbers;
+        let [tolerance, turns, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
-            system: system.into(), form, status, message, tolerance, steps, rejected, turns,
-            energy, dissipated, energy_drift, momentum_drift, columns,
+            system: system.into(), form, method, status, message, tolerance, steps, rejected, turns,
+            energy, dissipated, work, energy_drift, momentum_drift, columns,
         }
     }
 }
@@ -132,6 +132,7 @@ fn sample() -> RunRecord {
         histories: vec![HistoryRecord {
             system: "reduced".into(),
             form: "momentum form".into(),
+            method: "explicit".into(),
             status: "finished".into(),
             message: String::new(),
             tolerance: 1e-10,
@@ -140,6 +141,7 @@ fn sample() -> RunRecord {
             turns: 0.1,
             energy: 1.0,
             dissipated: 0.0,
+            work: 0.0,
             energy_drift: 0.0,
             momentum_drift: 0.0,
             columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],

@@ -127,6 +127,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
     };
     HistoryRecord {
         form: "momentum form, degree 5".into(),
+        method: "explicit Runge-Kutta of order 8".into(),
         status: "finished".into(),
         message: "The run reached the end of its duration.".into(),
         tolerance: 1e-10,
@@ -135,6 +136,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         turns,
         energy: first,
         dissipated,
+        work: 0.0,
         energy_drift: last("energy_drift"),
         momentum_drift: last("momentum_drift"),
         system: system.into(),

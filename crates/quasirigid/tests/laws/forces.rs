@@ -10,7 +10,7 @@ use quasirigid::model::force::{Axes, Force, Law, Loads, MagneticField, Situation
 use quasirigid::model::{FlexibleBody, Marker, Motion};
 
 use crate::forced::{BASE, State, forced, formula, numbers, orbit, states};
-use crate::support::{assemblies, cases, moderate_units, rotation, vector};
+use crate::support::{assemblies, cases, rotation, units, vector};
 use crate::transform::{Units, rescaled};
 
 type V = Vector3<f64>;
@@ -201,7 +201,7 @@ proptest! {
     /// A law does not know our units.
     #[test]
     fn loads_scale_with_the_units(
-        assembly in assemblies(), numbers in numbers(), loose in states(), units in moderate_units()
+        assembly in assemblies(), numbers in numbers(), loose in states(), units in units()
     ) {
         let (body, forces) = resolved(&forced(&assembly, numbers.forces(BASE, &Matrix3::identity())));
         let scaled = forced(&rescaled(&assembly, units), numbers.forces(units, &Matrix3::identity()));

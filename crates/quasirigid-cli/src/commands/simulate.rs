@@ -1,4 +1,4 @@
-use quasirigid::dynamics::{Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Outcome, Run, Sample};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::history_csv;
 use serde_json::json;
@@ -54,7 +54,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let message = status(run.outcome, run.last.t).1;
     match run.outcome {
         Outcome::Finished => Ok(Ending::Done),
-        Outcome::Event(_) => {
+        Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
             remark(&message);
             Ok(Ending::Done)
         }

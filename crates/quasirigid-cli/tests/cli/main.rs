@@ -5,6 +5,7 @@ mod check;
 mod derive;
 mod docs;
 mod files;
+mod full;
 mod help;
 #[cfg(unix)]
 mod interrupt;

@@ -2,3 +2,4 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod centre_manifold;
+mod full_system;

@@ -1,0 +1,111 @@
+//! The full system, forces, events and `verify`.
+
+use super::support::{MODEL, ran, ran_with};
+
+/// The model with further lines before `[initial]`, in it, and in `[run]`.
+fn model(before: &str, initial: &str, run: &str) -> String {
+    MODEL.replace("[initial]", &format!("{before}\n[initial]\n{initial}")) + run
+}
+
+#[test]
+fn full_and_reduced_histories_of_a_soft_start_agree_once_the_vibrations_are_gone() {
+    let rest = model("", "displacements = \"rest\"", "");
+    let spin = |system: &str| {
+        let ran = ran_with(&rest, &format!("simulate model.toml --system {system} --json --quiet"));
+        assert_eq!((ran.code, &*ran.stderr), (Some(0), ""));
+        let omega = ran.json()["omega"].clone();
+        [0, 1, 2].map(|i| omega[i].as_f64().unwrap())
+    };
+    let (full, reduced) = (spin("full"), spin("reduced"));
+    for axis in 0..3 {
+        assert!((full[axis] - reduced[axis]).abs() < 1e-6, "{full:?} {reduced:?}");
+    }
+}
+
+#[test]
+fn record_says_which_methods_took_turns() {
+    let stiff = MODEL.replace("stiffness = 600.0", "stiffness = 6e6").replace("damping = 30.0", "damping = 6e3");
+    let all = stiff + "systems = [\"full\", \"reduced\", \"rigid\"]\n";
+    let ran = ran_with(&all, "run model.toml --json");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let record = ran.json();
+    let names: Vec<_> = (0..3).map(|i| record["histories"][i]["system"].as_str().unwrap().to_owned()).collect();
+    assert_eq!(names, ["full", "reduced", "rigid"]);
+    let method = record["histories"][0]["method"].as_str().unwrap();
+    assert!(method.contains("explicit (DOP853)") && method.contains("implicit (Radau IIA"), "{method}");
+}
+
+#[test]
+fn verify_prints_orders_and_fails_where_one_is_not_reached() {
+    let ran = ran("verify examples/three-masses/model.toml --orders 1,3,5 --json");
+    assert_eq!((ran.code, &*ran.stderr), (Some(0), ""));
+    let json = ran.json();
+    for (row, p) in [1.0, 3.0, 5.0].into_iter().enumerate() {
+        let order = json["orders"][row]["order"].as_f64().unwrap();
+        assert!((order - (p + 1.0)).abs() < 0.15, "p = {p}: {order}");
+        assert_eq!(json["orders"][row]["errors"].as_array().unwrap().len(), 5);
+    }
+    let soft = MODEL.replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [9, 4, 3]");
+    let ran = ran_with(&soft, "verify model.toml --orders 3 --halvings 1");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stdout.contains("NOT REACHED"), "{}", ran.stdout);
+}
+
+#[test]
+fn verify_refuses_what_means_nothing() {
+    for (options, message) in [
+        ("--orders 0", "order 0 cannot be verified"),
+        ("--orders 11", "choose orders from 1 to 10"),
+        ("--rotations 0", "more than 0 rotations"),
+        ("--halvings 0", "1 to 12 halvings"),
+    ] {
+        let ran = ran(&format!("verify examples/three-masses/model.toml {options}"));
+        assert!(ran.refusal().contains(message), "{}", ran.stderr);
+    }
+}
+
+#[test]
+fn a_formula_that_fails_ends_the_run_where_it_fails() {
+    let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(1 - t/20)\", \"0\", \"0\"]\n";
+    for system in ["full", "reduced"] {
+        let line = format!("simulate model.toml --system {system} --times 0,10,19,30 --quiet");
+        let ran = ran_with(&model(force, "", ""), &line);
+        assert_eq!(ran.code, Some(1), "{system}: {}", ran.stderr);
+        let message = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(message.contains("not finite numbers beyond t = 19.99"), "{system}: {message}");
+        assert_eq!(ran.stdout.lines().count(), 4, "the table is valid up to there");
+        assert!(!ran.stdout.contains("NaN"));
+    }
+}
+
+#[test]
+fn an_event_ends_the_run_and_is_no_failure() {
+    let energy = |time: &str| {
+        let ran = ran_with(MODEL, &format!("simulate model.toml --times {time} --json --quiet"));
+        ran.json()["energy"].as_f64().unwrap()
+    };
+    let mark = 0.5 * (energy("0") + energy("10000"));
+    let stop = model("", "", &format!("stop = {{ energy = \"{mark} J\" }}\n"));
+    let ran = ran_with(&stop, "simulate model.toml --times 10000 --json");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!((ran.json()["energy"].as_f64().unwrap() / mark - 1.0).abs() < 1e-13);
+    assert_eq!(ran.json()["status"], "event");
+}
+
+#[test]
+fn forces_move_a_body_that_does_not_turn() {
+    let top = model(
+        "[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n[[force]]\nkind = \"uniform-gravity\"\nacceleration = [0, 0, -9.81]\n",
+        "",
+        "",
+    );
+    let still = top.replace("[0.12, 0.035, 0.02]", "[0, 0, 0]");
+    let ran = ran_with(&top, "simulate model.toml --system full --duration 2 --json --quiet");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let json = ran.json();
+    let balance = json["energy_drift"].as_f64().unwrap() / json["work"].as_f64().unwrap();
+    assert!(balance.abs() < 1e-9, "what gravity does goes into energy and dashpots: {balance:e}");
+    assert!(json["momentum_drift"].as_f64().unwrap() < 1e-9);
+    let ran = ran_with(&still, "simulate model.toml --system full --duration 2 --json --quiet");
+    assert!(ran.refusal().contains("spin"), "{}", ran.stderr);
+}

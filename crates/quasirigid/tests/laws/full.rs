@@ -1,0 +1,190 @@
+//! The full system: what it keeps, what it does not dissipate, and where its fast part goes.
+
+use quasirigid::dynamics::{
+    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState,
+    SpinState, composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point, steady_spins,
+};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::math::rotation::ALIGNED;
+use quasirigid::math::sym::{add, norm, scale};
+use quasirigid::model::{FlexibleBody, Support};
+use quasirigid::problems::CommonProblem;
+use quasirigid::reduction::reduce;
+
+/// Two masses off every axis, on different springs.
+fn body() -> FlexibleBody {
+    let point = |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
+    let spring = |point, stiffness, damping| Spring {
+        from: End::Point(point),
+        to: End::Carrier,
+        law: Law::Spatial {
+            stiffness: Coefficient::Diagonal(stiffness),
+            damping: Coefficient::Diagonal(damping),
+        },
+    };
+    Assembly {
+        carrier: Carrier {
+            mass: 30.0,
+            center_of_mass: [0.1, -0.2, 0.05],
+            inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
+        },
+        points: vec![point("a", 1.1, [0.9, 0.3, 0.4]), point("b", 0.7, [-0.5, 0.8, -0.6])],
+        springs: vec![spring(0, [700.0, 900.0, 1100.0], [9.0, 7.0, 8.0]), spring(1, [500.0, 800.0, 600.0], [6.0, 5.0, 8.0])],
+        hinged: Vec::new(),
+        support: Support::Free,
+        forces: Vec::new(),
+    }
+    .body()
+    .unwrap()
+}
+
+const OMEGA: [f64; 3] = [0.5, 0.7, 0.9];
+
+fn at(tolerance: f64) -> Options {
+    Options { tolerance, ..Options::default() }
+}
+
+fn full(body: &FlexibleBody, start: &FullState, times: &[f64], options: Options) -> Vec<Sample> {
+    let mut samples = Vec::new();
+    let run = propagate_full(Forced::not(body), start, times, options, &mut samples).unwrap();
+    assert_eq!(run.outcome, Outcome::Finished);
+    samples
+}
+
+/// Internal forces act in body axes with the reaction at the displaced point, so a body that turns steadily about a principal
+/// axis, stretched as far as it is, loses nothing.
+#[test]
+fn a_steady_spin_dissipates_nothing() {
+    let body = body();
+    let reduced = reduce(&body, 11).unwrap();
+    for steady in steady_spins(&reduced, 15.0) {
+        let omega = steady.unwrap().omega;
+        let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
+        assert!(q.iter().any(|q| q.abs() > 1e-3), "the body is stretched");
+        let start = FullState { q, rate, ..FullState::at_rest(&body, omega, ALIGNED) };
+        let last = full(&body, &start, &[10.0], at(1e-13))[0];
+        assert!(last.dissipated < 1e-13 * last.energy, "{:e} J of {} J", last.dissipated, last.energy);
+    }
+}
+
+/// Explicit, implicit and both in turns are roads to the same motion; what they change of the energy is small beside what the
+/// dashpots take.
+#[test]
+fn methods_agree() {
+    let body = body();
+    let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+    let times = [0.3, 2.0, 11.0, 40.0];
+    let run = |method| full(&body, &start, &times, Options { method, ..at(1e-12) });
+    let [explicit, implicit, both] = [Method::Explicit, Method::Implicit, Method::Automatic].map(run);
+    for (i, truth) in explicit.iter().enumerate() {
+        for other in [&implicit[i], &both[i]] {
+            assert!(norm(add(truth.omega, scale(-1.0, other.omega))) < 1e-10);
+            assert!((truth.dissipated / other.dissipated - 1.0).abs() < 1e-7);
+            assert!(other.energy_drift.abs() < 1e-7 * other.dissipated, "{:e}", other.energy_drift);
+            assert!(other.momentum_drift.abs() < 1e-11);
+        }
+    }
+}
+
+/// Released from rest: the slow motion from the matched start is right to `ε³`, without the turn to `ε²`.
+#[test]
+fn matched_start_gains_an_order() {
+    let [matched, plain]: [Vec<f64>; 2] = [true, false].map(|turned| {
+        [0.5, 0.25, 0.125].map(|epsilon| {
+            let body = body().stiffened(epsilon).unwrap();
+            let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+            let reduced = reduce(&body, 3).unwrap();
+            let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
+            let momentum = if turned { slow.momentum } else { start.momentum(&body) };
+            let initial = SpinState { omega: reduced.Omega.vector(momentum), attitude: slow.attitude };
+            let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
+            let mut samples: Vec<Sample> = Vec::new();
+            propagate(&reduced, initial, &times, at(1e-13), &mut samples).unwrap();
+            let truth = full(&body, &start, &times, at(1e-13));
+            let gap = |(a, b): (&Sample, &Sample)| norm(add(a.omega, scale(-1.0, b.omega)));
+            truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
+        })
+        .to_vec()
+    });
+    let order = |errors: &[f64]| (errors[1] / errors[2]).log2();
+    println!("matched {:?} order {:.3}; plain {:?} order {:.3}", matched, order(&matched), plain, order(&plain));
+    assert!((order(&matched) - 3.0).abs() < 0.3, "{}", order(&matched));
+    assert!((order(&plain) - 2.0).abs() < 0.3, "{}", order(&plain));
+}
+
+/// The composite solution holds in the layer itself: the spin to `ε²`, where the slow spin alone is wrong by `ε`.
+#[test]
+fn composite_solution_holds_from_the_first_moment() {
+    let [with, without]: [Vec<f64>; 2] = [true, false].map(|fast| {
+        [0.25, 0.125, 0.0625].map(|epsilon| {
+            let body = body().stiffened(epsilon).unwrap();
+            let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+            let system = Forced::not(&body);
+            let slow = matched_start(system, 3, &start).unwrap();
+            let layer = BoundaryLayer::of(system, 3, &start).unwrap();
+            let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
+            let mut samples: Vec<Sample> = Vec::new();
+            propagate_forced(system, 3, &slow, &times, at(1e-13), &mut samples).unwrap();
+            let truth = full(&body, &start, &times, at(1e-13));
+            let gap = |(a, b): (&Sample, &Sample)| {
+                let part = layer.at(a.t);
+                let spin = if fast { composite_spin(b.omega, &part) } else { b.omega };
+                norm(add(a.omega, scale(-1.0, spin)))
+            };
+            truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
+        })
+        .to_vec()
+    });
+    let order = |errors: &[f64]| (errors[1] / errors[2]).log2();
+    println!("composite {:?} order {:.3}; slow {:?} order {:.3}", with, order(&with), without, order(&without));
+    assert!(order(&with) > 1.8, "{}", order(&with));
+    assert!((order(&without) - 1.0).abs() < 0.2, "{}", order(&without));
+}
+
+/// Series in time at each state and polynomials of the spin are two roads to the same slow manifold: they differ by the next
+/// order.
+#[test]
+fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
+    for order in 2..=5 {
+        let differences = [0.25, 0.125].map(|epsilon| {
+            let body = body().stiffened(epsilon).unwrap();
+            let reduced = reduce(&body, order).unwrap();
+            let still = SlowState {
+                momentum: [0.0; 3],
+                attitude: ALIGNED,
+                place: [0.0; 3],
+                velocity: [0.0; 3],
+            };
+            let system = Forced::not(&body);
+            let state = still.with_spin(system, order, OMEGA).unwrap();
+            let point = slow_state_point(system, order, &state).unwrap();
+            let largest = |a: &[f64], b: &[f64]| {
+                a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+            };
+            largest(&point.q, &reduced.q.value(OMEGA))
+        });
+        let measured = (differences[0] / differences[1]).log2();
+        assert!(measured > order as f64 + 0.8, "p = {order}: {measured:.3}, {differences:?}");
+    }
+}
+
+/// A run ends where the energy or the wobble passes its mark, at that moment and not at the end of a step.
+#[test]
+fn events_end_a_run_where_they_happen() {
+    let body = CommonProblem::SOFT.assembly().body().unwrap();
+    let start = FullState::at_rest(&body, CommonProblem::SPIN, ALIGNED);
+    let mark = start.energy(&body) - 2e-3;
+    let options = Options { events: vec![Event::Energy(mark)], ..at(1e-11) };
+    let mut samples: Vec<Sample> = Vec::new();
+    let run = propagate_full(Forced::not(&body), &start, &[1e-3, 1e5], options.clone(), &mut samples).unwrap();
+    assert_eq!(run.outcome, Outcome::Event(Event::Energy(mark)));
+    assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{} J, asked {mark} J", run.last.energy);
+    assert_eq!(samples.len(), 1);
+    let reduced = reduce(&body, 3).unwrap();
+    let initial = SpinState { omega: CommonProblem::SPIN, attitude: ALIGNED };
+    for form in [Form::Momentum, Form::Paper] {
+        let options = Options { form, ..options.clone() };
+        let run = propagate(&reduced, initial, &[1e-3, 1e5], options, &mut Vec::new()).unwrap();
+        assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{form:?}: {:?}", run.outcome);
+    }
+}

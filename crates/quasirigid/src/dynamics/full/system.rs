@@ -14,7 +14,8 @@ use crate::math::sym::{self, cross, dot, norm};
 use crate::model::force::Loads;
 use crate::model::{FlexibleBody, Kinetics, Motion};
 
-/// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1)
+/// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
+/// (S3), (S4), (T1)
 #[derive(Clone, Debug)]
 pub(super) struct FullSystem<'a> {
     system: Forced<'a>,

@@ -14,7 +14,8 @@ use crate::math::sym::{self, cross, dot, norm};
 use crate::model::force::Loads;
 use crate::model::{FlexibleBody, Kinetics, Motion};
 
-/// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4)
+/// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
+/// (S3), (S4), (T1)
 #[derive(Clone, Debug)]
 pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
@@ -51,7 +52,7 @@ impl<'a> FullSystem<'a> {
         slow[WORK] = Loads { force: [0.0; 3], ..loads }.power(motion, [0.0; 3]);
     }
 
-    /// An upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (X1)
+    /// An upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
     pub fn fastest(&mut self) -> f64 {
         let body = self.system.body;
         let damping = self.largest(body.damping());
@@ -116,7 +117,7 @@ impl Followed for FullSystem<'_> {
     }
 }
 
-/// `L` is the free vibration of the body that recoils: `q̇ = M⁻¹p`, `ṗ = −Bq̇ − Cq`, with the mass of (V2).
+/// `L` is the free vibration of the body that recoils: `q̇ = M⁻¹p`, `ṗ = −Bq̇ − Cq`, with the mass of (V2). (T2)
 impl Stiff<Vec<f64>> for FullSystem<'_> {
     fn stiff(&self) -> Range<usize> {
         SLOW..self.layout.len()

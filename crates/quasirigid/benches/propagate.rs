@@ -43,7 +43,7 @@ fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
     let options = Options { form: Form::Paper, tolerance, ..Options::default() };
     bencher
         .counter(ItemsCount::new(1000_usize))
-        .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], options));
+        .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], options.clone()));
 }
 
 /// Many right-hand sides, each waiting for the one before.

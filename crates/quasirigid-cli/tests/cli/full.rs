@@ -24,12 +24,14 @@ fn full_and_reduced_histories_of_a_soft_start_agree_once_the_vibrations_are_gone
 
 #[test]
 fn record_says_which_methods_took_turns() {
-    let stiff = MODEL.replace("stiffness = 600.0", "stiffness = 6e6").replace("damping = 30.0", "damping = 6e3");
+    let stiff =
+        MODEL.replace("stiffness = 600.0", "stiffness = 6e6").replace("damping = 30.0", "damping = 6e3");
     let all = stiff + "systems = [\"full\", \"reduced\", \"rigid\"]\n";
     let ran = ran_with(&all, "run model.toml --json");
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let record = ran.json();
-    let names: Vec<_> = (0..3).map(|i| record["histories"][i]["system"].as_str().unwrap().to_owned()).collect();
+    let names: Vec<_> =
+        (0..3).map(|i| record["histories"][i]["system"].as_str().unwrap().to_owned()).collect();
     assert_eq!(names, ["full", "reduced", "rigid"]);
     let method = record["histories"][0]["method"].as_str().unwrap();
     assert!(method.contains("explicit (DOP853)") && method.contains("implicit (Radau IIA"), "{method}");
@@ -46,7 +48,7 @@ fn verify_prints_orders_and_fails_where_one_is_not_reached() {
         assert_eq!(json["orders"][row]["errors"].as_array().unwrap().len(), 5);
     }
     let soft = MODEL.replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [9, 4, 3]");
-    let ran = ran_with(&soft, "verify model.toml --orders 3 --halvings 1");
+    let ran = ran_with(&soft, "verify model.toml --orders 1 --halvings 1 --rotations 60");
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stdout.contains("NOT REACHED"), "{}", ran.stdout);
 }
@@ -66,7 +68,8 @@ fn verify_refuses_what_means_nothing() {
 
 #[test]
 fn a_formula_that_fails_ends_the_run_where_it_fails() {
-    let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(1 - t/20)\", \"0\", \"0\"]\n";
+    let force =
+        "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(1 - t/20)\", \"0\", \"0\"]\n";
     for system in ["full", "reduced"] {
         let line = format!("simulate model.toml --system {system} --times 0,10,19,30 --quiet");
         let ran = ran_with(&model(force, "", ""), &line);

@@ -1,8 +1,9 @@
 //! The full system: what it keeps, what it does not dissipate, and where its fast part goes.
 
 use quasirigid::dynamics::{
-    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState,
-    SpinState, composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point, steady_spins,
+    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState, SpinState,
+    composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
+    steady_spins,
 };
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::math::rotation::ALIGNED;
@@ -13,7 +14,8 @@ use quasirigid::reduction::reduce;
 
 /// Two masses off every axis, on different springs.
 fn body() -> FlexibleBody {
-    let point = |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
+    let point =
+        |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
     let spring = |point, stiffness, damping| Spring {
         from: End::Point(point),
         to: End::Carrier,
@@ -29,7 +31,10 @@ fn body() -> FlexibleBody {
             inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
         },
         points: vec![point("a", 1.1, [0.9, 0.3, 0.4]), point("b", 0.7, [-0.5, 0.8, -0.6])],
-        springs: vec![spring(0, [700.0, 900.0, 1100.0], [9.0, 7.0, 8.0]), spring(1, [500.0, 800.0, 600.0], [6.0, 5.0, 8.0])],
+        springs: vec![
+            spring(0, [700.0, 900.0, 1100.0], [9.0, 7.0, 8.0]),
+            spring(1, [500.0, 800.0, 600.0], [6.0, 5.0, 8.0]),
+        ],
         hinged: Vec::new(),
         support: Support::Free,
         forces: Vec::new(),
@@ -90,24 +95,31 @@ fn methods_agree() {
 #[test]
 fn matched_start_gains_an_order() {
     let [matched, plain]: [Vec<f64>; 2] = [true, false].map(|turned| {
-        [0.5, 0.25, 0.125].map(|epsilon| {
-            let body = body().stiffened(epsilon).unwrap();
-            let start = FullState::at_rest(&body, OMEGA, ALIGNED);
-            let reduced = reduce(&body, 3).unwrap();
-            let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
-            let momentum = if turned { slow.momentum } else { start.momentum(&body) };
-            let initial = SpinState { omega: reduced.Omega.vector(momentum), attitude: slow.attitude };
-            let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
-            let mut samples: Vec<Sample> = Vec::new();
-            propagate(&reduced, initial, &times, at(1e-13), &mut samples).unwrap();
-            let truth = full(&body, &start, &times, at(1e-13));
-            let gap = |(a, b): (&Sample, &Sample)| norm(add(a.omega, scale(-1.0, b.omega)));
-            truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
-        })
-        .to_vec()
+        [0.5, 0.25, 0.125]
+            .map(|epsilon| {
+                let body = body().stiffened(epsilon).unwrap();
+                let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+                let reduced = reduce(&body, 3).unwrap();
+                let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
+                let momentum = if turned { slow.momentum } else { start.momentum(&body) };
+                let initial = SpinState { omega: reduced.Omega.vector(momentum), attitude: slow.attitude };
+                let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
+                let mut samples: Vec<Sample> = Vec::new();
+                propagate(&reduced, initial, &times, at(1e-13), &mut samples).unwrap();
+                let truth = full(&body, &start, &times, at(1e-13));
+                let gap = |(a, b): (&Sample, &Sample)| norm(add(a.omega, scale(-1.0, b.omega)));
+                truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
+            })
+            .to_vec()
     });
     let order = |errors: &[f64]| (errors[1] / errors[2]).log2();
-    println!("matched {:?} order {:.3}; plain {:?} order {:.3}", matched, order(&matched), plain, order(&plain));
+    println!(
+        "matched {:?} order {:.3}; plain {:?} order {:.3}",
+        matched,
+        order(&matched),
+        plain,
+        order(&plain)
+    );
     assert!((order(&matched) - 3.0).abs() < 0.3, "{}", order(&matched));
     assert!((order(&plain) - 2.0).abs() < 0.3, "{}", order(&plain));
 }
@@ -116,27 +128,34 @@ fn matched_start_gains_an_order() {
 #[test]
 fn composite_solution_holds_from_the_first_moment() {
     let [with, without]: [Vec<f64>; 2] = [true, false].map(|fast| {
-        [0.25, 0.125, 0.0625].map(|epsilon| {
-            let body = body().stiffened(epsilon).unwrap();
-            let start = FullState::at_rest(&body, OMEGA, ALIGNED);
-            let system = Forced::not(&body);
-            let slow = matched_start(system, 3, &start).unwrap();
-            let layer = BoundaryLayer::of(system, 3, &start).unwrap();
-            let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
-            let mut samples: Vec<Sample> = Vec::new();
-            propagate_forced(system, 3, &slow, &times, at(1e-13), &mut samples).unwrap();
-            let truth = full(&body, &start, &times, at(1e-13));
-            let gap = |(a, b): (&Sample, &Sample)| {
-                let part = layer.at(a.t);
-                let spin = if fast { composite_spin(b.omega, &part) } else { b.omega };
-                norm(add(a.omega, scale(-1.0, spin)))
-            };
-            truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
-        })
-        .to_vec()
+        [0.25, 0.125, 0.0625]
+            .map(|epsilon| {
+                let body = body().stiffened(epsilon).unwrap();
+                let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+                let system = Forced::not(&body);
+                let slow = matched_start(system, 3, &start).unwrap();
+                let layer = BoundaryLayer::of(system, 3, &start).unwrap();
+                let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
+                let mut samples: Vec<Sample> = Vec::new();
+                propagate_forced(system, 3, &slow, &times, at(1e-13), &mut samples).unwrap();
+                let truth = full(&body, &start, &times, at(1e-13));
+                let gap = |(a, b): (&Sample, &Sample)| {
+                    let part = layer.at(a.t);
+                    let spin = if fast { composite_spin(b.omega, &part) } else { b.omega };
+                    norm(add(a.omega, scale(-1.0, spin)))
+                };
+                truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
+            })
+            .to_vec()
     });
     let order = |errors: &[f64]| (errors[1] / errors[2]).log2();
-    println!("composite {:?} order {:.3}; slow {:?} order {:.3}", with, order(&with), without, order(&without));
+    println!(
+        "composite {:?} order {:.3}; slow {:?} order {:.3}",
+        with,
+        order(&with),
+        without,
+        order(&without)
+    );
     assert!(order(&with) > 1.8, "{}", order(&with));
     assert!((order(&without) - 1.0).abs() < 0.2, "{}", order(&without));
 }
@@ -149,18 +168,13 @@ fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
         let differences = [0.25, 0.125].map(|epsilon| {
             let body = body().stiffened(epsilon).unwrap();
             let reduced = reduce(&body, order).unwrap();
-            let still = SlowState {
-                momentum: [0.0; 3],
-                attitude: ALIGNED,
-                place: [0.0; 3],
-                velocity: [0.0; 3],
-            };
+            let still =
+                SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
             let system = Forced::not(&body);
             let state = still.with_spin(system, order, OMEGA).unwrap();
             let point = slow_state_point(system, order, &state).unwrap();
-            let largest = |a: &[f64], b: &[f64]| {
-                a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-            };
+            let largest =
+                |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             largest(&point.q, &reduced.q.value(OMEGA))
         });
         let measured = (differences[0] / differences[1]).log2();
@@ -176,7 +190,8 @@ fn events_end_a_run_where_they_happen() {
     let mark = start.energy(&body) - 2e-3;
     let options = Options { events: vec![Event::Energy(mark)], ..at(1e-11) };
     let mut samples: Vec<Sample> = Vec::new();
-    let run = propagate_full(Forced::not(&body), &start, &[1e-3, 1e5], options.clone(), &mut samples).unwrap();
+    let run =
+        propagate_full(Forced::not(&body), &start, &[1e-3, 1e5], options.clone(), &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Event(Event::Energy(mark)));
     assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{} J, asked {mark} J", run.last.energy);
     assert_eq!(samples.len(), 1);

@@ -1,7 +1,7 @@
 //! Laws that hold for every body: random carriers, points, springs and hinges, in random units.
 //!
 //! `PROPTEST_CASES` and `PROPTEST_RNG_SEED` widen the search; without them every run tries the same bodies.
-#![allow(non_snake_case, clippy::unwrap_used)]
+#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod compare;
 mod forced;

@@ -12,7 +12,8 @@ use quasirigid::verification::{Plan, Start, verify};
 
 /// Two sprung masses on a carrier, held and loaded as asked.
 fn assembly(support: Support, laws: Vec<ForceLaw<quasirigid::elements::Station>>) -> Assembly {
-    let point = |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
+    let point =
+        |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
     let spring = |point, stiffness, damping| Spring {
         from: End::Point(point),
         to: End::Carrier,
@@ -39,7 +40,12 @@ fn assembly(support: Support, laws: Vec<ForceLaw<quasirigid::elements::Station>>
 }
 
 fn start(omega: [f64; 3]) -> Start {
-    Start { omega, attitude: turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]), place: [0.0; 3], velocity: [0.0; 3] }
+    Start {
+        omega,
+        attitude: turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]),
+        place: [0.0; 3],
+        velocity: [0.0; 3],
+    }
 }
 
 /// The orders of `p = 1, 2, …`, measured.
@@ -49,7 +55,12 @@ fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize, rotations: f64) 
     let plan = Plan { orders: (1..=highest).collect(), rotations, halvings: 4, samples: 40 };
     let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
     for row in &verification.rows {
-        println!("p = {}: {:?} {:?}", row.p, row.order, row.differences.iter().map(|d| d.omega).collect::<Vec<_>>());
+        println!(
+            "p = {}: {:?} {:?}",
+            row.p,
+            row.order,
+            row.differences.iter().map(|d| d.omega).collect::<Vec<_>>()
+        );
     }
     assert!(verification.reached());
     verification.rows.iter().map(|row| row.order.unwrap()).collect()

@@ -10,7 +10,7 @@ use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{self, cross, dot, norm};
+use crate::math::sym::{self, add, cross, dot, norm};
 use crate::model::force::Loads;
 use crate::model::{FlexibleBody, Kinetics, Motion};
 
@@ -42,11 +42,11 @@ impl<'a> FullSystem<'a> {
         let loads = self.system.loads(&pose, motion);
         let impulse = Turn::of(pose.attitude).to_inertial(loads.moment);
         let acceleration = self.system.acceleration(&pose, &loads);
-        for axis in 0..3 {
-            slow[MOMENTUM + axis] += loads.moment[axis];
-            slow[IMPULSE + axis] = impulse[axis];
-            slow[PLACE + axis] = velocity[axis];
-            slow[VELOCITY + axis] = acceleration[axis];
+        let turning = add(triple(slow, MOMENTUM), loads.moment);
+        for (at, rate) in
+            [(MOMENTUM, turning), (IMPULSE, impulse), (PLACE, velocity), (VELOCITY, acceleration)]
+        {
+            slow[at..at + 3].copy_from_slice(&rate);
         }
         p_rate.iter_mut().zip(&loads.generalized).for_each(|(rate, Q)| *rate += Q);
         slow[WORK] = Loads { force: [0.0; 3], ..loads }.power(motion, [0.0; 3]);

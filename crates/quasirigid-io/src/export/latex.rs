@@ -69,12 +69,37 @@ fn term(coefficient: f64, exponents: [usize; 3]) -> String {
     format!("{sign} {}\\,{}", number(coefficient.abs()), factors.collect::<String>())
 }
 
-/// Ten significant digits with the power of ten set as such.
+/// Ten significant digits, or all of them where they are fewer, with the power of ten set as such.
 fn number(value: f64) -> String {
-    let text = format!("{value:.9e}");
+    let (exact, rounded) = (format!("{:e}", value + 0.0), format!("{value:.9e}"));
+    let text = if exact.len() < rounded.len() { exact } else { rounded };
     match text.split_once('e') {
         Some((mantissa, "0")) => mantissa.into(),
         Some((mantissa, exponent)) => format!(r"{mantissa}\cdot 10^{{{exponent}}}"),
         None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_after_the_point_say_that_a_number_is_rounded() {
+        let pairs = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (-2.5, "-2.5"),
+            (1.0 + 1e-12, "1.000000000"),
+            (0.1 + 0.2, r"3.000000000\cdot 10^{-1}"),
+            (1.5e-7, r"1.5\cdot 10^{-7}"),
+            (4000.0, r"4\cdot 10^{3}"),
+            (1.23456789, "1.23456789"),
+            (std::f64::consts::PI, "3.141592654"),
+        ];
+        for (value, text) in pairs {
+            assert_eq!(number(value), text);
+        }
     }
 }

@@ -40,7 +40,7 @@ PROGRAMS = {
 }
 
 
-def runs(peer: str, case: str, limit: float) -> Iterator[Record]:
+def runs(peer: str, case: str, limit: int) -> Iterator[Record]:
     """A record for each setting of a program on a case."""
     title = PROGRAMS[peer].title
     for number, setting in enumerate(SETTINGS[peer][case]):
@@ -51,7 +51,7 @@ def runs(peer: str, case: str, limit: float) -> Iterator[Record]:
             yield unfinished(case, title, setting.label, error)
 
 
-def result_of(command: list[str], limit: float) -> dict[str, Any]:
+def result_of(command: list[str], limit: int) -> dict[str, Any]:
     """The numbers of a run, in a folder of its own: MuJoCo leaves a log in it."""
     with tempfile.TemporaryDirectory() as folder:
         numbers = call(command, limit, Path(folder))[-1]

@@ -23,7 +23,7 @@ REPEATS = 5
 ENOUGH_SECONDS = 1.0
 
 
-def runs(program: str, case: str, limit: float) -> Iterator[Record]:
+def runs(program: str, case: str, limit: int) -> Iterator[Record]:
     """A record for each tolerance and method."""
     for tolerance in TOLERANCES:
         asked = ["--case", case, "--tolerance", f"{tolerance:.0e}"]
@@ -34,7 +34,7 @@ def runs(program: str, case: str, limit: float) -> Iterator[Record]:
             yield unfinished(case, TITLE, setting, error)
 
 
-def cheapest(command: list[str], case: str, limit: float) -> list[Run]:
+def cheapest(command: list[str], case: str, limit: int) -> list[Run]:
     """The cheapest of a few calls, method by method."""
     best: dict[str, Run] = {}
     for _ in range(REPEATS):

@@ -46,7 +46,7 @@ def arguments() -> argparse.Namespace:
         default=quasirigid.DEFAULT,
         help="command that runs the common problem in quasirigid; empty for none",
     )
-    parser.add_argument("--limit", type=float, default=120.0, help="seconds for a run")
+    parser.add_argument("--limit", type=int, default=120, help="CPU seconds for a run")
     parser.add_argument("--out", type=Path, help="file for the results as JSON")
     return parser.parse_args()
 
@@ -62,7 +62,7 @@ def installed(peers: list[str]) -> dict[str, str]:
     return versions
 
 
-def all_runs(case: str, peers: list[str], own: str, limit: float) -> Iterator[Record]:
+def all_runs(case: str, peers: list[str], own: str, limit: int) -> Iterator[Record]:
     """quasirigid on a case, then the other programs."""
     if own:
         yield from quasirigid.runs(own, case, limit)

@@ -29,8 +29,8 @@ def everywhere(settings: Settings) -> dict[str, Settings]:
 SETTINGS: dict[str, dict[str, Settings]] = {
     "heyoka": everywhere(tolerances("Taylor", 1e-4, 1e-6, 1e-7, 1e-9)),
     "scipy": {
-        "A": tolerances("LSODA", 1e-10, 4e-14) + tolerances("DOPRI5", 1e-3, 1e-5),
-        "B": tolerances("LSODA", 1e-11, 4e-14) + tolerances("DOPRI5", 1e-4, 1e-6),
+        "A": tolerances("LSODA", 1e-11, 4e-14) + tolerances("DOPRI5", 1e-3, 1e-5),
+        "B": tolerances("LSODA", 1e-12, 4e-14) + tolerances("DOPRI5", 1e-4, 1e-6),
         "C": tolerances("LSODA", 1e-11, 4e-14) + tolerances("DOPRI5", 1e-4),
         "over": tolerances("LSODA", 1e-10, 1e-11, 4e-14) + tolerances("Radau", 1e-9),
         "soft": tolerances("LSODA", 4e-14) + tolerances("DOP853", 1e-4, 1e-6, 3e-7),
@@ -56,7 +56,7 @@ SETTINGS: dict[str, dict[str, Settings]] = {
         "A": steps("RK44", 20e-3, 5e-3),
         "B": steps("RK44", 2.5e-3, 2e-3),
         "C": steps("RK44", 0.25e-3),
-        "over": steps("RK44", 0.125e-3, 0.1e-3),
+        "over": steps("RK44", 0.125e-3),
         "soft": steps("RK67", 25e-3, 8e-3),
         "long": steps("RK44", 5e-3) + steps("RK67", 10e-3),
     },

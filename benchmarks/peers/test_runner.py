@@ -63,7 +63,7 @@ class Quasirigid(unittest.TestCase):
         self.program = shlex.join([sys.executable, str(script)])
 
     def test_every_method_and_tolerance_gives_a_run(self) -> None:
-        records = list(quasirigid.runs(self.program, "B", 60.0))
+        records = list(quasirigid.runs(self.program, "B", 60))
         self.assertEqual(len(records), 2 * len(quasirigid.TOLERANCES))
         best = cheapest(records, quasirigid.TITLE, 1e-9)
         assert best is not None
@@ -72,7 +72,7 @@ class Quasirigid(unittest.TestCase):
         self.assertAlmostEqual(best.error, 5e-10, delta=1e-15)
 
     def test_a_program_that_is_not_there_is_a_failure(self) -> None:
-        records = list(quasirigid.runs("./no-such-program", "B", 60.0))
+        records = list(quasirigid.runs("./no-such-program", "B", 60))
         self.assertTrue(all(isinstance(record, Failure) for record in records))
 
 
@@ -87,12 +87,12 @@ class Processes(unittest.TestCase):
                     "-c",
                     "import sys; print('gone', file=sys.stderr); sys.exit(3)",
                 ],
-                60.0,
+                60,
             )
 
     def test_a_long_run_is_stopped(self) -> None:
-        with self.assertRaisesRegex(Failed, "> 0.2 s") as caught:
-            call([sys.executable, "-c", "import time; time.sleep(60)"], 0.2)
+        with self.assertRaisesRegex(Failed, "> 1 s") as caught:
+            call([sys.executable, "-c", "while True: pass"], 1)
         self.assertTrue(caught.exception.stopped)
 
 

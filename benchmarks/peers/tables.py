@@ -10,7 +10,7 @@ TARGETS = (1e-6, 1e-9)
 RUN_HEADER = (
     "program",
     "setting",
-    "CPU (s)",
+    "time (s)",
     "set-up (s)",
     "error in ω (rad/s)",
     "drift of \\|H\\|",
@@ -69,7 +69,7 @@ def target_table(records: Sequence[Record]) -> str:
     """For each program and target the cheapest run that reaches it, and how it compares."""
     header = ["program"]
     for target in TARGETS:
-        header += [f"CPU (s) for {target:.0e}", "setting", "ratio"]
+        header += [f"time (s) for {target:.0e}", "setting", "ratio"]
     programs = dict.fromkeys(record.program for record in records)
     rows = [[name, *target_cells(records, name)] for name in programs]
     return markdown(header, rows)

@@ -4,7 +4,7 @@ use faer::prelude::Solve;
 use faer::sparse::linalg::solvers::Lu;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{MatMut, c64};
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::sparse::SparseRows;
 
@@ -27,19 +27,31 @@ pub const COLUMNS: usize = 6;
 pub struct DynamicStiffness {
     s: Complex<f64>,
     inverse: Inverse,
+    /// Room for a right-hand side.
+    right: Vec<Complex<f64>>,
 }
 
 #[derive(Clone, Debug)]
 enum Inverse {
-    /// Rows of the inverse.
+    /// Rows of the matrix that takes `g` and `f` to `x` and `M y`.
     Dense(Vec<Complex<f64>>),
-    /// Factor of `s²A + sB + C`, its solution `X` for `U`, and what takes `Uᵀx` to the correction by `X`.
-    Sparse { factor: Box<Lu<usize, c64>>, solved: Vec<Complex<f64>>, correction: DMatrix<Complex<f64>> },
+    Sparse(SparseInverse),
     /// No inverse: `s` is an eigenvalue.
     None,
 }
 
-/// Up to this size the inverse is formed: a product with it is cheaper than the overhead of a sparse solution.
+#[derive(Clone, Debug)]
+struct SparseInverse {
+    /// Of `s²A + sB + C`.
+    factor: Box<Lu<usize, c64>>,
+    /// Rows of its solution `X` for `U`.
+    solved: Vec<Complex<f64>>,
+    /// Takes `Uᵀx` to the correction by `X`.
+    correction: DMatrix<Complex<f64>>,
+}
+
+/// Up to this size the solution is formed as a matrix: a product with it is cheaper than the overhead of a sparse
+/// solution.
 const DENSE: usize = 48;
 
 impl Vibrator {
@@ -66,26 +78,25 @@ impl Vibrator {
     pub fn at(&self, [re, im]: [f64; 2]) -> DynamicStiffness {
         let s = Complex::new(re, im);
         let inverse = if self.size() <= DENSE { self.dense(s) } else { self.sparse(s) };
-        DynamicStiffness { s, inverse: inverse.unwrap_or(Inverse::None) }
+        DynamicStiffness { s, inverse: inverse.unwrap_or(Inverse::None), right: Vec::new() }
     }
 
     fn dense(&self, s: Complex<f64>) -> Option<Inverse> {
         let n = self.size();
-        let mut matrix = DMatrix::<Complex<f64>>::zeros(n, n);
-        for (factor, part) in [(s * s, &self.A), (s, &self.B), (Complex::from(1.0), &self.C)] {
-            for (row, column, entry) in part.iter() {
-                matrix[(row, column)] += factor * entry;
-            }
-        }
-        for row in 0..n {
-            let left = self.weighted(self.U[row].map(Complex::from));
-            for column in 0..n {
-                let product: Complex<f64> = left.iter().zip(&self.U[column]).map(|(a, b)| a * b).sum();
-                matrix[(row, column)] -= s * s * product;
-            }
-        }
-        let inverse = matrix.try_inverse()?;
-        Some(Inverse::Dense(inverse.transpose().as_slice().to_vec()))
+        let mut M = full(&self.A);
+        let U = DMatrix::from_fn(n, COLUMNS, |i, j| self.U[i][j]);
+        let D = DMatrix::from_fn(COLUMNS, COLUMNS, |i, j| self.D[i][j]);
+        M -= &U * D * U.transpose();
+        let M = M.map(Complex::from);
+        let load = &M * s + full(&self.B).map(Complex::from);
+        let from_load = (&load * s + full(&self.C).map(Complex::from)).try_inverse()?;
+        let from_rate = &from_load * load;
+        let mut rows = DMatrix::<Complex<f64>>::zeros(2 * n, 2 * n);
+        rows.view_mut((n, 0), (n, n)).copy_from(&(&M * (&from_rate * s - DMatrix::identity(n, n))));
+        rows.view_mut((n, n), (n, n)).copy_from(&(M * &from_load * s));
+        rows.view_mut((0, 0), (n, n)).copy_from(&from_rate);
+        rows.view_mut((0, n), (n, n)).copy_from(&from_load);
+        Some(Inverse::Dense(rows.transpose().as_slice().to_vec()))
     }
 
     fn sparse(&self, s: Complex<f64>) -> Option<Inverse> {
@@ -112,41 +123,50 @@ impl Vibrator {
         }
         let D = DMatrix::from_fn(COLUMNS, COLUMNS, |i, j| Complex::from(self.D[i][j]));
         let middle = (DMatrix::identity(COLUMNS, COLUMNS) - &D * inner).try_inverse()?;
-        Some(Inverse::Sparse { factor, solved, correction: middle * D * (s * s) })
+        Some(Inverse::Sparse(SparseInverse { factor, solved, correction: middle * D * (s * s) }))
     }
 
     /// Solves the first-order form `s x − y = g`, `M (s y) + B y + C x = f` in place: `g` and `f` become `x` and `M y`.
-    pub fn solve(&self, stiffness: &DynamicStiffness, right: &mut [[f64; 2]]) {
-        let n = self.size();
-        let s = stiffness.s;
-        let entry = |[re, im]: [f64; 2]| Complex::new(re, im);
-        let g: Vec<_> = right[..n].iter().copied().map(entry).collect();
-        let (momentum, damped) = (self.mass_times(&g), times(&self.B, &g));
-        let load: Vec<_> = (0..n).map(|i| entry(right[n + i]) + s * momentum[i] + damped[i]).collect();
-        let x = self.inverse_times(stiffness, load);
-        let rate: Vec<_> = x.iter().zip(&g).map(|(x, g)| s * x - g).collect();
-        let momentum = self.mass_times(&rate);
-        for (entry, value) in right.iter_mut().zip(x.iter().chain(&momentum)) {
-            *entry = [value.re, value.im];
+    pub fn solve(&self, stiffness: &mut DynamicStiffness, right: &mut [[f64; 2]]) {
+        let DynamicStiffness { s, inverse, right: given } = stiffness;
+        given.clear();
+        given.extend(right.iter().map(|[re, im]| Complex::new(*re, *im)));
+        match inverse {
+            Inverse::Dense(rows) => {
+                for (entry, row) in right.iter_mut().zip(rows.chunks_exact(given.len())) {
+                    let sum: Complex<f64> = row.iter().zip(&*given).map(|(a, b)| a * b).sum();
+                    *entry = [sum.re, sum.im];
+                }
+            }
+            Inverse::Sparse(inverse) => {
+                let (g, f) = given.split_at_mut(self.size());
+                self.solve_sparse(*s, inverse, g, f, right);
+            }
+            Inverse::None => right.fill([f64::NAN; 2]),
         }
     }
 
-    fn inverse_times(&self, stiffness: &DynamicStiffness, mut load: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
-        match &stiffness.inverse {
-            Inverse::Dense(rows) => rows
-                .chunks_exact(self.size())
-                .map(|row| row.iter().zip(&load).map(|(entry, load)| entry * load).sum())
-                .collect(),
-            Inverse::Sparse { factor, solved, correction } => {
-                factor.solve_in_place(MatMut::from_row_major_slice_mut(&mut load, self.size(), 1));
-                let projected = nalgebra::DVector::from_row_slice(&self.projected(&load));
-                let factors = correction * projected;
-                for (x, solved) in load.iter_mut().zip(solved.chunks_exact(COLUMNS)) {
-                    *x += solved.iter().zip(&factors).map(|(a, b)| a * b).sum::<Complex<f64>>();
-                }
-                load
-            }
-            Inverse::None => vec![Complex::from(f64::NAN); load.len()],
+    fn solve_sparse(
+        &self,
+        s: Complex<f64>,
+        inverse: &SparseInverse,
+        g: &[Complex<f64>],
+        f: &mut [Complex<f64>],
+        solution: &mut [[f64; 2]],
+    ) {
+        let (momentum, damped) = (self.mass_times(g), times(&self.B, g));
+        for ((load, momentum), damped) in f.iter_mut().zip(&momentum).zip(&damped) {
+            *load += s * momentum + damped;
+        }
+        inverse.factor.solve_in_place(MatMut::from_row_major_slice_mut(f, self.size(), 1));
+        let factors = &inverse.correction * DVector::from_row_slice(&self.projected(f));
+        for (x, solved) in f.iter_mut().zip(inverse.solved.chunks_exact(COLUMNS)) {
+            *x += solved.iter().zip(&factors).map(|(a, b)| a * b).sum::<Complex<f64>>();
+        }
+        let rate: Vec<_> = f.iter().zip(g).map(|(x, g)| s * x - g).collect();
+        let momentum = self.mass_times(&rate);
+        for (entry, value) in solution.iter_mut().zip(f.iter().chain(&momentum)) {
+            *entry = [value.re, value.im];
         }
     }
 
@@ -179,4 +199,58 @@ impl Vibrator {
 
 fn times(matrix: &SparseRows<f64>, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
     (0..matrix.size()).map(|row| matrix.row(row).map(|(column, entry)| x[column] * entry).sum()).collect()
+}
+
+fn full(matrix: &SparseRows<f64>) -> DMatrix<f64> {
+    let mut rows = DMatrix::zeros(matrix.size(), matrix.size());
+    matrix.iter().for_each(|(row, column, entry)| rows[(row, column)] += entry);
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A chain of masses with six columns taken off its mass matrix, and a right-hand side.
+    fn chain(n: usize) -> (Vibrator, Vec<[f64; 2]>) {
+        let wave = |i: usize, scale: f64| scale * (1.3 * i as f64 + 0.4).sin();
+        let band = |diagonal: f64, side: f64| {
+            let entries = (0..n).flat_map(|i| {
+                let near = [(i, i, diagonal + 0.1 * wave(i, diagonal))];
+                near.into_iter()
+                    .chain((i + 1 < n).then_some([(i, i + 1, side), (i + 1, i, side)]).into_iter().flatten())
+            });
+            SparseRows::sum(n, entries.collect())
+        };
+        let U = (0..n).map(|i| std::array::from_fn(|j| wave(i * 7 + j, 0.2))).collect();
+        let mut D = [[0.02; COLUMNS]; COLUMNS];
+        (0..COLUMNS).for_each(|i| D[i][i] = 0.3);
+        let right = (0..2 * n).map(|i| [wave(i, 1.0), wave(i + 3, 2.0)]).collect();
+        (Vibrator::new(band(2.0, 0.3), U, D, band(0.7, -0.2), band(50.0, -20.0)), right)
+    }
+
+    /// Both forms of the inverse satisfy the equations.
+    #[test]
+    fn solution_satisfies_both_equations() {
+        for n in [7, DENSE, DENSE + 1, 90] {
+            let (vibrator, given) = chain(n);
+            let s = Complex::new(1.7, 4.1);
+            let mut stiffness = vibrator.at([s.re, s.im]);
+            assert_eq!(matches!(stiffness.inverse, Inverse::Dense(_)), n <= DENSE);
+            let mut solution = given.clone();
+            vibrator.solve(&mut stiffness, &mut solution);
+            let complex =
+                |list: &[[f64; 2]]| list.iter().map(|[re, im]| Complex::new(*re, *im)).collect::<Vec<_>>();
+            let (given, solution) = (complex(&given), complex(&solution));
+            let (x, momentum) = solution.split_at(n);
+            let y: Vec<_> = x.iter().zip(&given).map(|(x, g)| s * x - g).collect();
+            let (expected, damped, elastic) =
+                (vibrator.mass_times(&y), times(&vibrator.B, &y), times(&vibrator.C, x));
+            for i in 0..n {
+                let rest = s * momentum[i] + damped[i] + elastic[i] - given[n + i];
+                assert!(rest.norm() < 1e-12, "row {i} of {n}: {rest}");
+                assert!((momentum[i] - expected[i]).norm() < 1e-12, "momentum {i} of {n}");
+            }
+        }
+    }
 }

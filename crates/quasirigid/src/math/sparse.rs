@@ -44,6 +44,7 @@ impl<T> SparseRows<T> {
     }
 
     /// Entries of a row with their columns.
+    #[inline]
     pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, &T)> {
         let range = self.starts[row]..self.starts[row + 1];
         self.columns[range.clone()].iter().copied().zip(&self.entries[range])

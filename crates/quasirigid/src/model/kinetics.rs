@@ -15,17 +15,19 @@ pub struct Kinetics<'a> {
     /// `h_k(q)` in the first three columns, the generalised momenta in the last; then `A⁻¹` times both.
     rows: Vec<[f64; 4]>,
     solved: Vec<[f64; 4]>,
+    /// `½∂J/∂q_j` of the body that does not recoil.
+    slopes: Vec<Sym>,
 }
 
-/// Spin and internal rates of a state.
+/// Spin of a state, and what its loads are computed from.
 #[derive(Clone, Copy, Debug)]
-pub struct Velocities<'a> {
+pub struct Velocities<'k> {
     /// Spin (rad/s), body axes.
     pub omega: [f64; 3],
-    /// First moment of the displacement, `s` (kg·m), and its inertial rate `u = ṡ + ω × s`; zero where the body is held.
-    pub moment: [[f64; 3]; 2],
-    /// Coordinates.
-    pub q: &'a [f64],
+    body: &'k FlexibleBody,
+    /// Inertial rate of the first moment of the displacement, `ṡ + ω × s` (N·s); zero where the body is held.
+    u: [f64; 3],
+    slopes: &'k [Sym],
 }
 
 impl<'a> Kinetics<'a> {
@@ -33,7 +35,8 @@ impl<'a> Kinetics<'a> {
     #[must_use]
     pub fn new(body: &'a FlexibleBody) -> Self {
         let n = body.coordinates().len();
-        Self { body, inverse: MassInverse::new(body), rows: vec![[0.0; 4]; n], solved: vec![[0.0; 4]; n] }
+        let rows = vec![[0.0; 4]; n];
+        Self { body, inverse: MassInverse::new(body), solved: rows.clone(), rows, slopes: vec![[0.0; 6]; n] }
     }
 
     /// The body.
@@ -43,13 +46,7 @@ impl<'a> Kinetics<'a> {
     }
 
     /// Spin at these momenta (N·m·s; coordinates' own units) and coordinates; writes the rates of the coordinates.
-    pub fn velocities<'q>(
-        &mut self,
-        K: [f64; 3],
-        p: &[f64],
-        q: &'q [f64],
-        rate: &mut [f64],
-    ) -> Velocities<'q> {
+    pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
         let (J, s) = self.prepare(q);
         for (row, p) in self.rows.iter_mut().zip(p) {
             row[3] = *p;
@@ -69,31 +66,10 @@ impl<'a> Kinetics<'a> {
             drift = add(drift, scale(*rate, *S));
         }
         let u = if self.body.translation().is_some() { add(drift, cross(omega, s)) } else { [0.0; 3] };
-        Velocities { omega, moment: [s, u], q }
+        Velocities { omega, body: self.body, u, slopes: &self.slopes }
     }
 
-    /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; the power that the
-    /// dashpots take (W). (S4)
-    pub fn add_loads(&self, velocities: Velocities, rate: &[f64], sum: &mut [f64]) -> f64 {
-        let Velocities { omega, moment: [_, u], q } = velocities;
-        let Invariants { J1, S, pairs, .. } = self.body.invariants();
-        let square = products(omega);
-        let recoil = scale(self.body.translation().unwrap_or(0.0), cross(u, omega));
-        let mut power = 0.0;
-        for (j, sum) in sum.iter_mut().enumerate() {
-            let mut load = 0.5 * form(J1[j], square) - dot(S[j], recoil);
-            for (k, pair) in pairs.row(j) {
-                load += form(pair.J2, square) * q[k] + dot(omega, pair.Z) * rate[k];
-            }
-            let damped: f64 = self.body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
-            let elastic: f64 = self.body.stiffness().row(j).map(|(k, c)| c * q[k]).sum();
-            power += damped * rate[j];
-            *sum += load - damped - elastic;
-        }
-        power
-    }
-
-    /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows.
+    /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows, and the slopes.
     fn prepare(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
         let Invariants { J, J1, S, h, pairs, .. } = self.body.invariants();
         let mut J = *J;
@@ -103,16 +79,15 @@ impl<'a> Kinetics<'a> {
         }
         for (j, qj) in q.iter().enumerate() {
             s = add(s, scale(*qj, S[j]));
-            let mut change = J1[j];
+            let mut square = [0.0; 6];
             for (k, pair) in pairs.row(j) {
-                for (change, J2) in change.iter_mut().zip(pair.J2) {
-                    *change += q[k] * J2;
-                }
-                for (h, Z) in self.rows[k].iter_mut().zip(pair.Z) {
-                    *h += qj * Z;
-                }
+                square.iter_mut().zip(pair.J2).for_each(|(sum, J2)| *sum += q[k] * J2);
+                self.rows[k].iter_mut().zip(pair.Z).for_each(|(h, Z)| *h += qj * Z);
             }
-            J.iter_mut().zip(change).for_each(|(J, change)| *J += qj * change);
+            for (((J, J1), square), slope) in J.iter_mut().zip(J1[j]).zip(square).zip(&mut self.slopes[j]) {
+                *J += qj * (J1 + square);
+                *slope = 0.5 * J1 + square;
+            }
         }
         let Some(per_mass) = self.body.translation() else {
             return (J, [0.0; 3]);
@@ -128,15 +103,34 @@ impl<'a> Kinetics<'a> {
     }
 }
 
+impl Velocities<'_> {
+    /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; the power that the
+    /// dashpots take (W). (S4)
+    pub fn add_loads(&self, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
+        let Self { omega, body, u, slopes } = *self;
+        let Invariants { S, pairs, .. } = body.invariants();
+        let [xx, yy, zz, yz, zx, xy] = products(omega);
+        let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
+        let recoil = scale(body.translation().unwrap_or(0.0), cross(u, omega));
+        let mut power = 0.0;
+        for (j, sum) in sum.iter_mut().enumerate() {
+            let centrifugal: f64 = slopes[j].iter().zip(square).map(|(slope, square)| slope * square).sum();
+            let mut turning = [0.0; 3];
+            for (k, pair) in pairs.row(j) {
+                turning.iter_mut().zip(pair.Z).for_each(|(turning, Z)| *turning += rate[k] * Z);
+            }
+            let damped: f64 = body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
+            let elastic: f64 = body.stiffness().row(j).map(|(k, c)| c * q[k]).sum();
+            power += damped * rate[j];
+            *sum += centrifugal + dot(omega, turning) - dot(S[j], recoil) - damped - elastic;
+        }
+        power
+    }
+}
+
 /// `xx, yy, zz, yz, zx, xy` of a vector.
 fn products([x, y, z]: [f64; 3]) -> Sym {
     [x * x, y * y, z * z, y * z, z * x, x * y]
-}
-
-/// `ωᵀ M ω` from the products of `ω`.
-fn form([xx, yy, zz, yz, zx, xy]: Sym, square: Sym) -> f64 {
-    let [a, b, c, d, e, f] = square;
-    xx * a + yy * b + zz * c + 2.0 * (yz * d + zx * e + xy * f)
 }
 
 /// Inverse of the mass matrix `A − SSᵀ/m*` of a free body, `A` of a held one.
@@ -157,6 +151,8 @@ enum SparseInverse {
 
 /// Largest block that is inverted as a whole.
 const BLOCK: usize = 6;
+/// Up to so many coordinates the inverse is one block, with the recoil in it.
+const SMALL: usize = 12;
 
 impl MassInverse {
     fn new(body: &FlexibleBody) -> Self {
@@ -180,7 +176,21 @@ impl MassInverse {
             let middle = middle.try_inverse().expect("the carrier has mass");
             inverse.recoil = Some((solved, middle));
         }
-        inverse
+        if S.len() <= SMALL { inverse.joined() } else { inverse }
+    }
+
+    /// The same inverse as one block.
+    fn joined(self) -> Self {
+        let n = self.S.len();
+        let mut parts = Vec::new();
+        for column in 0..n {
+            let unit: Vec<[f64; 4]> =
+                (0..n).map(|row| [f64::from(u8::from(row == column)), 0.0, 0.0, 0.0]).collect();
+            let mut solved = vec![[0.0; 4]; n];
+            self.apply(&unit, &mut solved);
+            parts.extend(solved.iter().enumerate().map(|(row, entries)| (row, column, entries[0])));
+        }
+        Self { sparse: SparseInverse::Blocks(SparseRows::sum(n, parts)), recoil: None, S: self.S }
     }
 
     fn apply(&self, rows: &[[f64; 4]], solved: &mut [[f64; 4]]) {

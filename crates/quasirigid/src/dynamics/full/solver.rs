@@ -5,7 +5,7 @@ use crate::math::simd::Plain;
 
 type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
-type Implicit<'a> = Radau<FullSystem<'a>, State, Plain>;
+type Implicit<'a> = Radau<FullSystem<'a>, Plain>;
 
 /// Both methods, one of them at work.
 pub(super) struct FullSolver<'a> {
@@ -47,7 +47,7 @@ impl<'a> FullSolver<'a> {
         let active = match method {
             Method::Implicit => {
                 let h = explicit.h();
-                Active::Implicit(Box::new(Implicit::new(system, 0.0, y, allowed.clone(), h)))
+                Active::Implicit(Box::new(Implicit::new(system, 0.0, y, &allowed, h)))
             }
             Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
         };
@@ -82,7 +82,7 @@ impl<'a> FullSolver<'a> {
         self.active = match &self.active {
             Active::Explicit(solver) => {
                 let (t, y, h) = (solver.t(), solver.y().clone(), LEAP * solver.h());
-                Active::Implicit(Box::new(Implicit::new(solver.system().clone(), t, y, allowed, h)))
+                Active::Implicit(Box::new(Implicit::new(solver.system().clone(), t, y, &allowed, h)))
             }
             Active::Implicit(solver) => {
                 let (t, y) = (solver.t(), solver.y().clone());

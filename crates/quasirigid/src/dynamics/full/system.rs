@@ -1,5 +1,3 @@
-use std::ops::Range;
-
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
 use crate::dynamics::layout::{
@@ -90,12 +88,13 @@ impl System<Vec<f64>> for FullSystem<'_> {
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
         let velocities = self.kinetics.velocities(K, p, q, q_rate);
         p_rate.fill(0.0);
-        slow[DISSIPATED] = self.kinetics.add_loads(velocities, q_rate, p_rate);
-        slow[ANGLE] = norm(velocities.omega);
-        slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, velocities.omega));
-        slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), velocities.omega));
+        slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
+        let omega = velocities.omega;
+        slow[ANGLE] = norm(omega);
+        slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
+        slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), omega));
         if self.system.acts() {
-            let motion = Motion { omega: velocities.omega, q, rate: q_rate };
+            let motion = Motion { omega, q, rate: q_rate };
             self.add_external(t, y, motion, slow, p_rate);
         }
     }
@@ -118,9 +117,9 @@ impl Followed for FullSystem<'_> {
 }
 
 /// `L` is the free vibration of the body that recoils: `q̇ = M⁻¹p`, `ṗ = −Bq̇ − Cq`, with the mass of (V2). (T2)
-impl Stiff<Vec<f64>> for FullSystem<'_> {
-    fn stiff(&self) -> Range<usize> {
-        SLOW..self.layout.len()
+impl Stiff for FullSystem<'_> {
+    fn stiff(&self) -> usize {
+        SLOW
     }
 
     fn shift(&mut self, shifts: [[f64; 2]; 4]) {
@@ -128,7 +127,7 @@ impl Stiff<Vec<f64>> for FullSystem<'_> {
     }
 
     fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
-        self.vibrator.solve(&self.shifts[shift], right);
+        self.vibrator.solve(&mut self.shifts[shift], right);
     }
 }
 

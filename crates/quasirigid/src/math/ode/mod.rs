@@ -4,10 +4,12 @@ mod dop853;
 mod dop853_tableau;
 mod integrate;
 mod radau;
+mod radau_stages;
 mod radau_tableau;
 mod system;
 
 pub use dop853::Dop853;
 pub use integrate::{Ending, Watcher, integrate};
-pub use radau::{Radau, Stiff};
+pub use radau::Radau;
+pub use radau_stages::Stiff;
 pub use system::{Dense, Solver, State, StepError, System, Work};

@@ -12,6 +12,7 @@ mod motion;
 mod output;
 mod progress;
 mod record;
+mod verification;
 
 use std::process::ExitCode;
 

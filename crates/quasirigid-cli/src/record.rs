@@ -6,10 +6,11 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
+use quasirigid::verification::{Difference, OrderRow, Plan, Verification};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{
-    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, ReductionRecord,
-    ValidityRecord,
+    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, OrderRecord,
+    ReductionRecord, ValidityRecord, VerificationRecord,
 };
 
 use crate::args::System;
@@ -88,6 +89,30 @@ pub fn reduction(
         residual: residual(flexible, reduced, omega).elastic,
         degrees: degrees.collect(),
         power: reduced.dissipated_power(omega),
+    }
+}
+
+/// The reduced equations against the full ones.
+pub fn verification(plan: &Plan, verification: &Verification) -> VerificationRecord {
+    let row = |row: &OrderRow| {
+        let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
+        OrderRecord {
+            p: row.p,
+            order: row.order,
+            expected: row.p + 1,
+            reached: row.reached(),
+            epsilons: verification.epsilons.clone(),
+            errors: of(|difference| difference.omega),
+            attitude: of(|difference| difference.attitude),
+            dissipated: of(|difference| difference.dissipated),
+            dissipation: of(|difference| difference.dissipation),
+        }
+    };
+    VerificationRecord {
+        reached: verification.reached(),
+        rotations: plan.rotations,
+        duration: verification.duration,
+        orders: verification.rows.iter().map(row).collect(),
     }
 }
 

@@ -79,14 +79,33 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn order()(
+        p in 1usize..9, order in option::of(ANY), reached: bool, numbers in [vec(ANY, 0..4), vec(ANY, 0..4)],
+    ) -> OrderRecord {
+        let [epsilons, errors] = numbers;
+        let (attitude, dissipated, dissipation) = (errors.clone(), epsilons.clone(), errors.clone());
+        OrderRecord { p, order, expected: p + 1, reached, epsilons, errors, attitude, dissipated, dissipation }
+    }
+}
+
+prop_compose! {
+    fn verification()(
+        reached: bool, rotations in ANY, duration in ANY, orders in vec(order(), 0..3),
+    ) -> VerificationRecord {
+        VerificationRecord { reached, rotations, duration, orders }
+    }
+}
+
+prop_compose! {
     fn record()(
         version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
         body in body(), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
+        verification in option::of(verification()),
     ) -> RunRecord {
         RunRecord {
             version, model: ModelRecord { name, file, sha256 }, notes, body, validity, reduction,
-            histories: reduced.into_iter().chain(rigid).collect(),
+            histories: reduced.into_iter().chain(rigid).collect(), verification,
         }
     }
 }
@@ -146,6 +165,7 @@ fn sample() -> RunRecord {
             momentum_drift: 0.0,
             columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],
         }],
+        verification: None,
     }
 }
 

@@ -4,7 +4,7 @@ use quasirigid_io::record::RunRecord;
 use crate::rows::main_history;
 use crate::sphere;
 
-use crate::sections::{answer, body, figures, head, provenance, reduction, validity};
+use crate::sections::{answer, body, figures, head, provenance, reduction, validity, verification};
 
 const STYLE: &str = include_str!("assets/page.css");
 const PALETTE: &str = include_str!("assets/palette.css");
@@ -37,6 +37,7 @@ pub fn page(record: &RunRecord) -> String {
                     (answer::section(record))
                     (figures::section(record))
                     (validity::section(&record.validity))
+                    @if let Some(verification) = &record.verification { (verification::section(verification)) }
                     (reduction::section(&record.reduction))
                     (body::section(&record.body))
                     (provenance::section(record))

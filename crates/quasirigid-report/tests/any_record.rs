@@ -40,6 +40,9 @@ fn record() -> impl Strategy<Value = RunRecord> {
         }
         record.validity.frequencies.iter_mut().for_each(&mut set);
         record.reduction.degrees.iter_mut().for_each(|degree| set(&mut degree.size));
+        for row in record.verification.iter_mut().flat_map(|verification| &mut verification.orders) {
+            row.errors.iter_mut().chain(&mut row.epsilons).chain(&mut row.attitude).for_each(&mut set);
+        }
         set(&mut record.validity.T1);
         set(&mut record.reduction.residual);
         record

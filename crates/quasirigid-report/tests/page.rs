@@ -90,6 +90,19 @@ fn page_answers_from_the_top() {
 
 /// 0.2 J lost of the 0.5·(1/2 − 1/4)·2² J between the spin about axis 1 and that about axis 3, at |K| = 2 N m s.
 #[test]
+fn proof_tells_each_order_and_what_was_not_reached() {
+    let mut record = support::record(40, 600.0, 1e-4);
+    let page = page(&record);
+    assert_in_order(
+        &page,
+        &["Proof against the full system", "5 turns", "Not every order is reached", "2.010", "not reached"],
+    );
+    assert_drawable(&page);
+    record.verification = None;
+    assert!(!quasirigid_report::page(&record).contains("Proof against"));
+}
+
+#[test]
 fn loss_is_told_as_part_of_what_can_be_lost() {
     let mut record = support::record(2, 1.0, 0.0);
     record.body.principal_moments = [2.0, 3.0, 4.0];

@@ -5,7 +5,7 @@ use quasirigid::math::sym::norm;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
-use quasirigid_io::record::{HistoryRecord, RunRecord};
+use quasirigid_io::record::{HistoryRecord, RunRecord, VerificationRecord};
 
 use super::{Loaded, circled_axis, duration, even_times, initial, load, options, summary};
 use crate::args::{Run, System};
@@ -16,7 +16,7 @@ use crate::message::remark;
 use crate::motion::Motion;
 use crate::output::Folder;
 use crate::progress::Collector;
-use crate::{Ending, output, record};
+use crate::{Ending, output, record, verification};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
@@ -27,6 +27,7 @@ const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, s
                            propagated; the history is that of the rigid body.";
 /// Note on a run that Ctrl-C ended.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
+const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
 /// Note on a start off the slow manifold.
 const DISPLACED: &str = "The elastic parts do not start on the slow manifold: the full system vibrates until its dashpots have \
                          stilled it, and the reduced body starts from the state that it settles on.";
@@ -46,6 +47,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let mut notes = model.notes.clone();
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
     let histories = plan.histories(&mut notes)?;
+    let verification = plan.verification(model, order, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(model),
@@ -54,6 +56,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         validity: record::validity(&validity),
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
+        verification,
     };
     let folder = Folder::new(&path)?;
     record.write(&folder.building())?;
@@ -70,10 +73,12 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     } else if !arguments.common.quiet {
         output::print(&summary::text(&record, &path))?;
     }
-    let complete = record.histories.len() == plan.systems.len();
+    let complete = record.histories.len() == plan.systems.len()
+        && record.verification.is_some() == model.run.verify.is_some();
     let ended = |status: &str| matches!(status, "finished" | "event");
     let finished = complete && record.histories.iter().all(|history| ended(&history.status));
-    let holds = validity.verdict() != Verdict::Fails;
+    let proved = record.verification.as_ref().is_none_or(|verification| verification.reached);
+    let holds = validity.verdict() != Verdict::Fails && proved;
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
 
@@ -145,6 +150,27 @@ impl<'a> Plan<'a> {
             histories.iter().filter_map(|each| drift_note(&each.system, each.energy_drift, each.dissipated)),
         );
         Ok(histories)
+    }
+
+    /// The proof against the full system, where the file asks for it.
+    fn verification(
+        &self,
+        model: &Model,
+        order: usize,
+        notes: &mut Vec<String>,
+    ) -> Result<Option<VerificationRecord>, Failure> {
+        if model.run.verify.is_none() {
+            return Ok(None);
+        }
+        let plan = verification::plan(model, order);
+        match verification::follow(self.motion, &plan, &self.interrupt, self.quiet) {
+            Ok(found) => Ok(Some(record::verification(&plan, &found))),
+            Err(Failure::Interrupted) => {
+                notes.push(UNPROVED.into());
+                Ok(None)
+            }
+            Err(failure) => Err(failure),
+        }
     }
 
     fn interrupted(&self) -> bool {

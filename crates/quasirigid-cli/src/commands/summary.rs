@@ -5,6 +5,7 @@ use quasirigid_io::record::{HistoryRecord, RunRecord};
 
 use crate::describe::{significant, time};
 use crate::layout::paragraph;
+use crate::verification;
 
 /// The answer of a run for a terminal of 80 columns.
 pub fn text(record: &RunRecord, path: &Path) -> String {
@@ -28,6 +29,9 @@ fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
     }
     for history in &record.histories {
         write_history(out, history)?;
+    }
+    if let Some(verification) = &record.verification {
+        write!(out, "\n{}", verification::text("Verification", verification))?;
     }
     writeln!(out, "\nRecord and report: {}", path.join("report.html").display())
 }

@@ -31,6 +31,9 @@ pub struct RunRecord {
     pub reduction: ReductionRecord,
     /// Spin histories, one per system propagated; the first is the main one.
     pub histories: Vec<HistoryRecord>,
+    /// The reduced equations against the full ones, where the model asks for it.
+    #[serde(default)]
+    pub verification: Option<VerificationRecord>,
 }
 
 /// The model a record was made from.
@@ -56,7 +59,7 @@ pub struct BodyRecord {
     /// Pole (m), in the file's frame.
     #[serde(with = "number")]
     pub pole: [f64; 3],
-    /// `free` or `fixed-point`.
+    /// `free`, `fixed-point` or `prescribed`.
     pub support: String,
     /// Inertia tensor about the pole (kg·m²), in the file's axes.
     #[serde(with = "number")]
@@ -198,4 +201,48 @@ pub struct Column {
     /// Values, one per row. Kept in the CSV file.
     #[serde(skip)]
     pub values: Vec<f64>,
+}
+
+/// The reduced equations against the full ones as the body is stiffened.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct VerificationRecord {
+    /// Whether every order was reached.
+    pub reached: bool,
+    /// Turns followed, at the initial spin.
+    #[serde(with = "number")]
+    pub rotations: f64,
+    /// Their duration (s).
+    #[serde(with = "number")]
+    pub duration: f64,
+    /// One entry per order.
+    pub orders: Vec<OrderRecord>,
+}
+
+/// What one order was measured at.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct OrderRecord {
+    /// Order `p`.
+    pub p: usize,
+    /// Measured order in `ε` of the difference in spin; none if the differences cannot be told from rounding.
+    #[serde(with = "number")]
+    pub order: Option<f64>,
+    /// The order it should have, `p + 1`.
+    pub expected: usize,
+    /// Whether it has.
+    pub reached: bool,
+    /// Factors `ε` of the stiffness `C/ε²` and the damping `B/ε`, descending from 1, which is the model itself.
+    #[serde(with = "number")]
+    pub epsilons: Vec<f64>,
+    /// Largest difference in spin at each, relative to the spin.
+    #[serde(with = "number")]
+    pub errors: Vec<f64>,
+    /// Largest difference in attitude (rad).
+    #[serde(with = "number")]
+    pub attitude: Vec<f64>,
+    /// Largest difference in the energy dissipated (J).
+    #[serde(with = "number")]
+    pub dissipated: Vec<f64>,
+    /// That energy itself (J), at the end of the full history.
+    #[serde(with = "number")]
+    pub dissipation: Vec<f64>,
 }

@@ -66,8 +66,12 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
     )
 }
 
-/// Energy above the least that the body can have at its angular momentum, `E − |K|²/2J₃`.
+/// Energy above the least that the body can have at its angular momentum, `E − |K|²/2J₃`; none where external forces
+/// change that.
 fn free_energy(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
+    if column(&history.columns, "work").is_some_and(|work| work.values.iter().any(|&work| work != 0.0)) {
+        return None;
+    }
     let (momentum, _) = ends(column(&history.columns, "momentum")?.values.iter().copied())?;
     let free = history.energy - 0.5 * momentum * momentum / record.body.principal_moments[2];
     (free > 1e-12 * history.energy.abs()).then_some(free)

@@ -8,3 +8,4 @@ pub mod provenance;
 pub mod reduction;
 mod table;
 pub mod validity;
+pub mod verification;

@@ -231,10 +231,32 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
             power: 3.21e-4,
         },
         histories,
+        verification: Some(verification()),
     }
+}
+
+/// Two orders, one of them reached.
+fn verification() -> VerificationRecord {
+    let order = |p: usize, order: Option<f64>| {
+        let epsilons: Vec<f64> = (0..5).map(|k| 0.5f64.powi(k)).collect();
+        let errors = |scale: f64| epsilons.iter().map(|e| scale * e.powi(p as i32 + 1)).collect();
+        OrderRecord {
+            p,
+            order,
+            expected: p + 1,
+            reached: order.is_some(),
+            epsilons: epsilons.clone(),
+            errors: errors(1e-3),
+            attitude: errors(5e-3),
+            dissipated: errors(2e-4),
+            dissipation: errors(0.1),
+        }
+    };
+    let orders = vec![order(1, Some(2.01)), order(2, None)];
+    VerificationRecord { reached: false, rotations: 5.0, duration: 31.4, orders }
 }
 
 /// The same without any history.
 pub fn without_histories() -> RunRecord {
-    RunRecord { histories: vec![], ..record(2, 1.0, 0.0) }
+    RunRecord { histories: vec![], verification: None, ..record(2, 1.0, 0.0) }
 }

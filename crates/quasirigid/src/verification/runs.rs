@@ -39,7 +39,14 @@ impl Start {
     }
 }
 
-/// The full history at the times, from the slow manifold of an order above `order`; and where it starts.
+/// A full history, where it started, and its steps.
+pub(super) struct Truth {
+    pub start: FullState,
+    pub samples: Vec<Sample>,
+    pub steps: u64,
+}
+
+/// The full history at the times, from the slow manifold of an order above `order`.
 pub(super) fn full(
     system: Forced,
     start: &Start,
@@ -47,12 +54,12 @@ pub(super) fn full(
     times: &[f64],
     options: Options,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Result<(FullState, Vec<Sample>), VerificationError> {
+) -> Result<Truth, VerificationError> {
     let state = start.settled(system, order)?;
     let mut collector = Collector { samples: Vec::new(), watch };
     let run = propagate_full(system, &state, times, options, &mut collector)?;
     finished(run.outcome)?;
-    Ok((state, collector.samples))
+    Ok(Truth { start: state, samples: collector.samples, steps: run.work.steps })
 }
 
 /// The reduced history of order `p` at the times, with the momentum that the full one starts with.

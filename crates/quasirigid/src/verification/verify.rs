@@ -97,7 +97,7 @@ pub enum VerificationError {
 /// Tolerances of the full and the reduced histories.
 const FULL: f64 = 1e-13;
 const REDUCED: f64 = 1e-14;
-/// Differences in spin below this, per turn, may be the integrators'.
+/// Differences in spin below this, per turn, may be rounding; the error allowed in each step of the full history adds up.
 const ROUNDING: f64 = 1e-12;
 
 /// Runs the full system and the reduced ones side by side, from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
@@ -117,7 +117,7 @@ pub fn verify(
     let times: Vec<f64> = (1..=plan.samples).map(|i| duration * i as f64 / plan.samples as f64).collect();
     let epsilons: Vec<f64> = (0..=plan.halvings).map(|k| 0.5_f64.powi(k as i32)).collect();
     let runs = (epsilons.len() * (plan.orders.len() + 1)) as f64;
-    let mut done = 0.0;
+    let (mut done, mut floors) = (0.0, Vec::new());
     let mut rows: Vec<OrderRow> =
         plan.orders.iter().map(|p| OrderRow { p: *p, differences: Vec::new(), order: None }).collect();
     for epsilon in &epsilons {
@@ -126,17 +126,18 @@ pub fn verify(
         let part = |done: f64| move |t: f64| (done + t / duration) / runs;
         let mut share = part(done);
         let options = |tolerance: f64| Options { tolerance, ..Options::default() };
-        let (state, truth) = full(scaled, start, highest, &times, options(FULL), &mut |t| watch(share(t)))?;
+        let truth = full(scaled, start, highest, &times, options(FULL), &mut |t| watch(share(t)))?;
+        floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
         done += 1.0;
         for row in &mut rows {
             share = part(done);
-            let history = reduced(scaled, &state, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
-            row.differences.push(Difference::between(&truth, &history));
+            let history = reduced(scaled, &truth.start, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
+            row.differences.push(Difference::between(&truth.samples, &history));
             done += 1.0;
         }
     }
     for row in &mut rows {
-        row.order = order(&epsilons, &row.differences, ROUNDING * plan.rotations.max(1.0));
+        row.order = order(&epsilons, &row.differences, &floors);
     }
     Ok(Verification { epsilons, duration, rows })
 }
@@ -155,9 +156,10 @@ fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
     Ok(plan.orders.iter().copied().max().unwrap_or(1))
 }
 
-/// Slope of the difference in spin at the smallest `ε` that rounding leaves alone.
-fn order(epsilons: &[f64], differences: &[Difference], rounding: f64) -> Option<f64> {
-    let above = differences.iter().take_while(|difference| difference.omega > rounding).count();
+/// Slope of the difference in spin at the smallest `ε` where it stands above the integrator's own error.
+fn order(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option<f64> {
+    let above =
+        differences.iter().zip(floors).take_while(|(difference, floor)| difference.omega > **floor).count();
     let (last, before) = (above.checked_sub(1)?, above.checked_sub(2)?);
     let ratio = differences[before].omega / differences[last].omega;
     Some(ratio.ln() / (epsilons[before] / epsilons[last]).ln())

@@ -33,13 +33,16 @@ impl SlowState {
         for _ in 0..ITERATIONS {
             let point = slow_state_point(system, order, &state)?;
             let gap = add(omega, scale(-1.0, point.omega));
-            if norm(gap) <= 1e-15 * norm(omega) || norm(gap) >= 0.9 * best {
+            if norm(gap) >= 0.9 * best {
                 break;
             }
             best = norm(gap);
+            if best <= 1e-15 * norm(omega) {
+                break;
+            }
             state.momentum = add(state.momentum, times(J, gap));
         }
-        let near = best <= 1e-10 * norm(omega) || best.is_infinite();
+        let near = best <= 1e-10 * norm(omega);
         if near && state.momentum.iter().all(|K| K.is_finite()) {
             Ok(state)
         } else {

@@ -1,0 +1,96 @@
+//! The proof of the reduced equations: how it is asked for, followed and told.
+
+use std::fmt::{self, Write};
+use std::ops::ControlFlow;
+
+use quasirigid::verification::{Plan, Verification, VerificationError, verify};
+use quasirigid_io::model::Model;
+use quasirigid_io::record::VerificationRecord;
+
+use crate::describe::{significant, time};
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::layout::paragraph;
+use crate::motion::Motion;
+use crate::progress::Bar;
+
+/// What the file asks for, every order up to the model's where it does not say.
+pub fn plan(model: &Model, order: usize) -> Plan {
+    let asked = model.run.verify.clone().unwrap_or_default();
+    let defaults = Plan::default();
+    Plan {
+        orders: asked.orders.unwrap_or_else(|| (1..=order).collect()),
+        rotations: asked.rotations.unwrap_or(defaults.rotations),
+        halvings: asked.halvings.unwrap_or(defaults.halvings),
+        ..defaults
+    }
+}
+
+/// Runs the verification, with progress shown; Ctrl-C ends it.
+pub fn follow(
+    motion: &Motion,
+    plan: &Plan,
+    interrupt: &Interrupt,
+    quiet: bool,
+) -> Result<Verification, Failure> {
+    let bar = Bar::new("verifying", quiet);
+    let mut watch = |share: f64| {
+        bar.show(share);
+        if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let result = verify(motion.system(), &motion.start, plan, &mut watch);
+    bar.clear();
+    match result {
+        Err(VerificationError::Interrupted) => Err(Failure::Interrupted),
+        other => Ok(other?),
+    }
+}
+
+/// The differences and their orders, for a terminal of 80 columns.
+pub fn text(name: &str, verification: &VerificationRecord) -> String {
+    let mut text = String::new();
+    write(&mut text, name, verification).expect("a string takes any text");
+    text
+}
+
+fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt::Result {
+    let VerificationRecord { reached, rotations, duration, orders } = verification;
+    let title = format!(
+        "{name}: the full system against the reduced equations over {} rotations ({}), from the slow manifold, with \
+         stiffness C/e^2 and damping B/e.",
+        significant(*rotations, 4),
+        time(*duration)
+    );
+    writeln!(out, "{}", paragraph(&title, "", "  "))?;
+    writeln!(out, "\n  Largest difference in spin, relative to the spin")?;
+    write!(out, "   p")?;
+    for epsilon in orders.iter().flat_map(|row| &row.epsilons).take(columns(verification)) {
+        write!(out, " {:>9}", format!("e = 1/{}", 1.0 / epsilon))?;
+    }
+    writeln!(out, "   order (expected)")?;
+    for row in orders {
+        write!(out, "  {:>2}", row.p)?;
+        for error in row.errors.iter().take(COLUMNS) {
+            write!(out, " {error:>9.2e}")?;
+        }
+        let order = row.order.map_or("below rounding".into(), |order| format!("{order:.3}"));
+        writeln!(out, "   {order} ({}){}", row.expected, if row.reached { "" } else { " NOT REACHED" })?;
+    }
+    writeln!(out, "\n  At the model's own stiffness, at most")?;
+    writeln!(out, "   p      spin   attitude    energy dissipated")?;
+    for row in orders {
+        let own = [&row.errors, &row.attitude, &row.dissipated, &row.dissipation].map(|list| list.first());
+        let [Some(spin), Some(attitude), Some(off), Some(taken)] = own else { continue };
+        let attitude = format!("{:.2e} deg", attitude.to_degrees());
+        writeln!(out, "  {:>2} {spin:>9.2e}   {attitude}   {off:.2e} J of {taken:.4e} J", row.p)?;
+    }
+    let verdict = if *reached { "Every order is reached." } else { "NOT EVERY ORDER IS REACHED." };
+    writeln!(out, "\n{verdict}")
+}
+
+/// Columns that fit a terminal.
+const COLUMNS: usize = 5;
+
+fn columns(verification: &VerificationRecord) -> usize {
+    verification.orders.first().map_or(0, |row| row.epsilons.len().min(COLUMNS))
+}

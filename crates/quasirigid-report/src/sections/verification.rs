@@ -1,0 +1,81 @@
+use maud::{Markup, html};
+use quasirigid_io::record::{OrderRecord, VerificationRecord};
+
+use super::table::table;
+use crate::figure::{Figure, Quantity, Series};
+use crate::number::{digits, duration, short, tidy};
+use crate::verdict::Verdict;
+
+/// As many orders as there are colours are drawn together.
+const COLOURS: [&str; 4] = ["s1", "s2", "s3", "s4"];
+
+/// The reduced equations against the full ones: what they are off by, and how fast that falls as the body is stiffened.
+pub fn section(verification: &VerificationRecord) -> Markup {
+    let VerificationRecord { reached, rotations, duration: seconds, orders } = verification;
+    html! {
+        section aria-label="Verification" {
+            h2 { "Proof against the full system" }
+            p {
+                "Both were followed from the slow manifold over " (tidy(*rotations, 4)) " turns (" (duration(*seconds))
+                "), of the body as it is and of bodies ever stiffer: stiffness " i { "C" } "/ε², damping " i { "B" } "/ε. "
+                @if *reached { "The difference in spin falls with every order as the theory says." }
+                @else { strong.warning { "Not every order is reached." } }
+            }
+            (convergence(orders).draw())
+            (differences(orders))
+        }
+    }
+}
+
+fn convergence(orders: &[OrderRecord]) -> Figure {
+    let curves = orders.iter().zip(COLOURS).map(|(row, class)| Series {
+        label: format!("p = {}", row.p),
+        class,
+        x: row.epsilons.iter().map(|epsilon| -epsilon.log2()).collect(),
+        y: row.errors.clone(),
+    });
+    Figure {
+        id: "convergence",
+        title: "Difference in spin as the body is stiffened",
+        caption: "Largest difference between the full and the reduced system, relative to the spin. Each halving of ε divides \
+                  it by 2ᵖ⁺¹, until rounding levels it."
+            .into(),
+        series: curves.collect(),
+        x: Quantity { name: "halvings of ε", unit: "1".into() },
+        y: Quantity { name: "difference", unit: "1".into() },
+        log: true,
+    }
+}
+
+fn differences(orders: &[OrderRecord]) -> Markup {
+    table(
+        "Order in ε, and differences at the model's own stiffness",
+        &[
+            "p",
+            "Order, measured",
+            "Expected",
+            "Spin, relative",
+            "Attitude [°]",
+            "Energy dissipated [J]",
+            "Verdict",
+        ],
+        html! {
+            @for row in orders {
+                @let verdict = if row.reached { Verdict::Holds } else { Verdict::Fails };
+                tr {
+                    th scope="row" { (row.p) }
+                    td { (row.order.map_or_else(|| "below rounding".into(), |order| digits(order, 4))) }
+                    td { (row.expected) }
+                    td { (first(&row.errors)) }
+                    td { (row.attitude.first().map_or_else(String::new, |angle| short(angle.to_degrees()))) }
+                    td { (first(&row.dissipated)) " of " (first(&row.dissipation)) }
+                    td.word.(verdict.class()) { (verdict.icon()) @if row.reached { " reached" } @else { " not reached" } }
+                }
+            }
+        },
+    )
+}
+
+fn first(values: &[f64]) -> String {
+    values.first().map_or_else(String::new, |value| short(*value))
+}

@@ -138,6 +138,9 @@ pub struct Simulate {
     /// Which equations to integrate
     #[arg(long, value_enum, default_value_t = System::Reduced)]
     pub system: System,
+    /// Add the internal coordinates and their rates to the table of the full system
+    #[arg(long)]
+    pub coordinates: bool,
     /// Output times in seconds, separated by commas
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["duration", "samples"])]

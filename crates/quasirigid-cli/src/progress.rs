@@ -12,7 +12,9 @@ pub struct Bar(ProgressBar);
 
 /// Collects samples, shows progress, and ends on Ctrl-C.
 pub struct Collector {
-    pub samples: Vec<Sample>,
+    samples: Vec<Sample>,
+    /// Internal coordinates and their rates, one list per sample, if they are kept.
+    coordinates: Option<Vec<Vec<f64>>>,
     interrupt: Interrupt,
     bar: Bar,
     duration: f64,
@@ -53,19 +55,31 @@ impl Bar {
 
 impl Collector {
     pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
-        Self { samples: Vec::new(), interrupt: interrupt.clone(), bar: Bar::new(what, quiet), duration }
+        let bar = Bar::new(what, quiet);
+        Self { samples: Vec::new(), coordinates: None, interrupt: interrupt.clone(), bar, duration }
     }
 
-    /// The samples, and the progress bar cleared away.
-    pub fn finish(self) -> Vec<Sample> {
+    /// Keeps the internal coordinates and their rates too.
+    pub fn keep_coordinates(&mut self) {
+        self.coordinates = Some(Vec::new());
+    }
+
+    /// The samples, and the coordinates that were kept; the progress bar is cleared away.
+    pub fn finish(self) -> (Vec<Sample>, Vec<Vec<f64>>) {
         self.bar.clear();
-        self.samples
+        (self.samples, self.coordinates.unwrap_or_default())
     }
 }
 
 impl Observer for Collector {
     fn sample(&mut self, sample: &Sample) {
         self.samples.push(*sample);
+    }
+
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        if let Some(kept) = &mut self.coordinates {
+            kept.push([q, rate].concat());
+        }
     }
 
     fn progress(&mut self, t: f64) -> ControlFlow<()> {

@@ -4,7 +4,7 @@ use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
+use quasirigid::model::{Coordinate, FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{Difference, OrderRow, Plan, Verification};
 use quasirigid_io::model::Model;
@@ -223,4 +223,24 @@ pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
         columns.push(column("nutation", "rad", &|s| angle(s.momentum, axis)));
     }
     columns
+}
+
+/// Columns of the internal coordinates, then of their rates, from one list of both per row.
+pub fn coordinate_columns(coordinates: &[Coordinate], rows: &[Vec<f64>]) -> Vec<Column> {
+    let name = |i: usize| {
+        let Coordinate { name, unit } = &coordinates[i % coordinates.len()];
+        let name = name.replace('"', "");
+        if i < coordinates.len() {
+            (name, (*unit).to_owned())
+        } else {
+            (format!("{name} rate"), format!("{unit}/s"))
+        }
+    };
+    let columns = if rows.is_empty() { 0 } else { 2 * coordinates.len() };
+    (0..columns)
+        .map(|i| {
+            let (name, unit) = name(i);
+            Column { name, unit, values: rows.iter().map(|row| row[i]).collect() }
+        })
+        .collect()
 }

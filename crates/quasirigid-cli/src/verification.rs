@@ -26,13 +26,13 @@ pub fn plan(model: &Model, order: usize) -> Plan {
     }
 }
 
-/// Runs the verification, with progress shown; Ctrl-C ends it.
+/// Runs the verification, with progress shown; none if Ctrl-C ended it.
 pub fn follow(
     motion: &Motion,
     plan: &Plan,
     interrupt: &Interrupt,
     quiet: bool,
-) -> Result<Verification, Failure> {
+) -> Result<Option<Verification>, Failure> {
     let bar = Bar::new("verifying", quiet);
     let mut watch = |share: f64| {
         bar.show(share);
@@ -41,8 +41,8 @@ pub fn follow(
     let result = verify(motion.system(), &motion.start, plan, &mut watch);
     bar.clear();
     match result {
-        Err(VerificationError::Interrupted) => Err(Failure::Interrupted),
-        other => Ok(other?),
+        Err(VerificationError::Interrupted) => Ok(None),
+        other => Ok(Some(other?)),
     }
 }
 

@@ -146,9 +146,10 @@ impl<'a> Plan<'a> {
         if self.motion.starts_displaced() {
             notes.push(DISPLACED.into());
         }
-        notes.extend(
-            histories.iter().filter_map(|each| drift_note(&each.system, each.energy_drift, each.dissipated)),
-        );
+        let forced = self.motion.system().acts();
+        let note =
+            |each: &HistoryRecord| drift_note(&each.system, forced, each.energy_drift, each.dissipated);
+        notes.extend(histories.iter().filter_map(note));
         Ok(histories)
     }
 
@@ -163,14 +164,11 @@ impl<'a> Plan<'a> {
             return Ok(None);
         }
         let plan = verification::plan(model, order);
-        match verification::follow(self.motion, &plan, &self.interrupt, self.quiet) {
-            Ok(found) => Ok(Some(record::verification(&plan, &found))),
-            Err(Failure::Interrupted) => {
-                notes.push(UNPROVED.into());
-                Ok(None)
-            }
-            Err(failure) => Err(failure),
+        let found = verification::follow(self.motion, &plan, &self.interrupt, self.quiet)?;
+        if found.is_none() {
+            notes.push(UNPROVED.into());
         }
+        Ok(found.map(|found| record::verification(&plan, &found)))
     }
 
     fn interrupted(&self) -> bool {
@@ -182,7 +180,7 @@ impl<'a> Plan<'a> {
         let name = record::name(system);
         let mut collector = Collector::new(&self.interrupt, name, end, self.quiet);
         let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
-        let samples = collector.finish();
+        let (samples, _) = collector.finish();
         if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
             remark(&format!("{name}: {}", record::status(run.outcome, run.last.t).1));
         }

@@ -1,6 +1,6 @@
-use quasirigid::dynamics::{Event, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Outcome, Run};
 use quasirigid::reduction::{Validity, Verdict, reduce};
-use quasirigid_io::record::history_csv;
+use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
 
 use super::{Loaded, circled_axis, duration, even_times, initial, load, notes, options};
@@ -10,7 +10,7 @@ use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::motion::Motion;
 use crate::progress::Collector;
-use crate::record::{columns, name, status};
+use crate::record::{columns, coordinate_columns, name, status};
 use crate::{Ending, describe, output};
 
 /// Rows of a table when nothing says how many.
@@ -35,19 +35,30 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         output::check_file(path, arguments.overwrite)?;
     }
     let motion = Motion::new(model, body, forces, *order, start);
-    if !arguments.common.quiet && arguments.system == System::Reduced {
+    let turns = start.omega != [0.0; 3];
+    if !arguments.common.quiet && arguments.system == System::Reduced && turns {
         warn(&Validity::of(body, *order, start.omega)?);
     }
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);
+    if arguments.coordinates && arguments.system != System::Full {
+        return Err(Failure::NoCoordinates);
+    }
     let mut collector = Collector::new(&interrupt, "propagating", end, arguments.common.quiet);
+    if arguments.coordinates {
+        collector.keep_coordinates();
+    }
     let run = motion.follow(arguments.system, &times, options, &mut collector)?;
-    let samples = collector.finish();
+    let (samples, coordinates) = collector.finish();
     interrupt.forget();
-    if let Some(note) = describe::drift_note("integrated", run.last.energy_drift, run.last.dissipated) {
+    let (forced, last) = (motion.system().acts(), run.last);
+    let note = describe::drift_note(name(arguments.system), forced, last.energy_drift, last.dissipated);
+    if let Some(note) = note {
         remark(&note);
     }
-    table(arguments, &samples, &interrupt)?;
+    let mut columns = columns(&samples, None);
+    columns.extend(coordinate_columns(body.coordinates(), &coordinates));
+    table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
         output::print(&object(arguments.system, &run))?;
     }
@@ -71,12 +82,11 @@ fn warn(validity: &Validity) {
     }
 }
 
-fn table(arguments: &Simulate, samples: &[Sample], interrupt: &Interrupt) -> Result<(), Failure> {
+fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<(), Failure> {
     let TableFormat::Csv = arguments.format;
-    let columns = columns(samples, None);
     match (&arguments.out, arguments.common.json) {
-        (Some(path), _) => output::to_file(path, |out| history_csv(&columns, out)),
-        (None, false) => output::to_stdout(interrupt, |out| history_csv(&columns, out)),
+        (Some(path), _) => output::to_file(path, |out| history_csv(columns, out)),
+        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out)),
         (None, true) => Ok(()),
     }
 }

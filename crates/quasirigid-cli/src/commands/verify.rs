@@ -5,6 +5,7 @@ use super::{Loaded, initial, load, notes};
 use crate::args::Verify;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::message::remark;
 use crate::motion::Motion;
 use crate::{Ending, output, record, verification};
 
@@ -22,7 +23,10 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
         ..file
     };
     let interrupt = Interrupt::listen()?;
-    let found = verification::follow(&motion, &plan, &interrupt, arguments.common.quiet)?;
+    let Some(found) = verification::follow(&motion, &plan, &interrupt, arguments.common.quiet)? else {
+        remark("the verification was interrupted; nothing was measured");
+        return Ok(Ending::CheckFailed);
+    };
     let record = record::verification(&plan, &found);
     if arguments.common.json {
         output::print(&format!("{:#}\n", json!(record)))?;

@@ -1,6 +1,8 @@
 //! The full system, forces, events and `verify`.
 
-use super::support::{MODEL, ran, ran_with};
+use quasirigid_io::record::RunRecord;
+
+use super::support::{MODEL, Table, folder_with, ran, ran_in, ran_with};
 
 /// The model with further lines before `[initial]`, in it, and in `[run]`.
 fn model(before: &str, initial: &str, run: &str) -> String {
@@ -109,6 +111,74 @@ fn forces_move_a_body_that_does_not_turn() {
     let balance = json["energy_drift"].as_f64().unwrap() / json["work"].as_f64().unwrap();
     assert!(balance.abs() < 1e-9, "what gravity does goes into energy and dashpots: {balance:e}");
     assert!(json["momentum_drift"].as_f64().unwrap() < 1e-9);
-    let ran = ran_with(&still, "simulate model.toml --system full --duration 2 --json --quiet");
-    assert!(ran.refusal().contains("spin"), "{}", ran.stderr);
+    let ends = ["full", "reduced"].map(|system| {
+        let ran = ran_with(&still, &format!("simulate model.toml --system {system} --duration 2 --quiet"));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let table = Table::of(&ran.stdout);
+        assert!(table.rows.iter().flatten().all(|value| value.is_finite()), "{}", ran.stdout);
+        *table.column("wx").last().unwrap()
+    });
+    assert!(ends[0] > 0.5 && (ends[0] - ends[1]).abs() < 1e-3, "{ends:?}");
+}
+
+#[test]
+fn coordinates_of_the_full_system_are_columns_of_the_table() {
+    let line = "simulate model.toml --system full --times 0,1,30 --quiet --coordinates";
+    let table = Table::of(&ran_with(&model("", "displacements = { tip = [0.01, 0, 0] }", ""), line).stdout);
+    let displacement = table.column("tip x");
+    assert_eq!(displacement[0], 0.01);
+    assert!(displacement[1].abs() > 1e-6 && displacement[2].abs() < 1e-4, "{displacement:?}");
+    assert_eq!(table.column("tip z rate").len(), 3);
+    let ran = ran_with(MODEL, "simulate model.toml --coordinates");
+    assert!(ran.refusal().contains("add --system full"), "{}", ran.stderr);
+}
+
+#[test]
+fn a_run_proves_itself_where_the_model_asks() {
+    let folder = folder_with(&model("", "", "verify = { rotations = 2, orders = [1, 3] }\n"));
+    let ran = ran_in(folder.path(), "run model.toml -o spin");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!(ran.stdout.contains("Every order is reached."), "{}", ran.stdout);
+    let record = RunRecord::read(&folder.path().join("spin")).unwrap();
+    let verification = record.verification.unwrap();
+    let found: Vec<_> = verification.orders.iter().map(|row| (row.p, row.reached)).collect();
+    assert_eq!((verification.reached, &found[..]), (true, &[(1, true), (3, true)][..]));
+    let page = std::fs::read_to_string(folder.path().join("spin/report.html")).unwrap();
+    assert!(page.contains("Proof against the full system"));
+}
+
+#[test]
+fn a_run_that_is_not_proved_fails_and_says_so() {
+    let fast = model("", "", "verify = { rotations = 60, orders = [1], halvings = 1 }\n")
+        .replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [9, 4, 3]");
+    let ran = ran_with(&fast, "run model.toml -o spin --duration 1");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stdout.contains("NOT EVERY ORDER IS REACHED"), "{}", ran.stdout);
+}
+
+/// Nearly no damping, and a loose tolerance: what the dashpots take drowns in the integrator's error.
+#[test]
+fn an_integrator_that_imitates_the_dashpots_is_called_out() {
+    let weak = MODEL.replace("damping = 30.0", "damping = 1e-6");
+    let loose = ran_with(&weak, "simulate model.toml --system full --duration 600 --tolerance 1e-4 --json");
+    let note = loose.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        note.contains("The integrator changed the energy") && note.contains("smaller --tolerance"),
+        "{note}"
+    );
+    let tight = ran_with(MODEL, "simulate model.toml --system full --duration 600 --json");
+    assert_eq!((tight.code, &*tight.stderr), (Some(0), ""));
+}
+
+#[test]
+fn a_tolerance_that_cannot_be_met_is_refused_before_the_work() {
+    let ran = ran_with(MODEL, "simulate model.toml --system full --tolerance 1e-17");
+    assert!(ran.refusal().contains("choose one from 1e-15 to 1e-2"), "{}", ran.stderr);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_ends_a_full_run_with_a_clear_error() {
+    let ran = ran_with(MODEL, "simulate model.toml --system full --out /dev/full");
+    assert!(ran.refusal().contains("No space left on device"), "{}", ran.stderr);
 }

@@ -125,6 +125,44 @@ fn interrupted_table_is_printed_up_to_there() {
 }
 
 #[test]
+fn full_system_ends_on_ctrl_c_with_its_table_valid_up_to_there() {
+    let folder = folder_of("explorer1");
+    let ran = interrupted(&folder, "simulate model.toml --system full --duration 2000h --samples 2000001");
+    assert_eq!(ran.code, Some(1));
+    let times = Table::of(&ran.stdout).column("t");
+    assert!(times[0] == 0.0 && times.is_sorted() && times.len() < 2_000_001);
+    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.starts_with("quasirigid: the run was interrupted at t = "), "{words}");
+}
+
+#[test]
+fn verification_ends_on_ctrl_c() {
+    let folder = folder_of("three-masses");
+    let ran = interrupted(&folder, "verify model.toml --rotations 1e7");
+    assert_eq!((ran.code, &*ran.stdout), (Some(1), ""));
+    assert_eq!(ran.stderr, "quasirigid: the verification was interrupted; nothing was measured\n");
+}
+
+/// The histories are there, the proof is not.
+#[test]
+fn interrupted_proof_is_left_out_of_the_record() {
+    let folder = folder_of("three-masses");
+    let file = folder.path().join("model.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text + "verify = { rotations = 1e7 }\n").unwrap();
+    let ran = interrupted(&folder, "run model.toml --duration 10 -o spin");
+    assert_eq!(ran.code, Some(1), "{ran:?}");
+    let record = RunRecord::read(&folder.path().join("spin")).unwrap();
+    assert_eq!((record.histories.len(), record.verification), (2, None));
+    assert!(
+        record
+            .notes
+            .iter()
+            .any(|note| note.contains("the verification against the full system was left out"))
+    );
+}
+
+#[test]
 fn interrupted_table_in_a_file_is_whole_rows() {
     let folder = folder_of("explorer1-stiff");
     let ran =

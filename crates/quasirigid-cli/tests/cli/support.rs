@@ -6,8 +6,15 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 5] =
-    ["axial-mass", "boom-satellite", "explorer1", "explorer1-stiff", "three-masses"];
+pub const EXAMPLES: [&str; 7] = [
+    "axial-mass",
+    "boom-satellite",
+    "explorer1",
+    "explorer1-stiff",
+    "gravity-gradient",
+    "heavy-top",
+    "three-masses",
+];
 
 /// A rigid body with one mass on a spring; the tests replace parts of it.
 pub const MODEL: &str = "\

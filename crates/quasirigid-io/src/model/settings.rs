@@ -107,7 +107,7 @@ pub struct Verify {
     pub rotations: Option<f64>,
     /// Orders of the reduced equations.
     pub orders: Option<Vec<usize>>,
-    /// How many times the spin is halved.
+    /// How many times `ε` is halved.
     pub halvings: Option<usize>,
 }
 

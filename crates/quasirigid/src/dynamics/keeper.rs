@@ -79,8 +79,8 @@ impl<'o, F: Motion> Keeper<'o, F> {
             Invariant::Direction => norm(momentum) / norm(self.K_N) - 1.0,
             Invariant::Impulse => {
                 let expected = add(self.K_N, triple(y, IMPULSE));
-                let gap = add(rotation::to_inertial(attitude, momentum), scale(-1.0, expected));
-                norm(gap) / norm(expected).max(norm(self.K_N))
+                let gap = norm(add(rotation::to_inertial(attitude, momentum), scale(-1.0, expected)));
+                if gap > 0.0 { gap / norm(expected).max(norm(self.K_N)) } else { gap }
             }
         };
         Sample {

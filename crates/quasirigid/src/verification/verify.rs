@@ -131,7 +131,8 @@ pub fn verify(
         done += 1.0;
         for row in &mut rows {
             share = part(done);
-            let history = reduced(scaled, &truth.start, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
+            let history =
+                reduced(scaled, &truth.start, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
             row.differences.push(Difference::between(&truth.samples, &history));
             done += 1.0;
         }

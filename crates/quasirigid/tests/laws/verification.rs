@@ -3,15 +3,16 @@
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form, Options, SlowState, propagate_forced};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring, Station};
+use quasirigid::math::expression::Expression;
 use quasirigid::math::rotation::turned;
 use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Force, Law as ForceLaw, Orbit};
+use quasirigid::model::force::{Axes, Force, Law as ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::verification::{Plan, Start, verify};
 
 /// Two sprung masses on a carrier, held and loaded as asked.
-fn assembly(support: Support, laws: Vec<ForceLaw<quasirigid::elements::Station>>) -> Assembly {
+fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
     let point =
         |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
     let spring = |point, stiffness, damping| Spring {
@@ -93,6 +94,44 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
     };
     let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
+}
+
+/// A drag, thrusters on a mass and on the carrier, turning torques, a dipole and a formula at once, on a body that flies.
+#[test]
+fn every_other_force_reaches_its_orders() {
+    let tip = Station { on: End::Point(0), at: None };
+    let nose = Station { on: End::Carrier, at: Some([0.3, -0.2, 0.5]) };
+    let slow = Wave { frequency: 0.7, phase: 0.4 };
+    let formula = ["-0.3*vx + 0.2*sin(0.5*t)", "0.1*x*vz - 0.2*y", "exp(-0.1*t)*cos(0.2*z)"];
+    let laws = vec![
+        ForceLaw::Drag { at: tip, coefficient: 0.4 },
+        ForceLaw::SpinDrag { coefficient: 0.3 },
+        ForceLaw::Torque { torque: [0.5, -0.4, 0.3], axes: Axes::Inertial, wave: slow },
+        ForceLaw::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
+        ForceLaw::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
+        ForceLaw::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
+        ForceLaw::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
+    ];
+    assert_orders(&orders(&assembly(Support::Free, laws), [0.5, 0.7, 0.9], 3, 1.0));
+}
+
+/// The pole is shaken along a path that is given.
+#[test]
+fn a_body_on_a_driven_pole_reaches_its_orders() {
+    let acceleration = ["0.8*cos(0.9*t)", "0.3 - 0.1*t", "-0.5*sin(0.6*t)"].map(|text| parsed(text, &["t"]));
+    let support = Support::Prescribed {
+        point: [0.05, -0.1, 0.2],
+        acceleration,
+        velocity: [0.3, 0.0, -0.2],
+        position: [1.0, 2.0, 3.0],
+    };
+    assert_orders(&orders(&assembly(support, Vec::new()), [0.3, 0.2, 1.1], 3, 1.0));
+}
+
+const PLACE_AND_TIME: [&str; 7] = ["x", "y", "z", "vx", "vy", "vz", "t"];
+
+fn parsed(text: &str, variables: &[&str]) -> Expression {
+    Expression::parse(text, variables).unwrap()
 }
 
 /// The paper's form (3.1)–(3.4) and the momentum form differ by the order that they both leave out.

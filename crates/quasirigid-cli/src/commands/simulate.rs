@@ -35,8 +35,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         output::check_file(path, arguments.overwrite)?;
     }
     let motion = Motion::new(model, body, forces, *order, start);
-    let turns = start.omega != [0.0; 3];
-    if !arguments.common.quiet && arguments.system == System::Reduced && turns {
+    let judged = start.omega != [0.0; 3] || !motion.system().acts();
+    if !arguments.common.quiet && arguments.system == System::Reduced && judged {
         warn(&Validity::of(body, *order, start.omega)?);
     }
     let interrupt = Interrupt::listen()?;

@@ -45,8 +45,11 @@ const GROW: f64 = 5.0;
 const KEPT: Range<f64> = 0.93..1.2;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
-/// Ratio of consecutive corrections of the stages that a step should have: beyond it longer steps cost more.
+/// Ratio of consecutive corrections of the stages up to which longer steps pay; far beyond it shorter ones do.
 const CONTRACTION: f64 = 0.12;
+const FAR: f64 = 2.0;
+/// Factor of the step then.
+const SHORTER: f64 = 0.7;
 
 impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Starts at a state with a first step (s), and with the error allowed per step in each component.
@@ -137,6 +140,11 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     }
 }
 
+/// Growth of the step that the iteration of the stages can afford.
+fn affordable(ratio: f64) -> f64 {
+    if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) }
+}
+
 impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     type State = Vec<f64>;
 
@@ -170,7 +178,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
                     let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
                     if error <= 1.0 {
-                        let growth = factor.min((CONTRACTION / ratio).max(0.5));
+                        let growth = factor.min(affordable(ratio));
                         let growth = if rejected { growth.min(1.0) } else { growth };
                         let kept = if KEPT.contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };

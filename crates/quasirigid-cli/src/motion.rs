@@ -1,12 +1,12 @@
 //! The motion that a model asks for, in each of its systems.
 
 use quasirigid::dynamics::{
-    Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Run, SlowState, SpinState, matched_start,
-    propagate, propagate_forced, propagate_full,
+    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Run, SlowState, SpinState,
+    matched_start, propagate, propagate_forced, propagate_full,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Support};
-use quasirigid::reduction::reduce;
+use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::verification::Start;
 use quasirigid_io::model::{Displacements, Model};
 
@@ -66,6 +66,7 @@ impl<'a> Motion<'a> {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid if self.system().acts() => {
                 let slow = self.slow(order)?;
+                let options = if order > 1 { self.bounded(options)? } else { options };
                 Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
             }
             System::Reduced | System::Rigid => {
@@ -80,6 +81,16 @@ impl<'a> Motion<'a> {
                 Ok(propagate(&reduced, spin, times, options, observer)?)
             }
         }
+    }
+
+    /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series
+    /// there, and beyond it means nothing.
+    fn bounded(&self, mut options: Options) -> Result<Options, Failure> {
+        let bounded = options.events.iter().any(|event| matches!(event, Event::Validity { .. }));
+        if !bounded && let Some(slowest) = frequencies(self.body)?.first() {
+            options.events.push(Event::Validity { slowest: *slowest, limit: 1.0 });
+        }
+        Ok(options)
     }
 
     /// The full state at the start.

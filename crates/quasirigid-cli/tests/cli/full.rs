@@ -83,6 +83,16 @@ fn a_formula_that_fails_ends_the_run_where_it_fails() {
     }
 }
 
+/// The derivatives of the root grow without bound before it ends: the truncated series runs away, and is stopped.
+#[test]
+fn a_series_that_runs_away_is_stopped() {
+    let force =
+        "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(1 - t/20)\", \"0\", \"0\"]\n";
+    let ran = ran_with(&model(force, "", ""), "simulate model.toml --times 0,10,30 --json --quiet");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert_eq!(ran.json()["status"], "left-validity");
+}
+
 #[test]
 fn an_event_ends_the_run_and_is_no_failure() {
     let energy = |time: &str| {

@@ -4,6 +4,7 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod compare;
+mod evolution;
 mod forced;
 mod ray;
 mod support;
@@ -26,6 +27,7 @@ mod nutation;
 mod orbits;
 mod orders;
 mod outcomes;
+mod poinsot;
 mod propagation;
 mod refused;
 mod refused_forces;

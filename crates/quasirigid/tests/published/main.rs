@@ -3,5 +3,6 @@
 
 mod chernousko_1973;
 mod common_problem;
+mod elliptic;
 mod explorer_1;
 mod one_sprung_mass;

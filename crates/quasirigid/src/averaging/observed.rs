@@ -1,0 +1,96 @@
+use std::f64::consts::TAU;
+
+use thiserror::Error;
+
+use super::poinsot::{FreeRotation, Mode};
+
+/// A tumbling body as observers describe it: two periods and a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObservedPeriods {
+    /// Period of the spin in body axes, of the rotation about the long axis (s); `P_ψ`.
+    pub rotation: f64,
+    /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
+    pub precession: f64,
+    /// Axis that the momentum circles.
+    pub mode: Mode,
+}
+
+/// Periods that no motion of the body has.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum ObservedError {
+    /// A period that is not positive, or not finite.
+    #[error("periods of {rotation} s and {precession} s mean nothing; give two that are positive")]
+    Period {
+        /// Period of rotation (s).
+        rotation: f64,
+        /// Period of precession (s).
+        precession: f64,
+    },
+    /// A ratio outside of what these moments allow.
+    #[error(
+        "no motion in this mode has a period of rotation {ratio:.4} times that of precession; with these moments the ratio lies between {least:.4} and {greatest:.4}"
+    )]
+    Ratio {
+        /// Ratio asked for.
+        ratio: f64,
+        /// Least ratio that exists.
+        least: f64,
+        /// Greatest ratio that exists.
+        greatest: f64,
+    },
+}
+
+/// Halvings of the interval of energies: past the resolution of the numbers.
+const HALVINGS: usize = 200;
+/// Nearest approach to the axis and to the separatrix that is looked at, relative to their distance.
+const NEAR: f64 = 1e-12;
+
+impl ObservedPeriods {
+    /// The periods of a motion.
+    #[must_use]
+    pub fn of(motion: &FreeRotation) -> Self {
+        let precession = TAU / motion.long_axis_precession_rate();
+        Self { rotation: motion.polhode_period(), precession, mode: motion.mode() }
+    }
+
+    /// The motion with these periods of a body with these principal moments (kg·m²), ascending.
+    ///
+    /// # Errors
+    /// [`ObservedError`].
+    pub fn motion(&self, moments: [f64; 3]) -> Result<FreeRotation, ObservedError> {
+        let Self { rotation, precession, mode } = *self;
+        if !(rotation > 0.0 && precession > 0.0 && rotation.is_finite() && precession.is_finite()) {
+            return Err(ObservedError::Period { rotation, precession });
+        }
+        let [I1, I2, I3] = moments;
+        let (axis, separatrix) = match mode {
+            Mode::ShortAxis => (1.0, I2 / I3),
+            Mode::LongAxis => (I1 / I3, I2 / I3),
+        };
+        let at = |share: f64| FreeRotation::at_ratio(moments, I3, axis + share * (separatrix - axis));
+        let ratio_at = |share: f64| {
+            let Self { rotation, precession, .. } = Self::of(&at(share));
+            rotation / precession
+        };
+        let ratio = rotation / precession;
+        let (mut low, mut high) = (NEAR, 1.0 - NEAR);
+        let ends = [ratio_at(low), ratio_at(high)];
+        let rising = ends[1] > ends[0];
+        let [least, greatest] = if rising { ends } else { [ends[1], ends[0]] };
+        if !(least..=greatest).contains(&ratio) {
+            return Err(ObservedError::Ratio { ratio, least, greatest });
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if (ratio_at(middle) < ratio) == rising {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let unit = at(0.5 * (low + high));
+        let G = unit.momentum() * unit.polhode_period() / rotation;
+        let D = unit.momentum() * unit.momentum() / (2.0 * unit.energy());
+        Ok(FreeRotation::at_ratio(moments, G, D / I3))
+    }
+}

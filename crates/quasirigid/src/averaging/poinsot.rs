@@ -1,0 +1,289 @@
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::math::elliptic::{complete_third_excess, first_of_complement, first_to, jacobi, third_excess_to};
+use crate::math::sym::{cross, norm, scale};
+
+/// Which axis the angular momentum circles in the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The axis of greatest inertia: `|K|² > 2 E I₂`.
+    ShortAxis,
+    /// The axis of least inertia: `|K|² < 2 E I₂`.
+    LongAxis,
+}
+
+/// Torque-free rotation of a rigid body, exactly (Euler–Poinsot). (A1)–(A4)
+///
+/// Vectors are in principal axes, right-handed, moments ascending. Differences that vanish at an axis or at the separatrix are
+/// kept as numbers of their own, so that no digits are lost near them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeRotation {
+    moments: [f64; 3],
+    G: f64,
+    mode: Mode,
+    /// `G² − 2 E I₁` and `2 E I₃ − G²`, not negative, and `|G² − 2 E I₂|` (kg²·m⁴/s²).
+    from_long: f64,
+    from_short: f64,
+    from_middle: f64,
+    /// Side of the circled axis that the momentum is on, ±1.
+    side: f64,
+    /// Argument of the elliptic functions at `t = 0`.
+    phase: f64,
+    /// The spin of a sphere, which has no axis to circle.
+    steady: Option<[f64; 3]>,
+}
+
+/// Points of the mean per `K/K′`: harmonic `n` of the spin falls as the power `n/2` of the nome, to 1e-17 with a margin.
+const POINTS: f64 = 32.0;
+
+impl FreeRotation {
+    /// The motion through a spin (rad/s) at `t = 0` of a body with these principal moments (kg·m²), ascending.
+    #[must_use]
+    pub fn through(moments: [f64; 3], omega: [f64; 3]) -> Self {
+        let [I1, I2, I3] = moments;
+        let squares = omega.map(|rate| rate * rate);
+        let from_long = I2 * (I2 - I1) * squares[1] + I3 * (I3 - I1) * squares[2];
+        let from_short = I1 * (I3 - I1) * squares[0] + I2 * (I3 - I2) * squares[1];
+        let above = I3 * (I3 - I2) * squares[2] - I1 * (I2 - I1) * squares[0];
+        let mode = if above >= 0.0 { Mode::ShortAxis } else { Mode::LongAxis };
+        let G = norm([I1 * omega[0], I2 * omega[1], I3 * omega[2]]);
+        let circled = omega[mode.circled()];
+        let side = if circled < 0.0 { -1.0 } else { 1.0 };
+        let steady = (I1 == I3).then_some(omega);
+        let from_middle = above.abs();
+        let rest = Self { moments, G, mode, from_long, from_short, from_middle, side, phase: 0.0, steady };
+        let [one, two] = [omega[2 - mode.circled()], side * omega[1]];
+        let [a, b] = [rest.amplitudes()[2 - mode.circled()], rest.amplitudes()[1]];
+        let angle = if a > 0.0 && b > 0.0 { (two / b).atan2(one / a) } else { 0.0 };
+        Self { phase: first_to(angle, rest.complement()), ..rest }
+    }
+
+    /// The motion with this angular momentum (N·m·s) and `D/I₃ = |K|²/2EI₃`, from `I₁/I₃` to 1: it starts where the momentum
+    /// is nearest to the long axis, or farthest from it, on the positive side.
+    #[must_use]
+    pub fn at_ratio(moments: [f64; 3], G: f64, ratio: f64) -> Self {
+        let [I1, I2, I3] = moments;
+        let twice_energy = G * G / (ratio * I3);
+        let above = twice_energy * (ratio * I3 - I2);
+        Self {
+            moments,
+            G,
+            mode: if above >= 0.0 { Mode::ShortAxis } else { Mode::LongAxis },
+            from_long: (twice_energy * (ratio * I3 - I1)).max(0.0),
+            from_short: (twice_energy * I3 * (1.0 - ratio)).max(0.0),
+            from_middle: above.abs(),
+            side: 1.0,
+            phase: 0.0,
+            steady: (I1 == I3).then_some([0.0, 0.0, G / I3]),
+        }
+    }
+
+    /// The motion with this angular momentum (N·m·s) whose `D/I₃` lies the share `1/(1 + e^{−ξ})` of the way from the
+    /// separatrix to the axis that the mode circles: no digits are lost at either end. It starts as [`at_ratio`] says.
+    ///
+    /// [`at_ratio`]: Self::at_ratio
+    #[must_use]
+    pub fn at_logit(moments: [f64; 3], G: f64, mode: Mode, xi: f64) -> Self {
+        let [I1, I2, I3] = moments;
+        let [to_axis, to_separatrix] = [xi, -xi].map(|xi| 1.0 / (1.0 + xi.exp()));
+        let (away, D) = match mode {
+            Mode::ShortAxis => (I3 - I2, I3 - (I3 - I2) * to_axis),
+            Mode::LongAxis => (I2 - I1, I1 + (I2 - I1) * to_axis),
+        };
+        let twice_energy = G * G / D;
+        let [near, far] = [to_axis, to_separatrix].map(|share| twice_energy * away * share);
+        let (from_long, from_short) = match mode {
+            Mode::ShortAxis => (twice_energy * (D - I1), near),
+            Mode::LongAxis => (near, twice_energy * (I3 - D)),
+        };
+        Self { from_long, from_short, from_middle: far, mode, ..Self::at_ratio(moments, G, D / I3) }
+    }
+
+    /// Which axis the momentum circles.
+    #[must_use]
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    /// `|K|` (N·m·s).
+    #[must_use]
+    pub fn momentum(&self) -> f64 {
+        self.G
+    }
+
+    /// Energy (J).
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        0.5 * (self.G * self.G + self.from_short) / self.moments[2]
+    }
+
+    /// Spin (rad/s) at a time (s). (A1)
+    #[must_use]
+    pub fn omega(&self, t: f64) -> [f64; 3] {
+        if let Some(omega) = self.steady {
+            return omega;
+        }
+        let [sn, cn, dn] = jacobi(self.argument(t), self.complement());
+        let [a, b, c] = self.amplitudes();
+        match self.mode {
+            Mode::ShortAxis => [a * cn, self.side * b * sn, self.side * c * dn],
+            Mode::LongAxis => [self.side * a * dn, self.side * b * sn, c * cn],
+        }
+    }
+
+    /// Mean over a period of the polhode of a function of the spin that is a polynomial up to this degree; on the
+    /// separatrix, where the period is infinite, its value at the middle axis. (A5)
+    pub fn mean(&self, degree: usize, mut value: impl FnMut([f64; 3]) -> f64) -> f64 {
+        let period = self.polhode_period();
+        if !period.is_finite() {
+            return value(self.omega(f64::MAX.sqrt()));
+        }
+        let complement = self.complement();
+        let stretch = first_of_complement(complement) / first_of_complement(1.0 - complement);
+        let points = 2 * degree + (POINTS * stretch).ceil() as usize;
+        let sum: f64 = (0..points).map(|i| value(self.omega(period * i as f64 / points as f64))).sum();
+        sum / points as f64
+    }
+
+    /// Period (s) of the spin in body axes; that of small motions at an axis, infinite on the separatrix. (A2)
+    #[must_use]
+    pub fn polhode_period(&self) -> f64 {
+        4.0 * first_of_complement(self.complement()) / self.rate()
+    }
+
+    /// Mean rate (rad/s) at which the axis that the momentum does not circle, long or short, goes round the momentum. (A3)
+    #[must_use]
+    pub fn precession_rate(&self) -> f64 {
+        let [I1, _, I3] = self.moments;
+        let excess = complete_third_excess(self.characteristic(), self.complement());
+        let straight = self.G / self.circled_moment();
+        straight - self.direction() * self.G * (I3 - I1) / (I1 * I3) * excess
+    }
+
+    /// Mean rate (rad/s) at which the long axis goes round the momentum: in the long-axis mode it is the circled axis,
+    /// which makes one turn less per period of the polhode. (A3)
+    #[must_use]
+    pub fn long_axis_precession_rate(&self) -> f64 {
+        match self.mode {
+            Mode::ShortAxis => self.precession_rate(),
+            Mode::LongAxis => self.precession_rate() - TAU / self.polhode_period(),
+        }
+    }
+
+    /// Least and greatest angle (rad) between the momentum and the circled axis.
+    #[must_use]
+    pub fn nutation(&self) -> [f64; 2] {
+        let [I1, I2, I3] = self.moments;
+        let square = self.G * self.G;
+        let sines = match self.mode {
+            Mode::ShortAxis => {
+                [(I1, I3 - I1), (I2, I3 - I2)].map(|(I, gap)| self.from_short * I / (gap * square))
+            }
+            Mode::LongAxis => {
+                [(I3, I3 - I1), (I2, I2 - I1)].map(|(I, gap)| self.from_long * I / (gap * square))
+            }
+        };
+        sines.map(|square| if square.is_finite() { square.clamp(0.0, 1.0).sqrt().asin() } else { FRAC_PI_2 })
+    }
+
+    /// Attitude at a time: the matrix that takes principal axes to axes whose third is the momentum. At `t = 0` the first of
+    /// these has the projection of the pole of precession. (A4)
+    #[must_use]
+    pub fn attitude(&self, t: f64) -> [[f64; 3]; 3] {
+        let omega = self.omega(t);
+        let K = [0, 1, 2].map(|axis| self.moments[axis] * omega[axis]);
+        let vertical = scale(1.0 / norm(K), K);
+        let least = |axis: &usize, other: &usize| K[*axis].abs().total_cmp(&K[*other].abs());
+        let axis = if self.steady.is_some() { (0..3).min_by(least) } else { None };
+        let mut pole = [0.0; 3];
+        pole[axis.unwrap_or(2 - self.mode.circled())] = 1.0;
+        let across = cross(vertical, pole);
+        let second = scale(1.0 / norm(across), across);
+        let first = cross(second, vertical);
+        let (sine, cosine) = self.precession(t).sin_cos();
+        let turned = |a: f64, b: f64| [0, 1, 2].map(|axis| a * first[axis] + b * second[axis]);
+        [turned(cosine, -sine), turned(sine, cosine), vertical]
+    }
+
+    /// Angle (rad) that the axis not circled has gone round the momentum since `t = 0`. (A3)
+    #[must_use]
+    pub fn precession(&self, t: f64) -> f64 {
+        let [I1, _, I3] = self.moments;
+        let straight = self.G * t / self.circled_moment();
+        let excess = |u: f64| third_excess_to(u, self.characteristic(), self.complement());
+        let bent = (excess(self.argument(t)) - excess(self.phase)) / self.rate();
+        let bent = if bent.is_finite() { bent } else { 0.0 };
+        straight - self.direction() * self.G * (I3 - I1) / (I1 * I3) * bent
+    }
+
+    fn argument(&self, t: f64) -> f64 {
+        self.phase + self.rate() * t
+    }
+
+    /// Greatest spin about each axis.
+    fn amplitudes(&self) -> [f64; 3] {
+        let [I1, I2, I3] = self.moments;
+        let root = |square: f64| if square.is_finite() { square.max(0.0).sqrt() } else { 0.0 };
+        let [a, c] =
+            [(self.from_short, I1), (self.from_long, I3)].map(|(part, I)| root(part / (I * (I3 - I1))));
+        let b = match self.mode {
+            Mode::ShortAxis => root(self.from_short / (I2 * (I3 - I2))),
+            Mode::LongAxis => root(self.from_long / (I2 * (I2 - I1))),
+        };
+        [a, b, c]
+    }
+
+    /// Rate of the argument (rad/s).
+    fn rate(&self) -> f64 {
+        let [I1, I2, I3] = self.moments;
+        let square = match self.mode {
+            Mode::ShortAxis => (I3 - I2) * self.from_long,
+            Mode::LongAxis => (I2 - I1) * self.from_short,
+        };
+        (square / (I1 * I2 * I3)).sqrt()
+    }
+
+    /// `1 − k²`.
+    fn complement(&self) -> f64 {
+        let [I1, I2, I3] = self.moments;
+        let scale = match self.mode {
+            Mode::ShortAxis => (I3 - I2) * self.from_long,
+            Mode::LongAxis => (I2 - I1) * self.from_short,
+        };
+        let complement = (I3 - I1) * self.from_middle / scale;
+        if complement.is_finite() { complement.clamp(0.0, 1.0) } else { 1.0 }
+    }
+
+    /// Characteristic of the third elliptic integral, not positive.
+    fn characteristic(&self) -> f64 {
+        let [I1, _, I3] = self.moments;
+        let n = match self.mode {
+            Mode::ShortAxis => -I1 * self.from_short / (I3 * self.from_long),
+            Mode::LongAxis => -I3 * self.from_long / (I1 * self.from_short),
+        };
+        if n.is_finite() { n } else { 0.0 }
+    }
+
+    fn circled_moment(&self) -> f64 {
+        self.moments[self.mode.circled()]
+    }
+
+    /// `+1` where the bending of the polhode hastens the precession, `−1` where it slows it.
+    fn direction(&self) -> f64 {
+        match self.mode {
+            Mode::ShortAxis => 1.0,
+            Mode::LongAxis => -1.0,
+        }
+    }
+}
+
+impl Mode {
+    /// Number of the axis that the momentum circles.
+    #[must_use]
+    pub fn circled(self) -> usize {
+        match self {
+            Self::ShortAxis => 2,
+            Self::LongAxis => 0,
+        }
+    }
+}

@@ -46,7 +46,14 @@ impl<'a> Evolution<'a> {
     /// Mean power dissipated (W). (A5)
     #[must_use]
     pub fn power(&self, stage: Stage) -> f64 {
-        let motion = FreeRotation::at_logit(self.principal.moments, self.G, stage.mode, stage.xi);
+        self.mean_power(&self.motion(stage))
+    }
+
+    fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
+        FreeRotation::at_logit(self.principal.moments, self.G, mode, xi)
+    }
+
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
         let [x, y, z] = self.principal.axes;
         let spin = |omega: [f64; 3]| [0, 1, 2].map(|i| omega[0] * x[i] + omega[1] * y[i] + omega[2] * z[i]);
         motion.mean(self.power.degree(), |omega| self.power.scalar(spin(omega)))
@@ -89,14 +96,7 @@ impl<'a> Evolution<'a> {
 
     /// `|dE/dξ|` over the power (s).
     fn slowness(&self, mode: Mode, xi: f64) -> f64 {
-        let [I1, I2, I3] = self.principal.moments;
-        let (axis, away) = match mode {
-            Mode::ShortAxis => (I3, I3 - I2),
-            Mode::LongAxis => (I1, I1 - I2),
-        };
-        let [to_axis, to_separatrix] = [xi, -xi].map(|xi| 1.0 / (1.0 + xi.exp()));
-        let D = axis - away * to_axis;
-        let energy_slope = 0.5 * (self.G / D).powi(2) * away.abs() * to_axis * to_separatrix;
-        energy_slope / self.power(Stage { mode, xi })
+        let motion = self.motion(Stage { mode, xi });
+        motion.energy_slope() / self.mean_power(&motion)
     }
 }

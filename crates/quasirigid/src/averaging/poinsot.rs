@@ -117,6 +117,16 @@ impl FreeRotation {
         0.5 * (self.G * self.G + self.from_short) / self.moments[2]
     }
 
+    /// `|dE/dξ|` (J), where `ξ` is the logit of [`at_logit`](Self::at_logit).
+    #[must_use]
+    pub fn energy_slope(&self) -> f64 {
+        let near = match self.mode {
+            Mode::ShortAxis => self.from_short,
+            Mode::LongAxis => self.from_long,
+        };
+        self.energy() * near / (self.G * self.G) * (self.from_middle / (near + self.from_middle))
+    }
+
     /// Spin (rad/s) at a time (s). (A1)
     #[must_use]
     pub fn omega(&self, t: f64) -> [f64; 3] {
@@ -236,21 +246,22 @@ impl FreeRotation {
     /// Rate of the argument (rad/s).
     fn rate(&self) -> f64 {
         let [I1, I2, I3] = self.moments;
-        let square = match self.mode {
+        (self.haste() / (I1 * I2 * I3)).sqrt()
+    }
+
+    /// Square of the rate, times the moments.
+    fn haste(&self) -> f64 {
+        let [I1, I2, I3] = self.moments;
+        match self.mode {
             Mode::ShortAxis => (I3 - I2) * self.from_long,
             Mode::LongAxis => (I2 - I1) * self.from_short,
-        };
-        (square / (I1 * I2 * I3)).sqrt()
+        }
     }
 
     /// `1 − k²`.
     fn complement(&self) -> f64 {
-        let [I1, I2, I3] = self.moments;
-        let scale = match self.mode {
-            Mode::ShortAxis => (I3 - I2) * self.from_long,
-            Mode::LongAxis => (I2 - I1) * self.from_short,
-        };
-        let complement = (I3 - I1) * self.from_middle / scale;
+        let [I1, _, I3] = self.moments;
+        let complement = (I3 - I1) * self.from_middle / self.haste();
         if complement.is_finite() { complement.clamp(0.0, 1.0) } else { 1.0 }
     }
 

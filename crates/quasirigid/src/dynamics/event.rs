@@ -35,10 +35,12 @@ impl Event {
 }
 
 /// Watches for events from step to step.
-#[derive(Clone, Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Alarm {
     events: Vec<Event>,
     levels: Vec<f64>,
+    /// Time that the levels belong to.
+    t: f64,
     /// The event that ended the propagation.
     pub rung: Option<Event>,
 }
@@ -48,7 +50,7 @@ const HALVINGS: usize = 52;
 
 impl Alarm {
     pub fn new(events: &[Event]) -> Self {
-        Self { events: events.to_vec(), levels: Vec::new(), rung: None }
+        Self { events: events.to_vec(), ..Self::default() }
     }
 
     /// Whether there is anything to watch for.
@@ -58,21 +60,18 @@ impl Alarm {
 
     /// Takes the levels at the start.
     pub fn set(&mut self, start: &Sample) {
+        self.t = start.t;
         self.levels = self.events.iter().map(|event| event.level(start)).collect();
     }
 
-    /// The first event in a step, whose end has the sample `end`: the time it happens at.
-    pub fn check(
-        &mut self,
-        [from, to]: [f64; 2],
-        end: &Sample,
-        mut at: impl FnMut(f64) -> Sample,
-    ) -> Option<f64> {
+    /// The first event in the step that ends with this sample: the time it happens at. `at` is asked for samples within
+    /// the step only if something happened.
+    pub fn check(&mut self, end: &Sample, mut at: impl FnMut(f64) -> Sample) -> Option<f64> {
         let mut first: Option<(f64, Event)> = None;
         for (event, before) in self.events.iter().zip(&mut self.levels) {
             let after = event.level(end);
             if *before != 0.0 && (after > 0.0) != (*before > 0.0) {
-                let (mut low, mut high) = (from, to);
+                let (mut low, mut high) = (self.t, end.t);
                 for _ in 0..HALVINGS {
                     let middle = 0.5 * (low + high);
                     let same = (event.level(&at(middle)) > 0.0) == (*before > 0.0);
@@ -84,6 +83,7 @@ impl Alarm {
             }
             *before = after;
         }
+        self.t = end.t;
         self.rung = first.map(|(_, event)| event);
         first.map(|(t, _)| t)
     }

@@ -54,12 +54,12 @@ impl<'a> Forced<'a> {
         self.body.loads(self.forces, &situation).about_center(self.body, motion.q)
     }
 
-    /// Acceleration of the place (m/s²), inertial axes.
-    pub(super) fn acceleration<T: Smooth>(&self, pose: &Pose<T>, loads: &Loads<T>) -> [T; 3] {
+    /// Acceleration of the place (m/s², inertial axes) under a force (N, body axes).
+    pub(super) fn acceleration<T: Smooth>(&self, pose: &Pose<T>, force: [T; 3]) -> [T; 3] {
         match self.body.support() {
             Support::Free => {
                 let per_mass = T::from(self.body.invariants().mass.recip());
-                scale(per_mass, Turn::of(pose.attitude).to_inertial(loads.force))
+                scale(per_mass, Turn::of(pose.attitude).to_inertial(force))
             }
             Support::FixedPoint { .. } => [T::from(0.0); 3],
             Support::Prescribed { acceleration, .. } => {

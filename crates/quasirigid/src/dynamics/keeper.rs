@@ -145,10 +145,13 @@ impl<M: Solver, F: Motion> Watcher<M> for Keeper<'_, F> {
         if self.alarm.idle() {
             return None;
         }
-        let mut alarm = self.alarm.clone();
-        let dense = solver.dense();
+        let mut alarm = std::mem::take(&mut self.alarm);
         let end = self.sample(solver.t(), solver.y().as_ref());
-        let event = alarm.check(dense.span(), &end, |t| self.sample(t, dense.at(t).as_ref()));
+        let mut dense = None;
+        let event = alarm.check(&end, |t| {
+            let dense = dense.get_or_insert_with(|| solver.dense());
+            self.sample(t, dense.at(t).as_ref())
+        });
         self.alarm = alarm;
         event
     }

@@ -5,7 +5,7 @@ use super::slow::{SlowState, slow_state_point};
 use super::{Forced, PropagateError};
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors, modes};
 use crate::math::rotation;
-use crate::math::sym::{add, cross, dot, inverse, scale, times};
+use crate::math::sym::{add, cross, inverse, scale, times};
 use crate::model::FlexibleBody;
 
 /// The fast part of a motion that does not start on the slow manifold: free vibrations of the body that recoils, which
@@ -107,10 +107,8 @@ fn turned_by(recoil: &[[f64; 3]], q: &[f64]) -> [f64; 3] {
 /// Damped free vibrations from a displacement and its rate, in the undamped modes `(Ωη, η̇)`. (V3), with the recoil of (V2)
 fn damped_modes(body: &FlexibleBody, q: &[f64], rate: &[f64]) -> Result<Vec<DampedMode>, NoConvergence> {
     let n = q.len();
-    let mass = recoiling_mass(body);
-    let mut stiffness = Dense::zero(n);
-    body.stiffness().iter().for_each(|(row, column, entry)| stiffness.add(row, column, *entry));
-    let undamped = modes(&mass, &stiffness)?;
+    let mass = body.recoiling_mass_matrix();
+    let undamped = modes(&mass, &Dense::of(body.stiffness()))?;
     let shape = |row: usize, mode: usize| undamped.shapes.at(row, mode);
     let mut system = Dense::zero(2 * n);
     for (k, frequency) in undamped.frequencies.iter().enumerate() {
@@ -155,18 +153,6 @@ fn damped_modes(body: &FlexibleBody, q: &[f64], rate: &[f64]) -> Result<Vec<Damp
     }
     found.sort_by(|a, b| a.decay.total_cmp(&b.decay));
     Ok(found)
-}
-
-/// `A − SSᵀ/m* − hJ⁻¹hᵀ`.
-fn recoiling_mass(body: &FlexibleBody) -> Dense {
-    let mut mass = body.mass_matrix();
-    let recoil = recoils(body);
-    for (row, h) in body.invariants().h.iter().enumerate() {
-        for (column, recoil) in recoil.iter().enumerate() {
-            mass.add(row, column, -dot(*h, *recoil));
-        }
-    }
-    mass
 }
 
 /// Spin of the composite solution: the slow spin, the recoil of the fast part, and the body axes that have not yet turned.

@@ -144,10 +144,13 @@ impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
         if self.alarm.idle() {
             return None;
         }
-        let mut alarm = self.alarm.clone();
-        let dense = solver.dense();
+        let mut alarm = std::mem::take(&mut self.alarm);
         let end = self.sample(solver.t(), Accounts::unpack(*solver.y()));
-        let event = alarm.check(dense.span(), &end, |t| self.sample(t, Accounts::unpack(dense.at(t))));
+        let mut dense = None;
+        let event = alarm.check(&end, |t| {
+            let dense = dense.get_or_insert_with(|| solver.dense());
+            self.sample(t, Accounts::unpack(dense.at(t)))
+        });
         self.alarm = alarm;
         event
     }

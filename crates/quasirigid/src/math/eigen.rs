@@ -3,6 +3,8 @@
 use faer::{Mat, Side};
 use thiserror::Error;
 
+use super::sparse::SparseRows;
+
 /// The iteration of an eigenvalue solver did not converge.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error(
@@ -25,6 +27,14 @@ impl Dense {
     #[must_use]
     pub fn zero(size: usize) -> Self {
         Self { size, entries: vec![0.0; size * size] }
+    }
+
+    /// The same matrix with its zeros.
+    #[must_use]
+    pub fn of(matrix: &SparseRows<f64>) -> Self {
+        let mut dense = Self::zero(matrix.size());
+        matrix.iter().for_each(|(row, column, entry)| dense.add(row, column, *entry));
+        dense
     }
 
     /// Number of rows and columns.

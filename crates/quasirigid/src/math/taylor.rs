@@ -59,6 +59,12 @@ impl<const N: usize> Taylor<N> {
         Self::new(std::array::from_fn(below))
     }
 
+    /// Series of the integrals of a few rates that begin with these constants.
+    #[must_use]
+    pub fn integrals<const M: usize>(rates: [Self; M], constants: [f64; M]) -> [Self; M] {
+        std::array::from_fn(|i| rates[i].integral(constants[i]))
+    }
+
     fn with_value(mut self, value: f64) -> Self {
         self.coefficients[0] = value;
         self

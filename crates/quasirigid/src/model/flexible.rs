@@ -218,6 +218,21 @@ impl FlexibleBody {
         }
         A
     }
+
+    /// The same with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
+    #[must_use]
+    pub fn recoiling_mass_matrix(&self) -> Dense {
+        let Invariants { J, h, .. } = &self.invariants;
+        let inverse = sym::inverse(*J);
+        let mut A = self.mass_matrix();
+        for (row, h_row) in h.iter().enumerate() {
+            let turn = sym::times(inverse, *h_row);
+            for (column, h_column) in h.iter().enumerate() {
+                A.add(row, column, -sym::dot(turn, *h_column));
+            }
+        }
+        A
+    }
 }
 
 fn mechanism(coordinates: &[Coordinate], direction: &[f64]) -> FlexibleError {

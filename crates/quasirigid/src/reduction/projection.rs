@@ -1,6 +1,5 @@
 use crate::math::eigen::{Dense, Modes, NoConvergence};
 use crate::math::krylov::{Pencil, dot};
-use crate::math::sparse::SparseRows;
 use crate::math::sym;
 use crate::model::FlexibleBody;
 
@@ -32,12 +31,16 @@ impl Projection {
 
     fn whole(body: &FlexibleBody) -> Self {
         let A = body.mass_matrix();
-        let mut recoiling = A.clone();
-        for (row, column, entry) in recoil(body) {
-            recoiling.add(row, column, entry);
-        }
+        let recoiling = body.recoiling_mass_matrix();
         let trusted = A.size();
-        Self { A, recoiling, B: dense(body.damping()), C: dense(body.stiffness()), trusted, span: None }
+        Self {
+            A,
+            recoiling,
+            B: Dense::of(body.damping()),
+            C: Dense::of(body.stiffness()),
+            trusted,
+            span: None,
+        }
     }
 
     fn slow(body: &FlexibleBody, count: usize) -> Result<Self, NoConvergence> {
@@ -84,16 +87,6 @@ impl Projection {
     }
 }
 
-/// Entries of `−h J⁻¹ hᵀ`. (V2)
-fn recoil(body: &FlexibleBody) -> impl Iterator<Item = (usize, usize, f64)> {
-    let invariants = body.invariants();
-    let inverse = sym::inverse(invariants.J);
-    invariants.h.iter().enumerate().flat_map(move |(row, h)| {
-        let turn = sym::times(inverse, *h);
-        invariants.h.iter().enumerate().map(move |(column, other)| (row, column, -sym::dot(turn, *other)))
-    })
-}
-
 /// `(A − h J⁻¹ hᵀ) x`.
 fn recoiled(body: &FlexibleBody, x: &[f64]) -> Vec<f64> {
     let invariants = body.invariants();
@@ -121,12 +114,6 @@ fn orthonormal(span: Vec<Vec<f64>>, stiffness: &dyn Fn(&[f64]) -> Vec<f64>) -> V
         }
     }
     kept
-}
-
-fn dense(matrix: &SparseRows<f64>) -> Dense {
-    let mut dense = Dense::zero(matrix.size());
-    matrix.iter().for_each(|(row, column, entry)| dense.add(row, column, *entry));
-    dense
 }
 
 #[cfg(test)]

@@ -2,12 +2,14 @@
 
 use quasirigid::averaging::{Evolution, FreeRotation, Mode};
 use quasirigid::dynamics::{Options, SpinState, propagate};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym::norm;
-use quasirigid::model::{Principal, Support};
+use quasirigid::model::Principal;
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
+
+use crate::support::{Sprung, sprung_body};
 
 const AXIAL: AxialMass = AxialMass { carrier: 2.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.4 };
 
@@ -28,30 +30,20 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     }
 }
 
-/// A triaxial body with three masses off every axis, `ε` times as soft as stiff as given.
+/// A triaxial body with two masses off every axis, the stiffer the smaller `ε`.
 fn tumbler(epsilon: f64) -> Assembly {
-    let point =
-        |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
-    let spring = |point, stiffness: f64, damping: f64| Spring {
-        from: End::Point(point),
-        to: End::Carrier,
-        law: Law::Spatial {
-            stiffness: Coefficient::Isotropic(stiffness / epsilon.powi(2)),
-            damping: Coefficient::Isotropic(damping / epsilon),
-        },
+    let carrier = Carrier {
+        mass: 40.0,
+        center_of_mass: [0.0; 3],
+        inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
     };
-    Assembly {
-        carrier: Carrier {
-            mass: 40.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
-        },
-        points: vec![point("a", 1.0, [0.4, 1.0, 0.5]), point("b", 1.3, [-0.6, 0.5, -0.7])],
-        springs: vec![spring(0, 120.0, 30.0), spring(1, 150.0, 30.0)],
-        hinged: Vec::new(),
-        support: Support::Free,
-        forces: Vec::new(),
-    }
+    let sprung = |mass, position, stiffness: f64| Sprung {
+        mass,
+        position,
+        stiffness: [stiffness / epsilon.powi(2); 3],
+        damping: [30.0 / epsilon; 3],
+    };
+    sprung_body(carrier, &[sprung(1.0, [0.4, 1.0, 0.5], 120.0), sprung(1.3, [-0.6, 0.5, -0.7], 150.0)])
 }
 
 /// Times in which `D/I₃` reaches 0.97 from a spin: averaged, and by the reduced equations; relative difference.

@@ -5,42 +5,40 @@ use quasirigid::dynamics::{
     composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
     steady_spins,
 };
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Carrier, Coefficient, End, Law, Spring};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym::{add, norm, scale};
-use quasirigid::model::{FlexibleBody, Support};
+use quasirigid::model::FlexibleBody;
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
 
+use crate::support::{Sprung, sprung_body};
+
+fn carrier() -> Carrier {
+    Carrier {
+        mass: 30.0,
+        center_of_mass: [0.1, -0.2, 0.05],
+        inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
+    }
+}
+
 /// Two masses off every axis, on different springs.
 fn body() -> FlexibleBody {
-    let point =
-        |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
-    let spring = |point, stiffness, damping| Spring {
-        from: End::Point(point),
-        to: End::Carrier,
-        law: Law::Spatial {
-            stiffness: Coefficient::Diagonal(stiffness),
-            damping: Coefficient::Diagonal(damping),
+    let masses = [
+        Sprung {
+            mass: 1.1,
+            position: [0.9, 0.3, 0.4],
+            stiffness: [700.0, 900.0, 1100.0],
+            damping: [9.0, 7.0, 8.0],
         },
-    };
-    Assembly {
-        carrier: Carrier {
-            mass: 30.0,
-            center_of_mass: [0.1, -0.2, 0.05],
-            inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
+        Sprung {
+            mass: 0.7,
+            position: [-0.5, 0.8, -0.6],
+            stiffness: [500.0, 800.0, 600.0],
+            damping: [6.0, 5.0, 8.0],
         },
-        points: vec![point("a", 1.1, [0.9, 0.3, 0.4]), point("b", 0.7, [-0.5, 0.8, -0.6])],
-        springs: vec![
-            spring(0, [700.0, 900.0, 1100.0], [9.0, 7.0, 8.0]),
-            spring(1, [500.0, 800.0, 600.0], [6.0, 5.0, 8.0]),
-        ],
-        hinged: Vec::new(),
-        support: Support::Free,
-        forces: Vec::new(),
-    }
-    .body()
-    .unwrap()
+    ];
+    sprung_body(carrier(), &masses).body().unwrap()
 }
 
 const OMEGA: [f64; 3] = [0.5, 0.7, 0.9];
@@ -94,38 +92,28 @@ fn methods_agree() {
 /// Twenty points in a chain, each held to the carrier and to its neighbours: more coordinates than are solved by a full
 /// matrix.
 fn chain() -> FlexibleBody {
-    let place = |i: u8| {
-        let angle = 0.55 * f64::from(i);
-        [0.8 * angle.cos(), 0.9 * angle.sin(), 0.05 * f64::from(i) - 0.4]
-    };
-    let points = (0..20).map(|i| {
-        let motion = Motion::Free;
-        Point { name: format!("{i}"), mass: 0.2 + 0.01 * f64::from(i), position: place(i), motion }
-    });
-    let spring = |from: u8, to, stiffness| Spring {
-        from: End::Point(from.into()),
-        to,
+    let masses: Vec<Sprung> = (0..20)
+        .map(|i| {
+            let (number, angle) = (f64::from(i), 0.55 * f64::from(i));
+            let stiffness = [90.0 + 5.0 * number, 120.0, 150.0];
+            Sprung {
+                mass: 0.2 + 0.01 * number,
+                position: [0.8 * angle.cos(), 0.9 * angle.sin(), 0.05 * number - 0.4],
+                stiffness,
+                damping: scale(0.01, stiffness),
+            }
+        })
+        .collect();
+    let mut assembly = sprung_body(carrier(), &masses);
+    assembly.springs.extend((1..20).map(|next| Spring {
+        from: End::Point(next - 1),
+        to: End::Point(next),
         law: Law::Spatial {
-            stiffness: Coefficient::Diagonal(stiffness),
-            damping: Coefficient::Diagonal(scale(0.01, stiffness)),
+            stiffness: Coefficient::Diagonal([60.0, 50.0, 40.0]),
+            damping: Coefficient::Diagonal([0.6, 0.5, 0.4]),
         },
-    };
-    let held = (0..20).map(|i| spring(i, End::Carrier, [90.0 + 5.0 * f64::from(i), 120.0, 150.0]));
-    let joined = (0..19).map(|i| spring(i, End::Point(usize::from(i) + 1), [60.0, 50.0, 40.0]));
-    Assembly {
-        carrier: Carrier {
-            mass: 30.0,
-            center_of_mass: [0.1, -0.2, 0.05],
-            inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
-        },
-        points: points.collect(),
-        springs: held.chain(joined).collect(),
-        hinged: Vec::new(),
-        support: Support::Free,
-        forces: Vec::new(),
-    }
-    .body()
-    .unwrap()
+    }));
+    assembly.body().unwrap()
 }
 
 #[test]

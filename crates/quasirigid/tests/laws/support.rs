@@ -16,6 +16,40 @@ use quasirigid::model::Support;
 
 use crate::transform::{Units, rescaled, times};
 
+/// A mass that is free to move (kg, m), on a spring to the carrier: stiffness (N/m) and damping (N·s/m) along the axes.
+pub struct Sprung {
+    pub mass: f64,
+    pub position: [f64; 3],
+    pub stiffness: [f64; 3],
+    pub damping: [f64; 3],
+}
+
+/// A free body of a carrier and sprung masses, which are called by their numbers.
+pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
+    let point = |(number, sprung): (usize, &Sprung)| Point {
+        name: number.to_string(),
+        mass: sprung.mass,
+        position: sprung.position,
+        motion: Motion::Free,
+    };
+    let spring = |(number, sprung): (usize, &Sprung)| Spring {
+        from: End::Point(number),
+        to: End::Carrier,
+        law: Law::Spatial {
+            stiffness: Coefficient::Diagonal(sprung.stiffness),
+            damping: Coefficient::Diagonal(sprung.damping),
+        },
+    };
+    Assembly {
+        carrier,
+        points: masses.iter().enumerate().map(point).collect(),
+        springs: masses.iter().enumerate().map(spring).collect(),
+        hinged: Vec::new(),
+        support: Support::Free,
+        forces: Vec::new(),
+    }
+}
+
 /// A point mass: mass (kg) and position (m).
 pub type Mass = (f64, Vector3<f64>);
 

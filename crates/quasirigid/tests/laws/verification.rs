@@ -3,41 +3,39 @@
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form, Options, SlowState, propagate_forced};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring, Station};
+use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::math::expression::Expression;
 use quasirigid::math::rotation::turned;
 use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, Law as ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 use quasirigid::verification::{Plan, Start, verify};
 
+use crate::support::{Sprung, sprung_body};
+
 /// Two sprung masses on a carrier, held and loaded as asked.
-fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
-    let point =
-        |name: &str, mass, position| Point { name: name.into(), mass, position, motion: Motion::Free };
-    let spring = |point, stiffness, damping| Spring {
-        from: End::Point(point),
-        to: End::Carrier,
-        law: Law::Spatial {
-            stiffness: Coefficient::Diagonal(stiffness),
-            damping: Coefficient::Diagonal(damping),
-        },
+fn assembly(support: Support, laws: Vec<Law<Station>>) -> Assembly {
+    let carrier = Carrier {
+        mass: 40.0,
+        center_of_mass: [0.02, 0.1, 0.4],
+        inertia: [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
     };
-    Assembly {
-        carrier: Carrier {
-            mass: 40.0,
-            center_of_mass: [0.02, 0.1, 0.4],
-            inertia: [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
+    let masses = [
+        Sprung {
+            mass: 1.2,
+            position: [0.8, 0.3, 0.9],
+            stiffness: [900.0, 1000.0, 800.0],
+            damping: [48.0, 36.0, 40.0],
         },
-        points: vec![point("a", 1.2, [0.8, 0.3, 0.9]), point("b", 0.9, [-0.5, -0.6, 0.7])],
-        springs: vec![
-            spring(0, [900.0, 1000.0, 800.0], [48.0, 36.0, 40.0]),
-            spring(1, [700.0, 800.0, 1100.0], [36.0, 40.0, 48.0]),
-        ],
-        hinged: Vec::new(),
-        support,
-        forces: laws.into_iter().map(|law| Force { name: "force".into(), law }).collect(),
-    }
+        Sprung {
+            mass: 0.9,
+            position: [-0.5, -0.6, 0.7],
+            stiffness: [700.0, 800.0, 1100.0],
+            damping: [36.0, 40.0, 48.0],
+        },
+    ];
+    let forces = laws.into_iter().map(|law| Force { name: "force".into(), law }).collect();
+    Assembly { support, forces, ..sprung_body(carrier, &masses) }
 }
 
 fn start(omega: [f64; 3]) -> Start {
@@ -75,7 +73,7 @@ fn assert_orders(found: &[f64]) {
 
 #[test]
 fn a_heavy_body_with_a_fixed_point_reaches_its_orders() {
-    let gravity = ForceLaw::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
+    let gravity = Law::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
     let assembly = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     assert_orders(&orders(&assembly, [0.3, 0.2, 1.4], 3, 2.0));
 }
@@ -92,7 +90,7 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
         periapsis: 0.7,
         mean_anomaly: 0.4,
     };
-    let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
+    let assembly = assembly(Support::Free, vec![Law::CentralGravity { orbit }]);
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
 }
 
@@ -104,13 +102,13 @@ fn every_other_force_reaches_its_orders() {
     let slow = Wave { frequency: 0.7, phase: 0.4 };
     let formula = ["-0.3*vx + 0.2*sin(0.5*t)", "0.1*x*vz - 0.2*y", "exp(-0.1*t)*cos(0.2*z)"];
     let laws = vec![
-        ForceLaw::Drag { at: tip, coefficient: 0.4 },
-        ForceLaw::SpinDrag { coefficient: 0.3 },
-        ForceLaw::Torque { torque: [0.5, -0.4, 0.3], axes: Axes::Inertial, wave: slow },
-        ForceLaw::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
-        ForceLaw::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
-        ForceLaw::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
-        ForceLaw::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
+        Law::Drag { at: tip, coefficient: 0.4 },
+        Law::SpinDrag { coefficient: 0.3 },
+        Law::Torque { torque: [0.5, -0.4, 0.3], axes: Axes::Inertial, wave: slow },
+        Law::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
+        Law::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
+        Law::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
+        Law::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
     ];
     assert_orders(&orders(&assembly(Support::Free, laws), [0.5, 0.7, 0.9], 3, 1.0));
 }
@@ -137,7 +135,7 @@ fn parsed(text: &str, variables: &[&str]) -> Expression {
 /// The paper's form (3.1)–(3.4) and the momentum form differ by the order that they both leave out.
 #[test]
 fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
-    let gravity = ForceLaw::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
+    let gravity = Law::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
     let assembly = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     for order in 1..=3 {

@@ -2,43 +2,14 @@
 //! `data/published/one_sprung_mass`.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::math::polynomial::monomial::count;
-use quasirigid::model::Support;
+use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
 
 const TABLE: &str = include_str!("../../../../data/published/one_sprung_mass/mu_A.csv");
 
 /// Relative to the largest coefficient of the degree; the table has 17 digits and a coefficient some fifty operations.
 const TOLERANCE: f64 = 1e-12;
-
-/// The body of `SOURCE.md`.
-fn hub() -> Assembly {
-    Assembly {
-        carrier: Carrier {
-            mass: 100.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[10.0, 0.0, 0.0], [0.0, 14.0, 0.0], [0.0, 0.0, 17.0]],
-        },
-        points: vec![Point {
-            name: "mass".into(),
-            mass: 1.0,
-            position: [0.8, 0.3, 0.5],
-            motion: Motion::Free,
-        }],
-        springs: vec![Spring {
-            from: End::Point(0),
-            to: End::Carrier,
-            law: Law::Spatial {
-                stiffness: Coefficient::Isotropic(1e4),
-                damping: Coefficient::Isotropic(20.0),
-            },
-        }],
-        hinged: vec![],
-        support: Support::Free,
-        forces: Vec::new(),
-    }
-}
 
 /// Degree, exponents and torque of every row.
 fn rows() -> Vec<(usize, [usize; 3], [f64; 3])> {
@@ -53,7 +24,7 @@ fn rows() -> Vec<(usize, [usize; 3], [f64; 3])> {
 
 #[test]
 fn torque_of_one_sprung_mass_has_the_rational_coefficients() {
-    let reduced = reduce(&hub().body().unwrap(), 3).unwrap();
+    let reduced = reduce(&CommonProblem::A.assembly().body().unwrap(), 3).unwrap();
     let rows = rows();
     println!("degree exponents axis {:>24} {:>24} error", "published", "found");
     for degree in [4, 5] {

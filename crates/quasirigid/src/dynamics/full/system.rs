@@ -9,7 +9,6 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::{self, add, cross, dot, norm};
-use crate::model::force::Loads;
 use crate::model::{FlexibleBody, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
@@ -39,7 +38,7 @@ impl<'a> FullSystem<'a> {
         let pose = Pose { t, attitude: attitude(y), place: triple(y, PLACE), velocity };
         let loads = self.system.loads(&pose, motion);
         let impulse = Turn::of(pose.attitude).to_inertial(loads.moment);
-        let acceleration = self.system.acceleration(&pose, &loads);
+        let acceleration = self.system.acceleration(&pose, loads.force);
         let turning = add(triple(slow, MOMENTUM), loads.moment);
         for (at, rate) in
             [(MOMENTUM, turning), (IMPULSE, impulse), (PLACE, velocity), (VELOCITY, acceleration)]
@@ -47,7 +46,7 @@ impl<'a> FullSystem<'a> {
             slow[at..at + 3].copy_from_slice(&rate);
         }
         p_rate.iter_mut().zip(&loads.generalized).for_each(|(rate, Q)| *rate += Q);
-        slow[WORK] = Loads { force: [0.0; 3], ..loads }.power(motion, [0.0; 3]);
+        slow[WORK] = loads.power(motion, [0.0; 3]);
     }
 
     /// An upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)

@@ -90,12 +90,12 @@ impl<const N: usize> Flow<N> {
             if system.acts() {
                 let loads = system.loads(&pose, Motion { omega, q, rate });
                 torque = add(torque, loads.moment);
-                let velocity = integral(system.acceleration(&pose, &loads), start.velocity);
-                pose.place = integral(pose.velocity, start.place);
+                let velocity = Taylor::integrals(system.acceleration(&pose, loads.force), start.velocity);
+                pose.place = Taylor::integrals(pose.velocity, start.place);
                 pose.velocity = velocity;
-                pose.attitude = integral(rotation::rate(pose.attitude, omega), start.attitude);
+                pose.attitude = Taylor::integrals(rotation::rate(pose.attitude, omega), start.attitude);
             }
-            K = integral(torque, K0);
+            K = Taylor::integrals(torque, K0);
         }
         let omega = spin(K);
         Self { omega, loads: loads(system, &pose, Motion { omega, q, rate }) }
@@ -118,8 +118,4 @@ impl<const N: usize> Flow<N> {
         let (series, _) = rows.as_chunks::<N>();
         series.iter().map(|coefficients| Taylor::new(*coefficients)).collect()
     }
-}
-
-fn integral<const N: usize, const M: usize>(rate: [Taylor<N>; M], start: [f64; M]) -> [Taylor<N>; M] {
-    std::array::from_fn(|i| rate[i].integral(start[i]))
 }

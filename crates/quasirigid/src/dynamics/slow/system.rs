@@ -8,9 +8,9 @@ use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PL
 use crate::math::ode::System;
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{add, cross, inverse, norm, scale, times};
+use crate::math::sym::{add, cross, inverse, norm, times};
+use crate::model::Motion;
 use crate::model::force::{Loads, Situation};
-use crate::model::{Motion, Support};
 
 /// The reduced equations of a forced body. In the momentum form the state holds the momentum, `K̇ = K × ω + M`, with spin and
 /// loads of the slow motion (E2); in the paper's form the spin, `Jω̇ + ω × Jω = M* + μ` (E3).
@@ -46,7 +46,7 @@ impl SlowSystem<'_> {
         Rates {
             omega: point.omega,
             first: add(cross(state.momentum, point.omega), point.loads.moment),
-            acceleration: self.system.acceleration(&pose, &point.loads),
+            acceleration: self.system.acceleration(&pose, point.loads.force),
             loads: point.loads,
             q: point.q,
             rate: point.rate,
@@ -54,7 +54,8 @@ impl SlowSystem<'_> {
     }
 
     fn paper_form(&self, t: f64, y: &[f64]) -> Rates {
-        let SlowState { momentum: omega, attitude, place, velocity } = SlowState::unpack(y);
+        let state = SlowState::unpack(y);
+        let SlowState { momentum: omega, attitude, place, velocity } = state;
         let body = self.system.body;
         let at = RigidState { t, omega, attitude, pole: place, pole_velocity: velocity };
         let ForcedTorque { moment, mu, force, phi, q, rate } = forced_torque(self.system, self.order, &at);
@@ -63,14 +64,7 @@ impl SlowSystem<'_> {
         let motion = Motion { omega, q: &q, rate: &rate };
         let situation = Situation { t, attitude, pole: place, pole_velocity: velocity, motion };
         let loads = body.loads(self.system.forces, &situation).about_center(body, &q);
-        let acceleration = match body.support() {
-            Support::Free => {
-                scale(body.invariants().mass.recip(), Turn::of(attitude).to_inertial(add(force, phi)))
-            }
-            Support::FixedPoint { .. } | Support::Prescribed { .. } => {
-                self.system.acceleration(&SlowState::unpack(y).pose(t), &loads)
-            }
-        };
+        let acceleration = self.system.acceleration(&state.pose(t), add(force, phi));
         Rates { omega, first: times(inverse(J), torque), acceleration, loads, q, rate }
     }
 }
@@ -78,17 +72,17 @@ impl SlowSystem<'_> {
 impl System<[f64; SLOW]> for SlowSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW], rate: &mut [f64; SLOW]) {
         let now = self.rates(t, y);
-        let attitude = SlowState::unpack(y).attitude;
+        let SlowState { attitude, velocity, .. } = SlowState::unpack(y);
         let motion = Motion { omega: now.omega, q: &now.q, rate: &now.rate };
         let damped = self.system.body.damping().times(&now.rate);
         rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);
         rate[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, now.omega));
         rate[DISSIPATED] = damped.iter().zip(&now.rate).map(|(force, rate)| force * rate).sum();
-        rate[WORK] = Loads { force: [0.0; 3], ..now.loads.clone() }.power(motion, [0.0; 3]);
+        rate[WORK] = now.loads.power(motion, [0.0; 3]);
         rate[ANGLE] = norm(now.omega);
         let impulse = Turn::of(attitude).to_inertial(now.loads.moment);
         rate[IMPULSE..IMPULSE + 3].copy_from_slice(&impulse);
-        rate[PLACE..PLACE + 3].copy_from_slice(&SlowState::unpack(y).velocity);
+        rate[PLACE..PLACE + 3].copy_from_slice(&velocity);
         rate[VELOCITY..VELOCITY + 3].copy_from_slice(&now.acceleration);
     }
 }

@@ -120,15 +120,15 @@ impl RigidFlow {
         for _ in 1..TERMS {
             let now = loads(&pose, spin);
             let turning = times(inverse(J), add(now.moment, cross(times(J, spin), spin)));
-            let acceleration = system.acceleration(&pose, &now);
-            pose.attitude = integral(rotation::rate(pose.attitude, spin), attitude);
-            pose.place = integral(pose.velocity, pole);
-            pose.velocity = integral(acceleration, pole_velocity);
-            spin = integral(turning, omega);
+            let acceleration = system.acceleration(&pose, now.force);
+            pose.attitude = Taylor::integrals(rotation::rate(pose.attitude, spin), attitude);
+            pose.place = Taylor::integrals(pose.velocity, pole);
+            pose.velocity = Taylor::integrals(acceleration, pole_velocity);
+            spin = Taylor::integrals(turning, omega);
         }
         let loads = loads(&pose, spin);
         let acceleration = match system.body.support() {
-            Support::Free => Turn::of(pose.attitude).to_body(system.acceleration(&pose, &loads)),
+            Support::Free => Turn::of(pose.attitude).to_body(system.acceleration(&pose, loads.force)),
             Support::FixedPoint { .. } | Support::Prescribed { .. } => [Series::from(0.0); 3],
         };
         Self { omega: spin, loads, acceleration }
@@ -182,8 +182,4 @@ impl RigidFlow {
 fn situation<'a, T: Smooth>(pose: &Pose<T>, motion: Motion<'a, T>) -> Situation<'a, T> {
     let Pose { t, attitude, place, velocity } = *pose;
     Situation { t, attitude, pole: place, pole_velocity: velocity, motion }
-}
-
-fn integral<const M: usize>(rate: [Series; M], start: [f64; M]) -> [Series; M] {
-    std::array::from_fn(|i| rate[i].integral(start[i]))
 }

@@ -1,7 +1,7 @@
 use std::marker::PhantomData;
 
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
-use super::system::{Dense, Solver, State, StepError, System, Work, accumulate};
+use super::system::{Dense, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::math::simd::Arithmetic;
 
 /// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) `[@hairer1993]`.
@@ -159,12 +159,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
         let (first, rest) = self.stages.split_at_mut(STAGES);
         first[0].clone_from(&rest[0]);
         loop {
-            let remaining = end - self.t;
-            let reaches = self.h >= 0.999_999 * remaining;
-            let h = if reaches { remaining } else { self.h };
-            if !(h > f64::EPSILON * self.t.abs()) {
-                return Err(StepError::at(self.t, undefined));
-            }
+            let (h, reaches) = towards(end, self.t, self.h, undefined)?;
             self.trial(h);
             let error = self.error(h);
             undefined = !error.is_finite();

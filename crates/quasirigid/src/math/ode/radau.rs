@@ -2,8 +2,8 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use super::radau_stages::{Attempt, Search, Stages, Stiff};
-use super::radau_tableau::{ERROR, GAMMA, SPLIT, START};
-use super::system::{Dense, Solver, State, StepError, Work, accumulate};
+use super::radau_tableau::{ERROR, GAMMA, SPLIT, STAGES, START};
+use super::system::{Dense, Solver, State, StepError, Work, accumulate, towards};
 use crate::math::simd::Arithmetic;
 
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
@@ -157,19 +157,14 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     }
 
     fn work(&self) -> Work {
-        Work { evaluations: self.work.evaluations + 7 * self.stages.sweeps, ..self.work }
+        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps, ..self.work }
     }
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {
         let mut rejected = false;
         let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
         loop {
-            let remaining = end - self.t;
-            let reaches = self.h >= 0.999_999 * remaining;
-            let h = if reaches { remaining } else { self.h };
-            if !(h > f64::EPSILON * self.t.abs()) {
-                return Err(StepError::at(self.t, undefined));
-            }
+            let (h, reaches) = towards(end, self.t, self.h, undefined)?;
             self.factor(h);
             let search = self.find_stages(h);
             undefined = matches!(search, Search::NotFinite);

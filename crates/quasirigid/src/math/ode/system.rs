@@ -117,7 +117,7 @@ pub enum StepError {
 
 impl StepError {
     /// The error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
-    pub(super) fn at(t: f64, undefined: bool) -> Self {
+    fn at(t: f64, undefined: bool) -> Self {
         if undefined { Self::NotFinite { t } } else { Self::TooSmall { t } }
     }
 }
@@ -152,12 +152,16 @@ impl<Y: State> Dense<Y> {
         }
         state
     }
+}
 
-    /// Where the step began and ended.
-    #[must_use]
-    pub fn span(&self) -> [f64; 2] {
-        [self.t, self.t + self.h]
-    }
+/// The step of length `h` from `t`, or what of it there is until `end`, and whether it reaches that; the rate just beyond
+/// `t` is undefined or not.
+#[inline(always)]
+pub(super) fn towards(end: f64, t: f64, h: f64, undefined: bool) -> Result<(f64, bool), StepError> {
+    let remaining = end - t;
+    let reaches = h >= 0.999_999 * remaining;
+    let h = if reaches { remaining } else { h };
+    if h > f64::EPSILON * t.abs() { Ok((h, reaches)) } else { Err(StepError::at(t, undefined)) }
 }
 
 /// Adds a change to a state kept in two parts, so that many small changes lose no digits: `carry` takes what rounding

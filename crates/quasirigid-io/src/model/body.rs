@@ -51,6 +51,7 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>) -> Body<'a>
         points: point_tables.iter().map(Table::spans).collect(),
         springs: spring_tables.iter().map(Table::spans).collect(),
         hinged: hinged_tables.iter().map(Table::spans).collect(),
+        ellipsoids: Vec::new(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
     };
@@ -65,7 +66,8 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>) -> Body<'a>
     let forces = every(force_tables.iter().zip(&names.forces).map(|(table, name)| table.force(name, &names)));
     let assembly = || {
         Some(Assembly {
-            carrier: carrier?,
+            carrier: Some(carrier?),
+            ellipsoids: Vec::new(),
             points: points?,
             springs: springs?,
             hinged: hinged?,

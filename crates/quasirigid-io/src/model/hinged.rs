@@ -1,4 +1,5 @@
 use quasirigid::elements::{HingeCoefficient, Hinged};
+use quasirigid::model::Rheology;
 
 use super::body::inertia;
 use super::table::{Keys, Table};
@@ -37,6 +38,7 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
         axes: axes?,
         stiffness: stiffness?,
         damping: damping?,
+        rheology: Rheology::Elastic,
     })
 }
 

@@ -24,6 +24,9 @@ fn described(place: Place, assembly: &Assembly) -> String {
     let named = match place {
         Place::Point(index) => assembly.points.get(index).map(|point| format!("point {:?}", point.name)),
         Place::Hinged(index) => assembly.hinged.get(index).map(|part| format!("appendage {:?}", part.name)),
+        Place::Ellipsoid(index) => {
+            assembly.ellipsoids.get(index).map(|part| format!("ellipsoid {:?}", part.name))
+        }
         Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
         Place::Carrier | Place::Spring(_) | Place::Support => None,
     };

@@ -9,6 +9,7 @@ pub(super) struct Spans {
     pub(super) points: Vec<ElementSpans>,
     pub(super) springs: Vec<ElementSpans>,
     pub(super) hinged: Vec<ElementSpans>,
+    pub(super) ellipsoids: Vec<ElementSpans>,
     pub(super) support: ElementSpans,
     pub(super) forces: Vec<ElementSpans>,
 }
@@ -31,6 +32,7 @@ impl Spans {
             Place::Point(index) => self.points.get(index),
             Place::Spring(index) => self.springs.get(index),
             Place::Hinged(index) => self.hinged.get(index),
+            Place::Ellipsoid(index) => self.ellipsoids.get(index),
             Place::Support => Some(&self.support),
             Place::Force(index) => self.forces.get(index),
         };

@@ -1,4 +1,5 @@
 use quasirigid::elements::{Coefficient, End, Law, Spring};
+use quasirigid::model::Rheology;
 
 use super::names::{Fixed, Names};
 use super::table::{Keys, Table};
@@ -30,7 +31,7 @@ pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
             Some("leave it out, or write \"carrier\" for one end".to_owned()),
         );
     }
-    Some(Spring { from, to, law: law? })
+    Some(Spring { from, to, law: law?, rheology: Rheology::Elastic })
 }
 
 fn in_space(table: &Table<'_>) -> Option<Law> {

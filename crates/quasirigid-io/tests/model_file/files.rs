@@ -3,7 +3,7 @@ use std::path::Path;
 use insta::assert_snapshot;
 use quasirigid_io::model::{FileProblem, Model, ModelError};
 
-use super::{CARRIER, refusal};
+use super::{CARRIER, carrier, refusal};
 
 #[test]
 fn nonsense_is_refused_without_delay() {
@@ -50,7 +50,7 @@ fn a_file_is_read_from_disk_and_a_byte_that_is_no_text_is_located() {
     std::fs::write(&path, b"[carrier]\nmass = \"40 \xff\"\n").expect("a temporary file");
     let error = Model::read(&path).expect_err("a refusal").to_string();
     std::fs::remove_file(&path).expect("the temporary file");
-    assert_eq!(model.map(|model| model.assembly.carrier.mass), Ok(40.0));
+    assert_eq!(model.map(|model| carrier(&model.assembly).mass), Ok(40.0));
     assert_snapshot!(error.replace(&*path.to_string_lossy(), "model.toml"), @r#"
     model.toml:2:12: the file is not UTF-8 text: the byte 0xFF cannot stand here
       a model file is a TOML text; save it with the encoding UTF-8

@@ -14,6 +14,7 @@ mod values;
 
 use std::path::Path;
 
+use quasirigid::elements::{Assembly, Carrier};
 use quasirigid_io::model::Model;
 
 const CARRIER: &str = "[carrier]\nmass = 40.0\ncenter_of_mass = [0, 0.1, 0]\ninertia = [9.0, 13.0, 16.0]\n";
@@ -22,6 +23,10 @@ const HINGED: &str = "[[hinged]]\nname = \"boom\"\nmass = 2\ncenter_of_mass = [1
 
 fn read(text: &str) -> Model {
     Model::parse(Path::new("model.toml"), text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn carrier(assembly: &Assembly) -> &Carrier {
+    assembly.carrier.as_ref().expect("a carrier")
 }
 
 /// How a text is refused.

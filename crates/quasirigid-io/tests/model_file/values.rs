@@ -1,6 +1,6 @@
 use insta::assert_snapshot;
 
-use super::{CARRIER, POINT, read, refusal, refusal_of, refusal_of_spring};
+use super::{CARRIER, POINT, carrier, read, refusal, refusal_of, refusal_of_spring};
 
 #[test]
 fn a_value_of_another_kind_is_refused() {
@@ -78,7 +78,7 @@ fn a_number_that_is_not_finite_is_refused() {
     model.toml:2:8: `mass` is 0xffffffffffffffffffffffffffffffffffffffff, which is not a finite number
       write a number in kg, or a text with its unit such as "12 lb"
     "#);
-    assert_eq!(read(&CARRIER.replace("40.0", &"9".repeat(60))).assembly.carrier.mass, 1e60);
+    assert_eq!(carrier(&read(&CARRIER.replace("40.0", &"9".repeat(60))).assembly).mass, 1e60);
     assert_snapshot!(refusal(&CARRIER.replace("0.1", "nan")), @r#"
     model.toml:3:22: `center_of_mass` is nan, which is not a finite number
       write a number in m, or a text with its unit such as "22 in"

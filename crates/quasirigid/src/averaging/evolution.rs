@@ -1,6 +1,6 @@
-use super::poinsot::{FreeRotation, Mode};
+use super::poinsot::FreeRotation;
 use crate::math::polynomial::Series;
-use crate::model::{Principal, ReducedBody};
+use crate::model::{Mode, Principal, ReducedBody};
 
 /// How the rotation of a free body ages: its energy falls at the mean power of its dashpots while `|K|` stays. (A6)
 #[derive(Clone, Debug)]

@@ -6,4 +6,4 @@ mod poinsot;
 
 pub use evolution::{Evolution, Stage};
 pub use observed::{ObservedError, ObservedPeriods};
-pub use poinsot::{FreeRotation, Mode};
+pub use poinsot::FreeRotation;

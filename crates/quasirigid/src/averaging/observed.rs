@@ -2,7 +2,8 @@ use std::f64::consts::TAU;
 
 use thiserror::Error;
 
-use super::poinsot::{FreeRotation, Mode};
+use super::poinsot::FreeRotation;
+use crate::model::Mode;
 
 /// A tumbling body as observers describe it: two periods and a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,15 +2,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::elliptic::{complete_third_excess, first_of_complement, first_to, jacobi, third_excess_to};
 use crate::math::sym::{cross, norm, scale};
-
-/// Which axis the angular momentum circles in the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// The axis of greatest inertia: `|K|² > 2 E I₂`.
-    ShortAxis,
-    /// The axis of least inertia: `|K|² < 2 E I₂`.
-    LongAxis,
-}
+use crate::model::Mode;
 
 /// Torque-free rotation of a rigid body, exactly (Euler–Poinsot). (A1)–(A4)
 ///
@@ -284,17 +276,6 @@ impl FreeRotation {
         match self.mode {
             Mode::ShortAxis => 1.0,
             Mode::LongAxis => -1.0,
-        }
-    }
-}
-
-impl Mode {
-    /// Number of the axis that the momentum circles.
-    #[must_use]
-    pub fn circled(self) -> usize {
-        match self {
-            Self::ShortAxis => 2,
-            Self::LongAxis => 0,
         }
     }
 }

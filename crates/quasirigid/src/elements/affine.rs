@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::moment;
 use crate::math::sym::Sym;
 use crate::model::{Inertia, Pair};
 
@@ -42,8 +43,7 @@ impl Piece {
 
     /// `∫ u × v dm`.
     pub fn cross(&self, u: &Field, v: &Field) -> [f64; 3] {
-        let W = self.moment(u, v);
-        [W[(1, 2)] - W[(2, 1)], W[(2, 0)] - W[(0, 2)], W[(0, 1)] - W[(1, 0)]]
+        moment::cross(&self.moment(u, v))
     }
 
     /// `∫ u · v dm`.
@@ -53,23 +53,20 @@ impl Piece {
 
     /// `∫ [2(u·v) 1 − u vᵀ − v uᵀ] dm`.
     pub fn inertia(&self, u: &Field, v: &Field) -> Sym {
-        let W = self.moment(u, v);
-        let form = 2.0 * W.trace() * Matrix3::identity() - W - W.transpose();
-        [form[(0, 0)], form[(1, 1)], form[(2, 2)], form[(1, 2)], form[(2, 0)], form[(0, 1)]]
+        moment::inertia(&self.moment(u, v))
     }
 
     /// Invariants of the pair of coordinates with shapes `H_j`, `H_k` and path curvature `G_jk`, for a piece whose
     /// equilibrium position is the field `rho`. (I4)–(I6)
     pub fn pair(&self, rho: &Field, H_j: &Field, H_k: &Field, G_jk: &Field) -> Pair {
-        let stretched = self.inertia(H_j, H_k);
+        let straight = moment::straight_pair(&self.moment(H_j, H_k));
         let curved = self.inertia(rho, G_jk);
-        let coriolis = self.cross(H_j, H_k);
         let turned = self.cross(rho, G_jk);
         Pair {
-            A: self.dot(H_j, H_k),
-            J2: std::array::from_fn(|i| 0.5 * (stretched[i] + curved[i])),
-            Z: std::array::from_fn(|i| coriolis[i] + turned[i]),
+            J2: std::array::from_fn(|i| straight.J2[i] + 0.5 * curved[i]),
+            Z: std::array::from_fn(|i| straight.Z[i] + turned[i]),
             S2: self.sum(G_jk),
+            ..straight
         }
     }
 

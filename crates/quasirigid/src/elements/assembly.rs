@@ -2,17 +2,22 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
 use super::error::{ElementError, Field, Place, Problem};
-use super::{Carrier, Hinged, Point, Spring, Station, coefficient, force};
+use super::matrices::Matrices;
+use super::{Carrier, Ellipsoid, Hinged, Point, Spring, Station, coefficient, force};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::Support;
 use crate::model::force::Force;
-use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
+use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts};
 
-/// A body as the user describes it: a carrier with points, springs and hinged appendages on it.
-#[derive(Clone, Debug, PartialEq)]
+/// A body as the user describes it: a carrier with points, springs and hinged appendages on it, or a body without a
+/// carrier that is elastic throughout.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Assembly {
-    /// The rigid body that carries everything else.
-    pub carrier: Carrier,
+    /// The rigid body that carries everything else; none of a body that is elastic throughout.
+    pub carrier: Option<Carrier>,
+    /// Ellipsoids, each of them a whole body.
+    pub ellipsoids: Vec<Ellipsoid>,
     /// Material points.
     pub points: Vec<Point>,
     /// Springs and dashpots.
@@ -41,18 +46,13 @@ pub(super) struct Mover {
     pub marker: (String, Vector3<f64>),
 }
 
-/// Part of a symmetric matrix over some coordinates.
-pub(super) struct Block {
-    pub columns: Vec<usize>,
-    pub stiffness: Vec<Vec<f64>>,
-    pub damping: Vec<Vec<f64>>,
-}
-
 impl Assembly {
     /// Everything wrong with the elements, one by one; what only the whole body can show is left to [`Self::body`].
     #[must_use]
     pub fn check(&self) -> Vec<ElementError> {
-        let carrier = self.carrier.piece().err().into_iter().collect::<Vec<_>>();
+        let carrier = self.carrier.as_ref().and_then(|carrier| carrier.piece().err());
+        let ellipsoids =
+            self.ellipsoids.iter().enumerate().filter_map(|(i, ellipsoid)| ellipsoid.check(i).err());
         let points = self.points.iter().enumerate().filter_map(|(i, point)| point.mover(i).err());
         let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
         let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
@@ -65,6 +65,8 @@ impl Assembly {
         let forces = forces.filter_map(|(i, force)| force::check(i, force, points_of_forces).err());
         carrier
             .into_iter()
+            .chain(ellipsoids)
+            .chain(self.alone().err())
             .chain(points)
             .chain(hinged)
             .chain(hinges)
@@ -83,13 +85,16 @@ impl Assembly {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
-        let carrier = self.carrier.piece()?;
+        if let Some(ellipsoid) = self.alone()? {
+            return ellipsoid.body(0);
+        }
+        let (carrier, position) = self.carried()?;
         let movers = self.movers()?;
-        let (mass, center_of_mass) = mass_center(&carrier, self.carrier.position(), &movers);
+        let (mass, center_of_mass) = mass_center(&carrier, position, &movers);
         let pole = self.held_point()?.unwrap_or(center_of_mass);
-        let invariants = invariants(&carrier, self.carrier.position() - pole, &movers, pole, mass);
+        let invariants = invariants(&carrier, position - pole, &movers, pole, mass);
         self.has_inertia(&invariants)?;
-        let (stiffness, damping) = self.matrices(&movers)?;
+        let Matrices { stiffness, damping, lossy } = self.matrices(&movers)?;
         FlexibleBody::new(Parts {
             support: self.support.clone(),
             pole: pole.into(),
@@ -97,6 +102,7 @@ impl Assembly {
             invariants,
             damping,
             stiffness,
+            lossy,
             coordinates: movers.iter().flat_map(|mover| mover.coordinates.clone()).collect(),
             markers: markers(&movers, pole),
         })
@@ -109,15 +115,52 @@ impl Assembly {
     /// [`ElementError`] for the first force, or element under it, that cannot be.
     pub fn forces(&self) -> Result<Vec<Force<Marker>>, ElementError> {
         let movers = self.movers()?;
-        let (_, center_of_mass) = mass_center(&self.carrier.piece()?, self.carrier.position(), &movers);
+        let center_of_mass = match self.alone()? {
+            Some(ellipsoid) => ellipsoid.center.into(),
+            None => {
+                let (carrier, position) = self.carried()?;
+                mass_center(&carrier, position, &movers).1
+            }
+        };
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let markers = markers(&movers, pole);
         let points = &markers[..self.points.len()];
         let placed = |(i, force): (usize, &Force<Station>)| {
             force::check(i, force, points.len())?;
+            if self.carrier.is_none() && force.law.place().is_some() {
+                return Err(at(Place::Force(i), Field::On)(Problem::NoCarrier));
+            }
             force.try_map(|station| station.marker(Place::Force(i), &force.name, points, pole))
         };
         self.forces.iter().enumerate().map(placed).collect()
+    }
+
+    /// The carrier and the place of its centre of mass.
+    fn carried(&self) -> Result<(Piece, Vector3<f64>), ElementError> {
+        let carrier =
+            self.carrier.as_ref().ok_or_else(|| at(Place::Carrier, Field::Mass)(Problem::NoBody))?;
+        Ok((carrier.piece()?, carrier.position()))
+    }
+
+    /// The ellipsoid that is the whole body, if there is one; nothing may stand beside it.
+    fn alone(&self) -> Result<Option<&Ellipsoid>, ElementError> {
+        let Some(ellipsoid) = self.ellipsoids.first() else {
+            return Ok(None);
+        };
+        let beside = [
+            (self.carrier.is_some(), Place::Carrier),
+            (self.ellipsoids.len() > 1, Place::Ellipsoid(1)),
+            (!self.points.is_empty(), Place::Point(0)),
+            (!self.springs.is_empty(), Place::Spring(0)),
+            (!self.hinged.is_empty(), Place::Hinged(0)),
+        ];
+        if let Some((_, place)) = beside.iter().find(|(there, _)| *there) {
+            return Err(at(*place, Field::Name)(Problem::BesideEllipsoid));
+        }
+        if self.support != Support::Free {
+            return Err(at(Place::Support, Field::FixedPoint)(Problem::HeldEllipsoid));
+        }
+        Ok(Some(ellipsoid))
     }
 
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {
@@ -166,7 +209,7 @@ impl Assembly {
     }
 
     /// Stiffness and damping matrices (I9), coordinates numbered points first.
-    fn matrices(&self, movers: &[Mover]) -> Result<(SparseRows<f64>, SparseRows<f64>), ElementError> {
+    fn matrices(&self, movers: &[Mover]) -> Result<Matrices, ElementError> {
         let starts: Vec<usize> = movers
             .iter()
             .scan(0, |next, mover| Some(std::mem::replace(next, *next + mover.shapes.len())))
@@ -176,17 +219,7 @@ impl Assembly {
             self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &self.points, &starts));
         let hinges = self.hinged.iter().enumerate().zip(&starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
-        let (mut stiffness, mut damping) = (Vec::new(), Vec::new());
-        for block in springs.chain(hinges) {
-            let block = block?;
-            for (row, j) in block.columns.iter().enumerate() {
-                for (column, k) in block.columns.iter().enumerate() {
-                    stiffness.push((*j, *k, block.stiffness[row][column]));
-                    damping.push((*j, *k, block.damping[row][column]));
-                }
-            }
-        }
-        Ok((SparseRows::sum(size, stiffness), SparseRows::sum(size, damping)))
+        Matrices::sum(size, springs.chain(hinges))
     }
 
     /// Lays a mechanism at the door of the first element it moves.

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::model::InertiaError;
+use crate::model::{InertiaError, RheologyError};
 
 /// An element that no body can have: where it is, which of its values is wrong, and what is wrong with it.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -25,6 +25,8 @@ pub enum Place {
     Spring(usize),
     /// A hinged appendage.
     Hinged(usize),
+    /// An ellipsoid.
+    Ellipsoid(usize),
     /// The support.
     Support,
     /// An external force.
@@ -38,6 +40,7 @@ impl std::fmt::Display for Place {
             Self::Point(index) => write!(f, "point {}", index + 1),
             Self::Spring(index) => write!(f, "spring {}", index + 1),
             Self::Hinged(index) => write!(f, "hinged appendage {}", index + 1),
+            Self::Ellipsoid(index) => write!(f, "ellipsoid {}", index + 1),
             Self::Support => write!(f, "support"),
             Self::Force(index) => write!(f, "force {}", index + 1),
         }
@@ -73,6 +76,18 @@ pub enum Field {
     Hinge,
     /// Axes of a hinge.
     Axes,
+    /// Semi-axes of an ellipsoid.
+    SemiAxes,
+    /// Centre of an ellipsoid.
+    Center,
+    /// Density of a material.
+    Density,
+    /// Young's modulus of a material.
+    Young,
+    /// Poisson's ratio of a material.
+    Poisson,
+    /// How a material answers periodic strain.
+    Rheology,
     /// The fixed or driven point of a support.
     FixedPoint,
     /// Velocity of a driven point at the start.
@@ -131,6 +146,12 @@ impl std::fmt::Display for Field {
             Self::Damping => "damping",
             Self::Hinge => "hinge",
             Self::Axes => "axes",
+            Self::SemiAxes => "semi_axes",
+            Self::Center => "center",
+            Self::Density => "density",
+            Self::Young => "young",
+            Self::Poisson => "poisson",
+            Self::Rheology => "rheology",
             Self::FixedPoint => "point",
             Self::Velocity => "velocity",
             Self::Acceleration => "acceleration",
@@ -174,6 +195,29 @@ pub enum Problem {
     /// No mass distribution has this inertia tensor.
     #[error(transparent)]
     Inertia(#[from] InertiaError),
+    /// No isotropic material has this Poisson's ratio, or it is incompressible.
+    #[error(
+        "no elastic material that can be compressed has the Poisson's ratio {value}; it lies between -1 and 0.5"
+    )]
+    Poisson {
+        /// The ratio.
+        value: f64,
+    },
+    /// No material answers a strain like this.
+    #[error(transparent)]
+    Rheology(#[from] RheologyError),
+    /// The body has neither a carrier nor a part that is elastic throughout.
+    #[error("the body has no carrier and no ellipsoid")]
+    NoBody,
+    /// An element that only goes with a carrier, on a body without.
+    #[error("an ellipsoid is a whole body; this cannot stand beside it")]
+    BesideEllipsoid,
+    /// A force acts at a place of the carrier of a body that has none.
+    #[error("this body has no carrier that the force could act on")]
+    NoCarrier,
+    /// A body that is elastic throughout has no point that a support could hold.
+    #[error("a body that is elastic throughout moves freely; no point of it can be held")]
+    HeldEllipsoid,
     /// A direction has no length.
     #[error("a direction of zero length")]
     ZeroDirection,

@@ -1,10 +1,11 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
-use super::assembly::{Block, Mover, at};
+use super::assembly::{Mover, at};
 use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem};
-use crate::model::{Coordinate, Inertia};
+use super::matrices::Block;
+use crate::model::{Coordinate, Inertia, Rheology};
 
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
 ///
@@ -29,6 +30,8 @@ pub struct Hinged {
     pub stiffness: HingeCoefficient,
     /// Rotational damping (N·m·s/rad), in the same form.
     pub damping: HingeCoefficient,
+    /// How the spring of the hinge itself answers periodic strain, beside the damping.
+    pub rheology: Rheology,
 }
 
 /// A symmetric linear map from hinge angles to hinge torques.
@@ -82,7 +85,9 @@ impl Hinged {
         let rows = |matrix: nalgebra::DMatrix<f64>| {
             matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
         };
+        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
         Ok(Block {
+            rheology: self.rheology.clone(),
             columns: (start..start + count).collect(),
             stiffness: rows(stiffness),
             damping: rows(damping),

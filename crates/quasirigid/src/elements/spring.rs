@@ -1,8 +1,10 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::assembly::{Block, at};
+use super::assembly::at;
 use super::error::{ElementError, Field, Place, Problem};
+use super::matrices::Block;
 use super::{Point, coefficient};
+use crate::model::Rheology;
 
 /// A linear spring with a linear dashpot beside it, between two ends.
 ///
@@ -16,6 +18,8 @@ pub struct Spring {
     pub to: End,
     /// Force per displacement and force per rate.
     pub law: Law,
+    /// How the spring itself answers periodic strain, beside the dashpot.
+    pub rheology: Rheology,
 }
 
 /// What an end of a spring is fixed to.
@@ -85,7 +89,9 @@ impl Spring {
             let row = |e: &Vector3<f64>| ends.iter().map(|(_, f)| e.dot(&(matrix * f))).collect();
             ends.iter().map(|(_, e)| row(e)).collect()
         };
+        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
         Ok(Block {
+            rheology: self.rheology.clone(),
             stiffness: form(stiffness),
             damping: form(damping),
             columns: ends.iter().map(|(column, _)| *column).collect(),

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use super::{Invariants, Support};
+use super::{Invariants, Rheology, Support};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -18,6 +18,7 @@ pub struct FlexibleBody {
     invariants: Invariants,
     damping: SparseRows<f64>,
     stiffness: SparseRows<f64>,
+    lossy: Vec<Lossy>,
     factor: Cholesky,
     coordinates: Vec<Coordinate>,
     markers: Vec<Marker>,
@@ -30,6 +31,18 @@ pub struct Coordinate {
     pub name: String,
     /// Unit of its value, `m` or `rad`.
     pub unit: &'static str,
+}
+
+/// Part of the stiffness whose loss no equation of motion holds: a material with a rheology of its own.
+///
+/// The equations of motion take it as elastic; the response to a periodic load, which is what averaging asks for, has
+/// its [`modulus`](Rheology::modulus) at every frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lossy {
+    /// How it answers periodic strain.
+    pub rheology: Rheology,
+    /// Its part of `C`.
+    pub stiffness: SparseRows<f64>,
 }
 
 /// A place on the body: its displacement says whether the body stays nearly rigid, and a force may act there.
@@ -70,6 +83,8 @@ pub struct Parts {
     pub damping: SparseRows<f64>,
     /// Stiffness matrix `C`.
     pub stiffness: SparseRows<f64>,
+    /// Parts of `C` with a loss that is neither in `B` nor zero.
+    pub lossy: Vec<Lossy>,
     /// One per coordinate.
     pub coordinates: Vec<Coordinate>,
     /// Places whose displacement is watched.
@@ -89,8 +104,8 @@ impl FlexibleBody {
     pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
         let factor = Cholesky::new(&parts.stiffness)
             .map_err(|singular| mechanism(&parts.coordinates, &singular.direction))?;
-        let Parts { support, pole, center_of_mass, invariants, damping, stiffness, coordinates, markers } =
-            parts;
+        let Parts { support, pole, center_of_mass, invariants, .. } = parts;
+        let Parts { damping, stiffness, lossy, coordinates, markers, .. } = parts;
         Ok(Self {
             support,
             pole,
@@ -98,6 +113,7 @@ impl FlexibleBody {
             invariants,
             damping,
             stiffness,
+            lossy,
             factor,
             coordinates,
             markers,
@@ -116,6 +132,7 @@ impl FlexibleBody {
             invariants: self.invariants.clone(),
             damping: self.damping.scaled(epsilon.recip()),
             stiffness: self.stiffness.scaled(epsilon.powi(-2)),
+            lossy: self.lossy.iter().map(|part| part.scaled(epsilon.powi(-2))).collect(),
             coordinates: self.coordinates.clone(),
             markers: self.markers.clone(),
         })
@@ -161,6 +178,12 @@ impl FlexibleBody {
     #[must_use]
     pub fn stiffness(&self) -> &SparseRows<f64> {
         &self.stiffness
+    }
+
+    /// Parts of the stiffness whose loss is neither in the damping matrix nor zero.
+    #[must_use]
+    pub fn lossy(&self) -> &[Lossy] {
+        &self.lossy
     }
 
     /// Internal coordinates.
@@ -232,6 +255,12 @@ impl FlexibleBody {
             }
         }
         A
+    }
+}
+
+impl Lossy {
+    fn scaled(&self, factor: f64) -> Self {
+        Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
     }
 }
 

@@ -8,13 +8,15 @@ mod invariants;
 mod kinetics;
 mod principal;
 mod reduced;
+mod rheology;
 mod support;
 
 pub use equations::Motion;
-pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Marker, Parts};
+pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Lossy, Marker, Parts};
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};
-pub use principal::{Polhode, Principal};
+pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
+pub use rheology::{Measured, Rheology, RheologyError};
 pub use support::Support;

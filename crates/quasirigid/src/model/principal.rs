@@ -22,6 +22,26 @@ pub struct Polhode {
     pub nome: f64,
 }
 
+/// Which axis the angular momentum circles in the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The axis of greatest inertia: `|K|² > 2 E I₂`.
+    ShortAxis,
+    /// The axis of least inertia: `|K|² < 2 E I₂`.
+    LongAxis,
+}
+
+impl Mode {
+    /// Number of the axis that the momentum circles.
+    #[must_use]
+    pub fn circled(self) -> usize {
+        match self {
+            Self::ShortAxis => 2,
+            Self::LongAxis => 0,
+        }
+    }
+}
+
 impl Principal {
     /// Principal axes of a tensor.
     #[must_use]

@@ -1,5 +1,5 @@
 use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use crate::model::Support;
+use crate::model::Rheology;
 
 /// A body of revolution with one sprung mass on its axis: solved in closed form (X1), (X2) `[@chernousko1973]`.
 ///
@@ -30,11 +30,11 @@ impl AxialMass {
         let offset = -self.m * self.rho / self.carrier;
         let across = self.A - self.m * self.rho * self.rho - self.carrier * offset * offset;
         Assembly {
-            carrier: Carrier {
+            carrier: Some(Carrier {
                 mass: self.carrier,
                 center_of_mass: [0.0, 0.0, offset],
                 inertia: [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, self.C]],
-            },
+            }),
             points: vec![Point {
                 name: "mass".into(),
                 mass: self.m,
@@ -48,10 +48,9 @@ impl AxialMass {
                     stiffness: Coefficient::Isotropic(self.c),
                     damping: Coefficient::Isotropic(self.b),
                 },
+                rheology: Rheology::Elastic,
             }],
-            hinged: Vec::new(),
-            support: Support::Free,
-            forces: Vec::new(),
+            ..Assembly::default()
         }
     }
 

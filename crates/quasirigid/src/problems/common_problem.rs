@@ -1,5 +1,5 @@
 use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use crate::model::Support;
+use crate::model::Rheology;
 
 /// One mass on a spring in a tumbling hub: the problem on which programs for stiff bodies are compared.
 ///
@@ -50,11 +50,11 @@ impl CommonProblem {
     #[must_use]
     pub fn assembly(&self) -> Assembly {
         Assembly {
-            carrier: Carrier {
+            carrier: Some(Carrier {
                 mass: 100.0,
                 center_of_mass: [0.0; 3],
                 inertia: [[10.0, 0.0, 0.0], [0.0, 14.0, 0.0], [0.0, 0.0, 17.0]],
-            },
+            }),
             points: vec![Point {
                 name: "mass".into(),
                 mass: 1.0,
@@ -68,10 +68,9 @@ impl CommonProblem {
                     stiffness: Coefficient::Isotropic(self.stiffness),
                     damping: Coefficient::Isotropic(self.damping),
                 },
+                rheology: Rheology::Elastic,
             }],
-            hinged: Vec::new(),
-            support: Support::Free,
-            forces: Vec::new(),
+            ..Assembly::default()
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::elements::{Assembly, Carrier, HingeCoefficient, Hinged};
-use crate::model::Support;
+use crate::model::Rheology;
 
 /// Explorer 1 with its four whip antennas as thin rods on two-axis hinges `[@pydy]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,16 +44,13 @@ impl Explorer1 {
         let along = TUBE * squares / 2.0;
         let whips = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
         Assembly {
-            carrier: Carrier {
+            carrier: Some(Carrier {
                 mass: TUBE,
                 center_of_mass: [0.0; 3],
                 inertia: [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, along]],
-            },
-            points: Vec::new(),
-            springs: Vec::new(),
+            }),
             hinged: whips.iter().enumerate().map(|(i, e)| self.whip(i, *e)).collect(),
-            support: Support::Free,
-            forces: Vec::new(),
+            ..Assembly::default()
         }
     }
 
@@ -72,6 +69,7 @@ impl Explorer1 {
             axes: vec![[-e[1], e[0], 0.0], [0.0, 0.0, 1.0]],
             stiffness: HingeCoefficient::PerAxis(vec![self.stiffness; 2]),
             damping: HingeCoefficient::PerAxis(vec![self.damping; 2]),
+            rheology: Rheology::Elastic,
         }
     }
 

@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use crate::model::Support;
+use crate::model::Rheology;
 
 /// A free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs:
 /// as large as one likes and without any symmetry, to time the reduction.
@@ -21,16 +21,14 @@ pub fn ring_of_points(count: usize) -> Assembly {
         std::iter::once(to_carrier).chain(to_next)
     });
     Assembly {
-        carrier: Carrier {
+        carrier: Some(Carrier {
             mass: 30.0,
             center_of_mass: [0.1, -0.05, 0.02],
             inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
-        },
+        }),
         points: points.collect(),
         springs: springs.collect(),
-        hinged: Vec::new(),
-        support: Support::Free,
-        forces: Vec::new(),
+        ..Assembly::default()
     }
 }
 
@@ -44,5 +42,6 @@ fn spring(from: usize, to: End, k: f64) -> Spring {
             stiffness: Coefficient::Full(matrix(k)),
             damping: Coefficient::Full(matrix(0.01 * k)),
         },
+        rheology: Rheology::Elastic,
     }
 }

@@ -1,11 +1,11 @@
 //! Averaged ageing against closed forms and against the reduced equations themselves.
 
-use quasirigid::averaging::{Evolution, FreeRotation, Mode};
+use quasirigid::averaging::{Evolution, FreeRotation};
 use quasirigid::dynamics::{Options, SpinState, propagate};
 use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym::norm;
-use quasirigid::model::Principal;
+use quasirigid::model::{Mode, Principal};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 

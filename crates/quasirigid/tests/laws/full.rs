@@ -8,7 +8,7 @@ use quasirigid::dynamics::{
 use quasirigid::elements::{Carrier, Coefficient, End, Law, Spring};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym::{add, norm, scale};
-use quasirigid::model::FlexibleBody;
+use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
 
@@ -112,6 +112,7 @@ fn chain() -> FlexibleBody {
             stiffness: Coefficient::Diagonal([60.0, 50.0, 40.0]),
             damping: Coefficient::Diagonal([0.6, 0.5, 0.4]),
         },
+        rheology: Rheology::Elastic,
     }));
     assembly.body().unwrap()
 }

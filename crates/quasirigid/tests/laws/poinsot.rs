@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use quasirigid::averaging::{FreeRotation, Mode, ObservedError, ObservedPeriods};
+use quasirigid::averaging::{FreeRotation, ObservedError, ObservedPeriods};
 use quasirigid::math::sym::{add, cross, norm, scale};
+use quasirigid::model::Mode;
 
 fn moments() -> impl Strategy<Value = [f64; 3]> {
     (0.05..1.0_f64, 0.0..1.0_f64, 0.5..2.0_f64).prop_map(|(gap, share, scale)| {

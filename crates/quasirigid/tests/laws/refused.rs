@@ -1,9 +1,10 @@
 //! What no body can have is refused, with the place and the value; nothing is repaired. Thresholds on both sides.
 
 use quasirigid::elements::{
-    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Problem, Spring,
+    Assembly, Carrier, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Problem,
+    Spring,
 };
-use quasirigid::model::{InertiaError, Support};
+use quasirigid::model::{InertiaError, Rheology, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
 
 use crate::wobbler;
@@ -37,6 +38,10 @@ macro_rules! refused {
     }};
 }
 
+fn carrier(assembly: &mut Assembly) -> &mut Carrier {
+    assembly.carrier.as_mut().unwrap()
+}
+
 fn spatial(assembly: &mut Assembly, coefficient: Coefficient) {
     assembly.springs[0].law = Law::Spatial { stiffness: coefficient, damping: Coefficient::Isotropic(0.0) };
 }
@@ -47,7 +52,7 @@ fn axial(anchor: Option<[f64; 3]>) -> Law {
 
 /// A second spring beside the good one.
 fn second(assembly: &mut Assembly, from: End, to: End, law: Law) {
-    assembly.springs.push(Spring { from, to, law });
+    assembly.springs.push(Spring { from, to, law, rheology: Rheology::Elastic });
 }
 
 #[test]
@@ -60,15 +65,15 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
     const NAN: f64 = f64::NAN;
     const INFINITE: f64 = f64::INFINITY;
     use Problem::{Inertia, NotFinite};
-    refused!(|a| a.carrier.mass = NAN, Place::Carrier, Field::Mass, NotFinite { .. });
+    refused!(|a| carrier(a).mass = NAN, Place::Carrier, Field::Mass, NotFinite { .. });
     refused!(
-        |a| a.carrier.center_of_mass[1] = INFINITE,
+        |a| carrier(a).center_of_mass[1] = INFINITE,
         Place::Carrier,
         Field::CenterOfMass,
         NotFinite { .. }
     );
     refused!(
-        |a| a.carrier.inertia[1][2] = NAN,
+        |a| carrier(a).inertia[1][2] = NAN,
         Place::Carrier,
         Field::Inertia,
         Inertia(InertiaError::NotFinite { .. })
@@ -99,7 +104,7 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
 #[test]
 fn masses_must_be_positive() {
     for mass in [0.0, -1.0, -0.0] {
-        refused!(|a| a.carrier.mass = mass, Place::Carrier, Field::Mass, Problem::NotAMass { .. });
+        refused!(|a| carrier(a).mass = mass, Place::Carrier, Field::Mass, Problem::NotAMass { .. });
         refused!(|a| a.points[0].mass = mass, Place::Point(0), Field::Mass, Problem::NotAMass { .. });
         refused!(|a| a.hinged[0].mass = mass, Place::Hinged(0), Field::Mass, Problem::NotAMass { .. });
     }
@@ -113,7 +118,7 @@ fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
         let diagonal = |moments: [f64; 3], shear: f64| {
             move |a: &mut Assembly| {
                 let [x, y, z] = moments.map(|moment| unit * moment);
-                a.carrier.inertia = [[x, unit * shear, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+                carrier(a).inertia = [[x, unit * shear, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
             }
         };
         let problem = |moments, shear| error(diagonal(moments, shear)).map(|error| error.problem);
@@ -271,8 +276,8 @@ fn a_body_without_inertia_about_some_axis_is_refused() {
             a.points.clear();
             a.springs.clear();
             a.hinged.clear();
-            a.carrier.center_of_mass = [0.0; 3];
-            a.carrier.inertia = [[across, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            carrier(a).center_of_mass = [0.0; 3];
+            carrier(a).inertia = [[across, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         }
     };
     refused!(needle(0.0), Place::Carrier, Field::Inertia, Problem::NoInertia { .. });

@@ -12,7 +12,7 @@ use proptest::test_runner::RngSeed;
 use quasirigid::elements::{
     Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Spring,
 };
-use quasirigid::model::Support;
+use quasirigid::model::{Rheology, Support};
 
 use crate::transform::{Units, rescaled, times};
 
@@ -39,14 +39,13 @@ pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
             stiffness: Coefficient::Diagonal(sprung.stiffness),
             damping: Coefficient::Diagonal(sprung.damping),
         },
+        rheology: Rheology::Elastic,
     };
     Assembly {
-        carrier,
+        carrier: Some(carrier),
         points: masses.iter().enumerate().map(point).collect(),
         springs: masses.iter().enumerate().map(spring).collect(),
-        hinged: Vec::new(),
-        support: Support::Free,
-        forces: Vec::new(),
+        ..Assembly::default()
     }
 }
 
@@ -156,6 +155,7 @@ fn join(
         from: End::Point(i),
         to: End::Carrier,
         law: *law,
+        rheology: Rheology::Elastic,
     });
     let between = extra.iter().map(|(i, j, law, place)| {
         let (i, j) = (i % count, j % (count + 1));
@@ -168,7 +168,7 @@ fn join(
             },
             spatial @ Law::Spatial { .. } => spatial,
         };
-        Spring { from: End::Point(i), to, law }
+        Spring { from: End::Point(i), to, law, rheology: Rheology::Elastic }
     });
     let springs = to_carrier.chain(between).collect();
     let named = |(i, (mut point, _)): (usize, (Point, Law))| {
@@ -184,12 +184,12 @@ fn join(
     let support = if free { Support::Free } else { Support::FixedPoint { point: fixed } };
     Massive {
         assembly: Assembly {
-            carrier: carrier_piece,
+            carrier: Some(carrier_piece),
             points,
             springs,
             hinged: hinges,
             support,
-            forces: Vec::new(),
+            ..Assembly::default()
         },
         carrier,
         appendages,
@@ -272,6 +272,7 @@ fn hinged() -> impl Strategy<Value = (Hinged, Vec<Mass>)> {
                 axes: (0..count).map(axis).collect(),
                 stiffness: hinge_matrix(stiffness, count, about * frequency * frequency),
                 damping: hinge_matrix(damping, count, 2.0 * ratio * about * frequency),
+                rheology: Rheology::Elastic,
             };
             (hinge, masses)
         },

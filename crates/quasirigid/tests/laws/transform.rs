@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, Law, Motion, Spring};
-use quasirigid::model::Support;
+use quasirigid::model::{Rheology, Support};
 
 /// Size of the old units in the new ones.
 #[derive(Clone, Copy, Debug)]
@@ -24,9 +24,11 @@ pub fn rescaled(assembly: &Assembly, units: Units) -> Assembly {
     let mut scaled = assembly.clone();
     let place = |r: &mut [f64; 3]| *r = r.map(|x| units.length * x);
     let inertia = |J: &mut [[f64; 3]; 3]| *J = J.map(|row| row.map(|x| units.factor([2, 1, 0]) * x));
-    scaled.carrier.mass *= units.mass;
-    place(&mut scaled.carrier.center_of_mass);
-    inertia(&mut scaled.carrier.inertia);
+    if let Some(carrier) = &mut scaled.carrier {
+        carrier.mass *= units.mass;
+        place(&mut carrier.center_of_mass);
+        inertia(&mut carrier.inertia);
+    }
     for point in &mut scaled.points {
         point.mass *= units.mass;
         place(&mut point.position);
@@ -59,8 +61,10 @@ pub fn rotated(assembly: &Assembly, R: &Matrix3<f64>) -> Assembly {
         let image = R * Matrix3::from(*J) * R.transpose();
         *J = (0.5 * (image + image.transpose())).into();
     };
-    vector(&mut turned.carrier.center_of_mass);
-    tensor(&mut turned.carrier.inertia);
+    if let Some(carrier) = &mut turned.carrier {
+        vector(&mut carrier.center_of_mass);
+        tensor(&mut carrier.inertia);
+    }
     for point in &mut turned.points {
         vector(&mut point.position);
         match &mut point.motion {
@@ -128,7 +132,12 @@ pub fn with_point_cut(assembly: &Assembly, index: usize, share: f64) -> Assembly
     let moved = |end: End| if end == End::Point(index) { new } else { end };
     let parts = assembly.springs.iter().filter(|s| s.from == End::Point(index) || s.to == End::Point(index));
     let parts: Vec<_> = parts
-        .map(|s| Spring { from: moved(s.from), to: moved(s.to), law: strengthened(s.law, share, share) })
+        .map(|s| Spring {
+            from: moved(s.from),
+            to: moved(s.to),
+            law: strengthened(s.law, share, share),
+            rheology: Rheology::Elastic,
+        })
         .collect();
     cut.springs.extend(parts);
     cut

@@ -3,17 +3,17 @@
 use quasirigid::elements::{
     Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Spring,
 };
-use quasirigid::model::{ReducedBody, Support};
+use quasirigid::model::{ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
 
 /// The body; its lowest frequency is about 13 rad/s, its damping ratios are about 0.2.
 pub fn assembly() -> Assembly {
     Assembly {
-        carrier: Carrier {
+        carrier: Some(Carrier {
             mass: 4.0,
             center_of_mass: [0.1, -0.2, 0.05],
             inertia: [[1.1, 0.1, -0.05], [0.1, 1.7, 0.2], [-0.05, 0.2, 2.3]],
-        },
+        }),
         points: vec![Point {
             name: "mass".into(),
             mass: 0.3,
@@ -27,6 +27,7 @@ pub fn assembly() -> Assembly {
                 stiffness: Coefficient::Diagonal([60.0, 90.0, 75.0]),
                 damping: Coefficient::Isotropic(1.5),
             },
+            rheology: Rheology::Elastic,
         }],
         hinged: vec![Hinged {
             name: "boom".into(),
@@ -37,9 +38,9 @@ pub fn assembly() -> Assembly {
             axes: vec![[0.1, 0.2, 1.0], [0.3, 1.0, -0.1]],
             stiffness: HingeCoefficient::PerAxis(vec![14.0, 18.0]),
             damping: HingeCoefficient::PerAxis(vec![0.4, 0.3]),
+            rheology: Rheology::Elastic,
         }],
-        support: Support::Free,
-        forces: Vec::new(),
+        ..Assembly::default()
     }
 }
 

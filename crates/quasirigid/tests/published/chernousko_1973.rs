@@ -5,7 +5,7 @@ use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Poi
 use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym::dot;
-use quasirigid::model::{FlexibleBody, Support};
+use quasirigid::model::{FlexibleBody, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
@@ -22,7 +22,7 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
         })
     });
     Assembly {
-        carrier: Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia },
+        carrier: Some(Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia }),
         points: vec![Point { name: "mass".into(), mass, position: rho, motion: Motion::Free }],
         springs: vec![Spring {
             from: End::Point(0),
@@ -31,10 +31,11 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
                 stiffness: Coefficient::Isotropic(stiffness),
                 damping: Coefficient::Isotropic(damping),
             },
+            rheology: Rheology::Elastic,
         }],
         hinged: vec![],
         support: Support::FixedPoint { point: [0.0; 3] },
-        forces: Vec::new(),
+        ..Assembly::default()
     }
     .body()
     .unwrap()

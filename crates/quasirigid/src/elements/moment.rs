@@ -1,0 +1,22 @@
+//! Invariants from the second moment `W = ∫ u vᵀ dm` of two vector fields. (I7)
+
+use nalgebra::Matrix3;
+
+use crate::math::sym::Sym;
+use crate::model::Pair;
+
+/// `∫ u × v dm`.
+pub(super) fn cross(W: &Matrix3<f64>) -> [f64; 3] {
+    [W[(1, 2)] - W[(2, 1)], W[(2, 0)] - W[(0, 2)], W[(0, 1)] - W[(1, 0)]]
+}
+
+/// `∫ [2(u·v) 1 − u vᵀ − v uᵀ] dm`.
+pub(super) fn inertia(W: &Matrix3<f64>) -> Sym {
+    let form = 2.0 * W.trace() * Matrix3::identity() - W - W.transpose();
+    [form[(0, 0)], form[(1, 1)], form[(2, 2)], form[(1, 2)], form[(2, 0)], form[(0, 1)]]
+}
+
+/// Invariants of two coordinates whose paths are straight. (I4), (I5)
+pub(super) fn straight_pair(W: &Matrix3<f64>) -> Pair {
+    Pair { A: W.trace(), J2: inertia(W).map(|entry| 0.5 * entry), Z: cross(W), S2: [0.0; 3] }
+}

@@ -1,0 +1,171 @@
+use std::f64::consts::FRAC_PI_2;
+
+use thiserror::Error;
+
+/// How a material answers a strain that varies with time. (G1)
+///
+/// A strain `e^{iνt}` meets a stress that is [`modulus`](Self::modulus) times the elastic one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Rheology {
+    /// No loss.
+    #[default]
+    Elastic,
+    /// A dashpot beside the spring, `1 + iντ`: the one law that equations of motion can hold.
+    KelvinVoigt {
+        /// Time `τ` (s).
+        time: f64,
+    },
+    /// The same loss at every frequency, `1 + i/Q`.
+    QualityFactor {
+        /// Quality factor `Q`.
+        factor: f64,
+    },
+    /// A dashpot behind the spring, `iντ/(1 + iντ)`: the modulus is that of fast strain, and slow strain flows.
+    Maxwell {
+        /// Time `τ` (s), viscosity over modulus.
+        time: f64,
+    },
+    /// A spring with a Maxwell element beside it, `1 + Δ iντ/(1 + iντ)`: the modulus is that of slow strain.
+    StandardLinear {
+        /// Time `τ` (s) of the Maxwell element.
+        time: f64,
+        /// Relaxation strength `Δ`: what fast strain meets beyond the modulus of slow strain.
+        strength: f64,
+    },
+    /// Transient creep beside a Maxwell element, `1/[1 + Γ(1+α)(iντ_A)^{−α} − i/ντ]` `[@andrade1910]`.
+    Andrade {
+        /// Time `τ` (s) of the Maxwell element, viscosity over modulus.
+        time: f64,
+        /// Time `τ_A` (s) of the creep.
+        creep_time: f64,
+        /// Exponent `α`, between 0 and 1.
+        exponent: f64,
+    },
+    /// Measured values.
+    Table(Measured),
+}
+
+/// A measured modulus and loss, straight lines in the logarithms between its rows, constant beyond them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    rows: Vec<[f64; 3]>,
+}
+
+/// A law that no material has.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum RheologyError {
+    /// A time, a factor or a strength is not a positive number.
+    #[error("{value} is not a positive number")]
+    NotPositive {
+        /// The number.
+        value: f64,
+    },
+    /// An exponent outside of 0 to 1.
+    #[error("an exponent lies between 0 and 1, not at {value}")]
+    Exponent {
+        /// The number.
+        value: f64,
+    },
+    /// A table without rows.
+    #[error("a table needs at least one row of frequency, modulus and loss")]
+    NoRows,
+    /// Frequencies that do not ascend.
+    #[error("frequencies must ascend, but {next} rad/s follows {previous} rad/s")]
+    NotAscending {
+        /// A frequency (rad/s).
+        previous: f64,
+        /// The one after it.
+        next: f64,
+    },
+}
+
+impl Rheology {
+    /// Refuses a law that no material has.
+    ///
+    /// # Errors
+    /// [`RheologyError`] for a parameter out of range.
+    pub fn check(&self) -> Result<(), RheologyError> {
+        let positive = |value: f64| {
+            if value > 0.0 && value.is_finite() { Ok(()) } else { Err(RheologyError::NotPositive { value }) }
+        };
+        match *self {
+            Self::Elastic | Self::Table(_) => Ok(()),
+            Self::KelvinVoigt { time } | Self::Maxwell { time } => positive(time),
+            Self::QualityFactor { factor } => positive(factor),
+            Self::StandardLinear { time, strength } => positive(time).and(positive(strength)),
+            Self::Andrade { time, creep_time, exponent } => {
+                positive(time).and(positive(creep_time))?;
+                let inside = exponent > 0.0 && exponent < 1.0;
+                if inside { Ok(()) } else { Err(RheologyError::Exponent { value: exponent }) }
+            }
+        }
+    }
+
+    /// Complex modulus at a frequency `ν > 0` (rad/s), relative to the modulus of the material: real and imaginary part.
+    #[must_use]
+    pub fn modulus(&self, frequency: f64) -> [f64; 2] {
+        match self {
+            Self::Elastic => [1.0, 0.0],
+            Self::KelvinVoigt { time } => [1.0, frequency * time],
+            Self::QualityFactor { factor } => [1.0, factor.recip()],
+            Self::Maxwell { time } => maxwell(frequency * time),
+            Self::StandardLinear { time, strength } => {
+                let [fast, lost] = maxwell(frequency * time);
+                [1.0 + strength * fast, strength * lost]
+            }
+            Self::Andrade { time, creep_time, exponent } => {
+                let creep = libm::tgamma(1.0 + exponent) * (frequency * creep_time).powf(-exponent);
+                let (sine, cosine) = (exponent * FRAC_PI_2).sin_cos();
+                let compliance = [1.0 + creep * cosine, -creep * sine - 1.0 / (frequency * time)];
+                let square = compliance[0].powi(2) + compliance[1].powi(2);
+                [compliance[0] / square, -compliance[1] / square]
+            }
+            Self::Table(measured) => measured.at(frequency),
+        }
+    }
+
+    /// Frequencies (rad/s) that the law was measured at, first and last; none for a formula.
+    #[must_use]
+    pub fn measured_between(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Table(Measured { rows }) => Some([rows[0][0], rows[rows.len() - 1][0]]),
+            _ => None,
+        }
+    }
+}
+
+/// `ix/(1 + ix)`.
+fn maxwell(x: f64) -> [f64; 2] {
+    let lost = x / (1.0 + x * x);
+    [x * lost, lost]
+}
+
+impl Measured {
+    /// Rows of frequency (rad/s, ascending), modulus relative to that of the material, and loss: the tangent of the loss
+    /// angle, `1/Q`.
+    ///
+    /// # Errors
+    /// [`RheologyError`] for no rows, for a number that is not positive, and for frequencies that do not ascend.
+    pub fn new(rows: Vec<[f64; 3]>) -> Result<Self, RheologyError> {
+        if rows.is_empty() {
+            return Err(RheologyError::NoRows);
+        }
+        if let Some(&value) = rows.as_flattened().iter().find(|value| !(**value > 0.0 && value.is_finite())) {
+            return Err(RheologyError::NotPositive { value });
+        }
+        if let Some([previous, next]) = rows.array_windows().find(|[a, b]| a[0] >= b[0]) {
+            return Err(RheologyError::NotAscending { previous: previous[0], next: next[0] });
+        }
+        Ok(Self { rows })
+    }
+
+    fn at(&self, frequency: f64) -> [f64; 2] {
+        let above = self.rows.partition_point(|row| row[0] <= frequency);
+        let (low, high) = (&self.rows[above.saturating_sub(1)], &self.rows[above.min(self.rows.len() - 1)]);
+        let share = if low[0] < high[0] { (frequency / low[0]).ln() / (high[0] / low[0]).ln() } else { 0.0 };
+        let share = share.max(0.0);
+        let [modulus, loss] = [1, 2].map(|i| low[i] * (high[i] / low[i]).powf(share));
+        [modulus, modulus * loss]
+    }
+}

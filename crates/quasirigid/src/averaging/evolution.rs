@@ -1,12 +1,15 @@
-use super::poinsot::FreeRotation;
-use crate::math::polynomial::Series;
-use crate::model::{Mode, Principal, ReducedBody};
+use std::f64::consts::TAU;
 
-/// How the rotation of a free body ages: its energy falls at the mean power of its dashpots while `|K|` stays. (A6)
-#[derive(Clone, Debug)]
+use super::poinsot::FreeRotation;
+use super::power::MeanPower;
+use crate::math::quadrature::integral;
+use crate::model::Mode;
+
+/// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
+#[derive(Clone, Copy)]
 pub struct Evolution<'a> {
-    power: &'a Series,
-    principal: Principal,
+    power: &'a dyn MeanPower,
+    moments: [f64; 3],
     G: f64,
 }
 
@@ -19,84 +22,161 @@ pub struct Stage {
     pub xi: f64,
 }
 
-/// Distance from the separatrix, as `ξ`, below which nothing is left to integrate: `e^{−42}`.
-const SEPARATRIX: f64 = -42.0;
-/// Length of a panel in `ξ`, and the nodes and weights of Gauss's rule on it.
-const PANEL: f64 = 2.0;
-const NODES: [[f64; 2]; 10] = [
-    [-0.973_906_528_517_171_7, 0.066_671_344_308_688_1],
-    [-0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
-    [-0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
-    [-0.433_395_394_129_247_2, 0.269_266_719_309_996_35],
-    [-0.148_874_338_981_631_2, 0.295_524_224_714_752_87],
-    [0.148_874_338_981_631_2, 0.295_524_224_714_752_87],
-    [0.433_395_394_129_247_2, 0.269_266_719_309_996_35],
-    [0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
-    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
-    [0.973_906_528_517_171_7, 0.066_671_344_308_688_1],
-];
+/// What lies between two stages; negative from the later one to the earlier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passage {
+    /// Time (s); infinite where nothing is dissipated.
+    pub time: f64,
+    /// Turns about the angular momentum, `∫ (2E/G) dt / 2π`.
+    pub turns: f64,
+}
+
+/// Distance from the separatrix, as `ξ`, below which nothing is left to integrate: `e^{−40}`.
+const SEPARATRIX: f64 = -40.0;
+/// Place, as `ξ`, where a wobble is so small that only its first harmonic is left.
+const AXIS: f64 = 36.0;
+/// Relative error of a time.
+const TOLERANCE: f64 = 1e-10;
+/// Length of the pieces in which a time is looked for, and their number at most.
+const PIECE: f64 = 2.0;
+const PIECES: usize = 400;
+/// Newton's steps towards a time within a piece.
+const STEPS: usize = 60;
 
 impl<'a> Evolution<'a> {
     /// The evolution of a free body with the angular momentum `G` (N·m·s).
     #[must_use]
-    pub fn new(body: &'a ReducedBody, G: f64) -> Self {
-        Self { power: &body.power, principal: Principal::of(body.J), G }
+    pub fn new(power: &'a dyn MeanPower, G: f64) -> Self {
+        Self { power, moments: power.moments(), G }
+    }
+
+    /// The rotation at a stage.
+    #[must_use]
+    pub fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
+        FreeRotation::at_logit(self.moments, self.G, mode, xi)
     }
 
     /// Mean power dissipated (W). (A5)
     #[must_use]
     pub fn power(&self, stage: Stage) -> f64 {
-        self.mean_power(&self.motion(stage))
-    }
-
-    fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
-        FreeRotation::at_logit(self.principal.moments, self.G, mode, xi)
-    }
-
-    fn mean_power(&self, motion: &FreeRotation) -> f64 {
-        let [x, y, z] = self.principal.axes;
-        let spin = |omega: [f64; 3]| [0, 1, 2].map(|i| omega[0] * x[i] + omega[1] * y[i] + omega[2] * z[i]);
-        motion.mean(self.power.degree(), |omega| self.power.scalar(spin(omega)))
+        self.power.mean_power(&self.motion(stage))
     }
 
     /// The stage with this `D/I₃`; none outside of `I₁/I₃` to 1, or at an axis, where nothing ages.
     #[must_use]
     pub fn stage(&self, ratio: f64) -> Option<Stage> {
-        let [I1, I2, I3] = self.principal.moments;
+        let [I1, I2, I3] = self.moments;
         let D = ratio * I3;
         let (mode, from_separatrix, from_axis) =
             if D >= I2 { (Mode::ShortAxis, D - I2, I3 - D) } else { (Mode::LongAxis, I2 - D, D - I1) };
-        (from_axis > 0.0).then(|| Stage { mode, xi: (from_separatrix / from_axis).ln() })
+        (from_axis > 0.0).then(|| Stage { mode, xi: (from_separatrix / from_axis).ln().max(SEPARATRIX) })
+    }
+
+    /// `D/I₃` at a stage.
+    #[must_use]
+    pub fn ratio(&self, Stage { mode, xi }: Stage) -> f64 {
+        let [I1, I2, I3] = self.moments;
+        let to_axis = 1.0 / (1.0 + xi.exp());
+        match mode {
+            Mode::ShortAxis => 1.0 - (I3 - I2) * to_axis / I3,
+            Mode::LongAxis => (I1 + (I2 - I1) * to_axis) / I3,
+        }
+    }
+
+    /// What lies between two stages. (A6)
+    #[must_use]
+    pub fn passage(&self, from: Stage, to: Stage) -> Passage {
+        self.between(along(from), along(to))
     }
 
     /// Time (s) from one stage to another, negative if the second is the earlier; infinite where nothing is dissipated. (A6)
     #[must_use]
     pub fn time(&self, from: Stage, to: Stage) -> f64 {
-        match (from.mode, to.mode) {
-            (Mode::ShortAxis, Mode::ShortAxis) => self.along(Mode::ShortAxis, from.xi, to.xi),
-            (Mode::LongAxis, Mode::LongAxis) => self.along(Mode::LongAxis, to.xi, from.xi),
-            (Mode::LongAxis, Mode::ShortAxis) => {
-                self.along(Mode::LongAxis, SEPARATRIX, from.xi)
-                    + self.along(Mode::ShortAxis, SEPARATRIX, to.xi)
+        self.passage(from, to).time
+    }
+
+    /// The stage reached after a time (s), not negative; none if nothing is dissipated there.
+    #[must_use]
+    pub fn after(&self, from: Stage, time: f64) -> Option<Stage> {
+        let mut start = along(from);
+        let mut left = time;
+        for _ in 0..PIECES {
+            let piece = self.between(start, start + PIECE).time;
+            if !piece.is_finite() {
+                return None;
             }
-            (Mode::ShortAxis, Mode::LongAxis) => -self.time(to, from),
+            if piece >= left {
+                return Some(at(self.within(start, left)));
+            }
+            left -= piece;
+            start += PIECE;
         }
+        Some(at(start))
     }
 
-    /// Time (s) that lies between two places of a mode; negative if the second is nearer the separatrix.
-    fn along(&self, mode: Mode, from: f64, to: f64) -> f64 {
-        let panels = ((to - from).abs() / PANEL).ceil().max(1.0);
-        let half = 0.5 * (to - from) / panels;
-        let sum = |panel: usize| -> f64 {
-            let middle = from + half * (2 * panel + 1) as f64;
-            NODES.iter().map(|[node, weight]| weight * self.slowness(mode, middle + half * node)).sum()
-        };
-        half * (0..panels as usize).map(sum).sum::<f64>()
+    /// The place a time after another, less than a piece away: Newton's method between bounds.
+    fn within(&self, start: f64, time: f64) -> f64 {
+        let (mut low, mut high) = (start, start + PIECE);
+        let mut x = start + 0.5 * PIECE;
+        for _ in 0..STEPS {
+            let over = self.between(start, x).time - time;
+            if over > 0.0 {
+                high = x
+            } else {
+                low = x
+            }
+            let [slowness, _] = self.slowness(x);
+            let next = x - over / slowness;
+            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+            if (next - x).abs() <= f64::EPSILON * PIECE {
+                return next;
+            }
+            x = next;
+        }
+        x
     }
 
-    /// `|dE/dξ|` over the power (s).
-    fn slowness(&self, mode: Mode, xi: f64) -> f64 {
-        let motion = self.motion(Stage { mode, xi });
-        motion.energy_slope() / self.mean_power(&motion)
+    /// Rate (1/s) at which a small wobble about the axis of a mode changes: its angle falls as `e^{−rate·t}` about the axis
+    /// of greatest inertia, and grows as `e^{rate·t}` about that of least. (A7)
+    #[must_use]
+    pub fn wobble_rate(&self, mode: Mode) -> f64 {
+        let stage = Stage { mode, xi: AXIS };
+        let motion = self.motion(stage);
+        0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
+    }
+
+    fn between(&self, from: f64, to: f64) -> Passage {
+        let mut slowness = |x: f64| self.slowness(x);
+        let mut sum = [0.0; 2];
+        let ends = if from < 0.0 && to > 0.0 { vec![from, 0.0, to] } else { vec![from, to] };
+        for [a, b] in ends.array_windows() {
+            let part = integral(&mut slowness, *a, *b, TOLERANCE);
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        let [time, turns] = sum;
+        Passage { time, turns }
+    }
+
+    /// Time (s) and turns per unit of the way.
+    fn slowness(&self, x: f64) -> [f64; 2] {
+        let motion = self.motion(at(x));
+        let slowness = motion.energy_slope() / self.power.mean_power(&motion);
+        [slowness, slowness * 2.0 * motion.energy() / (self.G * TAU)]
+    }
+}
+
+/// A stage on the way from the axis of least inertia, `−∞`, through the separatrix, 0, to the axis of greatest.
+fn along(Stage { mode, xi }: Stage) -> f64 {
+    match mode {
+        Mode::ShortAxis => xi - SEPARATRIX,
+        Mode::LongAxis => SEPARATRIX - xi,
+    }
+}
+
+fn at(x: f64) -> Stage {
+    if x >= 0.0 {
+        Stage { mode: Mode::ShortAxis, xi: x + SEPARATRIX }
+    } else {
+        Stage { mode: Mode::LongAxis, xi: SEPARATRIX - x }
     }
 }

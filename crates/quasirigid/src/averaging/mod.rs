@@ -1,9 +1,15 @@
 //! Millions of turns: the torque-free motion in closed form, and what dissipation makes of it on average.
 
 mod evolution;
+mod harmonics;
 mod observed;
 mod poinsot;
+mod power;
+mod response;
 
-pub use evolution::{Evolution, Stage};
+pub use evolution::{Evolution, Passage, Stage};
+pub use harmonics::Harmonic;
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
+pub use power::{MeanPower, PolynomialPower};
+pub use response::Response;

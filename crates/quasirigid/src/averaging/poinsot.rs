@@ -109,6 +109,15 @@ impl FreeRotation {
         0.5 * (self.G * self.G + self.from_short) / self.moments[2]
     }
 
+    /// Energy (J) by which the motion differs from the steady spin about the circled axis, not negative.
+    #[must_use]
+    pub fn energy_from_axis(&self) -> f64 {
+        match self.mode {
+            Mode::ShortAxis => 0.5 * self.from_short / self.moments[2],
+            Mode::LongAxis => 0.5 * self.from_long / self.moments[0],
+        }
+    }
+
     /// `|dE/dξ|` (J), where `ξ` is the logit of [`at_logit`](Self::at_logit).
     #[must_use]
     pub fn energy_slope(&self) -> f64 {
@@ -125,7 +134,11 @@ impl FreeRotation {
         if let Some(omega) = self.steady {
             return omega;
         }
-        let [sn, cn, dn] = jacobi(self.argument(t), self.complement());
+        self.at_argument(jacobi(self.argument(t), self.complement()))
+    }
+
+    /// Spin (rad/s) where the elliptic functions `sn, cn, dn` have these values.
+    pub(super) fn at_argument(&self, [sn, cn, dn]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.amplitudes();
         match self.mode {
             Mode::ShortAxis => [a * cn, self.side * b * sn, self.side * c * dn],
@@ -223,7 +236,7 @@ impl FreeRotation {
     }
 
     /// Greatest spin about each axis.
-    fn amplitudes(&self) -> [f64; 3] {
+    pub(super) fn amplitudes(&self) -> [f64; 3] {
         let [I1, I2, I3] = self.moments;
         let root = |square: f64| if square.is_finite() { square.max(0.0).sqrt() } else { 0.0 };
         let [a, c] =
@@ -250,8 +263,18 @@ impl FreeRotation {
         }
     }
 
+    /// `k²`.
+    pub(super) fn parameter(&self) -> f64 {
+        let [I1, I2, I3] = self.moments;
+        let parameter = match self.mode {
+            Mode::ShortAxis => (I2 - I1) * self.from_short / self.haste(),
+            Mode::LongAxis => (I3 - I2) * self.from_long / self.haste(),
+        };
+        if parameter.is_finite() { parameter.clamp(0.0, 1.0) } else { 0.0 }
+    }
+
     /// `1 − k²`.
-    fn complement(&self) -> f64 {
+    pub(super) fn complement(&self) -> f64 {
         let [I1, _, I3] = self.moments;
         let complement = (I3 - I1) * self.from_middle / self.haste();
         if complement.is_finite() { complement.clamp(0.0, 1.0) } else { 1.0 }

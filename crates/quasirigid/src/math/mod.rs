@@ -8,6 +8,7 @@ pub mod expression;
 pub mod krylov;
 pub mod ode;
 pub mod polynomial;
+pub mod quadrature;
 pub mod rotation;
 pub mod scalar;
 pub mod simd;

@@ -225,6 +225,15 @@ impl FlexibleBody {
         force
     }
 
+    /// `(A − h J⁻¹ hᵀ) x`: the same with the body free to recoil in rotation. (V2)
+    #[must_use]
+    pub fn recoiling_mass_times(&self, x: &[f64]) -> Vec<f64> {
+        let Invariants { J, h, .. } = &self.invariants;
+        let momentum = h.iter().zip(x).fold([0.0; 3], |sum, (h, x)| sym::add(sum, sym::scale(*x, *h)));
+        let turn = sym::times(sym::inverse(*J), momentum);
+        self.mass_times(x).iter().zip(h).map(|(force, h)| force - sym::dot(*h, turn)).collect()
+    }
+
     /// Mass matrix `A` with the translation of a free body eliminated, `A − S Sᵀ/m*`. (S6)
     #[must_use]
     pub fn mass_matrix(&self) -> Dense {

@@ -1,6 +1,5 @@
 use crate::math::eigen::{Dense, Modes, NoConvergence};
-use crate::math::krylov::{Pencil, dot};
-use crate::math::sym;
+use crate::math::krylov::{Pencil, dot, orthonormal};
 use crate::model::FlexibleBody;
 
 /// Mass, damping and stiffness as dense matrices: those of the body itself, or of a body of many coordinates on the
@@ -45,7 +44,7 @@ impl Projection {
 
     fn slow(body: &FlexibleBody, count: usize) -> Result<Self, NoConvergence> {
         let size = body.coordinates().len();
-        let (mass, free) = (|x: &[f64]| body.mass_times(x), |x: &[f64]| recoiled(body, x));
+        let (mass, free) = (|x: &[f64]| body.mass_times(x), |x: &[f64]| body.recoiling_mass_times(x));
         let (damping, stiffness) =
             (|x: &[f64]| body.damping().times(x), |x: &[f64]| body.stiffness().times(x));
         let solve = |x: &mut [f64]| body.solve_stiffness(x, 1);
@@ -85,35 +84,6 @@ impl Projection {
         };
         (0..shape.len()).max_by(|a, b| shape[*a].abs().total_cmp(&shape[*b].abs()))
     }
-}
-
-/// `(A − h J⁻¹ hᵀ) x`.
-fn recoiled(body: &FlexibleBody, x: &[f64]) -> Vec<f64> {
-    let invariants = body.invariants();
-    let zero = [0.0; 3];
-    let momentum = invariants.h.iter().zip(x).fold(zero, |sum, (h, x)| sym::add(sum, sym::scale(*x, *h)));
-    let turn = sym::times(sym::inverse(invariants.J), momentum);
-    let held = body.mass_times(x);
-    held.iter().zip(&invariants.h).map(|(force, h)| force - sym::dot(*h, turn)).collect()
-}
-
-/// The same span by vectors orthonormal in the inner product of `C`.
-fn orthonormal(span: Vec<Vec<f64>>, stiffness: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<f64>> {
-    let mut kept: Vec<Vec<f64>> = Vec::new();
-    for mut x in span {
-        for _ in 0..2 {
-            for y in &kept {
-                let share = dot(y, &stiffness(&x));
-                x.iter_mut().zip(y).for_each(|(x, y)| *x -= share * y);
-            }
-        }
-        let length = dot(&x, &stiffness(&x)).max(0.0).sqrt();
-        if length > f64::EPSILON.sqrt() {
-            x.iter_mut().for_each(|entry| *entry /= length);
-            kept.push(x);
-        }
-    }
-    kept
 }
 
 #[cfg(test)]

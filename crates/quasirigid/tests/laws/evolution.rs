@@ -1,6 +1,6 @@
 //! Averaged ageing against closed forms and against the reduced equations themselves.
 
-use quasirigid::averaging::{Evolution, FreeRotation};
+use quasirigid::averaging::{Evolution, FreeRotation, PolynomialPower};
 use quasirigid::dynamics::{Options, SpinState, propagate};
 use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::math::rotation::ALIGNED;
@@ -19,7 +19,8 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     let body = AXIAL.assembly().body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
     let G = 1.4;
-    let evolution = Evolution::new(&reduced, G);
+    let power = PolynomialPower::of(&reduced);
+    let evolution = Evolution::new(&power, G);
     // u = cos² of the nutation; 1/D = u/C + (1 − u)/A.
     let ratio = |u: f64| 1.0 / (AXIAL.C * (u / AXIAL.C + (1.0 - u) / AXIAL.A));
     let stage = |u: f64| evolution.stage(ratio(u)).unwrap();
@@ -53,7 +54,8 @@ fn gap_in_time(epsilon: f64, omega: [f64; 3], mode: Mode) -> f64 {
     let Principal { moments, .. } = Principal::of(reduced.J);
     let G = norm(reduced.momentum(omega));
     let ratio = |energy: f64| G * G / (2.0 * energy * moments[2]);
-    let evolution = Evolution::new(&reduced, G);
+    let power = PolynomialPower::of(&reduced);
+    let evolution = Evolution::new(&power, G);
     let (from, to) = (evolution.stage(ratio(reduced.energy(omega))).unwrap(), evolution.stage(0.97).unwrap());
     assert_eq!((from.mode, to.mode), (mode, Mode::ShortAxis));
     let averaged = evolution.time(from, to);

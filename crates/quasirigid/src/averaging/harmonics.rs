@@ -1,0 +1,111 @@
+use std::f64::consts::{PI, TAU};
+
+use super::poinsot::FreeRotation;
+use crate::math::elliptic::first_of_complement;
+use crate::model::Mode;
+
+/// A harmonic of the six products of the spin along the polhode. (G5)
+///
+/// The products are `Re Σ 2 mₙ e^{inΩ_p t}` beside their means, in principal axes; the motion starts at the phase zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Harmonic {
+    /// Number `n`, from 1.
+    pub number: usize,
+    /// Frequency `nΩ_p` (rad/s).
+    pub frequency: f64,
+    /// Amplitudes of xx, yy, zz, yz, zx, xy (rad²/s²): real parts, and imaginary parts.
+    pub products: [[f64; 6]; 2],
+}
+
+/// Harmonics are left out where they are weaker than this in the square.
+const WEAK: f64 = 1e-18;
+/// Parameter `k²` below which the nome is a power series in it.
+const SMALL: f64 = 1e-5;
+
+impl FreeRotation {
+    /// Harmonics of the products of the spin, from the first to where they are lost in rounding; none of a motion that is
+    /// steady, and none on the separatrix, which has no period. (G5)
+    pub fn harmonics(&self) -> impl Iterator<Item = Harmonic> {
+        let series = Series::of(self);
+        (1..=series.count).map(move |number| series.harmonic(number))
+    }
+}
+
+/// What the harmonics of a motion have in common.
+struct Series {
+    mode: Mode,
+    amplitudes: [f64; 3],
+    polhode: f64,
+    /// Nome `q`, and `q/k²` and `√q/k`, which stay finite for small `k`.
+    nome: f64,
+    over_square: f64,
+    over_root: f64,
+    /// `π²/K²`.
+    scale: f64,
+    count: usize,
+}
+
+impl Series {
+    fn of(motion: &FreeRotation) -> Self {
+        let (m, complement) = (motion.parameter(), motion.complement());
+        let quarter = first_of_complement(complement);
+        let (nome, over_square) = if m < SMALL {
+            let x = m / 16.0;
+            let ratio = (1.0 + x * (8.0 + x * (84.0 + 992.0 * x))) / 16.0;
+            (m * ratio, ratio)
+        } else {
+            let nome = (-PI * first_of_complement(m) / quarter).exp();
+            (nome, nome / m)
+        };
+        let alive = WEAK.ln() / nome.ln();
+        let period = motion.polhode_period();
+        let moves = period.is_finite() && motion.amplitudes().iter().filter(|rate| **rate > 0.0).count() > 1;
+        Self {
+            mode: motion.mode(),
+            amplitudes: motion.amplitudes(),
+            polhode: TAU / period,
+            nome,
+            over_square,
+            over_root: over_square.sqrt(),
+            scale: (PI / quarter).powi(2),
+            count: if moves { 2 + alive.ceil() as usize } else { 0 },
+        }
+    }
+
+    /// Products of the functions: squares and `sn cn` have the even harmonics, the others the odd ones; cosines have real
+    /// amplitudes, sines imaginary ones.
+    fn harmonic(&self, number: usize) -> Harmonic {
+        let [a, b, c] = self.amplitudes;
+        let [mut real, mut imaginary] = [[0.0; 6]; 2];
+        let power = self.nome.powi(number as i32);
+        let half = number as f64 / 2.0;
+        let (dull, bright) = (self.scale * half / (1.0 - power), self.scale * half / (1.0 + power));
+        let round = self.mode == Mode::ShortAxis;
+        if number.is_multiple_of(2) {
+            let near = self.over_square * self.nome.powi(number as i32 / 2 - 1);
+            let far = self.nome.powi(number as i32 / 2);
+            let (cn, sn, dn) = (near * dull, -near * dull, far * dull);
+            let sn_cn = -near * bright;
+            [real[0], real[1], real[2]] = if round {
+                [a * a * cn, b * b * sn, c * c * dn]
+            } else {
+                [a * a * dn, b * b * sn, c * c * cn]
+            };
+            if round {
+                imaginary[5] = a * b * sn_cn;
+            } else {
+                imaginary[3] = b * c * sn_cn;
+            }
+        } else {
+            let near = self.over_root * self.nome.powi(number as i32 / 2);
+            let (cn_dn, sn_dn) = (near * dull, -near * bright);
+            real[4] = a * c * cn_dn;
+            if round {
+                imaginary[3] = b * c * sn_dn;
+            } else {
+                imaginary[5] = a * b * sn_dn;
+            }
+        }
+        Harmonic { number, frequency: number as f64 * self.polhode, products: [real, imaginary] }
+    }
+}

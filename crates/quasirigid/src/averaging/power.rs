@@ -1,0 +1,125 @@
+use super::poinsot::FreeRotation;
+use super::response::Response;
+use crate::math::elliptic::{first_of_complement, jacobi};
+use crate::math::polynomial::{Homogeneous, Series};
+use crate::model::{Principal, ReducedBody};
+
+/// Mean power that a body dissipates on a free rotation (W).
+pub trait MeanPower {
+    /// Principal moments of the body (kg·m²), ascending.
+    fn moments(&self) -> [f64; 3];
+
+    /// The mean over a period of the polhode; on the separatrix, where the period is infinite, zero.
+    fn mean_power(&self, motion: &FreeRotation) -> f64;
+}
+
+impl MeanPower for Response {
+    fn moments(&self) -> [f64; 3] {
+        self.principal().moments
+    }
+
+    /// The sum over the harmonics. (G7)
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
+        self.harmonic_powers(motion).map(|(_, power)| power).sum()
+    }
+}
+
+impl Response {
+    /// Mean power of each harmonic (W), with its frequency (rad/s): harmonic 1 first. (G7)
+    pub fn harmonic_powers(&self, motion: &FreeRotation) -> impl Iterator<Item = (f64, f64)> {
+        motion.harmonics().map(|harmonic| {
+            let power = self.uptake(harmonic.frequency).power(harmonic.frequency, &harmonic.products);
+            (harmonic.frequency, power)
+        })
+    }
+}
+
+/// The power of the reduced equations, a polynomial, ready to be averaged. (A5)
+///
+/// Only monomials with even powers in every principal component have a mean; what is left is a polynomial in the squares.
+#[derive(Clone, Debug)]
+pub struct PolynomialPower {
+    moments: [f64; 3],
+    degree: usize,
+    /// Powers of the squares of the components, and the coefficient.
+    terms: Vec<([usize; 3], f64)>,
+}
+
+/// Points of the mean per quarter period and `K/K′`: harmonic `2n` falls as the power `n` of the nome, to 1e-17.
+const POINTS: f64 = 6.5;
+
+impl PolynomialPower {
+    /// The power of a reduced body.
+    #[must_use]
+    pub fn of(body: &ReducedBody) -> Self {
+        let Principal { moments, axes } = Principal::of(body.J);
+        let mut terms = Vec::new();
+        for degree in (2..=body.power.degree()).step_by(2) {
+            let part = in_axes(body.power.part(degree), axes);
+            for (exponents, coefficient) in part.terms() {
+                let even = exponents.iter().all(|power| power % 2 == 0);
+                let on_an_axis = exponents.contains(&degree);
+                if even && !on_an_axis && coefficient[0] != 0.0 {
+                    terms.push((exponents.map(|power| power / 2), coefficient[0]));
+                }
+            }
+        }
+        Self { moments, degree: body.power.degree(), terms }
+    }
+
+    fn value(&self, squares: [f64; 3]) -> f64 {
+        let power = |axis: usize, exponent: usize| squares[axis].powi(exponent as i32);
+        self.terms.iter().map(|([i, j, k], value)| value * power(0, *i) * power(1, *j) * power(2, *k)).sum()
+    }
+}
+
+impl MeanPower for PolynomialPower {
+    fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
+        let complement = motion.complement();
+        let quarter = first_of_complement(complement);
+        if !quarter.is_finite() {
+            return 0.0;
+        }
+        let stretch = quarter / first_of_complement(motion.parameter());
+        let points = self.degree / 4 + 2 + (POINTS * stretch).ceil() as usize;
+        let sample = |i: usize| {
+            let u = quarter * (i as f64 + 0.5) / points as f64;
+            self.value(motion.at_argument(jacobi(u, complement)).map(|rate| rate * rate))
+        };
+        (0..points).map(sample).sum::<f64>() / points as f64
+    }
+}
+
+/// The same polynomial in components along other axes.
+fn in_axes(polynomial: &Homogeneous, axes: [[f64; 3]; 3]) -> Homogeneous {
+    let degree = polynomial.degree();
+    let component = |c: usize| powers(Homogeneous::linear(&[axes.map(|axis| axis[c])]), degree);
+    let [x, y, z] = [0, 1, 2].map(component);
+    let mut turned = Homogeneous::zero(degree, 1);
+    for ([i, j, k], coefficient) in polynomial.terms() {
+        if coefficient[0] != 0.0 {
+            let mut plane = Homogeneous::zero(i + j, 1);
+            plane.add_product(0, 1.0, (x.part(i), 0), (y.part(j), 0));
+            turned.add_product(0, coefficient[0], (&plane, 0), (z.part(k), 0));
+        }
+    }
+    turned
+}
+
+/// Powers of a linear form, to a degree.
+fn powers(form: Homogeneous, degree: usize) -> Series {
+    let mut powers = Series::zero(degree, 1);
+    let mut power = Homogeneous::zero(0, 1);
+    power.row_mut(0)[0] = 1.0;
+    for next in 1..=degree {
+        let mut product = Homogeneous::zero(next, 1);
+        product.add_product(0, 1.0, (&power, 0), (&form, 0));
+        powers.set(std::mem::replace(&mut power, product));
+    }
+    powers.set(power);
+    powers
+}

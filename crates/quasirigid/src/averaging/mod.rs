@@ -1,5 +1,7 @@
 //! Millions of turns: the torque-free motion in closed form, and what dissipation makes of it on average.
 
+mod crossing;
+mod drift;
 mod evolution;
 mod harmonics;
 mod observed;
@@ -7,6 +9,8 @@ mod poinsot;
 mod power;
 mod response;
 
+pub use crossing::Crossing;
+pub use drift::{Drift, DriftEnding, DriftState, SlowTorque};
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
 pub use observed::{ObservedError, ObservedPeriods};

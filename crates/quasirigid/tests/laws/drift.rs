@@ -1,0 +1,117 @@
+//! Slow external torques: energy and momentum drift together.
+
+use quasirigid::averaging::{
+    Drift, DriftEnding, DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, SlowTorque, Stage,
+};
+use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
+use quasirigid::math::rotation::ALIGNED;
+use quasirigid::math::sym::norm;
+use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::model::{Mode, Principal};
+use quasirigid::reduction::reduce;
+
+use crate::evolution::tumbler;
+
+fn start(stage: Stage, momentum: f64) -> DriftState {
+    DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 }
+}
+
+/// Without a torque the drift is the evolution at one momentum, through the separatrix too.
+#[test]
+fn drift_without_torque_is_the_evolution() {
+    let reduced = reduce(&tumbler(0.5).body().unwrap(), 3).unwrap();
+    let power = PolynomialPower::of(&reduced);
+    let evolution = Evolution::new(&power, 15.0);
+    let drift = Drift::new(&power, &Principal::of(reduced.J), SlowTorque::default());
+    let [long, short] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| move |xi| Stage { mode, xi });
+    for (from, to) in [(short(-1.0), short(3.0)), (long(2.0), long(-3.0)), (long(1.0), short(2.0))] {
+        let passage = evolution.passage(from, to);
+        let (states, ending) = drift.follow(start(from, 15.0), &[0.5 * passage.time, passage.time]);
+        assert_eq!(ending, DriftEnding::Finished);
+        let [_, last] = states[..] else { panic!("two states") };
+        assert_eq!(last.stage.mode, to.mode);
+        assert!((last.stage.xi - to.xi).abs() < 1e-6, "{last:?} {to:?}");
+        assert!((last.turns / passage.turns - 1.0).abs() < 1e-7, "{last:?} {passage:?}");
+        assert!((last.momentum / 15.0 - 1.0).abs() < 1e-14);
+    }
+}
+
+/// A power that is none.
+struct Rigid([f64; 3]);
+
+impl MeanPower for Rigid {
+    fn moments(&self) -> [f64; 3] {
+        self.0
+    }
+
+    fn mean_power(&self, _: &FreeRotation) -> f64 {
+        0.0
+    }
+}
+
+/// A steady spin under drag slows by `e^{−κt/I}`, under a torque along its axis it gains `Mt`.
+#[test]
+fn steady_spins_follow_their_closed_laws() {
+    let moments = [2.0, 3.0, 4.0];
+    let principal = Principal { moments, axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
+    let rigid = Rigid(moments);
+    let times = [1e5, 3e5];
+    for (mode, axis) in [(Mode::ShortAxis, 2), (Mode::LongAxis, 0)] {
+        let stage = Stage { mode, xi: 25.0 };
+        let mut constant = [0.0; 3];
+        constant[axis] = 3e-6;
+        let torque = SlowTorque { constant, drag: 0.0 };
+        let (states, _) = Drift::new(&rigid, &principal, torque).follow(start(stage, 5.0), &times);
+        for (state, t) in states.iter().zip(times) {
+            assert!((state.momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
+        }
+        let torque = SlowTorque { constant: [0.0; 3], drag: 1e-5 };
+        let (states, _) = Drift::new(&rigid, &principal, torque).follow(start(stage, 5.0), &times);
+        let slowed = (-1e-5 * times[0] / moments[axis]).exp();
+        assert!((states[0].momentum / (5.0 * slowed) - 1.0).abs() < 1e-8, "{states:?}");
+    }
+}
+
+/// Drag, a constant torque and dashpots at once, averaged and by the reduced equations; the weaker the torques and the
+/// stiffer the body the closer.
+#[test]
+fn drift_is_that_of_the_reduced_equations() {
+    let gap = |weakness: f64| {
+        let body = tumbler(0.5).body().unwrap();
+        let reduced = reduce(&body, 3).unwrap();
+        let power = PolynomialPower::of(&reduced);
+        let principal = Principal::of(reduced.J);
+        let torque = SlowTorque { constant: [0.0, 0.0, 4e-3 / weakness], drag: 6e-3 / weakness };
+        let (omega, duration) = ([0.4, 0.2, 0.9], 600.0 * weakness);
+        let named = |law| Force { name: String::new(), law };
+        let forces = [
+            named(Law::SpinDrag { coefficient: torque.drag }),
+            named(Law::Torque { torque: torque.constant, axes: Axes::Body, wave: Wave::default() }),
+        ];
+        let system = Forced { body: &body, forces: &forces };
+        let still = SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let slow = still.with_spin(system, 2, omega).unwrap();
+        let mut samples = Vec::new();
+        let options = Options { tolerance: 1e-11, ..Options::default() };
+        propagate_forced(system, 3, &slow, &[0.0, duration], options, &mut samples).unwrap();
+        let G = norm(samples[0].momentum);
+        let evolution = Evolution::new(&power, G);
+        let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);
+        let drift = Drift::new(&power, &principal, torque);
+        let (states, ending) = drift.follow(start(evolution.stage(ratio).unwrap(), G), &[duration]);
+        assert_eq!(ending, DriftEnding::Finished);
+        let (last, state) = (&samples[1], states[0]);
+        let reached = Evolution::new(&power, state.momentum).motion(state.stage);
+        println!(
+            "weaker by {weakness}: |K| {:.6} {:.6}, E {:.6} {:.6} of {:.6}",
+            norm(last.momentum),
+            state.momentum,
+            last.energy,
+            reached.energy(),
+            samples[0].energy
+        );
+        [norm(last.momentum) / state.momentum - 1.0, last.energy / reached.energy() - 1.0].map(f64::abs)
+    };
+    let [strong, weak] = [gap(1.0), gap(4.0)];
+    assert!(weak.iter().all(|gap| *gap < 2e-3), "{strong:?} {weak:?}");
+}

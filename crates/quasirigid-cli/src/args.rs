@@ -32,6 +32,9 @@ pub enum Command {
         after_help = "Example:\n  quasirigid simulate examples/axial-mass/model.toml --duration 60 --samples 7"
     )]
     Simulate(Simulate),
+    /// Follow the averaged rotation over any number of turns
+    #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to \"5 deg\"")]
+    Evolve(Evolve),
     /// Set the full stiff system against the reduced equations, with the measured order
     #[command(
         after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
@@ -184,4 +187,43 @@ pub struct Verify {
     /// How often epsilon is halved [default: 4]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub halvings: Option<usize>,
+}
+
+#[derive(Args, Debug)]
+pub struct Evolve {
+    #[command(flatten)]
+    pub common: Common,
+    /// Where to start: D/I3 = |K|^2/2EI3 as 0.9 or "90% of I3", or the greatest wobble about the axis of greatest inertia as
+    /// "20 deg" [default: the initial state]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where to end, in the same form [default: the file's, or 1 % of the energy of the wobble left]
+    #[arg(long, value_name = "Y", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Longest time, in seconds or with a unit such as "10 Gyr" [default: the file's, or none]
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub duration: Option<String>,
+    /// Number of rows [default: the file's, or 201]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub samples: Option<u32>,
+    /// Take the power from the reduced equations instead of the harmonics of the polhode
+    #[arg(long)]
+    pub polynomial: bool,
+    /// Form of the result on standard output
+    #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
+    pub format: EvolveFormat,
+    /// File for the whole table as CSV
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EvolveFormat {
+    /// The answer in words, with a short table
+    Text,
+    /// The whole table
+    Csv,
 }

@@ -158,7 +158,8 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// A time (s) in the unit a person would choose.
 pub fn time(seconds: f64) -> String {
-    const UNITS: [(f64, &str); 6] = [
+    const UNITS: [(f64, &str); 7] = [
+        (31_557_600e9, "Gyr"),
         (31_557_600e6, "Myr"),
         (31_557_600.0, "yr"),
         (86_400.0, "d"),
@@ -171,4 +172,13 @@ pub fn time(seconds: f64) -> String {
     }
     let (size, unit) = UNITS.into_iter().find(|(size, _)| seconds.abs() >= 2.0 * size).unwrap_or((1.0, "s"));
     format!("{} {unit}", significant(seconds / size, 4))
+}
+
+/// How many, in the words a person would choose.
+pub fn count(number: f64) -> String {
+    const WORDS: [(f64, &str); 4] =
+        [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
+    let (size, word) =
+        WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
+    format!("{}{word}", significant(number / size, 3))
 }

@@ -4,6 +4,7 @@
 mod args;
 mod commands;
 mod describe;
+mod evolution;
 mod failure;
 mod interrupt;
 mod layout;
@@ -12,6 +13,7 @@ mod motion;
 mod output;
 mod progress;
 mod record;
+mod rotation;
 mod verification;
 
 use std::process::ExitCode;
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
         Command::Check(check) => commands::check::check(check),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
+        Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),
     };
     match result {

@@ -21,7 +21,7 @@ const LISTED: usize = 9;
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let Loaded { model, body, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
-    let omega = initial(&model, &arguments.common.model)?.omega;
+    let omega = initial(&model, &body, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
     let text = if arguments.common.json {

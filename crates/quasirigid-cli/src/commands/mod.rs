@@ -2,14 +2,13 @@
 
 pub mod check;
 pub mod derive;
+pub mod evolve;
 pub mod run;
 pub mod simulate;
 mod summary;
 pub mod verify;
 
-use std::path::Path;
-
-use quasirigid::dynamics::{Event, Form, Method, Options, SpinState};
+use quasirigid::dynamics::{Event, Form, Method, Options};
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
@@ -20,13 +19,14 @@ use quasirigid_io::units::{Dimension, quantity};
 use crate::args::{self, Common, Propagation};
 use crate::failure::Failure;
 use crate::message::remark;
+use crate::rotation::initial;
 
 /// A model file with its flexible body.
-struct Loaded {
-    model: Model,
-    body: FlexibleBody,
-    forces: Vec<Force<Marker>>,
-    order: usize,
+pub struct Loaded {
+    pub model: Model,
+    pub body: FlexibleBody,
+    pub forces: Vec<Force<Marker>>,
+    pub order: usize,
 }
 
 fn load(common: &Common) -> Result<Loaded, Failure> {
@@ -48,12 +48,6 @@ fn notes(model: &Model, common: &Common) {
     }
 }
 
-/// The state the file starts from.
-fn initial(model: &Model, file: &Path) -> Result<SpinState, Failure> {
-    let omega = model.initial.angular_velocity.ok_or_else(|| Failure::NoSpin { file: file.into() })?;
-    Ok(SpinState { omega, attitude: model.initial.attitude })
-}
-
 /// Turns that a propagation makes when nothing says how long it lasts.
 const TURNS: f64 = 100.0;
 
@@ -62,10 +56,15 @@ fn duration(model: &Model, propagation: &Propagation, omega: [f64; 3]) -> Result
     let Some(text) = &propagation.duration else {
         return Ok(model.run.duration.unwrap_or(TURNS * std::f64::consts::TAU / norm(omega)));
     };
+    seconds(text)
+}
+
+/// A duration (s) given on the command line.
+fn seconds(text: &str) -> Result<f64, Failure> {
     let seconds = match text.parse() {
         Ok(seconds) => seconds,
         Err(_) => quantity(text, Dimension::TIME)
-            .map_err(|cause| Failure::Duration { text: text.clone(), cause: Box::new(cause) })?,
+            .map_err(|cause| Failure::Duration { text: text.to_owned(), cause: Box::new(cause) })?,
     };
     if seconds > 0.0 && f64::is_finite(seconds) { Ok(seconds) } else { Err(Failure::NoDuration { seconds }) }
 }

@@ -37,7 +37,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order } = &loaded;
     let order = *order;
-    let start = initial(model, &arguments.common.model)?;
+    let start = initial(model, body, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
     let motion = Motion::new(model, body, forces, order, start);

@@ -21,7 +21,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order } = &loaded;
     notes(model, &arguments.common);
-    let start = initial(model, &arguments.common.model)?;
+    let start = initial(model, body, &arguments.common.model)?;
     let axis = circled_axis(&reduce(body, 1)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {

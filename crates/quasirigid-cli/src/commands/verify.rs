@@ -13,7 +13,7 @@ use crate::{Ending, output, record, verification};
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let Loaded { model, body, forces, order } = &load(&arguments.common)?;
     notes(model, &arguments.common);
-    let start = initial(model, &arguments.common.model)?;
+    let start = initial(model, body, &arguments.common.model)?;
     let motion = Motion::new(model, body, forces, *order, start);
     let file = verification::plan(model, *order);
     let plan = Plan {

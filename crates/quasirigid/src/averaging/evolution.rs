@@ -44,6 +44,9 @@ const PIECES: usize = 400;
 const STEPS: usize = 60;
 
 impl<'a> Evolution<'a> {
+    /// Share of the range `I₃ − I₁` of `D` that counts as next to the separatrix.
+    pub const NEAR: f64 = 0.01;
+
     /// The evolution of a free body with the angular momentum `G` (N·m·s).
     #[must_use]
     pub fn new(power: &'a dyn MeanPower, G: f64) -> Self {
@@ -93,6 +96,36 @@ impl<'a> Evolution<'a> {
     #[must_use]
     pub fn time(&self, from: Stage, to: Stage) -> f64 {
         self.passage(from, to).time
+    }
+
+    /// Stages from one to another, both among them, evenly along the way.
+    pub fn stages(&self, from: Stage, to: Stage, count: usize) -> impl Iterator<Item = Stage> {
+        let (start, way) = (along(from), along(to) - along(from));
+        let last = count.saturating_sub(1).max(1);
+        (0..count).map(move |i| match i {
+            0 => from,
+            _ if i == last => to,
+            _ => at(start + way * i as f64 / last as f64),
+        })
+    }
+
+    /// Time (s) from a stage to the separatrix; none if the way does not lead through it.
+    #[must_use]
+    pub fn separatrix_time(&self, from: Stage, to: Stage) -> Option<f64> {
+        (along(from) < 0.0 && along(to) > 0.0).then(|| self.between(along(from), 0.0).time)
+    }
+
+    /// Time (s) spent next to the separatrix, within [`NEAR`](Self::NEAR) of the range of `D`; none if the way leads past no
+    /// such place.
+    #[must_use]
+    pub fn lingering(&self, from: Stage, to: Stage) -> Option<f64> {
+        let [I1, I2, I3] = self.moments;
+        let bound = |sign: f64, beyond: f64| {
+            self.stage((I2 + sign * Self::NEAR * (I3 - I1)) / I3).map_or(beyond, along)
+        };
+        let low = bound(-1.0, f64::NEG_INFINITY).max(along(from));
+        let high = bound(1.0, f64::INFINITY).min(along(to));
+        (low < high).then(|| self.between(low, high).time)
     }
 
     /// The stage reached after a time (s), not negative; none if nothing is dissipated there.

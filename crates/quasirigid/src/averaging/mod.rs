@@ -2,6 +2,7 @@
 
 mod crossing;
 mod drift;
+mod euler_angles;
 mod evolution;
 mod harmonics;
 mod observed;
@@ -11,6 +12,7 @@ mod response;
 
 pub use crossing::Crossing;
 pub use drift::{Drift, DriftEnding, DriftState, SlowTorque};
+pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
 pub use observed::{ObservedError, ObservedPeriods};

@@ -91,6 +91,19 @@ impl FreeRotation {
         Self { from_long, from_short, from_middle: far, mode, ..Self::at_ratio(moments, G, D / I3) }
     }
 
+    /// The motion with this angular momentum (N·m·s) whose greatest angle between the momentum and the circled axis is
+    /// `nutation` (rad), above 0 and below a right angle. It starts as [`at_ratio`](Self::at_ratio) says.
+    #[must_use]
+    pub fn at_nutation(moments: [f64; 3], G: f64, mode: Mode, nutation: f64) -> Self {
+        let [I1, I2, I3] = moments;
+        let square = nutation.sin().powi(2);
+        let ratio = match mode {
+            Mode::ShortAxis => 1.0 / (1.0 + square * (I3 - I2) / I2),
+            Mode::LongAxis => I1 / I3 / (1.0 - square * (I2 - I1) / I2),
+        };
+        Self::at_ratio(moments, G, ratio)
+    }
+
     /// Which axis the momentum circles.
     #[must_use]
     pub fn mode(&self) -> Mode {

@@ -193,3 +193,35 @@ fn toutatis_has_the_published_energy() {
     let over = 2.0 * motion.energy() * moments[2] / motion.momentum().powi(2);
     assert!((1.895..1.905).contains(&over), "{over}");
 }
+
+/// The three angles make the attitude again, `R_z(φ) R_x(θ) R_z(ψ)`, and the motion through them is the one they are of.
+#[test]
+fn euler_angles_are_those_of_the_attitude() {
+    for (mode, xi, t) in [(Mode::ShortAxis, 0.3, 1.7), (Mode::LongAxis, 1.0, 4.4), (Mode::LongAxis, -3.0, 0.2)] {
+        let motion = FreeRotation::at_logit([0.31, 0.96, 1.0], 1.3, mode, xi);
+        let angles = EulerAngles::of(&motion, t);
+        let about = |angle: f64, axis: Vector3<f64>| *Rotation3::new(angle * axis).matrix();
+        let (z, x) = (Vector3::z(), Vector3::x());
+        let R = about(angles.precession, z) * about(angles.nutation, x) * about(angles.rotation, z);
+        let attitude = motion.attitude(t);
+        for (row, expected) in attitude.iter().enumerate() {
+            let in_order = [expected[1], expected[2], expected[0]]; // intermediate, short, long
+            for (column, expected) in in_order.iter().enumerate() {
+                assert!((R[(row, column)] - expected).abs() < 1e-14, "{row} {column}");
+            }
+        }
+        let again = angles.motion([0.31, 0.96, 1.0], 1.3);
+        for (found, expected) in again.omega(0.0).iter().zip(motion.omega(t)) {
+            assert!((found - expected).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn greatest_nutation_is_the_one_asked_for() {
+    for (mode, degrees) in [(Mode::ShortAxis, 5.0), (Mode::ShortAxis, 89.0), (Mode::LongAxis, 40.0)] {
+        let motion = FreeRotation::at_nutation([0.31, 0.76, 1.0], 2.0, mode, f64::to_radians(degrees));
+        assert_eq!(motion.mode(), mode);
+        assert!((motion.nutation()[1].to_degrees() / degrees - 1.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,55 @@
+use quasirigid_io::model::Target;
+use quasirigid_io::record::history_csv;
+use serde_json::json;
+
+use super::{Loaded, initial, load, notes, seconds};
+use crate::args::{Evolve, EvolveFormat};
+use crate::evolution::{self, Asked};
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::message::remark;
+use crate::{Ending, output};
+
+/// Follows the averaged rotation over any number of turns.
+pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
+    let loaded = load(&arguments.common)?;
+    notes(&loaded.model, &arguments.common);
+    let start = initial(&loaded.model, &loaded.body, &arguments.common.model)?;
+    if let Some(path) = &arguments.out {
+        output::check_file(path, arguments.overwrite)?;
+    }
+    let file = evolution::asked(&loaded.model);
+    let asked = Asked {
+        from: target("--from", arguments.from.as_deref())?,
+        until: target("--to", arguments.to.as_deref())?.or(file.until),
+        duration: match &arguments.duration {
+            Some(text) => Some(seconds(text)?),
+            None => file.duration,
+        },
+        samples: arguments.samples.map_or(file.samples, |samples| samples as usize),
+        polynomial: arguments.polynomial,
+    };
+    let interrupt = Interrupt::listen()?;
+    let (record, remarks) = evolution::follow(&loaded, start, &asked, &interrupt, arguments.common.quiet)?;
+    if !arguments.common.quiet {
+        remarks.iter().for_each(|note| remark(&format!("note: {note}")));
+    }
+    if let Some(path) = &arguments.out {
+        output::to_file(path, |out| history_csv(&record.columns, out))?;
+    }
+    if arguments.common.json {
+        let mut object = json!(record);
+        object["mode"] = json!({ "start": record.mode_start, "end": record.mode_end });
+        output::print(&format!("{object:#}\n"))?;
+    } else if arguments.format == EvolveFormat::Csv {
+        output::to_stdout(&interrupt, |out| history_csv(&record.columns, out))?;
+    } else {
+        output::print(&evolution::text(&loaded.model.name, &record))?;
+    }
+    Ok(if record.status == "finished" { Ending::Done } else { Ending::CheckFailed })
+}
+
+fn target(option: &'static str, text: Option<&str>) -> Result<Option<Target>, Failure> {
+    let parsed = text.map(str::parse::<Target>).transpose();
+    parsed.map_err(|cause| Failure::Target { option, cause: Box::new(cause) })
+}

@@ -1,0 +1,163 @@
+//! The averaged rotation in words.
+
+use std::fmt::{self, Write};
+
+use quasirigid::averaging::{MeanPower, Stage};
+use quasirigid_io::record::{Column, EvolutionRecord};
+
+use super::{Ageing, Rows};
+use crate::describe::{count, significant, time};
+use crate::layout::paragraph;
+
+/// Rows of the table for people.
+const ROWS: usize = 11;
+/// The two roads to the power differ by more than this where the paper's theory ends.
+const APART: f64 = 0.1;
+
+/// The answer in a sentence or two.
+pub fn sentence(record: &EvolutionRecord) -> String {
+    let degrees = |end: fn(&[f64]) -> Option<&f64>| {
+        let column = column(&record.columns, "nutation_max");
+        end(column).map_or_else(|| "unknown".into(), |angle| significant(angle.to_degrees(), 3))
+    };
+    let (first, last) = (degrees(<[f64]>::first), degrees(<[f64]>::last));
+    if record.time.is_infinite() {
+        return "Nothing is dissipated: the rotation stays as it is.".into();
+    }
+    let range = record.time_range.map_or_else(String::new, |[least, greatest]| {
+        format!(" ({} to {} over the ranges of the materials)", time(least), time(greatest))
+    });
+    let taken = format!("in {}{range}, {} turns", time(record.time), count(record.turns));
+    if record.mode_start == record.mode_end {
+        let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
+        let verb = if axis == "greatest" { "falls" } else { "grows" };
+        return format!(
+            "The wobble about the axis of {axis} inertia {verb} from {first} to {last} degrees {taken}, {} mode throughout.",
+            record.mode_start
+        );
+    }
+    let crossed = record.separatrix_time.map_or_else(String::new, |seconds| {
+        format!(
+            " It passes the separatrix after {}; both senses of the final spin are equally likely.",
+            time(seconds)
+        )
+    });
+    format!(
+        "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} degrees {taken}.{crossed}",
+        record.mode_start, record.mode_end
+    )
+}
+
+/// What the reader should know before the numbers.
+pub fn notes(ageing: &Ageing, from: Stage, rows: &Rows, no_range: bool) -> Vec<String> {
+    let mut notes = Vec::new();
+    let motions = [from, rows.to()].map(|stage| ageing.evolution().motion(stage));
+    let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
+    if ratio.is_finite() && (ratio - 1.0).abs() > APART {
+        notes.push(format!(
+            "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
+             resonance is near, and the harmonics are right.",
+            significant(ratio, 3)
+        ));
+    }
+    let first = |motion: &quasirigid::averaging::FreeRotation| motion.harmonics().next();
+    let frequencies: Vec<f64> = motions.iter().filter_map(first).map(|harmonic| harmonic.frequency).collect();
+    for [low, high] in &ageing.measured {
+        if let Some(outside) = frequencies.iter().find(|frequency| !(low..=high).contains(frequency)) {
+            notes.push(format!(
+                "The polhode turns at {} rad/s, where a material was not measured ({} to {} rad/s); its last value was taken.",
+                significant(*outside, 3),
+                significant(*low, 3),
+                significant(*high, 3)
+            ));
+        }
+    }
+    if no_range {
+        notes.push("The ranges of the materials are left out under a torque.".into());
+    }
+    notes
+}
+
+/// The answer, the table and what lies behind it, for a terminal of 80 columns.
+pub fn text(name: &str, record: &EvolutionRecord) -> String {
+    let mut text = String::new();
+    write(&mut text, name, record).expect("a string takes any text");
+    text
+}
+
+fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
+    table(out, &record.columns)?;
+    writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
+    writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
+    writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
+    if let Some(lingering) = record.lingering {
+        writeln!(out, "  within 1 % of separatrix   {}", time(lingering))?;
+    }
+    harmonics(out, record)?;
+    resonances(out, record)?;
+    writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
+}
+
+fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
+    let [t, ratio, axis, least, greatest, power, turns] =
+        ["t", "D_over_I3", "circled_axis", "nutation_min", "nutation_max", "power", "turns"]
+            .map(|name| column(columns, name));
+    writeln!(out, "\n            time     turns     D/I3  mode   wobble, degrees       power, W")?;
+    let rows = t.len();
+    let shown = ROWS.min(rows);
+    for i in 0..shown {
+        let row = if shown < 2 { 0 } else { i * (rows - 1) / (shown - 1) };
+        let mode = if axis[row] == 3.0 { "short" } else { "long" };
+        let wobble = [least, greatest].map(|angle| significant(angle[row].to_degrees(), 3));
+        let wobble = format!("{} to {}", wobble[0], wobble[1]);
+        writeln!(
+            out,
+            "  {:>14} {:>9} {:>8.5}  {mode:<5}  {wobble:<18} {:>11}",
+            time(t[row]),
+            count(turns[row]),
+            ratio[row],
+            significant(power[row], 4)
+        )?;
+    }
+    Ok(())
+}
+
+fn harmonics(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
+    if record.harmonics.is_empty() {
+        return Ok(());
+    }
+    let list = record.harmonics.iter().map(|harmonic| {
+        format!(
+            "{} ({} rad/s) {} %",
+            harmonic.number,
+            significant(harmonic.frequency, 3),
+            significant(100.0 * harmonic.share, 3)
+        )
+    });
+    let text = format!("harmonics at the start: {}", list.collect::<Vec<_>>().join(", "));
+    writeln!(out, "{}", paragraph(&text, "  ", "      "))
+}
+
+fn resonances(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
+    if record.resonances.is_empty() {
+        return writeln!(out, "  resonances on the way: none");
+    }
+    writeln!(out, "  resonances on the way:")?;
+    record.resonances.iter().try_for_each(|crossing| {
+        let text = format!(
+            "harmonic {} meets {} rad/s, {}, at D/I3 = {:.5} in the {} mode, with {} % of the power",
+            crossing.harmonic,
+            significant(crossing.frequency, 4),
+            crossing.coordinate,
+            crossing.ratio,
+            crossing.mode,
+            significant(100.0 * crossing.share, 3)
+        );
+        writeln!(out, "{}", paragraph(&text, "    ", "      "))
+    })
+}
+
+fn column<'a>(columns: &'a [Column], name: &str) -> &'a [f64] {
+    columns.iter().find(|column| column.name == name).map_or(&[], |column| &column.values)
+}

@@ -1,11 +1,14 @@
 use quasirigid::elements::{Assembly, Carrier, Motion, Point};
-use quasirigid::model::Support;
+use quasirigid::model::{Rheology, Support};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::ellipsoid::{self, ELLIPSOID, ellipsoid};
 use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
+use super::material::Materials;
 use super::names::Names;
+use super::rheology::Extremes;
 use super::spans::Spans;
 use super::spring::{SPRING, spring};
 use super::support;
@@ -21,41 +24,59 @@ const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
 pub(super) struct Body<'a> {
     /// Names of its parts.
     pub(super) names: Names<'a>,
-    /// The body and where its parts stand in the file, if nothing is wrong with them.
-    pub(super) content: Option<(Assembly, Spans)>,
+    /// Its parts, if nothing is wrong with them.
+    pub(super) parts: Option<Parts>,
+}
+
+/// The parts of the body.
+pub(super) struct Parts {
+    pub(super) assembly: Assembly,
+    /// The same with every rheology at its least and at its greatest, if the file gives ranges.
+    pub(super) extremes: Option<Box<[Assembly; 2]>>,
+    /// Where they stand in the file.
+    pub(super) spans: Spans,
 }
 
 impl Body<'_> {
     /// The body, if nothing is wrong with its parts.
     pub(super) fn assembly(&self) -> Option<&Assembly> {
-        self.content.as_ref().map(|(assembly, _)| assembly)
+        self.parts.as_ref().map(|parts| &parts.assembly)
     }
 }
 
-/// Reads everything that describes the body, what it stands on, and what acts on it.
-pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>) -> Body<'a> {
+/// Reads everything that describes the body, what it stands on, and what acts on it; what is merely suspect goes into
+/// `notes`.
+pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>, notes: &mut Vec<String>) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
-    if file.get("carrier").is_none() {
-        report_missing_carrier(problems);
+    if file.get("carrier").is_none() && file.get("ellipsoid").is_none_or(|value| value.is_empty()) {
+        report_missing_body(problems);
     }
     let has_support = file.get("support").is_some();
     let support = support::table(file);
+    let materials = Materials::new(file);
+    let ellipsoid_tables = file.tables("ellipsoid", "[[ellipsoid]]", &ELLIPSOID);
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
     let hinged_tables = file.tables("hinged", "[[hinged]]", &HINGED);
     let force_tables = force::tables(file);
-    let names = Names::new(&point_tables, &hinged_tables, &force_tables, problems);
+    let names = Names::new(&point_tables, &hinged_tables, &ellipsoid_tables, &force_tables, problems);
+    notes.extend(materials.unused(&ellipsoid_tables));
 
     let spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
         points: point_tables.iter().map(Table::spans).collect(),
         springs: spring_tables.iter().map(Table::spans).collect(),
         hinged: hinged_tables.iter().map(Table::spans).collect(),
-        ellipsoids: Vec::new(),
+        ellipsoids: ellipsoid_tables.iter().map(|table| ellipsoid::spans(table, &materials)).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
     };
-    let carrier = carrier_table.as_ref().and_then(carrier);
+    let carrier = match &carrier_table {
+        Some(table) => carrier(table).map(Some),
+        None => file.get("carrier").is_none().then_some(None),
+    };
+    let ellipsoids = ellipsoid_tables.iter().zip(&names.ellipsoids);
+    let ellipsoids = every(ellipsoids.map(|(table, name)| ellipsoid(table, name, &materials)));
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
@@ -64,18 +85,38 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>) -> Body<'a>
         None => (!has_support).then(Support::default),
     };
     let forces = every(force_tables.iter().zip(&names.forces).map(|(table, name)| table.force(name, &names)));
-    let assembly = || {
-        Some(Assembly {
-            carrier: Some(carrier?),
-            ellipsoids: Vec::new(),
-            points: points?,
-            springs: springs?,
-            hinged: hinged?,
-            support: support?,
-            forces: forces?,
-        })
+    let parts = || {
+        let (ellipsoids, ranges_of_ellipsoids) = ellipsoids?.into_iter().unzip();
+        let (springs, ranges_of_springs) = springs?.into_iter().unzip();
+        let (hinged, ranges_of_hinged) = hinged?.into_iter().unzip();
+        let (carrier, points, support, forces) = (carrier?, points?, support?, forces?);
+        let assembly = Assembly { carrier, ellipsoids, points, springs, hinged, support, forces };
+        let ranges: [Vec<Extremes>; 3] = [ranges_of_ellipsoids, ranges_of_springs, ranges_of_hinged];
+        Some(Parts { extremes: extremes(&assembly, &ranges.concat()), assembly, spans })
     };
-    Body { content: assembly().map(|assembly| (assembly, spans)), names }
+    Body { parts: parts(), names }
+}
+
+/// The body with every rheology at its least and at its greatest, if there are ranges; they are those of the
+/// ellipsoids, springs and appendages, in this order.
+fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2]>> {
+    let at = |end: usize| {
+        let mut assembly = assembly.clone();
+        for (rheology, range) in rheologies(&mut assembly).zip(ranges) {
+            if let Some(ends) = range {
+                rheology.clone_from(&ends[end]);
+            }
+        }
+        assembly
+    };
+    ranges.iter().any(Option::is_some).then(|| Box::new([at(0), at(1)]))
+}
+
+fn rheologies(assembly: &mut Assembly) -> impl Iterator<Item = &mut Rheology> {
+    let Assembly { ellipsoids, springs, hinged, .. } = assembly;
+    let ellipsoids = ellipsoids.iter_mut().map(|ellipsoid| &mut ellipsoid.rheology);
+    let springs = springs.iter_mut().map(|spring| &mut spring.rheology);
+    ellipsoids.chain(springs).chain(hinged.iter_mut().map(|hinged| &mut hinged.rheology))
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.
@@ -136,9 +177,9 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
     elements.into_iter().collect()
 }
 
-fn report_missing_carrier(problems: &Problems<'_>) {
-    let help =
-        "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else";
-    problems
-        .report(Diagnostic::new(0..0, "the file has no [carrier]", "no [carrier] in this file").help(help));
+fn report_missing_body(problems: &Problems<'_>) {
+    let message = "the file has neither a [carrier] nor an [[ellipsoid]]";
+    let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; \
+                or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout";
+    problems.report(Diagnostic::new(0..0, message, "no body in this file").help(help));
 }

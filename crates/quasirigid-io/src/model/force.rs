@@ -4,7 +4,7 @@ use quasirigid::elements::Station;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 
 use super::formula::{PLACE, formulas};
-use super::kinds::{Kind, opened};
+use super::kinds::{Kind, kind, opened};
 use super::names::{Fixed, Names};
 use super::orbit::{ORBIT, orbit};
 use super::spans::ElementSpans;
@@ -14,26 +14,25 @@ use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, &Names<'_>) -> Option<Law<Station>>;
 
-macro_rules! kind {
-    ($word:literal, $known:expr, $read:expr) => {
-        Kind {
-            word: $word,
-            title: concat!("[[force]] of kind \"", $word, "\""),
-            keys: Keys { known: $known, later: &[] },
-            read: $read,
-        }
-    };
-}
-
 static KINDS: [Kind<Read>; 8] = [
-    kind!("uniform-gravity", &["kind", "name", "acceleration"], uniform_gravity),
-    kind!("central-gravity", &["kind", "name", "orbit"], central_gravity),
-    kind!("drag", &["kind", "name", "on", "at", "coefficient"], drag),
-    kind!("spin-drag", &["kind", "name", "coefficient"], spin_drag),
-    kind!("torque", &["kind", "name", "torque", "axes", "frequency", "period", "phase"], torque),
-    kind!("thrust", &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"], thrust),
-    kind!("magnetic-dipole", &["kind", "name", "moment", "field", "dipole", "orbit"], magnetic_dipole),
-    kind!("expression", &["kind", "name", "on", "at", "force"], expression),
+    kind!("[[force]]", "uniform-gravity", &["kind", "name", "acceleration"], uniform_gravity),
+    kind!("[[force]]", "central-gravity", &["kind", "name", "orbit"], central_gravity),
+    kind!("[[force]]", "drag", &["kind", "name", "on", "at", "coefficient"], drag),
+    kind!("[[force]]", "spin-drag", &["kind", "name", "coefficient"], spin_drag),
+    kind!("[[force]]", "torque", &["kind", "name", "torque", "axes", "frequency", "period", "phase"], torque),
+    kind!(
+        "[[force]]",
+        "thrust",
+        &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"],
+        thrust
+    ),
+    kind!(
+        "[[force]]",
+        "magnetic-dipole",
+        &["kind", "name", "moment", "field", "dipole", "orbit"],
+        magnetic_dipole
+    ),
+    kind!("[[force]]", "expression", &["kind", "name", "on", "at", "force"], expression),
 ];
 
 /// Keys of a force that does not say its kind: those of every kind.

@@ -1,18 +1,28 @@
 use quasirigid::elements::{HingeCoefficient, Hinged};
-use quasirigid::model::Rheology;
 
 use super::body::inertia;
+use super::rheology::{Extremes, Scale, rheology};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const HINGED: Keys = Keys {
-    known: &["name", "mass", "center_of_mass", "inertia", "hinge", "axes", "stiffness", "damping"],
+    known: &[
+        "name",
+        "mass",
+        "center_of_mass",
+        "inertia",
+        "hinge",
+        "axes",
+        "stiffness",
+        "damping",
+        "rheology",
+    ],
     later: &[],
 };
 
-/// Reads a `[[hinged]]` appendage.
-pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
+/// Reads a `[[hinged]]` appendage, and its rheology at the ends of the range it is known to.
+pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)> {
     let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
     let center_of_mass = table
         .required("center_of_mass", "center_of_mass = [1.5, 0.0, 0.0]")
@@ -29,7 +39,8 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
         Some(value) => coefficient(&value, Dimension::ROTATIONAL_DAMPING, count),
         None => Some(HingeCoefficient::PerAxis(vec![0.0; count])),
     };
-    Some(Hinged {
+    let known = rheology(table, Scale::OF_SPRING)?;
+    let hinged = Hinged {
         name: name.to_owned(),
         mass: mass?,
         center_of_mass: center_of_mass?,
@@ -38,8 +49,9 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<Hinged> {
         axes: axes?,
         stiffness: stiffness?,
         damping: damping?,
-        rheology: Rheology::Elastic,
-    })
+        rheology: known.rheology,
+    };
+    Some((hinged, known.extremes))
 }
 
 fn axes(value: &Value<'_>) -> Option<Vec<[f64; 3]>> {

@@ -3,13 +3,22 @@ use quasirigid::model::Support;
 
 use super::body::Body;
 use super::names::Part;
-use super::settings::optional;
+use super::rotation::{Rotation, rotation};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const INITIAL: Keys = Keys {
-    known: &["angular_velocity", "attitude", "displacements", "displacement_rates", "position", "velocity"],
+    known: &[
+        "angular_velocity",
+        "periods",
+        "wobble",
+        "attitude",
+        "displacements",
+        "displacement_rates",
+        "position",
+        "velocity",
+    ],
     later: &[],
 };
 
@@ -21,8 +30,8 @@ const PRINTED_NORM: f64 = 1e-9;
 /// State of the body at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Initial {
-    /// Angular velocity (rad/s), body axes; none if the file gives none.
-    pub angular_velocity: Option<[f64; 3]>,
+    /// How the body turns; none if the file does not say.
+    pub rotation: Option<Rotation>,
     /// Unit quaternion, scalar first, that turns body components into inertial ones.
     pub attitude: [f64; 4],
     /// Internal coordinates.
@@ -50,7 +59,7 @@ pub enum Displacements {
 impl Default for Initial {
     fn default() -> Self {
         Self {
-            angular_velocity: None,
+            rotation: None,
             attitude: [1.0, 0.0, 0.0, 0.0],
             displacements: Displacements::SlowManifold,
             position: [0.0; 3],
@@ -61,8 +70,7 @@ impl Default for Initial {
 
 /// Reads `[initial]`; what is merely suspect goes into `notes`.
 pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String>) -> Option<Initial> {
-    let angular_velocity =
-        optional(table.get("angular_velocity"), |value| value.vector(Dimension::ANGULAR_VELOCITY));
+    let rotation = rotation(table);
     let attitude = match table.get("attitude") {
         Some(value) => unit_quaternion(&value, notes),
         None => Some(Initial::default().attitude),
@@ -71,7 +79,7 @@ pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String
     let position = of_free_body(table, "position", Dimension::LENGTH, body);
     let velocity = of_free_body(table, "velocity", Dimension::VELOCITY, body);
     Some(Initial {
-        angular_velocity: angular_velocity?,
+        rotation: rotation?,
         attitude: attitude?,
         displacements: displacements?,
         position: position?,
@@ -154,12 +162,14 @@ fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
     Some(Displacements::Given { q: q?, rate: rate? })
 }
 
-/// Coordinates of every part, points first, all zero.
+/// Coordinates of every part, points first, all zero; an ellipsoid is the only part.
 fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     let Some(assembly) = body.assembly() else { return Vec::new() };
     // A motion that is none is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
-    points.chain(assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()])).collect()
+    let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
+    let ellipsoid = assembly.ellipsoids.first().and_then(|ellipsoid| ellipsoid.body(0).ok());
+    points.chain(hinged).chain(ellipsoid.map(|body| vec![0.0; body.coordinates().len()])).collect()
 }
 
 /// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
@@ -170,11 +180,17 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
     let mut parts = at_rest(body);
     let mut good = true;
     for (key, value) in entries {
-        let amount = match body.names.part(key, &value) {
+        let amount = match body.names.part(key.clone(), &value) {
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
                 of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))
             }
+            Some(Part::Ellipsoid) => value.refuse_at(
+                key,
+                format!("{:?} is an ellipsoid, and its displacements have no names", value.key()),
+                "an ellipsoid",
+                Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
+            ),
             None => None,
         };
         good &= amount.is_some();

@@ -13,6 +13,19 @@ pub(super) struct Kind<R: 'static> {
     pub(super) read: R,
 }
 
+/// A kind, titled by the table and its word.
+macro_rules! kind {
+    ($table:literal, $word:literal, $known:expr, $read:expr) => {
+        Kind {
+            word: $word,
+            title: concat!($table, " of kind \"", $word, "\""),
+            keys: Keys { known: $known, later: &[] },
+            read: $read,
+        }
+    };
+}
+pub(super) use kind;
+
 /// A table of the kind it says it is; `title` and `any` are the name and the keys of one that does not say.
 pub(super) fn opened<'a, R>(
     value: &Value<'a>,

@@ -5,16 +5,21 @@
 
 mod body;
 mod diagnostic;
+mod ellipsoid;
 mod error;
+mod evolve;
 mod force;
 mod formula;
 mod hinged;
 mod initial;
 mod kinds;
 mod literal;
+mod material;
 mod names;
 mod orbit;
 mod physics;
+mod rheology;
+mod rotation;
 mod settings;
 mod source;
 mod spans;
@@ -30,27 +35,40 @@ use quasirigid::elements::{Assembly, ElementError};
 
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
+pub use evolve::{Evolve, Target, TargetError};
 pub use initial::{Displacements, Initial};
+pub use rotation::Rotation;
 pub use settings::{Form, Method, Run, Stop, System, Verify};
 pub use source::Source;
 
+use body::Parts;
 use diagnostic::Problems;
 use spans::Spans;
 use table::{Keys, Table};
 
 const FILE: Keys = Keys {
-    known: &["body", "carrier", "point", "spring", "hinged", "support", "force", "initial", "run"],
+    known: &[
+        "body",
+        "carrier",
+        "material",
+        "ellipsoid",
+        "point",
+        "spring",
+        "hinged",
+        "support",
+        "force",
+        "initial",
+        "run",
+    ],
     later: &[
         ("beam", "[[beam]]"),
         ("panel", "[[panel]]"),
         ("solid", "[[solid]]"),
         ("surface", "[[surface]]"),
-        ("ellipsoid", "[[ellipsoid]]"),
         ("matrices", "[[matrices]]"),
         ("cavity", "[[cavity]]"),
         ("rotor", "[[rotor]]"),
         ("wheel", "[[wheel]]"),
-        ("material", "[material]"),
     ],
 };
 
@@ -61,6 +79,8 @@ pub struct Model {
     pub name: String,
     /// The body.
     pub assembly: Assembly,
+    /// The body with every rheology at the least and at the greatest of its range; none if the file gives no range.
+    pub extremes: Option<Box<[Assembly; 2]>>,
     /// Its state at time zero.
     pub initial: Initial,
     /// What to compute.
@@ -109,9 +129,10 @@ impl Model {
         let content = content(&source.text, &problems);
         let diagnostics = problems.into_diagnostics();
         match content {
-            Some(Content { name, assembly, spans, initial, run, notes }) if diagnostics.is_empty() => {
+            Some(Content { name, parts, initial, run, notes }) if diagnostics.is_empty() => {
                 let name = name.unwrap_or_else(|| stem(&source.file));
-                Ok(Self { name, assembly, initial, run, notes, source, spans })
+                let Parts { assembly, extremes, spans } = parts;
+                Ok(Self { name, assembly, extremes, initial, run, notes, source, spans })
             }
             _ => Err(ModelError::Invalid { model: source, diagnostics }),
         }
@@ -121,8 +142,7 @@ impl Model {
 /// What a file says.
 struct Content {
     name: Option<String>,
-    assembly: Assembly,
-    spans: Spans,
+    parts: Parts,
     initial: Initial,
     run: Run,
     notes: Vec<String>,
@@ -133,7 +153,8 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
     if tree.is_empty() {
         let message =
             if text.trim().is_empty() { "the file is empty" } else { "the file has comments but no model" };
-        let help = "a model has at least a [carrier] with mass, center_of_mass and inertia";
+        let help = "a model has at least a [carrier] with mass, center_of_mass and inertia, or an [[ellipsoid]] with \
+                    semi_axes and material";
         problems.report(Diagnostic::new(0..0, message, "nothing to read").help(help));
         return None;
     }
@@ -141,7 +162,7 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
     let mut notes = Vec::new();
     let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.text()).map(str::to_owned);
-    let body = body::body(&file, problems);
+    let body = body::body(&file, problems, &mut notes);
     let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
         Some(table) => initial::initial(&table, &body, &mut notes),
         None => Some(Initial::default()),
@@ -150,8 +171,7 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
         Some(table) => settings::run(&table),
         None => Some(Run::default()),
     };
-    let (assembly, spans) = body.content?;
-    Some(Content { name, assembly, spans, initial: initial?, run: run?, notes })
+    Some(Content { name, parts: body.parts?, initial: initial?, run: run?, notes })
 }
 
 fn stem(file: &Path) -> String {

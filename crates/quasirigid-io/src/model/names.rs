@@ -15,22 +15,25 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages and forces of a file.
+/// Names of the points, appendages, ellipsoids and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
     /// Names of the hinged appendages, in the order of the file.
     pub(super) hinged: Vec<String>,
+    /// Names of the ellipsoids, in the order of the file.
+    pub(super) ellipsoids: Vec<String>,
     /// Names of the forces, in the order of the file.
     pub(super) forces: Vec<String>,
     parts: Register<'a, Part>,
 }
 
-/// A part of the body that moves, by its index in the list of its kind.
+/// A part of the body with a name; one that moves by its index in the list of its kind.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     Point(usize),
     Hinged(usize),
+    Ellipsoid,
 }
 
 /// What says which point it is fixed to.
@@ -57,10 +60,12 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `force 1`.
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`,
+    /// `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],
+        ellipsoids: &[Table<'_>],
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
     ) -> Self {
@@ -73,12 +78,16 @@ impl<'a> Names<'a> {
         let hinged = hinged
             .map(|(index, table)| parts.enter(table, format!("appendage {}", index + 1), Part::Hinged(index)))
             .collect();
+        let ellipsoids = ellipsoids.iter().enumerate();
+        let ellipsoids = ellipsoids
+            .map(|(index, table)| parts.enter(table, format!("ellipsoid {}", index + 1), Part::Ellipsoid))
+            .collect();
         let mut register = Register { owners: HashMap::new(), problems };
         let forces = forces.iter().enumerate();
         let forces = forces
             .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
             .collect();
-        Self { points, hinged, forces, parts }
+        Self { points, hinged, ellipsoids, forces, parts }
     }
 
     /// What a spring or force is fixed to.
@@ -93,6 +102,11 @@ impl<'a> Names<'a> {
                 format!("{name:?} is a hinged appendage, but {}", what.rule()),
                 "not a point",
                 Some(what.instead_of_appendage().to_owned()),
+            ),
+            Some(Part::Ellipsoid) => value.refuse(
+                format!("{name:?} is an ellipsoid, but {}", what.rule()),
+                "not a point",
+                Some("an ellipsoid is a whole body; nothing is fixed to it".to_owned()),
             ),
             None if self.parts.problems.full() => None,
             None if self.points.is_empty() => value.refuse(
@@ -160,7 +174,11 @@ impl<T: Copy> Register<'_, T> {
 }
 
 /// The name that is probably meant, if one is near, and the first of all `count` names.
-fn suggestion<'n, I: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> I, count: usize) -> String {
+pub(super) fn suggestion<'n, I: Iterator<Item = &'n str>>(
+    name: &str,
+    names: impl Fn() -> I,
+    count: usize,
+) -> String {
     let mut listed: Vec<&str> = names().take(MOST_LISTED).collect();
     if count > MOST_LISTED {
         listed.push("…");

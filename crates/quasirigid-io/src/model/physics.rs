@@ -1,5 +1,5 @@
 use quasirigid::elements::{Assembly, ElementError, Place, Problem};
-use quasirigid::model::InertiaError;
+use quasirigid::model::{InertiaError, RheologyError};
 
 use super::Diagnostic;
 use super::spans::Spans;
@@ -9,7 +9,8 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
     let ElementError { place, field, problem } = error;
     let span = spans.find(*place, *field);
     let message = match problem {
-        Problem::Mechanism { .. } | Problem::NoInertia { .. } => problem.to_string(),
+        Problem::Mechanism { .. } | Problem::NoInertia { .. } | Problem::NoBody => problem.to_string(),
+        Problem::BesideEllipsoid => format!("{}: {problem}", described(*place, assembly)),
         _ => format!("`{field}` of {}: {problem}", described(*place, assembly)),
     };
     let diagnostic = Diagnostic::new(span, message, label(problem));
@@ -49,6 +50,11 @@ fn label(problem: &Problem) -> &'static str {
         Problem::Driving { .. } => "gives energy",
         Problem::NotPositive { .. } => "must be positive",
         Problem::NotElliptic { .. } => "no ellipse",
+        Problem::Poisson { .. } | Problem::Rheology(_) => "no such material",
+        Problem::NoBody => "no body",
+        Problem::BesideEllipsoid => "beside an ellipsoid",
+        Problem::HeldEllipsoid => "cannot be held",
+        Problem::NoCarrier => "no carrier",
         _ => "here",
     }
 }
@@ -76,6 +82,13 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Driving { .. } => "write a positive coefficient; the force is opposite to the velocity",
         Problem::NotPositive { .. } => "write a positive number",
         Problem::NotElliptic { .. } => "write 0 for a circle; a body that escapes is not modelled",
+        Problem::Poisson { .. } => "most rocks and metals have 0.2 to 0.35",
+        Problem::Rheology(RheologyError::NotPositive { .. }) => "write a positive number",
+        Problem::Rheology(RheologyError::Exponent { .. }) => "most materials have 0.2 to 0.5",
+        Problem::NoBody => "add a [carrier], or an [[ellipsoid]]",
+        Problem::BesideEllipsoid => "leave it out, or make the body of a [carrier] and what hangs on it",
+        Problem::HeldEllipsoid => "leave [support] out",
+        Problem::NoCarrier => "on an ellipsoid act gravity and torques, which need no place",
         Problem::AxisCount { .. } => "write one to three axes, for example axes = [[0, 0, 1]]",
         Problem::DependentAxes => "no axis may be a combination of the others",
         Problem::ValuePerAxis { .. } => {

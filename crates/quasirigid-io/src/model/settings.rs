@@ -1,13 +1,25 @@
 use std::f64::consts::PI;
 
+use super::evolve::{Evolve, evolve};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const BODY: Keys = Keys { known: &["name"], later: &[] };
 pub(super) const RUN: Keys = Keys {
-    known: &["order", "duration", "tolerance", "samples", "form", "systems", "method", "stop", "verify"],
-    later: &[("evolve", "evolve")],
+    known: &[
+        "order",
+        "duration",
+        "tolerance",
+        "samples",
+        "form",
+        "systems",
+        "method",
+        "stop",
+        "verify",
+        "evolve",
+    ],
+    later: &[],
 };
 const STOP: Keys = Keys { known: &["energy", "nutation", "validity"], later: &[] };
 const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"], later: &[] };
@@ -15,7 +27,7 @@ const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"], later: 
 /// Order of the reduced equations unless the file chooses another.
 const ORDER: usize = 3;
 const HIGHEST_ORDER: usize = 12;
-const MOST_SAMPLES: usize = 10_000_000;
+pub(super) const MOST_SAMPLES: usize = 10_000_000;
 /// Most halvings of the spin: the last is a thousandth of the first, and its run a thousand times as long.
 const MOST_HALVINGS: usize = 10;
 
@@ -40,6 +52,8 @@ pub struct Run {
     pub stop: Stop,
     /// How the reduced equations are compared with the full ones; none if the file does not ask for it.
     pub verify: Option<Verify>,
+    /// How the slow evolution of the rotation is followed; none if the file does not ask for it.
+    pub evolve: Option<Evolve>,
 }
 
 impl Default for Run {
@@ -54,6 +68,7 @@ impl Default for Run {
             method: None,
             stop: Stop::default(),
             verify: None,
+            evolve: None,
         }
     }
 }
@@ -122,6 +137,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
     let method = optional(table.get("method"), |value| method(&value));
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
+    let evolve = optional(table.get("evolve"), |value| evolve(&value));
     Some(Run {
         order: order?.unwrap_or(ORDER),
         duration: duration?,
@@ -132,6 +148,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
         method: method?,
         stop: stop?,
         verify: verify?,
+        evolve: evolve?,
     })
 }
 

@@ -1,20 +1,21 @@
 use quasirigid::elements::{Coefficient, End, Law, Spring};
-use quasirigid::model::Rheology;
 
 use super::names::{Fixed, Names};
+use super::rheology::{Extremes, Scale, rheology};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const SPRING: Keys =
-    Keys { known: &["from", "to", "stiffness", "damping", "axial", "anchor"], later: &[] };
+    Keys { known: &["from", "to", "stiffness", "damping", "rheology", "axial", "anchor"], later: &[] };
 
-/// Reads a `[[spring]]`.
-pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
+/// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
+pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<(Spring, Extremes)> {
     let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Spring));
     let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Spring));
     let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
     let law = axial.and_then(|axial| if axial { along_the_line(table) } else { in_space(table) });
+    let known = rheology(table, Scale::OF_SPRING);
     let (from, to) = (from?, to?);
     if from == to {
         let message = "both ends of the spring are the same".to_owned();
@@ -31,7 +32,8 @@ pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<Spring> {
             Some("leave it out, or write \"carrier\" for one end".to_owned()),
         );
     }
-    Some(Spring { from, to, law: law?, rheology: Rheology::Elastic })
+    let known = known?;
+    Some((Spring { from, to, law: law?, rheology: known.rheology }, known.extremes))
 }
 
 fn in_space(table: &Table<'_>) -> Option<Law> {

@@ -1,7 +1,7 @@
 use quasirigid::model::Support;
 
 use super::formula::{TIME, formulas};
-use super::kinds::{Kind, opened};
+use super::kinds::{Kind, kind, opened};
 use super::table::{Keys, Table};
 use crate::units::Dimension;
 
@@ -11,24 +11,11 @@ const KEYS: &[&str] = &["kind", "point", "acceleration", "velocity", "position"]
 const ANY: Keys = Keys { known: KEYS, later: &[] };
 
 static KINDS: [Kind<Read>; 3] = [
-    Kind {
-        word: "free",
-        title: "[support] of kind \"free\"",
-        keys: Keys { known: &["kind"], later: &[] },
-        read: |_| Some(Support::Free),
-    },
-    Kind {
-        word: "fixed-point",
-        title: "[support] of kind \"fixed-point\"",
-        keys: Keys { known: &["kind", "point"], later: &[] },
-        read: |table| Some(Support::FixedPoint { point: point(table)? }),
-    },
-    Kind {
-        word: "prescribed",
-        title: "[support] of kind \"prescribed\"",
-        keys: Keys { known: KEYS, later: &[] },
-        read: prescribed,
-    },
+    kind!("[support]", "free", &["kind"], |_| Some(Support::Free)),
+    kind!("[support]", "fixed-point", &["kind", "point"], |table| {
+        Some(Support::FixedPoint { point: point(table)? })
+    }),
+    kind!("[support]", "prescribed", KEYS, prescribed),
 ];
 
 /// Opens `[support]`, if the file has it.

@@ -47,6 +47,11 @@ impl<'a> Value<'a> {
         self.inner.get_ref().is_array()
     }
 
+    /// Whether it is an array without elements.
+    pub(super) fn is_empty(&self) -> bool {
+        self.inner.get_ref().as_array().is_some_and(|items| items.is_empty())
+    }
+
     /// Whether it is this text.
     pub(super) fn is_word(&self, word: &str) -> bool {
         self.inner.get_ref().as_str() == Some(word)
@@ -197,6 +202,21 @@ impl<'a> Value<'a> {
             Some(number)
         } else {
             self.outside(number, dimension, "zero or positive", help.to_owned())
+        }
+    }
+
+    /// A quantity between two bounds and equal to neither; `allowed` says so in words.
+    pub(super) fn between(
+        &self,
+        dimension: Dimension,
+        [lower, upper]: [f64; 2],
+        allowed: &str,
+    ) -> Option<f64> {
+        let number = self.quantity(dimension)?;
+        if number > lower && number < upper {
+            Some(number)
+        } else {
+            self.outside(number, dimension, allowed, advice(dimension))
         }
     }
 

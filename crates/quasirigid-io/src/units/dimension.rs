@@ -47,6 +47,10 @@ impl Dimension {
     pub const TORQUE: Self = Self::new("a torque", "N m", "3 lbf ft", [1, 2, -2, 0, 0]);
     /// Energy (J).
     pub const ENERGY: Self = Self::new("an energy", "J", "12 kJ", [1, 2, -2, 0, 0]);
+    /// Density (kg/m³).
+    pub const DENSITY: Self = Self::new("a density", "kg/m^3", "2.5 g/cm^3", [1, -3, 0, 0, 0]);
+    /// Pressure, and the modulus of a material (Pa).
+    pub const PRESSURE: Self = Self::new("a pressure", "Pa", "70 GPa", [1, -1, -2, 0, 0]);
     /// Gravitational parameter (m³/s²).
     pub const GRAVITATIONAL_PARAMETER: Self =
         Self::new("a gravitational parameter", "m^3/s^2", "398600.4 km^3/s^2", [0, 3, -2, 0, 0]);
@@ -59,7 +63,7 @@ impl Dimension {
         Self::new("a dipole strength", "T m^3", "7.8e15 T m^3", [1, 3, -2, -1, 0]);
 
     /// Those a unit alone can stand for: hertz and radians per second are told apart by their symbols.
-    const ALL: [Self; 20] = [
+    const ALL: [Self; 22] = [
         Self::NUMBER,
         Self::MASS,
         Self::LENGTH,
@@ -76,6 +80,8 @@ impl Dimension {
         Self::FORCE,
         Self::TORQUE,
         Self::ENERGY,
+        Self::DENSITY,
+        Self::PRESSURE,
         Self::GRAVITATIONAL_PARAMETER,
         Self::MAGNETIC_MOMENT,
         Self::MAGNETIC_FIELD,

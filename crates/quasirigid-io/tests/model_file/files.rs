@@ -59,14 +59,14 @@ fn a_file_is_read_from_disk_and_a_byte_that_is_no_text_is_located() {
 
 #[test]
 fn an_empty_file_is_refused() {
-    assert_snapshot!(refusal(" \n"), @r#"
+    assert_snapshot!(refusal(" \n"), @"
     model.toml:1:1: the file is empty
-      a model has at least a [carrier] with mass, center_of_mass and inertia
-    "#);
-    assert_snapshot!(refusal("# nothing yet\n"), @r#"
+      a model has at least a [carrier] with mass, center_of_mass and inertia, or an [[ellipsoid]] with semi_axes and material
+    ");
+    assert_snapshot!(refusal("# nothing yet\n"), @"
     model.toml:1:1: the file has comments but no model
-      a model has at least a [carrier] with mass, center_of_mass and inertia
-    "#);
+      a model has at least a [carrier] with mass, center_of_mass and inertia, or an [[ellipsoid]] with semi_axes and material
+    ");
 }
 
 #[test]

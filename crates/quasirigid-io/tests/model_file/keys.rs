@@ -6,24 +6,24 @@ use super::{CARRIER, refusal, refusal_of, refusal_of_spring};
 fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     assert_snapshot!(refusal_of_spring("stifness = 600.0\n"), @r#"
     model.toml:12:1: unknown key "stifness" in [[spring]]
-      did you mean `stiffness`? the keys are from, to, stiffness, damping, axial, anchor
+      did you mean `stiffness`? the keys are from, to, stiffness, damping, rheology, axial, anchor
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
     model.toml:9:3: unknown key "points" in the file
-      did you mean `point`? the keys are body, carrier, point, spring, hinged, support, force, initial, run
+      did you mean `point`? the keys are body, carrier, material, ellipsoid, point, spring, hinged, support, force, initial, run
     "#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]
-      the keys are order, duration, tolerance, samples, form, systems, method, stop, verify
+      the keys are order, duration, tolerance, samples, form, systems, method, stop, verify, evolve
     "#);
 }
 
 #[test]
 fn a_missing_key_is_refused_at_its_table() {
-    assert_snapshot!(refusal("[body]\nname = \"x\"\n"), @r#"
-    model.toml:1:1: the file has no [carrier]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else
-    "#);
+    assert_snapshot!(refusal("[body]\nname = \"x\"\n"), @"
+    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    ");
     assert_snapshot!(refusal("[carrier]\n"), @r#"
     model.toml:1:1: [carrier] has no `mass`
       add a line such as: mass = 40.0
@@ -64,11 +64,10 @@ fn a_missing_key_is_refused_at_its_table() {
 
 #[test]
 fn a_part_of_the_format_that_is_not_supported_yet_is_named() {
-    assert_snapshot!(refusal_of("[[beam]]\nlength = 3\n[material.rock]\ndensity = 2500\n"), @r#"
+    assert_snapshot!(refusal_of("[[beam]]\nlength = 3\n[[rotor]]\naxis = [0, 0, 1]\n"), @"
     model.toml:9:3: `[[beam]]` is part of the model format, but this version of quasirigid does not support it yet
-    model.toml:11:2: `[material]` is part of the model format, but this version of quasirigid does not support it yet
-    "#);
-    assert_snapshot!(refusal_of("[run]\nevolve = { until = \"98% of I3\" }\n"), @"model.toml:10:1: `evolve` is part of the model format, but this version of quasirigid does not support it yet");
+    model.toml:11:3: `[[rotor]]` is part of the model format, but this version of quasirigid does not support it yet
+    ");
 }
 
 #[test]

@@ -3,7 +3,7 @@ use std::fmt::Write as _;
 use insta::assert_snapshot;
 use quasirigid::elements::{Coefficient, End, HingeCoefficient, Law, Motion};
 use quasirigid::model::Support;
-use quasirigid_io::model::Form;
+use quasirigid_io::model::{Form, Rotation};
 
 use super::{CARRIER, carrier, read};
 
@@ -67,9 +67,9 @@ form = "momentum"
     );
     assert_eq!(model.name, "boom satellite");
     let body = &model.assembly;
-    assert!((carrier(&body).mass - 40.0).abs() < 1e-12); // 14 digits written
-    assert_eq!(carrier(&body).center_of_mass, [0.0, 0.1, 0.0]);
-    assert_eq!(carrier(&body).inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
+    assert!((carrier(body).mass - 40.0).abs() < 1e-12); // 14 digits written
+    assert_eq!(carrier(body).center_of_mass, [0.0, 0.1, 0.0]);
+    assert_eq!(carrier(body).inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
     assert_eq!(body.points[0].name, "point 1");
     assert_eq!(body.points[0].motion, Motion::Free);
     assert_eq!(body.points[1].mass, 0.5);
@@ -90,11 +90,12 @@ form = "momentum"
     assert_eq!(boom.stiffness, HingeCoefficient::PerAxis(vec![0.565, 0.565]));
     assert_eq!(boom.damping, HingeCoefficient::PerAxis(vec![0.01, 0.02]));
     assert_eq!(body.support, Support::FixedPoint { point: [0.0, 0.0, -1.0] });
-    assert_eq!(model.initial.angular_velocity.map(|[_, y, _]| y), Some(0.35));
+    assert!(matches!(model.initial.rotation, Some(Rotation::Spin([_, 0.35, _]))));
     assert_eq!(model.initial.attitude, [0.6, 0.0, 0.8, 0.0]);
     assert_eq!((model.run.order, model.run.duration, model.run.samples), (5, Some(7200.0), Some(1000)));
     assert_eq!((model.run.tolerance, model.run.form), (Some(1e-10), Some(Form::Momentum)));
     assert_eq!(model.notes, [""; 0]);
+    assert_eq!(model.extremes, None);
 }
 
 #[test]
@@ -102,7 +103,7 @@ fn what_the_file_leaves_out_has_its_default() {
     let model = read(CARRIER);
     assert_eq!(model.name, "model");
     assert_eq!(model.assembly.support, Support::Free);
-    assert_eq!(model.initial.angular_velocity, None);
+    assert_eq!(model.initial.rotation, None);
     assert_eq!(model.initial.attitude, [1.0, 0.0, 0.0, 0.0]);
     assert_eq!((model.run.order, model.run.duration, model.run.tolerance), (3, None, None));
     // of CARRIER, by sha256sum

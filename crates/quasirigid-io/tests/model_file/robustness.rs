@@ -3,13 +3,13 @@ use std::path::Path;
 use proptest::prelude::*;
 use quasirigid_io::model::{Model, ModelError};
 
-use super::{CARRIER, HINGED, POINT};
+use super::{CARRIER, HINGED, POINT, ROCK, made_of};
 
 proptest! {
     /// A good model with some of its text replaced is read or refused with places inside the text.
     #[test]
-    fn no_mutation_makes_it_panic(start in 0usize..1300, length in 0usize..12, patch in "([a-z0-9]|[\\[\\]={}.,\"'#\n -]|é){0,12}") {
-        let mut text = good();
+    fn no_mutation_makes_it_panic(start in 0usize..1300, length in 0usize..12, elastic: bool, patch in "([a-z0-9]|[\\[\\]={}.,\"'#\n -]|é){0,12}") {
+        let mut text = if elastic { elastic_throughout() } else { good() };
         let start = start.min(text.len());
         text.replace_range(start..(start + length).min(text.len()), &patch);
         if let Err(error) = Model::parse(Path::new("model.toml"), &text) {
@@ -43,9 +43,21 @@ fn good() -> String {
     format!("{CARRIER}{POINT}motion = {{ line = [1, 0, 0] }}\n{spring}{HINGED}{hinge}{rest}")
 }
 
+/// The same of what goes with a body without a carrier.
+fn elastic_throughout() -> String {
+    let maxwell = "rheology = { kind = \"maxwell\", time = \"2 h\", range = [3600, 9e3] }\n";
+    let ice = "[material.ice]\ndensity = 900\nshear = \"3 GPa\"\npoisson = 0.3\n";
+    let rows =
+        "[material.ice.rheology]\nkind = \"table\"\nrows = [[\"1 Hz\", \"9 GPa\", 0.1], [9, 1e9, 0.2]]\n";
+    let initial = "[initial]\ndisplacements = \"rest\"\nperiods = { rotation = 9, precession = 2, mode = \"long-axis\" }\n";
+    let run = "[run]\nevolve = { until = \"98 % of I3\", duration = \"1 Gyr\", samples = 99 }\n";
+    made_of(&format!("{ROCK}{maxwell}{ice}{rows}{initial}{run}"))
+}
+
 #[test]
-fn the_text_that_is_mutated_is_good() {
+fn the_texts_that_are_mutated_are_good() {
     assert_eq!(super::read(&good()).assembly.forces.len(), 3);
+    assert!(super::read(&elastic_throughout()).extremes.is_some());
 }
 
 #[test]

@@ -34,18 +34,18 @@ fn a_value_of_another_kind_is_refused() {
     model.toml:4:11: `inertia`: found an array of 2 values, expected 3 principal values or a 3x3 matrix
       write [Jx, Jy, Jz] in kg m^2, or three rows of a symmetric matrix
     "#);
-    assert_snapshot!(refusal(&POINT.replace("\"tip\"", "7")), @r#"
-    model.toml:1:1: the file has no [carrier]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else
+    assert_snapshot!(refusal(&POINT.replace("\"tip\"", "7")), @"
+    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
     model.toml:2:8: `name`: found an integer, expected a text
       write the name in quotes
-    "#);
-    assert_snapshot!(refusal(&POINT.replace("\"tip\"", "\"\"")), @r#"
-    model.toml:1:1: the file has no [carrier]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else
+    ");
+    assert_snapshot!(refusal(&POINT.replace("\"tip\"", "\"\"")), @"
+    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
     model.toml:2:8: `name` is empty
       write the name in quotes
-    "#);
+    ");
     assert_snapshot!(refusal_of_spring("stiffness = 600\naxial = \"yes\"\n"), @r#"
     model.toml:13:9: `axial`: found a text, expected true or false
       write true or false, without quotes

@@ -1,0 +1,43 @@
+use quasirigid::elements::Ellipsoid;
+
+use super::material::Materials;
+use super::rheology::Extremes;
+use super::spans::ElementSpans;
+use super::table::{Keys, Table};
+use crate::units::Dimension;
+
+pub(super) const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"], later: &[] };
+
+/// Reads an `[[ellipsoid]]`, and its rheology at the ends of the range it is known to.
+pub(super) fn ellipsoid(
+    table: &Table<'_>,
+    name: &str,
+    materials: &Materials<'_>,
+) -> Option<(Ellipsoid, Extremes)> {
+    let semi_axes = table
+        .required("semi_axes", "semi_axes = [\"2.3 km\", \"1.2 km\", \"950 m\"]")
+        .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)));
+    let center = table.vector_or_zero("center", Dimension::LENGTH);
+    let material =
+        table.required("material", "material = \"rock\"").and_then(|value| materials.named(&value))?;
+    let ellipsoid = Ellipsoid {
+        name: name.to_owned(),
+        semi_axes: semi_axes?,
+        center: center?,
+        density: material.density,
+        young: material.young,
+        poisson: material.poisson,
+        rheology: material.known.rheology,
+    };
+    Some((ellipsoid, material.known.extremes))
+}
+
+/// Where its values stand, also those of its material.
+pub(super) fn spans(table: &Table<'_>, materials: &Materials<'_>) -> ElementSpans {
+    let mut spans = table.spans();
+    let name = table.get("material").and_then(|value| value.words());
+    if let Some(material) = name.and_then(|name| materials.spans(name)) {
+        spans.values.extend(material.values.iter().cloned());
+    }
+    spans
+}

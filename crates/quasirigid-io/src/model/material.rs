@@ -1,0 +1,117 @@
+use std::collections::{BTreeMap, HashSet};
+
+use super::names::suggestion;
+use super::rheology::{Known, Scale, rheology};
+use super::spans::ElementSpans;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"], later: &[] };
+
+/// What an element is made of.
+#[derive(Clone)]
+pub(super) struct Material {
+    pub(super) density: f64,
+    pub(super) young: f64,
+    pub(super) poisson: f64,
+    pub(super) known: Known,
+}
+
+/// The `[material.NAME]` tables of a file.
+pub(super) struct Materials<'a> {
+    entries: BTreeMap<&'a str, Entry>,
+}
+
+struct Entry {
+    /// The material, if nothing is wrong with it.
+    material: Option<Material>,
+    spans: ElementSpans,
+}
+
+impl<'a> Materials<'a> {
+    /// Reads every material, also those that nothing is made of.
+    pub(super) fn new(file: &Table<'a>) -> Self {
+        let help = "write [material.rock], and its name in place of rock, with its keys below";
+        let Some(value) = file.get("material") else { return Self { entries: BTreeMap::new() } };
+        let Some(named) = value.entries() else {
+            value.mismatch::<()>("a table for each material", help);
+            return Self { entries: BTreeMap::new() };
+        };
+        let open = |(_, value): (_, Value<'a>)| {
+            if !value.is_table() {
+                return value.mismatch("a table with the name of a material", help);
+            }
+            let table = value.table("the material", &MATERIAL)?;
+            Some((value.key(), Entry { material: material(&table), spans: spans(&table) }))
+        };
+        Self { entries: named.filter_map(open).collect() }
+    }
+
+    /// The material with the name that a value gives.
+    pub(super) fn named(&self, value: &Value<'_>) -> Option<Material> {
+        let name = value.text()?;
+        if let Some(entry) = self.entries.get(name) {
+            return entry.material.clone();
+        }
+        let help = match self.entries.len() {
+            0 => format!("the file has no materials; add [material.{name}] with density, young and poisson"),
+            count => suggestion(name, || self.entries.keys().copied(), count),
+        };
+        value.refuse(format!("there is no material {name:?}"), "unknown material", Some(help))
+    }
+
+    /// Where the values of a material stand.
+    pub(super) fn spans(&self, name: &str) -> Option<&ElementSpans> {
+        self.entries.get(name).map(|entry| &entry.spans)
+    }
+
+    /// A note on each material that none of these elements is made of.
+    pub(super) fn unused(&self, elements: &[Table<'a>]) -> impl Iterator<Item = String> {
+        let name = |table: &Table<'a>| table.get("material")?.words();
+        let used: HashSet<&str> = elements.iter().filter_map(name).collect();
+        let rest = self.entries.keys().filter(move |name| !used.contains(*name));
+        rest.map(|name| format!("nothing is made of the material {name:?}"))
+    }
+}
+
+fn material(table: &Table<'_>) -> Option<Material> {
+    let density = table
+        .required("density", "density = \"2.5 g/cm^3\"")
+        .and_then(|value| value.positive(Dimension::DENSITY));
+    let poisson = table
+        .required("poisson", "poisson = 0.25")
+        .and_then(|value| value.between(Dimension::NUMBER, [-1.0, 0.5], "between -1 and 0.5"));
+    let young = young(table, poisson);
+    // the unit of the moduli does not matter where the material is refused for its own modulus
+    let scale = Scale { dimension: Dimension::PRESSURE, modulus: young.unwrap_or(1.0) };
+    let known = rheology(table, scale);
+    Some(Material { density: density?, young: young?, poisson: poisson?, known: known? })
+}
+
+/// Reads Young's modulus, or the shear modulus and makes it of that: `E = 2 μ (1 + ν)`.
+fn young(table: &Table<'_>, poisson: Option<f64>) -> Option<f64> {
+    match (table.get("young"), table.get("shear")) {
+        (None, Some(shear)) => {
+            let shear = shear.positive(Dimension::PRESSURE)?;
+            Some(2.0 * shear * (1.0 + poisson?))
+        }
+        (Some(_), Some(shear)) => shear.refuse(
+            "`shear` follows from `young` and `poisson`".to_owned(),
+            "given twice",
+            Some("leave out one of the two moduli".to_owned()),
+        ),
+        (_, None) => table
+            .required("young", "young = \"70 GPa\", or shear = \"26 GPa\"")?
+            .positive(Dimension::PRESSURE),
+    }
+}
+
+/// Where its values stand; a shear modulus gives Young's.
+fn spans(table: &Table<'_>) -> ElementSpans {
+    let mut spans = table.spans();
+    if let Some(shear) = table.get("shear") {
+        spans.values.push(("young", shear.span()));
+    }
+    spans
+}

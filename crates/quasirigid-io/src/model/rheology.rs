@@ -1,0 +1,161 @@
+use quasirigid::model::{Measured, Rheology, RheologyError};
+
+use super::kinds::{Kind, kind, opened};
+use super::settings::optional;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+/// A rheology as a file gives it.
+#[derive(Clone, Default)]
+pub(super) struct Known {
+    pub(super) rheology: Rheology,
+    pub(super) extremes: Extremes,
+}
+
+/// The least and the greatest of a rheology, if the file says how well it is known.
+pub(super) type Extremes = Option<[Rheology; 2]>;
+
+/// What measured moduli are written in, and the modulus they are relative to.
+#[derive(Clone, Copy)]
+pub(super) struct Scale {
+    pub(super) dimension: Dimension,
+    pub(super) modulus: f64,
+}
+
+impl Scale {
+    /// Plain numbers, multiples of the stiffness of a spring.
+    pub(super) const OF_SPRING: Self = Self { dimension: Dimension::NUMBER, modulus: 1.0 };
+}
+
+type Read = fn(&Table<'_>, Scale) -> Option<Known>;
+
+static KINDS: [Kind<Read>; 6] = [
+    kind!("`rheology`", "kelvin-voigt", &["kind", "time", "range"], kelvin_voigt),
+    kind!("`rheology`", "quality-factor", &["kind", "Q", "range"], quality_factor),
+    kind!("`rheology`", "maxwell", &["kind", "time", "range"], maxwell),
+    kind!("`rheology`", "standard-linear", &["kind", "time", "strength", "range"], standard_linear),
+    kind!("`rheology`", "andrade", &["kind", "time", "creep_time", "exponent", "range"], andrade),
+    kind!("`rheology`", "table", &["kind", "rows"], measured),
+];
+
+/// Keys of a rheology that does not say its kind: those of every kind.
+const ANY: Keys =
+    Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"], later: &[] };
+
+/// Exponent of Andrade's law unless the file chooses another: his own, for metals.
+const ANDRADE: f64 = 1.0 / 3.0;
+
+/// Reads the `rheology` of an element, elastic if there is none.
+pub(super) fn rheology(table: &Table<'_>, scale: Scale) -> Option<Known> {
+    let Some(value) = table.get("rheology") else { return Some(Known::default()) };
+    if !value.is_table() {
+        return value.mismatch("a table", "write for example { kind = \"quality-factor\", Q = 100 }");
+    }
+    let (table, kind) = opened(&value, "`rheology`", &ANY, &KINDS)?;
+    (kind.read)(&table, scale)
+}
+
+fn kelvin_voigt(table: &Table<'_>, _: Scale) -> Option<Known> {
+    Some(time(table)?.of(|time| Rheology::KelvinVoigt { time }))
+}
+
+fn quality_factor(table: &Table<'_>, _: Scale) -> Option<Known> {
+    let factor = Parameter::read(table, "Q", "Q = 100", Dimension::NUMBER)?;
+    Some(factor.of(|factor| Rheology::QualityFactor { factor }))
+}
+
+fn maxwell(table: &Table<'_>, _: Scale) -> Option<Known> {
+    Some(time(table)?.of(|time| Rheology::Maxwell { time }))
+}
+
+fn standard_linear(table: &Table<'_>, _: Scale) -> Option<Known> {
+    let time = time(table);
+    let strength = table.required("strength", "strength = 0.1")?.positive(Dimension::NUMBER)?;
+    Some(time?.of(|time| Rheology::StandardLinear { time, strength }))
+}
+
+fn andrade(table: &Table<'_>, _: Scale) -> Option<Known> {
+    let time = time(table);
+    let creep_time = optional(table.get("creep_time"), |value| value.positive(Dimension::TIME));
+    let exponent = table
+        .get("exponent")
+        .map_or(Some(ANDRADE), |value| value.between(Dimension::NUMBER, [0.0, 1.0], "between 0 and 1"));
+    let (creep_time, exponent) = (creep_time?, exponent?);
+    let law = |time| Rheology::Andrade { time, creep_time: creep_time.unwrap_or(time), exponent };
+    Some(time?.of(law))
+}
+
+fn measured(table: &Table<'_>, scale: Scale) -> Option<Known> {
+    let value = table.required("rows", "rows = [[\"1 Hz\", \"70 GPa\", 0.01]]")?;
+    let rows = value.list("rows of frequency, modulus and loss", |row| measurement(&row, scale))?;
+    match Measured::new(rows.clone()) {
+        Ok(measured) => Some(Known { rheology: Rheology::Table(measured), extremes: None }),
+        Err(error) => {
+            let span = descent(&rows, error).and_then(|row| Some(value.items()?.get(row)?.span()));
+            let help = "write a row for each frequency, the lowest first".to_owned();
+            let message = format!("`rows`: {error}");
+            value.refuse_at(span.unwrap_or_else(|| value.span()), message, "not a table", Some(help))
+        }
+    }
+}
+
+/// Reads a frequency, the modulus there relative to that of the element, and the loss.
+fn measurement(row: &Value<'_>, scale: Scale) -> Option<[f64; 3]> {
+    let [frequency, modulus, loss] = row.array("numbers", Some)?;
+    let frequency = frequency.positive(Dimension::FREQUENCY);
+    let modulus = modulus.positive(scale.dimension);
+    let loss = loss.positive(Dimension::NUMBER);
+    Some([frequency?, modulus? / scale.modulus, loss?])
+}
+
+/// The row whose frequency does not ascend.
+fn descent(rows: &[[f64; 3]], error: RheologyError) -> Option<usize> {
+    let RheologyError::NotAscending { previous, next } = error else { return None };
+    let found = rows.array_windows().position(|[a, b]| (a[0], b[0]) == (previous, next))?;
+    Some(found + 1)
+}
+
+/// The first parameter of a law, and the least and the greatest that it may be.
+struct Parameter {
+    value: f64,
+    range: Option<[f64; 2]>,
+}
+
+fn time(table: &Table<'_>) -> Option<Parameter> {
+    Parameter::read(table, "time", "time = \"100 s\"", Dimension::TIME)
+}
+
+impl Parameter {
+    fn read(table: &Table<'_>, key: &'static str, example: &str, dimension: Dimension) -> Option<Self> {
+        let value = table.required(key, example).and_then(|value| value.positive(dimension));
+        let range = optional(table.get("range"), |range| {
+            let ends = range.array("numbers", |item| item.positive(dimension))?;
+            around(&range, key, ends, value?, dimension)
+        });
+        Some(Self { value: value?, range: range? })
+    }
+
+    fn of(&self, law: impl Fn(f64) -> Rheology) -> Known {
+        Known { rheology: law(self.value), extremes: self.range.map(|ends| ends.map(law)) }
+    }
+}
+
+/// A range, if the value of the key lies in it.
+fn around(
+    range: &Value<'_>,
+    key: &str,
+    [least, greatest]: [f64; 2],
+    value: f64,
+    dimension: Dimension,
+) -> Option<[f64; 2]> {
+    if (least..=greatest).contains(&value) {
+        return Some([least, greatest]);
+    }
+    let unit = dimension.unit();
+    let space = if unit.is_empty() { "" } else { " " };
+    let message =
+        format!("`range` goes from {least} to {greatest}{space}{unit}, but `{key}` is {value}{space}{unit}");
+    let help = format!("write the least and the greatest value that `{key}` may have");
+    range.refuse(message, &format!("`{key}` is not in it"), Some(help))
+}

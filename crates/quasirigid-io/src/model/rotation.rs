@@ -1,0 +1,86 @@
+use std::f64::consts::FRAC_PI_2;
+
+use quasirigid::model::Mode;
+
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+const PERIODS: Keys = Keys { known: &["rotation", "precession", "mode"], later: &[] };
+const WOBBLE: Keys = Keys { known: &["angle", "rate", "mode"], later: &[] };
+
+/// How the body turns at time zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rotation {
+    /// With this angular velocity (rad/s), body axes.
+    Spin([f64; 3]),
+    /// As two observed periods tell.
+    Periods {
+        /// Period of the rotation about the long axis (s).
+        rotation: f64,
+        /// Mean period in which the long axis goes round the angular momentum (s).
+        precession: f64,
+        /// Axis that the angular momentum circles.
+        mode: Mode,
+    },
+    /// About an axis of the body, and some way off it.
+    Wobble {
+        /// Greatest angle (rad) between the angular momentum and the axis that it circles, above 0 and below a right
+        /// angle.
+        angle: f64,
+        /// Angular momentum over the moment of inertia about that axis (rad/s).
+        rate: f64,
+        /// Axis that the angular momentum circles.
+        mode: Mode,
+    },
+}
+
+type Read = fn(&Value<'_>) -> Option<Rotation>;
+
+/// The keys that say how the body turns.
+const FORMS: [(&str, Read); 3] = [("angular_velocity", spin), ("periods", periods), ("wobble", wobble)];
+
+/// Reads how the body turns, if `[initial]` says so; it says so once.
+pub(super) fn rotation(table: &Table<'_>) -> Option<Option<Rotation>> {
+    let mut given: Vec<_> = FORMS.iter().filter_map(|(key, read)| Some((table.get(key)?, read))).collect();
+    given.sort_by_key(|(value, _)| value.span().start);
+    let mut rotations: Vec<_> = given.iter().map(|(value, read)| read(value)).collect();
+    if let [(first, _), .., (last, _)] = given.as_slice() {
+        let message = format!("`{}` and `{}` both say how the body turns", first.key(), last.key());
+        let help = "leave out all but one".to_owned();
+        return last.refuse(message, "given twice", Some(help));
+    }
+    rotations.pop().map_or(Some(None), |rotation| rotation.map(Some))
+}
+
+fn spin(value: &Value<'_>) -> Option<Rotation> {
+    value.vector(Dimension::ANGULAR_VELOCITY).map(Rotation::Spin)
+}
+
+fn periods(value: &Value<'_>) -> Option<Rotation> {
+    let table = value.table("`periods`", &PERIODS)?;
+    let period = |key, example| table.required(key, example)?.positive(Dimension::TIME);
+    let rotation = period("rotation", "rotation = \"263 h\"");
+    let precession = period("precession", "precession = \"27.38 h\"");
+    let mode = mode(&table);
+    Some(Rotation::Periods { rotation: rotation?, precession: precession?, mode: mode? })
+}
+
+fn wobble(value: &Value<'_>) -> Option<Rotation> {
+    let table = value.table("`wobble`", &WOBBLE)?;
+    let angle = table.required("angle", "angle = \"5 deg\"").and_then(|value| acute(&value));
+    let rate = table
+        .required("rate", "rate = \"60 rpm\"")
+        .and_then(|value| value.positive(Dimension::ANGULAR_VELOCITY));
+    let mode = mode(&table);
+    Some(Rotation::Wobble { angle: angle?, rate: rate?, mode: mode? })
+}
+
+fn acute(value: &Value<'_>) -> Option<f64> {
+    value.between(Dimension::ANGLE, [0.0, FRAC_PI_2], "between 0 and 90 deg")
+}
+
+fn mode(table: &Table<'_>) -> Option<Mode> {
+    let choices = [("short-axis", Some(Mode::ShortAxis)), ("long-axis", Some(Mode::LongAxis))];
+    table.required("mode", "mode = \"short-axis\", or mode = \"long-axis\"")?.choice(&choices)
+}

@@ -176,9 +176,7 @@ pub fn time(seconds: f64) -> String {
 
 /// How many, in the words a person would choose.
 pub fn count(number: f64) -> String {
-    const WORDS: [(f64, &str); 4] =
-        [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
-    let (size, word) =
-        WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
+    const WORDS: [(f64, &str); 4] = [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
+    let (size, word) = WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
     format!("{}{word}", significant(number / size, 3))
 }

@@ -52,17 +52,29 @@ pub enum Failure {
     Observed { file: PathBuf, cause: ObservedError },
     #[error("{option}: {cause}; {advice}", advice = cause.advice())]
     Target { option: &'static str, cause: Box<TargetError> },
-    #[error("no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end ages")]
+    #[error(
+        "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end ages"
+    )]
     NoStage { ratio: f64, least: f64 },
-    #[error("the body spins about a principal axis (D/I3 = {ratio}), so nothing ages; give [initial] a wobble, or choose another start with --from")]
+    #[error(
+        "the body spins about a principal axis (D/I3 = {ratio}), so nothing ages; give [initial] a wobble, or choose another start with --from"
+    )]
     Steady { ratio: f64 },
-    #[error("dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from")]
+    #[error(
+        "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
+    )]
     Backwards { from: f64, to: f64 },
-    #[error("under a torque the rotation need not reach any target; say how long to follow it, with --duration or with evolve = {{ duration = \"10 yr\" }} in [run]")]
+    #[error(
+        "under a torque the rotation need not reach any target; say how long to follow it, with --duration or with evolve = {{ duration = \"10 yr\" }} in [run]"
+    )]
     NoEvolutionDuration,
-    #[error("the force {force:?} cannot be averaged over free rotations; those that can are a drag torque (kind = \"spin-drag\") and a constant torque in body axes (kind = \"torque\")")]
+    #[error(
+        "the force {force:?} cannot be averaged over free rotations; those that can are a drag torque (kind = \"spin-drag\") and a constant torque in body axes (kind = \"torque\")"
+    )]
     Unaveraged { force: String },
-    #[error("the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points")]
+    #[error(
+        "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points"
+    )]
     DrivenPole,
     #[error("at one end of the ranges of the materials: {cause}")]
     Extreme { cause: Box<ElementError> },

@@ -2,7 +2,7 @@ use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
 use serde_json::json;
 
-use super::{Loaded, initial, load, notes, seconds};
+use super::{initial, load, notes, seconds};
 use crate::args::{Evolve, EvolveFormat};
 use crate::evolution::{self, Asked};
 use crate::failure::Failure;

@@ -1,11 +1,11 @@
 use std::path::{Path, PathBuf};
 
-use quasirigid::dynamics::{Options, Outcome, PropagateError};
+use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
 use quasirigid::math::sym::norm;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
-use quasirigid_io::record::{HistoryRecord, RunRecord, VerificationRecord};
+use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
 use super::{Loaded, circled_axis, duration, even_times, initial, load, options, summary};
 use crate::args::{Run, System};
@@ -16,7 +16,7 @@ use crate::message::remark;
 use crate::motion::Motion;
 use crate::output::Folder;
 use crate::progress::Collector;
-use crate::{Ending, output, record, verification};
+use crate::{Ending, evolution, output, record, verification};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
@@ -48,6 +48,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
     let histories = plan.histories(&mut notes)?;
     let verification = plan.verification(model, order, &mut notes)?;
+    let evolution = plan.evolution(&loaded, start, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(model),
@@ -57,6 +58,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
         verification,
+        evolution,
     };
     let folder = Folder::new(&path)?;
     record.write(&folder.building())?;
@@ -78,6 +80,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let ended = |status: &str| matches!(status, "finished" | "event");
     let finished = complete && record.histories.iter().all(|history| ended(&history.status));
     let proved = record.verification.as_ref().is_none_or(|verification| verification.reached);
+    let aged = record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished");
+    let finished = finished && aged;
     let holds = validity.verdict() != Verdict::Fails && proved;
     Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
 }
@@ -169,6 +173,22 @@ impl<'a> Plan<'a> {
             notes.push(UNPROVED.into());
         }
         Ok(found.map(|found| record::verification(&plan, &found)))
+    }
+
+    /// The averaged rotation, where the file asks for it.
+    fn evolution(
+        &self,
+        loaded: &Loaded,
+        start: SpinState,
+        notes: &mut Vec<String>,
+    ) -> Result<Option<EvolutionRecord>, Failure> {
+        if loaded.model.run.evolve.is_none() {
+            return Ok(None);
+        }
+        let asked = evolution::asked(&loaded.model);
+        let (record, remarks) = evolution::follow(loaded, start, &asked, &self.interrupt, self.quiet)?;
+        notes.extend(remarks);
+        Ok(Some(record))
     }
 
     fn interrupted(&self) -> bool {

@@ -30,6 +30,9 @@ fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
     for history in &record.histories {
         write_history(out, history)?;
     }
+    if let Some(evolution) = &record.evolution {
+        writeln!(out, "\n{}", paragraph(&format!("Over many turns: {}", evolution.sentence), "", "  "))?;
+    }
     if let Some(verification) = &record.verification {
         write!(out, "\n{}", verification::text("Verification", verification))?;
     }

@@ -92,7 +92,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
     writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
     if let Some(lingering) = record.lingering {
-        writeln!(out, "  within 1 % of separatrix   {}", time(lingering))?;
+        writeln!(out, "  next to the separatrix     {} (nearer than 1 % of the way to an axis)", time(lingering))?;
     }
     harmonics(out, record)?;
     resonances(out, record)?;

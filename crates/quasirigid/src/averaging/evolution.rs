@@ -35,6 +35,9 @@ pub struct Passage {
 const SEPARATRIX: f64 = -40.0;
 /// Place, as `ξ`, where a wobble is so small that only its first harmonic is left.
 const AXIS: f64 = 36.0;
+/// Places that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that are listed before it.
+const NEAR: f64 = -4.595_119_850_134_59;
+const SEEN: f64 = -6.0;
 /// Relative error of a time.
 const TOLERANCE: f64 = 1e-10;
 /// Length of the pieces in which a time is looked for, and their number at most.
@@ -44,9 +47,6 @@ const PIECES: usize = 400;
 const STEPS: usize = 60;
 
 impl<'a> Evolution<'a> {
-    /// Share of the range `I₃ − I₁` of `D` that counts as next to the separatrix.
-    pub const NEAR: f64 = 0.01;
-
     /// The evolution of a free body with the angular momentum `G` (N·m·s).
     #[must_use]
     pub fn new(power: &'a dyn MeanPower, G: f64) -> Self {
@@ -98,14 +98,21 @@ impl<'a> Evolution<'a> {
         self.passage(from, to).time
     }
 
-    /// Stages from one to another, both among them, evenly along the way.
+    /// Stages from one to another, both among them, evenly along the way, but for the last steps to and from a separatrix
+    /// that is passed, `ξ < −6`, where nothing more is to be seen.
     pub fn stages(&self, from: Stage, to: Stage, count: usize) -> impl Iterator<Item = Stage> {
-        let (start, way) = (along(from), along(to) - along(from));
+        let passes = along(from) < 0.0 && along(to) > 0.0;
+        let margin = if passes { SEEN - SEPARATRIX } else { 0.0 };
+        let shifted = |stage: Stage| (along(stage).abs() - margin).max(0.0).copysign(along(stage));
+        let (start, way) = (shifted(from), shifted(to) - shifted(from));
         let last = count.saturating_sub(1).max(1);
         (0..count).map(move |i| match i {
             0 => from,
             _ if i == last => to,
-            _ => at(start + way * i as f64 / last as f64),
+            _ => {
+                let x = start + way * i as f64 / last as f64;
+                at(x + margin.copysign(x))
+            }
         })
     }
 
@@ -115,16 +122,12 @@ impl<'a> Evolution<'a> {
         (along(from) < 0.0 && along(to) > 0.0).then(|| self.between(along(from), 0.0).time)
     }
 
-    /// Time (s) spent next to the separatrix, within [`NEAR`](Self::NEAR) of the range of `D`; none if the way leads past no
-    /// such place.
+    /// Time (s) spent next to the separatrix, nearer to it than one part in a hundred of the way to either axis, as `D`
+    /// measures it; none if the way leads past no such place.
     #[must_use]
     pub fn lingering(&self, from: Stage, to: Stage) -> Option<f64> {
-        let [I1, I2, I3] = self.moments;
-        let bound = |sign: f64, beyond: f64| {
-            self.stage((I2 + sign * Self::NEAR * (I3 - I1)) / I3).map_or(beyond, along)
-        };
-        let low = bound(-1.0, f64::NEG_INFINITY).max(along(from));
-        let high = bound(1.0, f64::INFINITY).min(along(to));
+        let near = |mode| along(Stage { mode, xi: NEAR });
+        let (low, high) = (near(Mode::LongAxis).max(along(from)), near(Mode::ShortAxis).min(along(to)));
         (low < high).then(|| self.between(low, high).time)
     }
 

@@ -197,7 +197,9 @@ fn toutatis_has_the_published_energy() {
 /// The three angles make the attitude again, `R_z(φ) R_x(θ) R_z(ψ)`, and the motion through them is the one they are of.
 #[test]
 fn euler_angles_are_those_of_the_attitude() {
-    for (mode, xi, t) in [(Mode::ShortAxis, 0.3, 1.7), (Mode::LongAxis, 1.0, 4.4), (Mode::LongAxis, -3.0, 0.2)] {
+    for (mode, xi, t) in
+        [(Mode::ShortAxis, 0.3, 1.7), (Mode::LongAxis, 1.0, 4.4), (Mode::LongAxis, -3.0, 0.2)]
+    {
         let motion = FreeRotation::at_logit([0.31, 0.96, 1.0], 1.3, mode, xi);
         let angles = EulerAngles::of(&motion, t);
         let about = |angle: f64, axis: Vector3<f64>| *Rotation3::new(angle * axis).matrix();

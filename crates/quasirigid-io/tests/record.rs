@@ -97,20 +97,42 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn record()(
-        version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
-        body in body(), validity in validity(), reduction in reduction(),
-        reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
-        verification in option::of(verification()),
-    ) -> RunRecord {
-        RunRecord {
-            version, model: ModelRecord { name, file, sha256 }, notes, body, validity, reduction,
-            histories: reduced.into_iter().chain(rigid).collect(), verification,
+    fn evolution()(
+        words in [".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
+        separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
+        harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
+    ) -> EvolutionRecord {
+        let [sentence, method, status, mode_start, mode_end] = words;
+        let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
+        let harmonic = |(number, frequency, share)| HarmonicRecord { number, frequency, share };
+        let mode = mode_end.clone();
+        let crossing = |(harmonic, coordinate, [frequency, ratio, share]): (usize, String, [f64; 3])| CrossingRecord {
+            harmonic, frequency, coordinate, ratio, mode: mode.clone(), share,
+        };
+        EvolutionRecord {
+            harmonics: harmonics.into_iter().map(harmonic).collect(),
+            resonances: resonances.into_iter().map(crossing).collect(),
+            sentence, method, status, momentum, mode_start, mode_end, ratio_start, ratio_end, time, time_range,
+            turns, power, separatrix_time, lingering, damping_time, growth_time, columns,
         }
     }
 }
 
-/// A record with one history of two rows, to be damaged.
+prop_compose! {
+    fn record()(
+        version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
+        body in body(), validity in validity(), reduction in reduction(),
+        reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
+        verification in option::of(verification()), evolution in option::of(evolution()),
+    ) -> RunRecord {
+        RunRecord {
+            version, model: ModelRecord { name, file, sha256 }, notes, body, validity, reduction,
+            histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
+        }
+    }
+}
+
+/// A record with one history of two rows and an evolution of as many, to be damaged.
 fn sample() -> RunRecord {
     let column = |name: &str, unit: &str, values: [f64; 2]| Column {
         name: name.into(),
@@ -166,6 +188,27 @@ fn sample() -> RunRecord {
             columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],
         }],
         verification: None,
+        evolution: Some(EvolutionRecord {
+            sentence: "It never settles.".into(),
+            method: "strain energy".into(),
+            status: "held".into(),
+            momentum: 1.0,
+            mode_start: "short-axis".into(),
+            mode_end: "short-axis".into(),
+            ratio_start: 0.9,
+            ratio_end: 0.9,
+            time: f64::INFINITY,
+            time_range: Some([1.5, f64::INFINITY]),
+            turns: f64::INFINITY,
+            power: 0.0,
+            separatrix_time: None,
+            lingering: None,
+            damping_time: f64::INFINITY,
+            growth_time: f64::INFINITY,
+            harmonics: vec![],
+            resonances: vec![],
+            columns: vec![column("t", "s", [0.0, f64::INFINITY]), column("power", "W", [0.0, -0.0])],
+        }),
     }
 }
 
@@ -193,9 +236,9 @@ proptest! {
     }
 
     #[test]
-    fn damaged_files_are_refused_without_panic(damage: Vec<u8>, which in 0usize..2, at in 0usize..2000) {
+    fn damaged_files_are_refused_without_panic(damage: Vec<u8>, which in 0usize..3, at in 0usize..2000) {
         let dir = written();
-        let file = dir.path().join(["record.json", "history-reduced.csv"][which]);
+        let file = dir.path().join(["record.json", "history-reduced.csv", "evolution.csv"][which]);
         let mut bytes = fs::read(&file).unwrap();
         let at = at % bytes.len();
         bytes.splice(at..(at + damage.len()).min(bytes.len()), damage);
@@ -256,17 +299,70 @@ fn columns_of_unequal_length_are_refused() {
     let mut record = sample();
     record.histories[0].columns[1].values.pop();
     let error = record.write(tempdir().unwrap().path()).unwrap_err();
-    assert!(matches!(&error, RecordError::Ragged { column, rows: 1, expected: 2, .. } if column == "wx"));
+    assert!(matches!(&error, RecordError::Ragged { file, column, rows: 1, expected: 2 }
+        if file == "history-reduced.csv" && column == "wx"));
     let refused = history_csv(&record.histories[0].columns, Vec::new()).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::InvalidInput);
 }
 
+/// Neither file is written, although the history itself is sound.
+#[test]
+fn ragged_evolution_is_refused_before_writing() {
+    let dir = tempdir().unwrap();
+    let mut record = sample();
+    record.evolution.as_mut().unwrap().columns[1].values.pop();
+    let error = record.write(dir.path()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "evolution.csv: column \"power\" has 1 rows, the first column 2; give all the same"
+    );
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
 #[test]
 fn missing_file_is_named() {
+    for name in ["history-reduced.csv", "evolution.csv"] {
+        let dir = written();
+        let file = dir.path().join(name);
+        fs::remove_file(&file).unwrap();
+        assert_eq!(refusal(dir.path()), RecordError::File { file, kind: ErrorKind::NotFound });
+    }
+}
+
+#[test]
+fn record_without_evolution_has_no_file_of_it_and_reads_back() {
+    let dir = tempdir().unwrap();
+    let record = RunRecord { evolution: None, ..sample() };
+    record.write(dir.path()).unwrap();
+    assert!(!dir.path().join("evolution.csv").exists());
+    let file = dir.path().join("record.json");
+    let text = fs::read_to_string(&file).unwrap();
+    let old = text.replace(",\n  \"evolution\": null", "");
+    assert_ne!(old, text);
+    fs::write(&file, old).unwrap();
+    assert_eq!(bits(&RunRecord::read(dir.path()).unwrap()), bits(&record));
+}
+
+#[test]
+fn infinite_times_of_the_evolution_read_back() {
+    let read = RunRecord::read(written().path()).unwrap().evolution.unwrap();
+    assert_eq!(read.time_range, Some([1.5, f64::INFINITY]));
+    assert_eq!(read.columns[0].values, [0.0, f64::INFINITY]);
+    assert!(read.columns[1].values[1].is_sign_negative());
+}
+
+#[test]
+fn broken_rows_of_the_evolution_are_located() {
     let dir = written();
-    let file = dir.path().join("history-reduced.csv");
-    fs::remove_file(&file).unwrap();
-    assert_eq!(refusal(dir.path()), RecordError::File { file, kind: ErrorKind::NotFound });
+    let file = dir.path().join("evolution.csv");
+    let with = |text: &str| {
+        fs::write(&file, text).unwrap();
+        refusal(dir.path())
+    };
+    assert!(matches!(with("t,turns\n1,2\n"), RecordError::Header { found, .. } if found == ["t", "turns"]));
+    assert!(matches!(with("t,power\n1,2\n1"), RecordError::Width { file, line: 3, fields: 1, expected: 2 }
+        if file.ends_with("evolution.csv")));
+    assert!(matches!(with(""), RecordError::Header { found, .. } if found.is_empty()));
 }
 
 #[test]

@@ -34,12 +34,10 @@ pub enum RecordError {
         system: String,
     },
     /// Columns of unequal length.
-    #[error(
-        "history {system:?}: column {column:?} has {rows} rows, the first column {expected}; give all the same"
-    )]
+    #[error("{file}: column {column:?} has {rows} rows, the first column {expected}; give all the same")]
     Ragged {
-        /// Name of the history.
-        system: String,
+        /// Name of the file the columns would go to.
+        file: String,
         /// The column that differs.
         column: String,
         /// Its rows.
@@ -67,7 +65,7 @@ pub enum RecordError {
         /// What the JSON reader found.
         problem: String,
     },
-    /// A history whose header differs from the columns that `record.json` lists.
+    /// A CSV file whose header differs from the columns that `record.json` lists.
     #[error("{}:1: columns are {found:?}, record.json says {expected:?}; take both files from the same run", file.display())]
     Header {
         /// The file.

@@ -1,24 +1,29 @@
-//! A record on disk: one folder, `record.json` and a CSV file per history.
+//! A record on disk: one folder, `record.json` and a CSV file per history, and one of the evolution.
 
 use std::collections::HashSet;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::table::{history_csv, read_rows};
-use super::{HistoryRecord, RecordError, RunRecord};
+use super::{Column, RecordError, RunRecord};
+
+/// File of the evolution's rows.
+const EVOLUTION: &str = "evolution.csv";
 
 impl RunRecord {
-    /// Writes the record into an existing empty folder: the histories first, then `record.json`, so that a folder
+    /// Writes the record into an existing empty folder: the CSV files first, then `record.json`, so that a folder
     /// with a `record.json` is complete.
     ///
     /// # Errors
     /// [`RecordError`]; names and lengths are checked before the first file is made.
     pub fn write(&self, dir: &Path) -> Result<(), RecordError> {
         check_empty(dir)?;
-        self.check_histories()?;
-        for history in &self.histories {
-            create(&history_file(dir, history), |out| history_csv(&history.columns, out))?;
+        self.check_names()?;
+        let tables: Vec<_> = self.tables().collect();
+        tables.iter().try_for_each(|(file, columns)| check_lengths(file, columns))?;
+        for (file, columns) in tables {
+            create(&dir.join(file), |out| history_csv(columns, out))?;
         }
         create(&dir.join("record.json"), |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
@@ -39,16 +44,30 @@ impl RunRecord {
             problem: problem(&error),
             file,
         })?;
-        record.check_histories()?;
-        for history in &mut record.histories {
-            let file = history_file(dir, history);
+        record.check_names()?;
+        for (file, columns) in record.tables_mut() {
+            let file = dir.join(file);
             let input = File::open(&file).map_err(|error| unusable(&file, &error))?;
-            read_rows(&mut history.columns, input, &file)?;
+            read_rows(columns, input, &file)?;
         }
         Ok(record)
     }
 
-    fn check_histories(&self) -> Result<(), RecordError> {
+    /// Every CSV file with its columns.
+    fn tables(&self) -> impl Iterator<Item = (String, &Vec<Column>)> {
+        let histories =
+            self.histories.iter().map(|history| (history_file(&history.system), &history.columns));
+        histories.chain(self.evolution.iter().map(|evolution| (EVOLUTION.into(), &evolution.columns)))
+    }
+
+    /// The same, to be filled.
+    fn tables_mut(&mut self) -> impl Iterator<Item = (String, &mut Vec<Column>)> {
+        let histories =
+            self.histories.iter_mut().map(|history| (history_file(&history.system), &mut history.columns));
+        histories.chain(self.evolution.iter_mut().map(|evolution| (EVOLUTION.into(), &mut evolution.columns)))
+    }
+
+    fn check_names(&self) -> Result<(), RecordError> {
         let mut seen = HashSet::new();
         for history in &self.histories {
             let system = history.system.clone();
@@ -59,18 +78,17 @@ impl RunRecord {
             if !seen.insert(system.to_ascii_lowercase()) {
                 return Err(RecordError::SameSystem { system }); // some file systems fold case
             }
-            check_lengths(history)?;
         }
         Ok(())
     }
 }
 
-fn check_lengths(history: &HistoryRecord) -> Result<(), RecordError> {
-    let expected = history.columns.first().map_or(0, |column| column.values.len());
-    match history.columns.iter().find(|column| column.values.len() != expected) {
+fn check_lengths(file: &str, columns: &[Column]) -> Result<(), RecordError> {
+    let expected = columns.first().map_or(0, |column| column.values.len());
+    match columns.iter().find(|column| column.values.len() != expected) {
         None => Ok(()),
         Some(column) => Err(RecordError::Ragged {
-            system: history.system.clone(),
+            file: file.into(),
             column: column.name.clone(),
             rows: column.values.len(),
             expected,
@@ -103,8 +121,8 @@ fn create(file: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>
         .map_err(|error| unusable(file, &error))
 }
 
-fn history_file(dir: &Path, history: &HistoryRecord) -> PathBuf {
-    dir.join(format!("history-{}.csv", history.system))
+fn history_file(system: &str) -> String {
+    format!("history-{system}.csv")
 }
 
 fn unusable(file: &Path, error: &io::Error) -> RecordError {

@@ -1,10 +1,12 @@
 //! What a run leaves behind: numbers and words enough to remake its report years later.
 //!
-//! On disk a record is a folder: `record.json` holds everything but the rows of the histories, and
-//! `history-<system>.csv` holds the rows of one history. Every number reads back bit for bit; one that
-//! is not finite is written `"NaN"`, `"inf"` or `"-inf"` in JSON, the same words without quotes in CSV.
+//! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution,
+//! `history-<system>.csv` holds the rows of one history and `evolution.csv` those of the evolution. Every number reads
+//! back bit for bit; one that is not finite is written `"NaN"`, `"inf"` or `"-inf"` in JSON, the same words without
+//! quotes in CSV.
 
 mod error;
+mod evolution;
 mod folder;
 mod number;
 mod table;
@@ -12,6 +14,7 @@ mod table;
 use serde::{Deserialize, Serialize};
 
 pub use error::RecordError;
+pub use evolution::{CrossingRecord, EvolutionRecord, HarmonicRecord};
 pub use table::history_csv;
 
 /// Everything a run computed, in SI units.
@@ -34,6 +37,9 @@ pub struct RunRecord {
     /// The reduced equations against the full ones, where the model asks for it.
     #[serde(default)]
     pub verification: Option<VerificationRecord>,
+    /// The rotation over many turns, where the model asks for it.
+    #[serde(default)]
+    pub evolution: Option<EvolutionRecord>,
 }
 
 /// The model a record was made from.
@@ -191,7 +197,7 @@ pub struct HistoryRecord {
     pub columns: Vec<Column>,
 }
 
-/// A column of a history.
+/// A column of a history or of the evolution.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Column {
     /// Name, as in the header of the CSV file.

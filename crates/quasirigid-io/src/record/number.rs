@@ -45,8 +45,11 @@ impl<T: Numbers> Numbers for Vec<T> {
     }
 }
 
-impl<T: Numbers> Numbers for [T; 3] {
-    type Wire = [T::Wire; 3];
+impl<T: Numbers, const N: usize> Numbers for [T; N]
+where
+    [T::Wire; N]: Serialize + DeserializeOwned,
+{
+    type Wire = [T::Wire; N];
     fn to_wire(&self) -> Self::Wire {
         self.each_ref().map(T::to_wire)
     }

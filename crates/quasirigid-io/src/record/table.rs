@@ -1,4 +1,4 @@
-//! The rows of a history as CSV.
+//! The rows of a history, or of the evolution, as CSV.
 
 use std::fmt::Write as _;
 use std::io::{self, ErrorKind, Read, Write};
@@ -8,7 +8,7 @@ use csv::{ByteRecord, ReaderBuilder, Writer};
 
 use super::{Column, RecordError};
 
-/// Writes the columns of a history as CSV: a header of names, then one line per row.
+/// Writes the columns of a history, or of the evolution, as CSV: a header of names, then one line per row.
 ///
 /// Numbers are printed with the fewest digits that read back bit for bit; those that are not finite as `NaN`, `inf`,
 /// `-inf`. No columns make an empty file.

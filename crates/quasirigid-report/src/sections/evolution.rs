@@ -142,7 +142,7 @@ fn nutation_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
         id: "evolution-nutation",
         title: "Nutation over many turns",
         caption: format!(
-            "Greatest and least angle between the angular momentum and the axis that it circles, within a turn of the \
+            "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
              wobble.{}",
             if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
         ),
@@ -203,9 +203,18 @@ fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
 }
 
 fn resonances(crossings: &[CrossingRecord]) -> Markup {
-    if crossings.is_empty() {
-        return html! { p { "No harmonic of the wobble meets a natural frequency on the way: there is no resonance." } };
+    html! {
+        div.resonances {
+            @if crossings.is_empty() {
+                p { "No harmonic of the wobble meets a natural frequency on the way: there is no resonance." }
+            } @else {
+                (crossing_table(crossings))
+            }
+        }
     }
+}
+
+fn crossing_table(crossings: &[CrossingRecord]) -> Markup {
     let (shown, more) = first(crossings, MOST);
     let rows = html! {
         @for crossing in shown {
@@ -221,7 +230,7 @@ fn resonances(crossings: &[CrossingRecord]) -> Markup {
         @if let Some(more) = more { tr { td.remark colspan="6" { (more) } } }
     };
     let headings = ["Harmonic", "Frequency [rad/s]", "Coordinate", "D/I₃", "Mode", "Share in the power"];
-    html! { div.resonances { (table("Resonances on the way, strongest first", &headings, rows)) } }
+    table("Resonances on the way, strongest first", &headings, rows)
 }
 
 fn details(evolution: &EvolutionRecord) -> Markup {

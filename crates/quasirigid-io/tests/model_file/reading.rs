@@ -67,9 +67,9 @@ form = "momentum"
     );
     assert_eq!(model.name, "boom satellite");
     let body = &model.assembly;
-    assert!((carrier(&body).mass - 40.0).abs() < 1e-12); // 14 digits written
-    assert_eq!(carrier(&body).center_of_mass, [0.0, 0.1, 0.0]);
-    assert_eq!(carrier(&body).inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
+    assert!((carrier(body).mass - 40.0).abs() < 1e-12); // 14 digits written
+    assert_eq!(carrier(body).center_of_mass, [0.0, 0.1, 0.0]);
+    assert_eq!(carrier(body).inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
     assert_eq!(body.points[0].name, "point 1");
     assert_eq!(body.points[0].motion, Motion::Free);
     assert_eq!(body.points[1].mass, 0.5);

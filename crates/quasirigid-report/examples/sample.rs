@@ -16,7 +16,22 @@ fn main() {
     };
     save("report.html", &support::record(6000, 1200.0, 1.5e-3));
     save("long.html", &support::record(200_000, 20_000.0, 2e-6));
+    save("ageing.html", &asteroid());
     save("bare.html", &hostile());
+}
+
+/// A tumbling asteroid of whose rotation only the ageing was asked.
+fn asteroid() -> RunRecord {
+    let mut record = support::without_histories();
+    record.model.name = "99942 Apophis".into();
+    record.model.file = "apophis.toml".into();
+    record.notes.clear();
+    record.body.mass = 5.3e10;
+    record.body.principal_moments = support::ageing::ASTEROID.map(|moment| moment * 5e14);
+    let mut evolution = support::ageing::evolution(1.0 / 1.024);
+    evolution.resonances.clear();
+    record.evolution = Some(evolution);
+    record
 }
 
 /// Little in it, and that little awkward.

@@ -107,10 +107,19 @@ pub fn duration(seconds: f64) -> String {
 
 /// The unit that suits a time: its name, and its length in seconds.
 pub fn time_unit(seconds: f64) -> (&'static str, f64) {
-    const UNITS: [(&str, f64); 5] =
-        [("yr", 31_557_600.0), ("d", 86_400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0)];
+    const YEAR: f64 = 31_557_600.0;
+    const UNITS: [(&str, f64); 8] = [
+        ("Gyr", 1e9 * YEAR),
+        ("Myr", 1e6 * YEAR),
+        ("kyr", 1e3 * YEAR),
+        ("yr", YEAR),
+        ("d", 86_400.0),
+        ("h", 3600.0),
+        ("min", 60.0),
+        ("s", 1.0),
+    ];
     let enough = |&&(_, scale): &&(&str, f64)| seconds.abs() >= 1.5 * scale;
-    *UNITS.iter().find(enough).unwrap_or(&UNITS[4])
+    *UNITS.iter().find(enough).unwrap_or(&("s", 1.0))
 }
 
 /// Mantissa and exponent after rounding.
@@ -170,7 +179,10 @@ mod tests {
     fn durations_choose_their_unit() {
         assert_eq!(duration(7200.0), "2\u{a0}h");
         assert_eq!(duration(89.0), "89\u{a0}s");
-        assert_eq!(duration(1e14), "3.17×10⁶\u{a0}yr");
+        assert_eq!(duration(1e10), "317\u{a0}yr");
+        assert_eq!(duration(5e11), "15.8\u{a0}kyr");
+        assert_eq!(duration(1e14), "3.17\u{a0}Myr");
+        assert_eq!(duration(1e17), "3.17\u{a0}Gyr");
         assert_eq!(percent(0.001_234), "0.12\u{a0}%");
     }
 }

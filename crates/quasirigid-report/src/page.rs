@@ -4,7 +4,9 @@ use quasirigid_io::record::RunRecord;
 use crate::rows::main_history;
 use crate::sphere;
 
-use crate::sections::{answer, body, figures, head, provenance, reduction, validity, verification};
+use crate::sections::{
+    answer, body, evolution, figures, head, provenance, reduction, validity, verification,
+};
 
 const STYLE: &str = include_str!("assets/page.css");
 const PALETTE: &str = include_str!("assets/palette.css");
@@ -35,6 +37,7 @@ pub fn page(record: &RunRecord) -> String {
                 main {
                     (head::section(record))
                     (answer::section(record))
+                    @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
                     (figures::section(record))
                     (validity::section(&record.validity))
                     @if let Some(verification) = &record.verification { (verification::section(verification)) }

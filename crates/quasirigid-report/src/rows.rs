@@ -1,4 +1,4 @@
-//! The columns of a history by name.
+//! The columns of a history, or of the evolution, by name.
 
 use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 
@@ -38,8 +38,8 @@ pub struct TimeUnit {
 
 impl TimeUnit {
     /// The unit that suits the span of the first `rows` rows of the column `t`.
-    pub fn of(history: &HistoryRecord, rows: usize) -> Self {
-        let Some(column) = column(&history.columns, "t") else {
+    pub fn of(columns: &[Column], rows: usize) -> Self {
+        let Some(column) = column(columns, "t") else {
             return Self { name: "s".into(), length: 1.0 };
         };
         match (column.unit.as_str(), ends(column.values.iter().copied().take(rows))) {

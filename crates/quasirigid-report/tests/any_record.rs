@@ -6,7 +6,7 @@ mod support;
 use proptest::collection::vec;
 use proptest::num::f64::{ANY, INFINITE, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
-use quasirigid_io::record::RunRecord;
+use quasirigid_io::record::{EvolutionRecord, RunRecord};
 use quasirigid_report::page;
 
 /// Numbers of any size, near each other in some runs so that ranges are narrow in some.
@@ -22,9 +22,10 @@ fn numbers() -> impl Strategy<Value = Vec<f64>> {
 }
 
 fn record() -> impl Strategy<Value = RunRecord> {
-    (vec(numbers(), 14), vec(ANY, 40), any::<bool>()).prop_map(|(columns, numbers, keep_axes)| {
+    (vec(numbers(), 25), vec(ANY, 60), any::<bool>()).prop_map(|(columns, numbers, keep_axes)| {
         let mut record = support::record(2, 1.0, 0.1);
-        for (column, values) in record.histories[0].columns.iter_mut().zip(columns) {
+        let evolution = record.evolution.iter_mut().flat_map(|evolution| &mut evolution.columns);
+        for (column, values) in record.histories[0].columns.iter_mut().chain(evolution).zip(columns) {
             column.values = values;
         }
         let mut numbers = numbers.into_iter().cycle();
@@ -43,10 +44,35 @@ fn record() -> impl Strategy<Value = RunRecord> {
         for row in record.verification.iter_mut().flat_map(|verification| &mut verification.orders) {
             row.errors.iter_mut().chain(&mut row.epsilons).chain(&mut row.attitude).for_each(&mut set);
         }
+        record.evolution.iter_mut().for_each(|evolution| evolution_numbers(evolution).for_each(&mut set));
         set(&mut record.validity.T1);
         set(&mut record.reduction.residual);
         record
     })
+}
+
+fn evolution_numbers(evolution: &mut EvolutionRecord) -> impl Iterator<Item = &mut f64> {
+    let EvolutionRecord {
+        time,
+        turns,
+        power,
+        momentum,
+        damping_time,
+        growth_time,
+        ratio_start,
+        ratio_end,
+        ..
+    } = evolution;
+    let numbers = [time, turns, power, momentum, damping_time, growth_time, ratio_start, ratio_end];
+    let harmonics = evolution.harmonics.iter_mut().flat_map(|row| [&mut row.frequency, &mut row.share]);
+    let crossings = evolution.resonances.iter_mut().flat_map(|row| [&mut row.frequency, &mut row.ratio]);
+    let maybe = evolution.separatrix_time.iter_mut().chain(&mut evolution.lingering);
+    numbers
+        .into_iter()
+        .chain(harmonics)
+        .chain(crossings)
+        .chain(maybe)
+        .chain(evolution.time_range.iter_mut().flatten())
 }
 
 proptest! {

@@ -69,6 +69,25 @@ fn page_answers_from_the_top() {
             "of the dissipation: small",
             "Turns",
             "in 10\u{a0}min",
+            "Over many turns",
+            "Dissipation turns the rotation into a steady spin",
+            "It reaches the separatrix after 4.41\u{a0}Gyr: there the angular momentum leaves the axis of least inertia",
+            "End reached after",
+            "13.8\u{a0}Gyr",
+            "4.27\u{a0}Gyr to 371\u{a0}Gyr over the ranges of the materials",
+            "about the angular momentum",
+            "long-axis → short-axis",
+            "Mean power at the start",
+            "Nutation over many turns",
+            "t [Gyr]</text>",
+            "separatrix</text>",
+            "Mean power dissipated over many turns",
+            "power [W]</text>",
+            "Harmonics of the wobble at the start",
+            "Resonances on the way, strongest first",
+            "slosh.x",
+            "Small wobble about the axis of greatest inertia, decay by e",
+            "Time within 1 % of the separatrix",
             "Spin in body axes",
             "Energy dissipated, and numerical drift",
             "Nutation",
@@ -82,6 +101,7 @@ fn page_answers_from_the_top() {
             "quasirigid 0.1.0",
             "9f86d081884c7d65",
             "System: rigid",
+            "Columns of evolution.csv, 400 rows",
         ],
     );
     assert_balanced(&page);
@@ -100,6 +120,57 @@ fn proof_tells_each_order_and_what_was_not_reached() {
     assert_drawable(&page);
     record.verification = None;
     assert!(!quasirigid_report::page(&record).contains("Proof against"));
+}
+
+/// Times that are infinite are told as never, and an evolution without events claims none.
+#[test]
+fn evolution_without_end_is_told_in_words() {
+    let mut record = support::record(40, 600.0, 1e-4);
+    let evolution = record.evolution.as_mut().unwrap();
+    evolution.time = f64::INFINITY;
+    evolution.time_range = Some([3e15, f64::INFINITY]);
+    evolution.mode_start = "short-axis".into();
+    [evolution.damping_time, evolution.growth_time] = [f64::INFINITY; 2];
+    [evolution.separatrix_time, evolution.lingering] = [None; 2];
+    evolution.resonances.clear();
+    let page = page(&record);
+    assert_in_order(
+        &page,
+        &[
+            "End reached after",
+            ">never<",
+            "95.1\u{a0}Myr at the least",
+            "short-axis<small> throughout",
+            "there is no resonance",
+            "never",
+            "never",
+            "none: it does not come so near",
+            "How it went",
+        ],
+    );
+    assert!(!page.contains("separatrix</text>") && !page.contains("It reaches"));
+    record.evolution.as_mut().unwrap().status = "failed".into();
+    assert_in_order(
+        &quasirigid_report::page(&record),
+        &["<h2>Over many turns", "<strong>Failed</strong> Dissipation"],
+    );
+    record.evolution = None;
+    assert!(!quasirigid_report::page(&record).contains("many turns"));
+}
+
+/// The curve ends where the momentum leaves one axis, and begins anew where it circles the other.
+#[test]
+fn curve_is_broken_where_the_circled_axis_changes() {
+    let mut record = support::record(40, 600.0, 1e-4);
+    let pieces = |record: &RunRecord| {
+        let page = page(record);
+        let (_, curve) = page.split_once("data-label=\"max\" d=\"").unwrap();
+        curve.split('"').next().unwrap().matches('M').count()
+    };
+    assert_eq!(pieces(&record), 2);
+    let evolution = record.evolution.as_mut().unwrap();
+    evolution.columns.iter_mut().find(|column| column.name == "circled_axis").unwrap().values.fill(3.0);
+    assert_eq!(pieces(&record), 1);
 }
 
 #[test]
@@ -131,7 +202,7 @@ fn drift_is_called_small_up_to_one_percent_and_no_further() {
 fn every_column_and_every_axis_has_its_unit() {
     let record = support::record(50, 60.0, 1e-4);
     let page = page(&record);
-    for column in &record.histories[0].columns {
+    for column in record.histories[0].columns.iter().chain(&record.evolution.as_ref().unwrap().columns) {
         let row = format!("<th scope=\"row\">{}</th><td class=\"word\">[{}]</td>", column.name, column.unit);
         assert!(page.contains(&row), "{row}");
     }
@@ -155,6 +226,14 @@ fn text_of_the_record_is_only_text() {
     record.validity.verdict = evil.into();
     record.validity.criteria[0].symbol = evil.into();
     record.histories[0].system = evil.into();
+    let evolution = record.evolution.as_mut().unwrap();
+    for text in
+        [&mut evolution.sentence, &mut evolution.method, &mut evolution.status, &mut evolution.mode_start]
+    {
+        *text = evil.into();
+    }
+    evolution.resonances[0].coordinate = evil.into();
+    evolution.columns[0].unit = evil.into();
     record.histories[0].columns[1].unit = evil.into();
     let page = page(&record);
     assert!(!page.contains("<b ") && page.matches("<script>").count() == 1);
@@ -201,6 +280,10 @@ fn bodies_with_many_modes_stay_below_a_megabyte() {
     record.validity.frequencies = (1..=100_000).map(f64::from).collect();
     record.validity.decay_rates = record.validity.frequencies.clone();
     record.body.coordinates = (1..=100_000).map(|i| format!("node {i}")).collect();
+    let mut evolution = support::ageing::evolution(0.75);
+    evolution.harmonics = vec![evolution.harmonics[0].clone(); 100_000];
+    evolution.resonances = vec![evolution.resonances[0].clone(); 100_000];
+    record.evolution = Some(evolution);
     let page = page(&record);
     assert!(page.len() < 100_000 && page.contains("and 99988 more in record.json"));
 }

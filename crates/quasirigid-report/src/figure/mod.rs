@@ -29,6 +29,14 @@ pub struct Quantity {
     pub unit: String,
 }
 
+/// A place on the time axis where something happens.
+pub struct Mark {
+    /// Where.
+    pub x: f64,
+    /// What.
+    pub label: &'static str,
+}
+
 /// A chart of curves against time.
 pub struct Figure {
     /// Identifier within the page.
@@ -45,6 +53,8 @@ pub struct Figure {
     pub log: bool,
     /// The curves, the most important first: it is drawn over the others.
     pub series: Vec<Series>,
+    /// An event, drawn as a line across the curves.
+    pub mark: Option<Mark>,
 }
 
 impl Figure {
@@ -86,6 +96,7 @@ impl Figure {
                         }
                     }
                     (self.labels(y))
+                    @if let Some(mark) = &self.mark { (mark.draw(x)) }
                 }
             }
         }
@@ -110,6 +121,22 @@ impl Figure {
         html! {
             @for (place, (_, series)) in places.into_iter().zip(labels) {
                 text.label.(series.class) x="100%" y=(percent(place)) dx="0.6em" dy="0.35em" { (series.label) }
+            }
+        }
+    }
+}
+
+impl Mark {
+    /// The line and its label, on the side with more room; nothing if it lies off the axis.
+    fn draw(&self, x: &Axis) -> Markup {
+        let place = x.place(self.x);
+        let (at, left) = (percent(place), place > 0.5);
+        html! {
+            @if (0.0..=1.0).contains(&place) {
+                line.event x1=(at) x2=(at) y1="0" y2="100%" {}
+                text.name.event.end[left] x=(at) y="100%" dx=(if left { "-0.5em" } else { "0.5em" }) dy="-0.6em" {
+                    (self.label)
+                }
             }
         }
     }

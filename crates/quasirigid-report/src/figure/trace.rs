@@ -25,15 +25,21 @@ impl Trace {
         let mut columns: Vec<Option<Span>> = vec![None; WIDTH as usize + 1];
         for (row, (x, y)) in points.enumerate().filter(|(_, (x, _))| (0.0..=1.0).contains(x)) {
             let span = columns[(x * WIDTH) as usize].get_or_insert_default();
-            if y.is_finite() {
-                span.add(Point { row, x, y });
+            match y.is_finite() {
+                true => span.add(Point { row, x, y }),
+                false => span.gap = Some(row),
             }
         }
         let mut pen = Pen::default();
-        for span in columns.into_iter().flatten() {
-            match span.corners() {
-                Some(corners) => corners.into_iter().for_each(|point| pen.draw(point)),
-                None => pen.lift(),
+        for mut span in columns.into_iter().flatten() {
+            for point in span.corners() {
+                if span.gap.take_if(|gap| *gap < point.row).is_some() {
+                    pen.lift();
+                }
+                pen.draw(point);
+            }
+            if span.gap.is_some() {
+                pen.lift();
             }
         }
         pen.lift();
@@ -50,11 +56,15 @@ struct Point {
 
 /// What one pixel column holds; no points if every row in it was a gap.
 #[derive(Clone, Default)]
-struct Span(Option<[Point; 4]>);
+struct Span {
+    points: Option<[Point; 4]>,
+    /// The last row that was a gap.
+    gap: Option<usize>,
+}
 
 impl Span {
     fn add(&mut self, point: Point) {
-        let [_, lowest, highest, last] = self.0.get_or_insert([point; 4]);
+        let [_, lowest, highest, last] = self.points.get_or_insert([point; 4]);
         *last = point;
         if point.y < lowest.y {
             *lowest = point;
@@ -64,10 +74,11 @@ impl Span {
         }
     }
 
-    fn corners(self) -> Option<[Point; 4]> {
-        let mut corners = self.0?;
+    /// The points in the order of the rows.
+    fn corners(&self) -> Vec<Point> {
+        let mut corners = self.points.map_or_else(Vec::new, Vec::from);
         corners.sort_by_key(|point| point.row);
-        Some(corners)
+        corners
     }
 }
 
@@ -116,6 +127,9 @@ mod tests {
         let Trace { line, dots } = Trace::new(points.into_iter());
         assert_eq!((line.as_str(), dots.as_str()), ("M0.0 240.0L80.0 0.0", "M400.0 120.0h0"));
         assert_eq!(Trace::new(std::iter::empty()).line, "");
+        // a jump within one column of pixels
+        let jump = [(0.0, 0.0), (0.5, 0.0), (0.5, f64::NAN), (0.5, 1.0), (1.0, 1.0)];
+        assert_eq!(Trace::new(jump.into_iter()).line, "M0.0 240.0L400.0 240.0M400.0 0.0L800.0 0.0");
     }
 
     #[test]

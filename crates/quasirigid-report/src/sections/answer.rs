@@ -15,7 +15,10 @@ pub fn section(record: &RunRecord) -> Markup {
         section.answer aria-label="Result" {
             h2 { "Result" }
             @match main_history(record) {
-                None => p.absent { "The record holds no spin history: nothing was propagated." },
+                None => p.absent {
+                    "The record holds no spin history: nothing was propagated"
+                    @if record.evolution.is_some() { " turn by turn" } "."
+                },
                 Some(history) => dl {
                     (spin(history))
                     (dissipation(record, history))
@@ -27,7 +30,8 @@ pub fn section(record: &RunRecord) -> Markup {
     }
 }
 
-fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
+/// A number large enough to be read first, with its name and a remark.
+pub fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
     html! { div { dt { (name) } dd.value { (value) } dd.remark { (remark) } } }
 }
 

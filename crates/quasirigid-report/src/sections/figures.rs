@@ -3,7 +3,8 @@
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use crate::figure::{Figure, Quantity, Series};
+use super::curve::{Curve, unit};
+use crate::figure::{Figure, Quantity};
 use crate::rows::{TimeUnit, column, main_history};
 use crate::sphere;
 
@@ -23,7 +24,7 @@ pub fn section(record: &RunRecord) -> Markup {
         section.figures aria-label="Figures" {
             h2 { "How it went" }
             @match main_history(record) {
-                None => p.absent { "No history, no figures." },
+                None => p.absent { "No history, nothing to draw." },
                 Some(history) => {
                     (spin(history, usize::MAX).draw())
                     @if let Some(first_turns) = first_turns(history) { (first_turns.draw()) }
@@ -38,10 +39,10 @@ pub fn section(record: &RunRecord) -> Markup {
 
 /// The first `rows` rows.
 fn spin(history: &HistoryRecord, rows: usize) -> Figure {
-    let time = TimeUnit::of(history, rows);
+    let time = TimeUnit::of(&history.columns, rows);
     let names = [("wx", "ωx"), ("wy", "ωy"), ("wz", "ωz")];
     let curves = names.iter().zip(COLOURS).filter_map(|(&(name, label), class)| {
-        let mut curve = Curve { name, label, class }.series(history, &time, |value| value)?;
+        let mut curve = Curve { name, label, class }.series(&history.columns, &time, |value| value)?;
         curve.x.truncate(rows);
         curve.y.truncate(rows);
         Some(curve)
@@ -54,8 +55,9 @@ fn spin(history: &HistoryRecord, rows: usize) -> Figure {
             .into(),
         series: curves.collect(),
         x: Quantity { name: "t", unit: time.name },
-        y: Quantity { name: "ω", unit: unit(history, "wx") },
+        y: Quantity { name: "ω", unit: unit(&history.columns, "wx") },
         log: false,
+        mark: None,
     }
 }
 
@@ -77,7 +79,7 @@ fn first_turns(history: &HistoryRecord) -> Option<Figure> {
 }
 
 fn energy(history: &HistoryRecord) -> Figure {
-    let time = TimeUnit::of(history, usize::MAX);
+    let time = TimeUnit::of(&history.columns, usize::MAX);
     let curves = [
         Curve { name: "dissipated", label: "loss", class: "s1" },
         Curve { name: "energy_drift", label: "drift", class: "s2 dashed" },
@@ -88,18 +90,23 @@ fn energy(history: &HistoryRecord) -> Figure {
         caption: "Energy taken by the dashpots; beside it the size of the change made by the integrator alone, since one can \
                   imitate the other."
             .into(),
-        series: curves.iter().filter_map(|curve| curve.series(history, &time, f64::abs)).collect(),
+        series: curves.iter().filter_map(|curve| curve.series(&history.columns, &time, f64::abs)).collect(),
         x: Quantity { name: "t", unit: time.name },
-        y: Quantity { name: "energy", unit: unit(history, "dissipated") },
+        y: Quantity { name: "energy", unit: unit(&history.columns, "dissipated") },
         log: true,
+        mark: None,
     }
 }
 
 /// Of every system, so that what dissipation changes stands beside what it would have been without.
 fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
-    let time = TimeUnit::of(main, usize::MAX);
+    let time = TimeUnit::of(&main.columns, usize::MAX);
     let curves = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {
-        Curve { name: "nutation", label: &history.system, class }.series(history, &time, f64::to_degrees)
+        Curve { name: "nutation", label: &history.system, class }.series(
+            &history.columns,
+            &time,
+            f64::to_degrees,
+        )
     });
     Figure {
         id: "nutation",
@@ -111,24 +118,6 @@ fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "nutation", unit: "°".into() },
         log: false,
+        mark: None,
     }
-}
-
-/// A column to draw.
-struct Curve<'a> {
-    name: &'a str,
-    label: &'a str,
-    class: &'static str,
-}
-
-impl Curve<'_> {
-    fn series(&self, history: &HistoryRecord, time: &TimeUnit, value: fn(f64) -> f64) -> Option<Series> {
-        let x = column(&history.columns, "t")?.values.iter().map(|t| t / time.length).collect();
-        let y = column(&history.columns, self.name)?.values.iter().map(|&v| value(v)).collect();
-        Some(Series { label: self.label.into(), class: self.class, x, y })
-    }
-}
-
-fn unit(history: &HistoryRecord, name: &str) -> String {
-    column(&history.columns, name).map_or_else(|| "SI".into(), |column| column.unit.clone())
 }

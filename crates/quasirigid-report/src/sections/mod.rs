@@ -2,6 +2,8 @@
 
 pub mod answer;
 pub mod body;
+mod curve;
+pub mod evolution;
 pub mod figures;
 pub mod head;
 pub mod provenance;

@@ -15,7 +15,11 @@ pub fn section(record: &RunRecord) -> Markup {
                 ("Model file", html! { (record.model.file) }),
                 ("SHA-256 of the model", html! { code { (record.model.sha256) } }),
             ]))
-            @for history in &record.histories { (integration(history)) div.columns { (columns(history)) } }
+            @for history in &record.histories {
+                (integration(history))
+                (columns(&format!("history-{}.csv", history.system), &history.columns))
+            }
+            @if let Some(evolution) = &record.evolution { (columns("evolution.csv", &evolution.columns)) }
         }
     }
 }
@@ -40,25 +44,23 @@ fn integration(history: &HistoryRecord) -> Markup {
     )
 }
 
-fn columns(history: &HistoryRecord) -> Markup {
-    let rows = history.columns.first().map_or(0, |column| column.values.len());
+fn columns(file: &str, columns: &[Column]) -> Markup {
+    let rows = columns.first().map_or(0, |column| column.values.len());
     if rows == 0 {
-        return html! { p.absent { "No rows." } };
+        return html! { p.absent { "No rows in " (file) "." } };
     }
-    let caption = format!("Columns of history-{}.csv, {rows} rows", history.system);
-    table(
-        &caption,
-        &["Column", "Unit", "First", "Last", "Least", "Greatest"],
-        html! {
-            @for column in &history.columns {
-                tr {
-                    th scope="row" { (column.name) }
-                    td.word { "[" (column.unit) "]" }
-                    @for value in summary(column) { td { (value) } }
-                }
+    let caption = format!("Columns of {file}, {rows} rows");
+    let rows = html! {
+        @for column in columns {
+            tr {
+                th scope="row" { (column.name) }
+                td.word { "[" (column.unit) "]" }
+                @for value in summary(column) { td { (value) } }
             }
-        },
-    )
+        }
+    };
+    let headings = ["Column", "Unit", "First", "Last", "Least", "Greatest"];
+    html! { div.columns { (table(&caption, &headings, rows)) } }
 }
 
 /// First, last, least and greatest of the finite values.

@@ -1,7 +1,11 @@
 //! A record as a run would leave it: a free body whose energy falls while its angular momentum stays.
 #![allow(dead_code, reason = "every test file uses its own part")]
 
+pub mod ageing;
+
 use quasirigid_io::record::*;
+
+use ageing::evolution;
 
 /// Principal moments (kg·m²).
 pub const MOMENTS: [f64; 3] = [9.21, 13.4, 16.3];
@@ -232,6 +236,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
         },
         histories,
         verification: Some(verification()),
+        evolution: Some(evolution(0.75)),
     }
 }
 
@@ -256,7 +261,7 @@ fn verification() -> VerificationRecord {
     VerificationRecord { reached: false, rotations: 5.0, duration: 31.4, orders }
 }
 
-/// The same without any history.
+/// The same without any history or evolution.
 pub fn without_histories() -> RunRecord {
-    RunRecord { histories: vec![], verification: None, ..record(2, 1.0, 0.0) }
+    RunRecord { histories: vec![], verification: None, evolution: None, ..record(2, 1.0, 0.0) }
 }

@@ -1,0 +1,258 @@
+use std::f64::consts::TAU;
+
+use maud::{Markup, html};
+use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
+
+use super::answer::tile;
+use super::curve::{Curve, unit};
+use super::table::{facts, first, table};
+use crate::figure::{Figure, Mark, Quantity};
+use crate::number::{digits, duration, percent, short, tidy};
+use crate::rows::{TimeUnit, column};
+use crate::verdict::Verdict;
+
+/// Harmonics and resonances shown.
+const MOST: usize = 12;
+
+/// The rotation over many turns: the answer, its numbers, nutation and power against time, and what drives it.
+pub fn section(evolution: &EvolutionRecord) -> Markup {
+    let columns = with_gaps(&evolution.columns);
+    html! {
+        section aria-label="Over many turns" {
+            h2 { "Over many turns" }
+            (sentence(evolution))
+            @if let Some(seconds) = evolution.separatrix_time.filter(|seconds| seconds.is_finite()) {
+                p { (separatrix(evolution, seconds)) }
+            }
+            dl {
+                (time(evolution))
+                (turns(evolution))
+                (mode(evolution))
+                (power(evolution))
+            }
+            (nutation_figure(evolution, &columns).draw())
+            (power_figure(evolution, &columns).draw())
+            (harmonics(&evolution.harmonics))
+            (resonances(&evolution.resonances))
+            (details(evolution))
+        }
+    }
+}
+
+/// The answer, under a warning where the evolution was not followed to its end.
+fn sentence(evolution: &EvolutionRecord) -> Markup {
+    let (verdict, words) = match evolution.status.as_str() {
+        "finished" | "held" => return html! { p.lead { (evolution.sentence) } },
+        "interrupted" => (Verdict::Marginal, "Interrupted"),
+        _ => (Verdict::Fails, "Failed"),
+    };
+    html! { div.verdict.(verdict.class()) { (verdict.icon()) p { strong { (words) } " " (evolution.sentence) } } }
+}
+
+fn separatrix(evolution: &EvolutionRecord, seconds: f64) -> Markup {
+    let [start, end] = [&evolution.mode_start, &evolution.mode_end].map(|mode| axis(mode));
+    html! {
+        "It reaches the separatrix after " (duration(seconds))
+        @match (evolution.status.as_str(), start, end) {
+            ("held", ..) => " and is held there.",
+            (_, Some(start), Some(end)) if start != end => {
+                ": there the angular momentum leaves the axis of " (start) " inertia and circles that of " (end) "."
+            }
+            _ => ".",
+        }
+    }
+}
+
+/// The axis that the momentum circles in a mode.
+fn axis(mode: &str) -> Option<&'static str> {
+    match mode {
+        "long-axis" => Some("least"),
+        "short-axis" => Some("greatest"),
+        _ => None,
+    }
+}
+
+fn time(evolution: &EvolutionRecord) -> Markup {
+    let remark = match evolution.time_range {
+        None => "no ranges of the materials are known".into(),
+        Some([least, f64::INFINITY]) => {
+            format!("{} at the least, over the ranges of the materials", until(least))
+        }
+        Some([least, greatest]) => {
+            format!("{} to {} over the ranges of the materials", until(least), until(greatest))
+        }
+    };
+    tile("End reached after", html! { (until(evolution.time)) }, html! { (remark) })
+}
+
+fn turns(evolution: &EvolutionRecord) -> Markup {
+    tile("Turns", html! { (tidy(evolution.turns, 3)) }, html! { "about the angular momentum" })
+}
+
+fn mode(evolution: &EvolutionRecord) -> Markup {
+    let EvolutionRecord { mode_start, mode_end, ratio_start, ratio_end, separatrix_time, .. } = evolution;
+    tile(
+        "Mode, start → end",
+        html! {
+            @if mode_start == mode_end && separatrix_time.is_none() { (mode_start) small { " throughout" } }
+            @else { (mode_start) " → " (mode_end) }
+        },
+        html! { i { "D" } "/" i { "I" } "₃ = " (tidy(*ratio_start, 5)) " → " (tidy(*ratio_end, 5)) },
+    )
+}
+
+fn power(evolution: &EvolutionRecord) -> Markup {
+    tile(
+        "Mean power at the start",
+        html! { (tidy(evolution.power, 3)) small { " W" } },
+        html! { "at the angular momentum " (short(evolution.momentum)) " N m s" },
+    )
+}
+
+/// A time after which something happens, which may be never.
+fn until(seconds: f64) -> String {
+    if seconds == f64::INFINITY { "never".into() } else { duration(seconds) }
+}
+
+/// The columns with a gap wherever the momentum comes to circle another axis: a curve jumps there.
+fn with_gaps(columns: &[Column]) -> Vec<Column> {
+    let axes = column(columns, "circled_axis").map_or(&[][..], |column| &column.values);
+    let changes =
+        |row: usize| matches!(axes.get(row.wrapping_sub(1)..=row), Some([a, b]) if (a - b).abs() > 0.5);
+    let with_gaps = |column: &Column| {
+        let mut values = Vec::with_capacity(column.values.len());
+        for (row, &value) in column.values.iter().enumerate() {
+            if changes(row) {
+                values.push(if column.name == "t" { column.values[row - 1] } else { f64::NAN });
+            }
+            values.push(value);
+        }
+        Column { values, ..column.clone() }
+    };
+    columns.iter().map(with_gaps).collect()
+}
+
+fn nutation_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
+    let time = TimeUnit::of(columns, usize::MAX);
+    let curves = [
+        Curve { name: "nutation_max", label: "max", class: "s1" },
+        Curve { name: "nutation_min", label: "min", class: "s2" },
+    ];
+    Figure {
+        id: "evolution-nutation",
+        title: "Nutation over many turns",
+        caption: format!(
+            "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
+             wobble.{}",
+            if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
+        ),
+        series: curves.iter().filter_map(|curve| curve.series(columns, &time, f64::to_degrees)).collect(),
+        mark: mark(evolution, &time),
+        x: Quantity { name: "t", unit: time.name },
+        y: Quantity { name: "nutation", unit: "°".into() },
+        log: false,
+    }
+}
+
+fn power_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
+    let time = TimeUnit::of(columns, usize::MAX);
+    let curve = Curve { name: "power", label: "power", class: "s1" };
+    Figure {
+        id: "evolution-power",
+        title: "Mean power dissipated over many turns",
+        caption: format!(
+            "Averaged over the wobble; it vanishes with it.{}",
+            if evolution.separatrix_time.is_some() {
+                " It dips at the separatrix, where the spin lingers near the middle axis."
+            } else {
+                ""
+            }
+        ),
+        series: curve.series(columns, &time, |power| power).into_iter().collect(),
+        mark: mark(evolution, &time),
+        x: Quantity { name: "t", unit: time.name },
+        y: Quantity { name: "power", unit: unit(columns, "power") },
+        log: true,
+    }
+}
+
+fn mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Option<Mark> {
+    evolution.separatrix_time.map(|seconds| Mark { x: seconds / time.length, label: "separatrix" })
+}
+
+fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
+    if harmonics.is_empty() {
+        return html! { p.absent { "The record holds no harmonics." } };
+    }
+    let (shown, more) = first(harmonics, MOST);
+    table(
+        "Harmonics of the wobble at the start",
+        &["Number", "Frequency [rad/s]", "Period", "Share in the power"],
+        html! {
+            @for harmonic in shown {
+                tr {
+                    th scope="row" { (harmonic.number) }
+                    td { (digits(harmonic.frequency, 4)) }
+                    td { (duration(TAU / harmonic.frequency)) }
+                    td { (percent(harmonic.share)) }
+                }
+            }
+            @if let Some(more) = more { tr { td.remark colspan="4" { (more) } } }
+        },
+    )
+}
+
+fn resonances(crossings: &[CrossingRecord]) -> Markup {
+    html! {
+        div.resonances {
+            @if crossings.is_empty() {
+                p { "No harmonic of the wobble meets a natural frequency on the way: there is no resonance." }
+            } @else {
+                (crossing_table(crossings))
+            }
+        }
+    }
+}
+
+fn crossing_table(crossings: &[CrossingRecord]) -> Markup {
+    let (shown, more) = first(crossings, MOST);
+    let rows = html! {
+        @for crossing in shown {
+            tr {
+                th scope="row" { (crossing.harmonic) }
+                td { (digits(crossing.frequency, 4)) }
+                td.word { (crossing.coordinate) }
+                td { (digits(crossing.ratio, 5)) }
+                td.word { (crossing.mode) }
+                td { (percent(crossing.share)) }
+            }
+        }
+        @if let Some(more) = more { tr { td.remark colspan="6" { (more) } } }
+    };
+    let headings = ["Harmonic", "Frequency [rad/s]", "Coordinate", "D/I₃", "Mode", "Share in the power"];
+    table("Resonances on the way, strongest first", &headings, rows)
+}
+
+fn details(evolution: &EvolutionRecord) -> Markup {
+    let lingering = match evolution.lingering {
+        None => "none: it does not come so near".into(),
+        Some(f64::INFINITY) => "for ever".into(),
+        Some(seconds) => duration(seconds),
+    };
+    facts(
+        "How it ages",
+        &[
+            ("Method", html! { (evolution.method) }),
+            ("Status", html! { (evolution.status) }),
+            (
+                "Small wobble about the axis of greatest inertia, decay by e",
+                html! { (until(evolution.damping_time)) },
+            ),
+            (
+                "Small wobble about the axis of least inertia, growth by e",
+                html! { (until(evolution.growth_time)) },
+            ),
+            ("Time within 1 % of the separatrix", html! { (lingering) }),
+        ],
+    )
+}

@@ -206,9 +206,9 @@ pub struct Evolve {
     /// Number of rows [default: the file's, or 201]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub samples: Option<u32>,
-    /// Take the power from the reduced equations instead of the harmonics of the polhode
-    #[arg(long)]
-    pub polynomial: bool,
+    /// Where the mean power comes from [default: the file's, or harmonics where a material needs them]
+    #[arg(long, value_enum)]
+    pub power: Option<Power>,
     /// Form of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,
@@ -226,4 +226,12 @@ pub enum EvolveFormat {
     Text,
     /// The whole table
     Csv,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Power {
+    /// The reduced equations, along the polhode
+    Polynomial,
+    /// Every elastic mode and material, harmonic by harmonic: any law of loss, resonance too
+    Harmonics,
 }

@@ -57,9 +57,9 @@ pub enum Failure {
     )]
     NoStage { ratio: f64, least: f64 },
     #[error(
-        "the body spins about a principal axis (D/I3 = {ratio}), so nothing ages; give [initial] a wobble, or choose another start with --from"
+        "the body spins about a principal axis, so nothing ages; give [initial] a wobble, or choose another start with --from"
     )]
-    Steady { ratio: f64 },
+    Steady,
     #[error(
         "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
     )]

@@ -6,33 +6,34 @@ use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::{add, scale};
 use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::reduction::reduce;
 use quasirigid_io::model::{Model, Rotation};
 
 use crate::failure::Failure;
 
 /// The state the file starts from.
-pub fn initial(model: &Model, body: &FlexibleBody, file: &Path) -> Result<SpinState, Failure> {
+pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) -> Result<SpinState, Failure> {
     let rotation = model.initial.rotation.ok_or_else(|| Failure::NoSpin { file: file.into() })?;
     let principal = Principal::of(body.invariants().J);
-    let omega = match rotation {
-        Rotation::Spin(omega) => omega,
+    let motion = match rotation {
+        Rotation::Spin(omega) => return Ok(SpinState { omega, attitude: model.initial.attitude }),
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
-            let motion = observed
-                .motion(principal.moments)
-                .map_err(|cause| Failure::Observed { file: file.into(), cause })?;
-            in_body(&principal, &motion)
+            let motion = observed.motion(principal.moments);
+            motion.map_err(|cause| Failure::Observed { file: file.into(), cause })?
         }
         Rotation::Wobble { angle, rate, mode } => {
             let momentum = rate * principal.moments[mode.circled()];
-            in_body(&principal, &FreeRotation::at_nutation(principal.moments, momentum, mode, angle))
+            FreeRotation::at_nutation(principal.moments, momentum, mode, angle)
         }
     };
+    let omega = reduce(body, order)?.Omega.vector(momentum(&principal, &motion));
     Ok(SpinState { omega, attitude: model.initial.attitude })
 }
 
-/// Spin at the start of a motion, from principal axes to body axes.
-fn in_body(principal: &Principal, motion: &FreeRotation) -> [f64; 3] {
+/// Angular momentum at the start of a motion (N·m·s), body axes: what the frozen body and the bent one have in common.
+fn momentum(principal: &Principal, motion: &FreeRotation) -> [f64; 3] {
     let spin = motion.omega(0.0);
-    principal.axes.iter().zip(spin).fold([0.0; 3], |sum, (axis, rate)| add(sum, scale(rate, *axis)))
+    let axes = principal.axes.iter().zip(principal.moments).zip(spin);
+    axes.fold([0.0; 3], |sum, ((axis, moment), rate)| add(sum, scale(moment * rate, *axis)))
 }

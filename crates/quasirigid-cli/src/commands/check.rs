@@ -1,13 +1,14 @@
 use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{SteadySpin, steady_spins};
+use quasirigid::elements::Ellipsoid;
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use serde_json::json;
 
-use super::{Loaded, initial, load, notes};
+use super::{Loaded, initial, load, note_lossless, notes};
 use crate::args::Check;
 use crate::describe::{criterion, reasons, significant, time, verdict, word};
 use crate::failure::Failure;
@@ -21,7 +22,8 @@ const LISTED: usize = 9;
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let Loaded { model, body, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
-    let omega = initial(&model, &body, &arguments.common.model)?.omega;
+    note_lossless(&body, &arguments.common);
+    let omega = initial(&model, &body, order, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
     let text = if arguments.common.json {
@@ -29,6 +31,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         text
     };
     output::print(&text)?;
@@ -155,6 +158,17 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     });
     let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
     writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
+}
+
+/// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
+fn self_gravity(ellipsoid: &Ellipsoid) -> String {
+    let pressure = ellipsoid.central_pressure();
+    let [pressure, share] = [pressure, pressure / ellipsoid.young].map(|value| significant(value, 2));
+    let text = format!(
+        "Self-gravity, which is not in the model, presses the centre of {:?} with {pressure} Pa, {share} of Young's modulus.",
+        ellipsoid.name
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
 }
 
 /// What becomes of a small nutation about a steady spin.

@@ -1,9 +1,9 @@
-use quasirigid_io::model::Target;
+use quasirigid_io::model::{Power, Target};
 use quasirigid_io::record::history_csv;
 use serde_json::json;
 
 use super::{initial, load, notes, seconds};
-use crate::args::{Evolve, EvolveFormat};
+use crate::args::{self, Evolve, EvolveFormat};
 use crate::evolution::{self, Asked};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -14,7 +14,7 @@ use crate::{Ending, output};
 pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     notes(&loaded.model, &arguments.common);
-    let start = initial(&loaded.model, &loaded.body, &arguments.common.model)?;
+    let start = initial(&loaded.model, &loaded.body, loaded.order, &arguments.common.model)?;
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }
@@ -27,7 +27,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
             None => file.duration,
         },
         samples: arguments.samples.map_or(file.samples, |samples| samples as usize),
-        polynomial: arguments.polynomial,
+        power: arguments.power.map(power).or(file.power),
     };
     let interrupt = Interrupt::listen()?;
     let (record, remarks) = evolution::follow(&loaded, start, &asked, &interrupt, arguments.common.quiet)?;
@@ -47,6 +47,13 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         output::print(&evolution::text(&loaded.model.name, &record))?;
     }
     Ok(if record.status == "finished" { Ending::Done } else { Ending::CheckFailed })
+}
+
+fn power(power: args::Power) -> Power {
+    match power {
+        args::Power::Polynomial => Power::Polynomial,
+        args::Power::Harmonics => Power::Harmonics,
+    }
 }
 
 fn target(option: &'static str, text: Option<&str>) -> Result<Option<Target>, Failure> {

@@ -48,6 +48,22 @@ fn notes(model: &Model, common: &Common) {
     }
 }
 
+/// Note on a body whose losses the equations of motion do not hold.
+const LOSSLESS: &str = "Part of the body loses energy by a law of its material that no equation of motion holds: the full and the \
+                        reduced system take it as elastic, and `evolve` alone counts its loss.";
+
+/// What a user of equations of motion should know of the materials.
+fn lossless(body: &FlexibleBody) -> Option<&'static str> {
+    (!body.lossy().is_empty()).then_some(LOSSLESS)
+}
+
+/// Says it on standard error.
+fn note_lossless(body: &FlexibleBody, common: &Common) {
+    if let (Some(note), false) = (lossless(body), common.quiet) {
+        remark(&format!("note: {note}"));
+    }
+}
+
 /// Turns that a propagation makes when nothing says how long it lasts.
 const TURNS: f64 = 100.0;
 

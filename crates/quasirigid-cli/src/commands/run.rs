@@ -7,7 +7,7 @@ use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, options, summary};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, summary};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
@@ -37,7 +37,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order } = &loaded;
     let order = *order;
-    let start = initial(model, body, &arguments.common.model)?;
+    let start = initial(model, body, order, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
     let motion = Motion::new(model, body, forces, order, start);
@@ -45,6 +45,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let reduced = reduce(body, order)?;
     let axis = circled_axis(&reduce(body, 1)?, start.omega);
     let mut notes = model.notes.clone();
+    notes.extend(lossless(body).map(String::from));
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
     let histories = plan.histories(&mut notes)?;
     let verification = plan.verification(model, order, &mut notes)?;

@@ -3,7 +3,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, notes, options};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options};
 use crate::args::{Simulate, System, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -21,7 +21,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order } = &loaded;
     notes(model, &arguments.common);
-    let start = initial(model, body, &arguments.common.model)?;
+    note_lossless(body, &arguments.common);
+    let start = initial(model, body, *order, &arguments.common.model)?;
     let axis = circled_axis(&reduce(body, 1)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {

@@ -1,7 +1,7 @@
 use quasirigid::verification::Plan;
 use serde_json::json;
 
-use super::{Loaded, initial, load, notes};
+use super::{Loaded, initial, load, note_lossless, notes};
 use crate::args::Verify;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -13,7 +13,8 @@ use crate::{Ending, output, record, verification};
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let Loaded { model, body, forces, order } = &load(&arguments.common)?;
     notes(model, &arguments.common);
-    let start = initial(model, body, &arguments.common.model)?;
+    note_lossless(body, &arguments.common);
+    let start = initial(model, body, *order, &arguments.common.model)?;
     let motion = Motion::new(model, body, forces, *order, start);
     let file = verification::plan(model, *order);
     let plan = Plan {

@@ -13,7 +13,7 @@ use quasirigid::math::sym::{add, dot, norm, scale};
 use quasirigid::model::force::{Axes, Force, Law};
 use quasirigid::model::{FlexibleBody, Marker, Mode, Principal, ReducedBody, Support};
 use quasirigid::reduction::reduce;
-use quasirigid_io::model::{Model, Target};
+use quasirigid_io::model::{Model, Power, Target};
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
 
 use crate::commands::Loaded;
@@ -33,8 +33,8 @@ pub struct Asked {
     pub duration: Option<f64>,
     /// Rows of the history.
     pub samples: usize,
-    /// Whether the power is that of the reduced equations.
-    pub polynomial: bool,
+    /// Where the power comes from; from the harmonics only where a material needs them, if nobody says.
+    pub power: Option<Power>,
 }
 
 /// Rows of the history unless somebody says how many.
@@ -55,7 +55,7 @@ pub fn asked(model: &Model) -> Asked {
         until: evolve.until,
         duration: evolve.duration,
         samples: evolve.samples.unwrap_or(SAMPLES),
-        polynomial: false,
+        power: evolve.power,
     }
 }
 
@@ -70,11 +70,11 @@ pub fn follow(
     let Loaded { model, body, forces, order } = loaded;
     let torque = slow_torque(body, forces)?;
     let reduced = reduce(body, *order)?;
-    let ageing = Ageing::new(body, &reduced, start, asked.polynomial)?;
+    let ageing = Ageing::new(body, &reduced, start, asked.power)?;
     let evolution = ageing.evolution();
     let from = match asked.from {
         Some(target) => ageing.stage(&evolution, target)?,
-        None => ageing.start(&evolution, start)?,
+        None => Stage::of(&ageing.initial).ok_or(Failure::Steady)?,
     };
     let bar = Bar::new("averaging", quiet);
     let mut rows = if torque == SlowTorque::default() {
@@ -89,9 +89,7 @@ pub fn follow(
     let columns = ageing.columns(&mut rows, interrupt, &bar);
     bar.clear();
     let time_range = match &model.extremes {
-        Some(extremes) if torque == SlowTorque::default() => {
-            Some(range(extremes, &ageing, from, rows.to(), asked)?)
-        }
+        Some(extremes) if torque == SlowTorque::default() => Some(range(extremes, &ageing, from, rows.to())?),
         _ => None,
     };
     let notes = words::notes(&ageing, from, &rows, time_range.is_none() && model.extremes.is_some());
@@ -107,9 +105,11 @@ pub struct Ageing {
     by_polynomial: bool,
     /// Angular momentum at the start (N·m·s).
     momentum: f64,
-    /// Energy at the start (J).
-    energy: f64,
+    /// Rotation of the frozen body with the momentum at the start.
+    initial: FreeRotation,
     order: usize,
+    /// Whether a material loses energy by a law that the polynomial does not hold.
+    lossy: bool,
     measured: Vec<[f64; 2]>,
 }
 
@@ -118,17 +118,22 @@ impl Ageing {
         body: &FlexibleBody,
         reduced: &ReducedBody,
         start: SpinState,
-        by_polynomial: bool,
+        power: Option<Power>,
     ) -> Result<Self, Failure> {
+        let lossy = !body.lossy().is_empty();
+        let principal = Principal::of(reduced.J);
+        let K = reduced.momentum(start.omega);
+        let frozen = [0, 1, 2].map(|i| dot(principal.axes[i], K) / principal.moments[i]);
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
         Ok(Self {
-            principal: Principal::of(reduced.J),
+            principal,
             response: Response::of(body)?,
             polynomial: PolynomialPower::of(reduced),
-            by_polynomial,
-            momentum: norm(reduced.momentum(start.omega)),
-            energy: reduced.energy(start.omega),
+            by_polynomial: !lossy && power.is_none() || power == Some(Power::Polynomial),
+            momentum: norm(K),
+            initial: FreeRotation::through(principal.moments, frozen),
             order: reduced.order,
+            lossy,
             measured: measured.collect(),
         })
     }
@@ -139,13 +144,6 @@ impl Ageing {
 
     fn evolution(&self) -> Evolution<'_> {
         Evolution::new(self.power(), self.momentum)
-    }
-
-    /// The stage of the initial state.
-    fn start(&self, evolution: &Evolution, _: SpinState) -> Result<Stage, Failure> {
-        let I3 = self.principal.moments[2];
-        let ratio = self.momentum * self.momentum / (2.0 * self.energy * I3);
-        evolution.stage(ratio).ok_or(Failure::Steady { ratio })
     }
 
     fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, Failure> {
@@ -184,7 +182,7 @@ impl Ageing {
         let I3 = self.principal.moments[2];
         let least = self.momentum * self.momentum / (2.0 * I3);
         let energy = least + LEFT * (evolution.motion(from).energy() - least);
-        evolution.stage(least / energy).ok_or(Failure::Steady { ratio: evolution.ratio(from) })
+        evolution.stage(least / energy).ok_or(Failure::Steady)
     }
 
     fn drifting(&self, stage: Stage, start: SpinState) -> DriftState {
@@ -397,13 +395,12 @@ fn range(
     ageing: &Ageing,
     from: Stage,
     to: Stage,
-    asked: &Asked,
 ) -> Result<[f64; 2], Failure> {
     let time = |assembly: &quasirigid::elements::Assembly| -> Result<f64, Failure> {
         let body = assembly.body().map_err(|cause| Failure::Extreme { cause: Box::new(cause) })?;
         let response = Response::of(&body)?;
         let polynomial = PolynomialPower::of(&reduce(&body, ageing.order)?);
-        let power: &dyn MeanPower = if asked.polynomial { &polynomial } else { &response };
+        let power: &dyn MeanPower = if ageing.by_polynomial { &polynomial } else { &response };
         Ok(Evolution::new(power, ageing.momentum).time(from, to))
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];

@@ -53,11 +53,12 @@ pub fn notes(ageing: &Ageing, from: Stage, rows: &Rows, no_range: bool) -> Vec<S
     let mut notes = Vec::new();
     let motions = [from, rows.to()].map(|stage| ageing.evolution().motion(stage));
     let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
-    if ratio.is_finite() && (ratio - 1.0).abs() > APART {
+    if !ageing.lossy && ratio.is_finite() && (ratio - 1.0).abs() > APART {
         notes.push(format!(
             "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
-             resonance is near, and the harmonics are right.",
-            significant(ratio, 3)
+             resonance is near, and the harmonics are right{}.",
+            significant(ratio, 3),
+            if ageing.by_polynomial { " (--power harmonics)" } else { "" }
         ));
     }
     let first = |motion: &quasirigid::averaging::FreeRotation| motion.harmonics().next();
@@ -71,6 +72,9 @@ pub fn notes(ageing: &Ageing, from: Stage, rows: &Rows, no_range: bool) -> Vec<S
                 significant(*high, 3)
             ));
         }
+    }
+    if ageing.by_polynomial && ageing.lossy {
+        notes.push("The reduced equations hold no loss of a material that is not Kelvin-Voigt: take it from the harmonics.".into());
     }
     if no_range {
         notes.push("The ranges of the materials are left out under a torque.".into());
@@ -92,7 +96,11 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
     writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
     if let Some(lingering) = record.lingering {
-        writeln!(out, "  next to the separatrix     {} (nearer than 1 % of the way to an axis)", time(lingering))?;
+        writeln!(
+            out,
+            "  next to the separatrix     {} (nearer than 1 % of the way to an axis)",
+            time(lingering)
+        )?;
     }
     harmonics(out, record)?;
     resonances(out, record)?;

@@ -1,6 +1,6 @@
 use super::support::{EXAMPLES, ran};
 
-const COMMANDS: [&str; 4] = ["run", "check", "derive", "simulate"];
+const COMMANDS: [&str; 6] = ["run", "check", "derive", "simulate", "evolve", "verify"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {
@@ -35,7 +35,7 @@ fn every_command_shows_an_example_of_itself_that_names_a_model_we_ship() {
 
 #[test]
 fn examples_of_commands_that_write_nothing_run() {
-    for command in ["check", "derive", "simulate"] {
+    for command in ["check", "derive", "simulate", "evolve"] {
         let help = ran(&format!("{command} --help")).stdout;
         let (_, example) = help.split_once("Example:\n  quasirigid ").unwrap();
         let code = ran(example).code;

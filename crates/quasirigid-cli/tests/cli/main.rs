@@ -4,6 +4,7 @@
 mod check;
 mod derive;
 mod docs;
+mod evolve;
 mod files;
 mod full;
 mod help;

@@ -6,14 +6,18 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 7] = [
+pub const EXAMPLES: [&str; 11] = [
+    "apophis",
     "axial-mass",
     "boom-satellite",
+    "duende",
     "explorer1",
     "explorer1-stiff",
     "gravity-gradient",
     "heavy-top",
+    "oumuamua",
     "three-masses",
+    "toutatis",
 ];
 
 /// A rigid body with one mass on a spring; the tests replace parts of it.

@@ -8,7 +8,7 @@ use super::table::Keys;
 use super::value::Value;
 use crate::units::{Dimension, UnitError, quantity};
 
-const EVOLVE: Keys = Keys { known: &["until", "duration", "samples"], later: &[] };
+const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power"], later: &[] };
 
 /// How the slow evolution of the rotation is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,6 +19,17 @@ pub struct Evolve {
     pub duration: Option<f64>,
     /// Number of rows of the history.
     pub samples: Option<usize>,
+    /// Where the power comes from.
+    pub power: Option<Power>,
+}
+
+/// Where the mean power comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Power {
+    /// From the power of the reduced equations.
+    Polynomial,
+    /// From the answer of every elastic mode and material to the harmonics of the polhode.
+    Harmonics,
 }
 
 /// A state of rotation, by how far it is from that about the axis of greatest inertia.
@@ -120,7 +131,10 @@ pub(super) fn evolve(value: &Value<'_>) -> Option<Evolve> {
     let until = optional(table.get("until"), |value| target(&value));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
-    Some(Evolve { until: until?, duration: duration?, samples: samples? })
+    let power = optional(table.get("power"), |value| {
+        value.choice(&[("polynomial", Some(Power::Polynomial)), ("harmonics", Some(Power::Harmonics))])
+    });
+    Some(Evolve { until: until?, duration: duration?, samples: samples?, power: power? })
 }
 
 fn target(value: &Value<'_>) -> Option<Target> {

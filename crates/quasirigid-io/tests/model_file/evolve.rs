@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 use proptest::prelude::*;
-use quasirigid_io::model::{Evolve, Target};
+use quasirigid_io::model::{Evolve, Power, Target};
 
 use super::{CARRIER, read, refusal_of};
 
@@ -24,10 +24,15 @@ fn refused_alone(text: &str) -> String {
 #[test]
 fn an_evolution_is_read() {
     assert_eq!(read(CARRIER).run.evolve, None);
-    assert_eq!(evolve("{}"), Some(Evolve { until: None, duration: None, samples: None }));
-    let all = evolve("{ until = \"98% of I3\", duration = \"10 Gyr\", samples = 201 }");
-    let expected =
-        Evolve { until: Some(Target::Ratio(0.98)), duration: Some(31_557_600e10), samples: Some(201) };
+    assert_eq!(evolve("{}"), Some(Evolve::default()));
+    let all =
+        evolve("{ until = \"98% of I3\", duration = \"10 Gyr\", samples = 201, power = \"harmonics\" }");
+    let expected = Evolve {
+        until: Some(Target::Ratio(0.98)),
+        duration: Some(31_557_600e10),
+        samples: Some(201),
+        power: Some(Power::Harmonics),
+    };
     assert_eq!(all, Some(expected));
 }
 

@@ -22,6 +22,15 @@ pub struct Stage {
     pub xi: f64,
 }
 
+impl Stage {
+    /// The stage of a motion; none at an axis, where nothing ages.
+    #[must_use]
+    pub fn of(motion: &FreeRotation) -> Option<Self> {
+        let xi = motion.logit();
+        (xi < f64::INFINITY).then(|| Self { mode: motion.mode(), xi: xi.max(SEPARATRIX) })
+    }
+}
+
 /// What lies between two stages; negative from the later one to the earlier.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {

@@ -131,6 +131,16 @@ impl FreeRotation {
         }
     }
 
+    /// Place `ξ` between the separatrix, `−∞`, and the circled axis, `∞`: the logit of [`at_logit`](Self::at_logit).
+    #[must_use]
+    pub fn logit(&self) -> f64 {
+        let near = match self.mode {
+            Mode::ShortAxis => self.from_short,
+            Mode::LongAxis => self.from_long,
+        };
+        (self.from_middle / near).ln()
+    }
+
     /// `|dE/dξ|` (J), where `ξ` is the logit of [`at_logit`](Self::at_logit).
     #[must_use]
     pub fn energy_slope(&self) -> f64 {

@@ -1,0 +1,186 @@
+//! `evolve`, and what `run` makes of it.
+
+use std::fs;
+
+use insta::assert_snapshot;
+use serde_json::Value;
+
+use super::support::{MODEL, ROOT, Table, folder_of, folder_with, ran, ran_in, ran_with};
+
+/// The ellipsoid of `data/published/ellipsoid`, with |K| = I3 * 1e-4.
+const ASTEROID: &str = "\
+[body]
+name = \"asteroid\"
+[material.rock]
+density = 2500
+young = 1e9
+poisson = 0.25
+rheology = { kind = \"kelvin-voigt\", time = 100 }
+[[ellipsoid]]
+semi_axes = [2300, 1200, 950]
+material = \"rock\"
+[initial]
+wobble = { angle = \"20 deg\", rate = 1e-4, mode = \"short-axis\" }
+";
+
+fn published(file: &str) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(format!("{ROOT}/data/published/ellipsoid/{file}")).unwrap();
+    Table::of(&text).rows
+}
+
+fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().unwrap_or_else(|| panic!("{key} of {object}"))
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() <= tolerance, "{found:e} {expected:e}");
+}
+
+#[test]
+fn powers_and_times_are_the_published_ones() {
+    let folder = folder_with(ASTEROID);
+    let json = |from: f64, to: f64| {
+        ran_in(folder.path(), &format!("evolve model.toml --from {from:.17} --to {to:.17} --json")).json()
+    };
+    for row in published("kelvin_voigt.csv") {
+        let found = json(row[0], 0.999);
+        close(number(&found, "power"), row[1], 1e-9);
+        let separatrix = 3.400_613_826_285_618e19 / 3.695_782_164_053_647e19;
+        let mode = if row[0] > separatrix { "short-axis" } else { "long-axis" };
+        assert_eq!((&found["mode"]["start"], &found["mode"]["end"]), (&mode.into(), &"short-axis".into()));
+        assert_eq!(found["separatrix_time"].is_null(), row[0] > separatrix);
+    }
+    let I3 = 3.695_782_164_053_647e19;
+    for row in published("times.csv") {
+        close(number(&json(row[0] / I3, row[1] / I3), "time"), row[2], 1e-6);
+    }
+}
+
+#[test]
+fn table_and_words_agree_with_the_object() {
+    let folder = folder_with(ASTEROID);
+    let object = ran_in(folder.path(), "evolve model.toml --to 5deg --json").json();
+    let csv = ran_in(folder.path(), "evolve model.toml --to 5deg --format csv --samples 33");
+    let table = Table::of(&csv.stdout);
+    assert_eq!((csv.code, table.rows.len()), (Some(0), 33));
+    for (name, key) in [("t", "time"), ("turns", "turns"), ("D_over_I3", "ratio_end")] {
+        close(*table.column(name).last().unwrap(), number(&object, key), 1e-9);
+    }
+    let wobble = table.column("nutation_max");
+    close(wobble[0].to_degrees(), 20.0, 1e-10);
+    close(wobble[32].to_degrees(), 5.0, 1e-12);
+    assert!(table.column("power").is_sorted_by(|a, b| a > b));
+    let text = ran_in(folder.path(), "evolve model.toml --to 5deg").stdout;
+    assert!(
+        text.starts_with("asteroid: The wobble about the axis of greatest inertia falls from 20.0 to 5.00"),
+        "{text}"
+    );
+    let file = ran_in(folder.path(), "evolve model.toml --to 5deg --samples 33 --out table.csv --json");
+    assert_eq!(file.code, Some(0));
+    assert_eq!(fs::read_to_string(folder.path().join("table.csv")).unwrap(), csv.stdout);
+    let again = ran_in(folder.path(), "evolve model.toml --out table.csv");
+    assert!(again.refusal().contains("--overwrite"));
+}
+
+/// Both roads to the power: by default that of the reduced equations, whose small frequencies the harmonics correct.
+#[test]
+fn power_is_that_of_the_road_asked_for() {
+    let folder = folder_with(ASTEROID);
+    let power = |options: &str| {
+        number(&ran_in(folder.path(), &format!("evolve model.toml --json {options}")).json(), "power")
+    };
+    let [own, polynomial, harmonics] = ["", "--power polynomial", "--power harmonics"].map(power);
+    assert!(own == polynomial && harmonics != polynomial);
+    close(harmonics, polynomial, 1e-3);
+    let text = ASTEROID.replace("kelvin-voigt\", time = 100", "quality-factor\", Q = 100");
+    let other = folder_with(&text);
+    let none = ran_in(other.path(), "evolve model.toml --power polynomial");
+    assert!(none.stdout.contains("Nothing is dissipated"), "{none:?}");
+    assert!(none.stderr.contains("take it from the harmonics"), "{none:?}");
+}
+
+/// A time in between: the state after it is where the time to it ends.
+#[test]
+fn duration_ends_the_evolution() {
+    let folder = folder_with(ASTEROID);
+    let half = ran_in(folder.path(), "evolve model.toml --json --duration 1e14").json();
+    close(number(&half, "time"), 1e14, 1e-9);
+    let to = number(&half, "ratio_end");
+    let back = ran_in(folder.path(), &format!("evolve model.toml --json --to {to:.17}")).json();
+    close(number(&back, "time"), 1e14, 1e-6);
+}
+
+#[test]
+fn uncertain_material_gives_a_range() {
+    let range = "\"quality-factor\", Q = 100, range = [10, 1000] }";
+    let text = ASTEROID.replace("\"kelvin-voigt\", time = 100 }", range);
+    let found = ran_with(&text, "evolve model.toml --json").json();
+    let time = number(&found, "time");
+    let [least, greatest] = [0, 1].map(|i| found["time_range"][i].as_f64().unwrap());
+    // constant loss: the time goes with Q + 1/Q
+    close(least / time, 10.1 / 100.01, 1e-9);
+    close(greatest / time, 1000.001 / 100.01, 1e-9);
+}
+
+/// A drag that takes the momentum too, and a torque that a body cannot be averaged under.
+#[test]
+fn slow_torques_are_averaged_and_others_refused() {
+    let force = "[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e3\n";
+    let dragged = format!("{ASTEROID}{force}");
+    let found = ran_with(&dragged, "evolve model.toml --duration 1e13 --format csv");
+    let momentum = Table::of(&found.stdout).column("momentum");
+    assert!(momentum.is_sorted_by(|a, b| a > b), "{momentum:?}");
+    assert_snapshot!(ran_with(&dragged, "evolve model.toml").refusal(), @r"
+    ");
+    let gravity = format!(
+        "{ASTEROID}[[force]]\nname = \"pull\"\nkind = \"uniform-gravity\"\nacceleration = [0, 0, -1]\n"
+    );
+    assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r"
+    ");
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let refusal = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml {line}")).refusal().to_owned();
+    assert_snapshot!(refusal("--to 0.2"), @r"
+    ");
+    assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r"
+    ");
+    assert_snapshot!(refusal("--to 5%"), @r"
+    ");
+    let steady = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 0.0, 0.0]");
+    assert_eq!(ran_with(&steady, "evolve model.toml").code, Some(2));
+    let periods = ASTEROID.replace(
+        "wobble = { angle = \"20 deg\", rate = 1e-4, mode = \"short-axis\" }",
+        "periods = { rotation = \"20 h\", precession = \"19 h\", mode = \"short-axis\" }",
+    );
+    assert_snapshot!(ran_with(&periods, "evolve model.toml").refusal(), @r"
+    ");
+}
+
+#[test]
+fn run_keeps_the_evolution_and_its_report_shows_it() {
+    let folder = folder_of("apophis");
+    let ran = ran_in(folder.path(), "run model.toml -o out --duration 100h --samples 50");
+    assert_eq!(ran.code, Some(0), "{ran:?}");
+    assert!(
+        ran.stdout.contains("\nOver many turns: The wobble about the axis of greatest inertia"),
+        "{}",
+        ran.stdout
+    );
+    let table = Table::of(&fs::read_to_string(folder.path().join("out/evolution.csv")).unwrap());
+    assert_eq!(table.rows.len(), 201);
+    let report = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(report.contains("Over many turns") && report.contains("no equation of motion holds"));
+}
+
+/// Observed periods are those of the motion that `simulate` starts.
+#[test]
+fn observed_periods_start_every_command() {
+    let columns = ran("simulate examples/apophis/model.toml --times 0,946800 --quiet").stdout;
+    let table = Table::of(&columns);
+    let [start, after] = [0, 1].map(|row| table.vector(["wx", "wy", "wz"], row));
+    for axis in 0..3 {
+        assert!((start[axis] - after[axis]).abs() < 1e-8 * 6.4e-5, "{start:?} {after:?}"); // 263 h later
+    }
+}

@@ -33,7 +33,7 @@ pub enum Command {
     )]
     Simulate(Simulate),
     /// Follow the averaged rotation over any number of turns
-    #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to \"5 deg\"")]
+    #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to 5deg")]
     Evolve(Evolve),
     /// Set the full stiff system against the reduced equations, with the measured order
     #[command(

@@ -158,9 +158,10 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// A time (s) in the unit a person would choose.
 pub fn time(seconds: f64) -> String {
-    const UNITS: [(f64, &str); 7] = [
+    const UNITS: [(f64, &str); 8] = [
         (31_557_600e9, "Gyr"),
         (31_557_600e6, "Myr"),
+        (31_557_600e3, "kyr"),
         (31_557_600.0, "yr"),
         (86_400.0, "d"),
         (3_600.0, "h"),

@@ -1,4 +1,5 @@
 //! Averaged evolution of a tumbling asteroid over ten billion years.
+#![allow(missing_docs, non_snake_case)]
 
 use quasirigid::averaging::{Evolution, MeanPower, ObservedPeriods, PolynomialPower, Response, Stage};
 use quasirigid::elements::{Assembly, Ellipsoid};
@@ -74,4 +75,16 @@ fn whole_body(bencher: divan::Bencher) {
 #[divan::bench]
 fn body_alone(bencher: divan::Bencher) {
     bencher.bench_local(constant);
+}
+
+#[divan::bench]
+fn modes_alone(bencher: divan::Bencher) {
+    let body = constant();
+    bencher.bench_local(|| Response::of(&body));
+}
+
+#[divan::bench]
+fn observed_start(bencher: divan::Bencher) {
+    let moments = Response::of(&constant()).expect("modes").moments();
+    bencher.bench_local(|| start(moments));
 }

@@ -8,7 +8,7 @@ use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use serde_json::json;
 
-use super::{Loaded, initial, load, note_lossless, notes};
+use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
 use crate::describe::{criterion, reasons, significant, time, verdict, word};
 use crate::failure::Failure;
@@ -22,7 +22,6 @@ const LISTED: usize = 9;
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let Loaded { model, body, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
-    note_lossless(&body, &arguments.common);
     let omega = initial(&model, &body, order, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
@@ -31,6 +30,9 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        if let Some(note) = lossless(&body) {
+            text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
+        }
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         text
     };

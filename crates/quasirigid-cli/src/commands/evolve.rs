@@ -39,6 +39,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     }
     if arguments.common.json {
         let mut object = json!(record);
+        object.as_object_mut().map(|entries| entries.remove("columns"));
         object["mode"] = json!({ "start": record.mode_start, "end": record.mode_end });
         output::print(&format!("{object:#}\n"))?;
     } else if arguments.format == EvolveFormat::Csv {

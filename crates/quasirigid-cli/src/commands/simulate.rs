@@ -21,7 +21,9 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order } = &loaded;
     notes(model, &arguments.common);
-    note_lossless(body, &arguments.common);
+    if arguments.system != System::Rigid {
+        note_lossless(body, &arguments.common);
+    }
     let start = initial(model, body, *order, &arguments.common.model)?;
     let axis = circled_axis(&reduce(body, 1)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;

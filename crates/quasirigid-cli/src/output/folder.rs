@@ -17,7 +17,7 @@ pub struct Folder {
 }
 
 /// The record's file, the report and the derived body; histories have names of their own.
-const FILES: [&str; 4] = ["record.json", "report.html", "reduced.json", "sphere.svg"];
+const FILES: [&str; 5] = ["record.json", "evolution.csv", "report.html", "reduced.json", "sphere.svg"];
 
 impl Folder {
     /// Refuses a folder that cannot be made, or may not be replaced, before the work for it starts.

@@ -130,32 +130,47 @@ fn slow_torques_are_averaged_and_others_refused() {
     let found = ran_with(&dragged, "evolve model.toml --duration 1e13 --format csv");
     let momentum = Table::of(&found.stdout).column("momentum");
     assert!(momentum.is_sorted_by(|a, b| a > b), "{momentum:?}");
-    assert_snapshot!(ran_with(&dragged, "evolve model.toml").refusal(), @r"
-    ");
+    assert_snapshot!(ran_with(&dragged, "evolve model.toml").refusal(), @r#"
+    quasirigid: under a torque the rotation need not reach any target; say how long
+    to follow it, with --duration or with evolve = { duration = "10 yr" } in [run]
+    "#);
     let gravity = format!(
         "{ASTEROID}[[force]]\nname = \"pull\"\nkind = \"uniform-gravity\"\nacceleration = [0, 0, -1]\n"
     );
-    assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r"
-    ");
+    assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r#"
+    quasirigid: the force "pull" cannot be averaged over free rotations; those that
+    can are a drag torque (kind = "spin-drag") and a constant torque in body axes
+    (kind = "torque")
+    "#);
 }
 
 #[test]
 fn what_cannot_be_is_refused() {
     let refusal = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml {line}")).refusal().to_owned();
-    assert_snapshot!(refusal("--to 0.2"), @r"
-    ");
-    assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r"
-    ");
-    assert_snapshot!(refusal("--to 5%"), @r"
-    ");
+    assert_snapshot!(refusal("--to 0.2"), @r#"
+    quasirigid: no rotation of this body has D/I3 = 0.2: it lies between 0.348068,
+    a spin about the axis of least inertia, and 1, one about that of greatest, and
+    neither end ages
+    "#);
+    assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r#"
+    quasirigid: dissipation only raises D/I3, and the target 0.95 lies below the
+    start, 0.99; choose a higher one with --to, or an earlier start with --from
+    "#);
+    assert_snapshot!(refusal("--to 5%"), @r#"
+    quasirigid: --to: "5%" is neither a part of I3 nor an angle; write for example
+    "98% of I3", 0.98 or "5 deg"
+    "#);
     let steady = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 0.0, 0.0]");
     assert_eq!(ran_with(&steady, "evolve model.toml").code, Some(2));
     let periods = ASTEROID.replace(
         "wobble = { angle = \"20 deg\", rate = 1e-4, mode = \"short-axis\" }",
         "periods = { rotation = \"20 h\", precession = \"19 h\", mode = \"short-axis\" }",
     );
-    assert_snapshot!(ran_with(&periods, "evolve model.toml").refusal(), @r"
-    ");
+    assert_snapshot!(ran_with(&periods, "evolve model.toml").refusal(), @r#"
+    quasirigid: model.toml: [initial] periods: no motion in this mode has a period
+    of rotation 1.0526 times that of precession; with these moments the ratio lies
+    between 2.4801 and 26.4596
+    "#);
 }
 
 #[test]

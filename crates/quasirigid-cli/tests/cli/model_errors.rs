@@ -21,7 +21,7 @@ fn unknown_key_is_answered_with_the_nearest() {
         │     ╰───── unknown key
         │ 
         │ Help: did you mean `stiffness`? the keys are from, to, stiffness,
-        │       damping, axial, anchor
+        │       damping, rheology, axial, anchor
     ────╯
 
     quasirigid: model.toml: 1 problem; nothing was computed
@@ -123,15 +123,16 @@ fn duplicate_name_is_refused() {
 fn missing_carrier_is_refused() {
     let carrier = ..MODEL.find("[[point]]").unwrap();
     assert_snapshot!(refusal(&MODEL[carrier], ""), @r"
-    Error: the file has no [carrier]
+    Error: the file has neither a [carrier] nor an [[ellipsoid]]
        ╭─[ model.toml:1:1 ]
        │
      1 │ [[point]]
        │ │ 
-       │ ╰─ no [carrier] in this file
+       │ ╰─ no body in this file
        │ 
-       │ Help: add [carrier] with mass, center_of_mass and inertia: the rigid
-       │       body that carries everything else
+       │ Help: add [carrier] with mass, center_of_mass and inertia: the
+       │       rigid body that carries everything else; or [[ellipsoid]] with
+       │       semi_axes and material: a body that is elastic throughout
     ───╯
 
     quasirigid: model.toml: 1 problem; nothing was computed
@@ -166,7 +167,7 @@ fn empty_file_is_refused() {
        │ ╰─ nothing to read
        │ 
        │ Help: a model has at least a [carrier] with mass, center_of_mass and
-       │       inertia
+       │       inertia, or an [[ellipsoid]] with semi_axes and material
     ───╯
 
     quasirigid: model.toml: 1 problem; nothing was computed

@@ -52,6 +52,8 @@ const TOLERANCE: f64 = 1e-10;
 /// Length of the pieces in which a time is looked for, and their number at most.
 const PIECE: f64 = 2.0;
 const PIECES: usize = 400;
+/// Change of a place, relative to a piece, after which Newton's next step is rounding.
+const SETTLED: f64 = 1e-9;
 /// Newton's steps towards a time within a piece.
 const STEPS: usize = 60;
 
@@ -151,7 +153,7 @@ impl<'a> Evolution<'a> {
                 return None;
             }
             if piece >= left {
-                return Some(at(self.within(start, left)));
+                return Some(at(self.within(start, left, left / piece)));
             }
             left -= piece;
             start += PIECE;
@@ -159,10 +161,10 @@ impl<'a> Evolution<'a> {
         Some(at(start))
     }
 
-    /// The place a time after another, less than a piece away: Newton's method between bounds.
-    fn within(&self, start: f64, time: f64) -> f64 {
+    /// The place a time after another, less than a piece away and about this share of one: Newton's method between bounds.
+    fn within(&self, start: f64, time: f64, share: f64) -> f64 {
         let (mut low, mut high) = (start, start + PIECE);
-        let mut x = start + 0.5 * PIECE;
+        let mut x = start + share * PIECE;
         for _ in 0..STEPS {
             let over = self.between(start, x).time - time;
             if over > 0.0 {
@@ -173,7 +175,7 @@ impl<'a> Evolution<'a> {
             let [slowness, _] = self.slowness(x);
             let next = x - over / slowness;
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-            if (next - x).abs() <= f64::EPSILON * PIECE {
+            if (next - x).abs() <= SETTLED * PIECE {
                 return next;
             }
             x = next;

@@ -83,6 +83,9 @@ impl ObservedPeriods {
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
             if (ratio_at(middle) < ratio) == rising {
                 low = middle;
             } else {

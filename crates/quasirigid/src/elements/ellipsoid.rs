@@ -156,10 +156,13 @@ impl Ellipsoid {
         let first = |shape: &Shape| moment::inertia(&self.moment(&position, &shape.terms));
         let mut pairs: Vec<(usize, usize, Pair)> = Vec::new();
         for (j, a) in shapes.iter().enumerate() {
-            for (k, b) in shapes.iter().enumerate() {
+            for (k, b) in shapes.iter().enumerate().skip(j) {
                 let W = self.moment(&a.terms, &b.terms);
                 if W != Matrix3::zeros() {
                     pairs.push((j, k, moment::straight_pair(&W)));
+                    if j < k {
+                        pairs.push((k, j, moment::straight_pair(&W.transpose())));
+                    }
                 }
             }
         }
@@ -178,9 +181,16 @@ impl Ellipsoid {
         let energy = |a: &Shape, b: &Shape| {
             a.terms.iter().flat_map(|x| b.terms.iter().map(|y| self.strain(x, y))).sum::<f64>()
         };
+        let mut stiffness = vec![vec![0.0; shapes.len()]; shapes.len()];
+        for (j, a) in shapes.iter().enumerate() {
+            for (k, b) in shapes.iter().enumerate().skip(j) {
+                stiffness[j][k] = energy(a, b);
+                stiffness[k][j] = stiffness[j][k];
+            }
+        }
         Block {
             columns: (0..shapes.len()).collect(),
-            stiffness: shapes.iter().map(|a| shapes.iter().map(|b| energy(a, b)).collect()).collect(),
+            stiffness,
             damping: Vec::new(),
             rheology: self.rheology.clone(),
         }

@@ -2,6 +2,9 @@ use super::ElementError;
 use crate::math::sparse::SparseRows;
 use crate::model::{Lossy, Rheology};
 
+/// Entries of a matrix, with row and column.
+type Entries = Vec<(usize, usize, f64)>;
+
 /// Part of the symmetric matrices over some coordinates.
 pub(super) struct Block {
     pub columns: Vec<usize>,
@@ -25,7 +28,7 @@ impl Matrices {
         blocks: impl Iterator<Item = Result<Block, ElementError>>,
     ) -> Result<Self, ElementError> {
         let (mut stiffness, mut damping) = (Vec::new(), Vec::new());
-        let mut materials: Vec<(Rheology, Vec<(usize, usize, f64)>)> = Vec::new();
+        let mut materials: Vec<(Rheology, Entries)> = Vec::new();
         for block in blocks {
             let block = block?;
             let elastic = block.entries(&block.stiffness);
@@ -53,7 +56,7 @@ impl Matrices {
 
 impl Block {
     /// Entries of one of its matrices, with their rows and columns in the whole.
-    fn entries(&self, matrix: &[Vec<f64>]) -> Vec<(usize, usize, f64)> {
+    fn entries(&self, matrix: &[Vec<f64>]) -> Entries {
         let rows = self.columns.iter().zip(matrix);
         rows.flat_map(|(j, row)| self.columns.iter().zip(row).map(|(k, entry)| (*j, *k, *entry))).collect()
     }

@@ -255,6 +255,8 @@ impl Ageing {
         let last = rows.states.last().copied().unwrap_or(rows.first);
         let to = last.stage;
         let steady = rows.evolution.is_some();
+        let power = evolution.power(from);
+        let ages = power > 0.0 || !steady;
         let final_motion = Evolution::new(self.power(), last.momentum).motion(to);
         let I3 = self.principal.moments[2];
         let mut record = EvolutionRecord {
@@ -266,14 +268,14 @@ impl Ageing {
             mode_end: mode(to.mode).into(),
             ratio_start: evolution.ratio(from),
             ratio_end: last.momentum.powi(2) / (2.0 * final_motion.energy() * I3),
-            time: last.t,
+            time: if ages { last.t } else { f64::INFINITY },
             time_range,
-            turns: last.turns,
-            power: evolution.power(from),
+            turns: if ages { last.turns } else { f64::INFINITY },
+            power,
             separatrix_time: if steady { evolution.separatrix_time(from, to) } else { rows.crossing() },
             lingering: if steady { evolution.lingering(from, to) } else { None },
-            damping_time: evolution.wobble_rate(Mode::ShortAxis).recip(),
-            growth_time: evolution.wobble_rate(Mode::LongAxis).recip(),
+            damping_time: folding(evolution, Mode::ShortAxis),
+            growth_time: folding(evolution, Mode::LongAxis),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
             columns,
@@ -339,6 +341,7 @@ impl<'e> Rows<'e> {
     fn of_evolution(evolution: &Evolution<'e>, from: Stage, to: Stage, samples: usize) -> Self {
         let momentum = evolution.motion(from).momentum();
         let state = |stage| DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 };
+        let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
         Self { first: state(from), states, evolution: Some(*evolution), status: "finished" }
     }
@@ -423,6 +426,12 @@ fn slow_torque(body: &FlexibleBody, forces: &[Force<Marker>]) -> Result<SlowTorq
         }
     }
     Ok(sum)
+}
+
+/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost.
+fn folding(evolution: &Evolution, mode: Mode) -> f64 {
+    let rate = evolution.wobble_rate(mode);
+    if rate > 0.0 { rate.recip() } else { f64::INFINITY }
 }
 
 /// The name of a mode.

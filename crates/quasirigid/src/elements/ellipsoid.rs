@@ -48,6 +48,9 @@ struct Shape {
     name: String,
 }
 
+/// Products of odd numbers, `(2n − 1)!!`.
+const ODD: [f64; 6] = [1.0, 1.0, 3.0, 15.0, 105.0, 945.0];
+
 impl Ellipsoid {
     /// The body.
     ///
@@ -261,8 +264,8 @@ impl Ellipsoid {
         if exponents.iter().any(|power| power % 2 == 1) {
             return 0.0;
         }
-        let odd: f64 = exponents.iter().map(|power| double_factorial(power.saturating_sub(1))).product();
-        let all = double_factorial(exponents.iter().sum::<usize>() + 3);
+        let odd: f64 = exponents.iter().map(|power| ODD[power / 2]).product();
+        let all = ODD[exponents.iter().sum::<usize>() / 2 + 2];
         4.0 * PI * self.semi_axes.iter().product::<f64>() * odd / all
     }
 
@@ -289,10 +292,6 @@ impl Ellipsoid {
         let square = self.semi_axes.iter().product::<f64>().cbrt().powi(2);
         2.0 / 3.0 * PI * GRAVITATION * self.density * self.density * square
     }
-}
-
-fn double_factorial(n: usize) -> f64 {
-    (1..=n).rev().step_by(2).map(|factor| factor as f64).product()
 }
 
 fn letter(axis: usize) -> char {

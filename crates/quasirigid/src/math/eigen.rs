@@ -80,36 +80,74 @@ pub struct Modes {
 /// Solves `C x = Ω² A x` for symmetric positive definite `C` and positive semi-definite `A`. (V2)
 ///
 /// Works with `1/Ω²`, so the lowest frequencies, which decide how far the theory holds, are the most accurate. A
-/// coordinate without mass has an infinite frequency.
+/// coordinate without mass has an infinite frequency. Coordinates that neither matrix couples are solved apart.
 ///
 /// # Errors
 /// [`NoConvergence`] if the solver fails or `C` is not positive definite.
 pub fn modes(A: &Dense, C: &Dense) -> Result<Modes, NoConvergence> {
     let size = A.size();
-    let failed = NoConvergence { size };
-    if size == 0 {
-        return Ok(Modes { frequencies: Vec::new(), shapes: Dense::zero(0) });
+    let mut found: Vec<(f64, Vec<(usize, f64)>)> = Vec::with_capacity(size);
+    for rows in coupled(A, C) {
+        let (squares, vectors) = block_modes(A, C, &rows).ok_or(NoConvergence { size })?;
+        for (column, inverse) in squares.iter().enumerate() {
+            let frequency = inverse.max(0.0).sqrt().recip();
+            let entries = rows.iter().enumerate().map(|(i, row)| (*row, vectors[(i, column)] * frequency));
+            found.push((frequency, entries.collect()));
+        }
     }
-    let scale: Vec<f64> = (0..size).map(|i| C.at(i, i).sqrt().recip()).collect();
-    let scaled = |matrix: &Dense| Mat::from_fn(size, size, |i, j| matrix.at(i, j) * scale[i] * scale[j]);
-    let factor = scaled(C).llt(Side::Lower).map_err(|_| failed)?;
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut modes = Modes { frequencies: Vec::with_capacity(size), shapes: Dense::zero(size) };
+    for (column, (frequency, entries)) in found.into_iter().enumerate() {
+        modes.frequencies.push(frequency);
+        entries.iter().for_each(|(row, entry)| modes.shapes.add(*row, column, *entry));
+    }
+    Ok(modes)
+}
+
+/// Lists of rows that are coupled with each other and with no others, each ascending.
+fn coupled(A: &Dense, C: &Dense) -> Vec<Vec<usize>> {
+    let size = A.size();
+    let mut lists = Vec::new();
+    let mut taken = vec![false; size];
+    for first in 0..size {
+        if taken[first] {
+            continue;
+        }
+        taken[first] = true;
+        let mut list = vec![first];
+        let mut next = 0;
+        while let Some(&row) = list.get(next) {
+            for other in 0..size {
+                if !taken[other] && (A.at(row, other) != 0.0 || C.at(row, other) != 0.0) {
+                    taken[other] = true;
+                    list.push(other);
+                }
+            }
+            next += 1;
+        }
+        list.sort_unstable();
+        lists.push(list);
+    }
+    lists
+}
+
+/// Values of `1/Ω²` of some rows, and vectors with `xᵀ C x = 1`, one per column.
+fn block_modes(A: &Dense, C: &Dense, rows: &[usize]) -> Option<(Vec<f64>, Mat<f64>)> {
+    let scale: Vec<f64> = rows.iter().map(|row| C.at(*row, *row).sqrt().recip()).collect();
+    let scaled = |matrix: &Dense| {
+        Mat::from_fn(rows.len(), rows.len(), |i, j| matrix.at(rows[i], rows[j]) * scale[i] * scale[j])
+    };
+    let factor = scaled(C).llt(Side::Lower).ok()?;
     let L = factor.L();
     let mut inner = scaled(A);
     L.solve_lower_triangular_in_place(inner.as_mut());
     inner = inner.transpose().to_owned();
     L.solve_lower_triangular_in_place(inner.as_mut());
-    let eigen = inner.self_adjoint_eigen(Side::Lower).map_err(|_| failed)?;
+    let eigen = inner.self_adjoint_eigen(Side::Lower).ok()?;
     let mut vectors = eigen.U().to_owned();
     L.transpose().solve_upper_triangular_in_place(vectors.as_mut());
-    let mut modes = Modes { frequencies: Vec::with_capacity(size), shapes: Dense::zero(size) };
-    for (column, from) in (0..size).rev().enumerate() {
-        let frequency = eigen.S()[from].max(0.0).sqrt().recip();
-        modes.frequencies.push(frequency);
-        for row in 0..size {
-            modes.shapes.add(row, column, vectors[(row, from)] * scale[row] * frequency);
-        }
-    }
-    Ok(modes)
+    let unscaled = Mat::from_fn(rows.len(), rows.len(), |i, j| vectors[(i, j)] * scale[i]);
+    Some(((0..rows.len()).map(|i| eigen.S()[i]).collect(), unscaled))
 }
 
 /// Eigenvalues of a square matrix as pairs (real part, imaginary part), in no particular order.

@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
-use quasirigid::averaging::{FreeRotation, ObservedError, ObservedPeriods};
+use quasirigid::averaging::{EulerAngles, FreeRotation, ObservedError, ObservedPeriods};
 use quasirigid::math::sym::{add, cross, norm, scale};
 use quasirigid::model::Mode;
 

@@ -266,3 +266,34 @@ fn small_wobble_falls_at_its_closed_rate() {
         close("rate", Evolution::new(power, MOMENTUM).wobble_rate(Mode::ShortAxis), expected, 1e-9);
     });
 }
+
+/// The time law of a spheroid under Kelvin–Voigt material in closed form, by partial fractions, with both shear
+/// compliances. `du/dt = κ u(1−u)(αu + β(1−u))`, `u = cos²θ`.
+#[test]
+fn spheroid_follows_the_closed_time_law() {
+    let (stiff, time, h) = (1e12, 1e-3, 0.6);
+    let response = Response::of(&body(Ellipsoid {
+        name: "spheroid".into(),
+        semi_axes: [1.0, 1.0, h],
+        center: [0.0; 3],
+        density: 1.0,
+        young: 2.5 * stiff,
+        poisson: 0.25,
+        rheology: Rheology::KelvinVoigt { time },
+    }))
+    .unwrap();
+    let [A, _, C] = response.moments();
+    let S = response.static_compliance();
+    let G = 2e-3 * C; // slow beside 1/time
+    let rate = 2.0 * time * (C - A) * G.powi(4) / (A.powi(3) * C);
+    let (alpha, beta) = (S[4][4] / (C * C), S[5][5] / (A * A));
+    let primitive = |u: f64| {
+        let f = alpha * u + beta * (1.0 - u);
+        u.ln() / beta - (1.0 - u).ln() / alpha + (beta - alpha) / (alpha * beta) * f.ln()
+    };
+    let evolution = Evolution::new(&response, G);
+    let stage = |u: f64| evolution.stage(1.0 / (C * (u / C + (1.0 - u) / A))).unwrap();
+    for (from, to) in [(0.01, 0.99), (0.3, 0.31), (0.5, 0.9999)] {
+        close("time", evolution.time(stage(from), stage(to)) * rate, primitive(to) - primitive(from), 1e-9);
+    }
+}

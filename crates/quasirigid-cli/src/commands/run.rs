@@ -47,9 +47,9 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let mut notes = model.notes.clone();
     notes.extend(lossless(body).map(String::from));
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
+    let evolution = plan.evolution(&loaded, start, &mut notes)?;
     let histories = plan.histories(&mut notes)?;
     let verification = plan.verification(model, order, &mut notes)?;
-    let evolution = plan.evolution(&loaded, start, &mut notes)?;
     let record = RunRecord {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(model),

@@ -25,7 +25,7 @@ fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
 
 #[test]
 fn every_other_example_holds_and_exits_with_0() {
-    for example in EXAMPLES.iter().filter(|name| **name != "explorer1") {
+    for example in EXAMPLES.iter().filter(|name| !["explorer1", "nutation-damper"].contains(name)) {
         let checked = ran(&format!("check examples/{example}/model.toml"));
         assert_eq!((checked.code, &*checked.stderr), (Some(0), ""), "{example}");
         assert!(checked.stdout.lines().next().unwrap().ends_with("The reduced equations hold at this spin."));

@@ -6,7 +6,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 11] = [
+pub const EXAMPLES: [&str; 12] = [
     "apophis",
     "axial-mass",
     "boom-satellite",
@@ -15,6 +15,7 @@ pub const EXAMPLES: [&str; 11] = [
     "explorer1-stiff",
     "gravity-gradient",
     "heavy-top",
+    "nutation-damper",
     "oumuamua",
     "three-masses",
     "toutatis",

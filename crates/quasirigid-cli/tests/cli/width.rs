@@ -40,6 +40,12 @@ fn answers_to_every_example_fit_a_terminal() {
             assert!(answer.stdout.lines().count() > 10, "{line}: {answer:?}");
             assert_narrow(&line, &(answer.stdout + &answer.stderr));
         }
+        if example != "gravity-gradient" && example != "heavy-top" {
+            let line = format!("evolve examples/{example}/model.toml");
+            let answer = ran(&line);
+            assert!(answer.stdout.lines().count() > 10, "{line}: {answer:?}");
+            assert_narrow(&line, &(answer.stdout + &answer.stderr));
+        }
         let folder = folder_of(example);
         for command in ["run model.toml", "run model.toml --overwrite --order 1 --form paper"] {
             let answer = ran_in(folder.path(), &format!("{command} --duration 20 --samples 50"));

@@ -29,12 +29,12 @@ pub struct Quantity {
     pub unit: String,
 }
 
-/// A place on the time axis where something happens.
+/// A place on the horizontal axis where something happens.
 pub struct Mark {
     /// Where.
     pub x: f64,
     /// What.
-    pub label: &'static str,
+    pub label: String,
 }
 
 /// A chart of curves against time.
@@ -53,8 +53,8 @@ pub struct Figure {
     pub log: bool,
     /// The curves, the most important first: it is drawn over the others.
     pub series: Vec<Series>,
-    /// An event, drawn as a line across the curves.
-    pub mark: Option<Mark>,
+    /// Events, each drawn as a line across the curves.
+    pub marks: Vec<Mark>,
 }
 
 impl Figure {
@@ -96,7 +96,7 @@ impl Figure {
                         }
                     }
                     (self.labels(y))
-                    @if let Some(mark) = &self.mark { (mark.draw(x)) }
+                    @for mark in &self.marks { (mark.draw(x)) }
                 }
             }
         }

@@ -6,13 +6,15 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 use super::answer::tile;
 use super::curve::{Curve, unit};
 use super::table::{facts, first, table};
-use crate::figure::{Figure, Mark, Quantity};
+use crate::figure::{Figure, Mark, Quantity, Series};
 use crate::number::{digits, duration, percent, short, tidy};
 use crate::rows::{TimeUnit, column};
 use crate::verdict::Verdict;
 
 /// Harmonics and resonances shown.
 const MOST: usize = 12;
+/// Resonances marked in the map.
+const MARKED: usize = 4;
 
 /// The rotation over many turns: the answer, its numbers, nutation and power against time, and what drives it.
 pub fn section(evolution: &EvolutionRecord) -> Markup {
@@ -32,6 +34,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             }
             (nutation_figure(evolution, &columns).draw())
             (power_figure(evolution, &columns).draw())
+            (map(evolution, &columns).draw())
             (harmonics(&evolution.harmonics))
             (resonances(&evolution.resonances))
             (details(evolution))
@@ -147,7 +150,7 @@ fn nutation_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
             if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
         ),
         series: curves.iter().filter_map(|curve| curve.series(columns, &time, f64::to_degrees)).collect(),
-        mark: mark(evolution, &time),
+        marks: separatrix_mark(evolution, &time),
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "nutation", unit: "°".into() },
         log: false,
@@ -169,15 +172,43 @@ fn power_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
             }
         ),
         series: curve.series(columns, &time, |power| power).into_iter().collect(),
-        mark: mark(evolution, &time),
+        marks: separatrix_mark(evolution, &time),
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "power", unit: unit(columns, "power") },
         log: true,
     }
 }
 
-fn mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Option<Mark> {
-    evolution.separatrix_time.map(|seconds| Mark { x: seconds / time.length, label: "separatrix" })
+fn separatrix_mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Vec<Mark> {
+    let mark = |seconds| Mark { x: seconds / time.length, label: "separatrix".into() };
+    evolution.separatrix_time.map(mark).into_iter().collect()
+}
+
+/// Dissipation over the way, whatever the time it takes, with the resonances on it.
+fn map(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
+    let curves = [("power", "followed", "s1"), ("polynomial_power", "reduced", "s2")];
+    let series = |(name, label, class): (&str, &str, &'static str)| {
+        let x = column(columns, "D_over_I3")?.values.clone();
+        let y = column(columns, name)?.values.clone();
+        Some(Series { label: label.into(), class, x, y })
+    };
+    let crossing = |crossing: &CrossingRecord| Mark {
+        x: crossing.ratio,
+        label: format!("{} Ωₚ = {} rad/s", crossing.harmonic, digits(crossing.frequency, 3)),
+    };
+    Figure {
+        id: "evolution-map",
+        title: "Mean power over the way",
+        caption: "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
+                  reduced equations, which know no resonance. Lines mark where a harmonic of the wobble meets an elastic \
+                  frequency."
+            .into(),
+        series: curves.into_iter().filter_map(series).collect(),
+        marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
+        x: Quantity { name: "D/I₃", unit: "1".into() },
+        y: Quantity { name: "power", unit: unit(columns, "power") },
+        log: true,
+    }
 }
 
 fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {

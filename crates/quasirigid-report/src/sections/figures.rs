@@ -57,7 +57,7 @@ fn spin(history: &HistoryRecord, rows: usize) -> Figure {
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "ω", unit: unit(&history.columns, "wx") },
         log: false,
-        mark: None,
+        marks: Vec::new(),
     }
 }
 
@@ -94,7 +94,7 @@ fn energy(history: &HistoryRecord) -> Figure {
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "energy", unit: unit(&history.columns, "dissipated") },
         log: true,
-        mark: None,
+        marks: Vec::new(),
     }
 }
 
@@ -118,6 +118,6 @@ fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
         x: Quantity { name: "t", unit: time.name },
         y: Quantity { name: "nutation", unit: "°".into() },
         log: false,
-        mark: None,
+        marks: Vec::new(),
     }
 }

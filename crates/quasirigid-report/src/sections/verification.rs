@@ -44,7 +44,7 @@ fn convergence(orders: &[OrderRecord]) -> Figure {
         x: Quantity { name: "halvings of ε", unit: "1".into() },
         y: Quantity { name: "difference", unit: "1".into() },
         log: true,
-        mark: None,
+        marks: Vec::new(),
     }
 }
 

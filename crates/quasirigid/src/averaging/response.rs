@@ -64,9 +64,14 @@ impl Response {
     /// # Errors
     /// [`NoConvergence`] if the eigenvalue solver fails.
     pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+        Self::within(body, WHOLE)
+    }
+
+    /// The response in every mode of a body of up to `whole` coordinates, of a larger one in those that are excited.
+    fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::of(body.invariants().J);
         let loads = loads(body, &principal);
-        let span = (body.coordinates().len() > WHOLE).then(|| excited(body, &loads));
+        let span = (body.coordinates().len() > whole).then(|| excited(body, &loads));
         let projected = |times: &dyn Fn(&[f64]) -> Vec<f64>, whole: &dyn Fn() -> Dense| match &span {
             None => whole(),
             Some(span) => projected(span, times),
@@ -296,4 +301,27 @@ fn is_diagonal(matrix: &DMatrix<f64>) -> bool {
             i == j || matrix[(i, j)].powi(2) <= ROUNDING.powi(2) * matrix[(i, i)].abs() * matrix[(j, j)].abs()
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::averaging::{FreeRotation, MeanPower};
+    use crate::problems::ring_of_points;
+
+    /// What the projection leaves out is of the fourth power of spin over elastic frequency.
+    #[test]
+    fn excited_modes_take_the_power_of_all() {
+        let body = ring_of_points(30).body().unwrap();
+        let [whole, few] = [usize::MAX, 0].map(|whole| Response::within(&body, whole).unwrap());
+        assert!(few.modes.len() < 60 && whole.modes.len() == 90 || whole.apart, "{}", few.modes.len());
+        let slowest = whole.frequencies().next().unwrap().0;
+        let gaps = [0.2, 0.1].map(|share| {
+            let [I1, .., I3] = whole.principal.moments;
+            let G = share * slowest * I1;
+            let motion = FreeRotation::at_ratio(whole.principal.moments, G, 0.5 * (I1 / I3 + 1.0));
+            (few.mean_power(&motion) / whole.mean_power(&motion) - 1.0).abs()
+        });
+        assert!(gaps[0] < 1e-4 && gaps[1] < 0.1 * gaps[0].max(1e-11), "{gaps:?}");
+    }
 }

@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use quasirigid::averaging::ObservedError;
+use quasirigid::averaging::{ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
 use quasirigid::math::eigen::NoConvergence;
@@ -61,6 +61,10 @@ pub enum Failure {
     )]
     Steady,
     #[error(
+        "this body has no axis of greatest inertia that a wobble could be counted from: two of its moments are equal"
+    )]
+    NoShortAxis,
+    #[error(
         "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
     )]
     Backwards { from: f64, to: f64 },
@@ -68,10 +72,8 @@ pub enum Failure {
         "under a torque the rotation need not reach any target; say how long to follow it, with --duration or with evolve = {{ duration = \"10 yr\" }} in [run]"
     )]
     NoEvolutionDuration,
-    #[error(
-        "the force {force:?} cannot be averaged over free rotations; those that can are a drag torque (kind = \"spin-drag\") and a constant torque in body axes (kind = \"torque\")"
-    )]
-    Unaveraged { force: String },
+    #[error("{0} (kinds \"spin-drag\" and \"torque\")")]
+    Unaveraged(#[from] Unaveraged),
     #[error(
         "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points"
     )]

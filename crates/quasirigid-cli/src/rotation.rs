@@ -4,7 +4,6 @@ use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::{add, scale};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{Model, Rotation};
@@ -27,13 +26,8 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
             FreeRotation::at_nutation(principal.moments, momentum, mode, angle)
         }
     };
-    let omega = reduce(body, order)?.Omega.vector(momentum(&principal, &motion));
-    Ok(SpinState { omega, attitude: model.initial.attitude })
-}
-
-/// Angular momentum at the start of a motion (N·m·s), body axes: what the frozen body and the bent one have in common.
-fn momentum(principal: &Principal, motion: &FreeRotation) -> [f64; 3] {
     let spin = motion.omega(0.0);
-    let axes = principal.axes.iter().zip(principal.moments).zip(spin);
-    axes.fold([0.0; 3], |sum, ((axis, moment), rate)| add(sum, scale(moment * rate, *axis)))
+    let K = principal.vector([0, 1, 2].map(|i| principal.moments[i] * spin[i]));
+    let omega = reduce(body, order)?.Omega.vector(K);
+    Ok(SpinState { omega, attitude: model.initial.attitude })
 }

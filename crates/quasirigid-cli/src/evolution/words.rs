@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use quasirigid::averaging::{MeanPower, Stage};
 use quasirigid_io::record::{Column, EvolutionRecord};
 
-use super::{Ageing, Rows};
+use super::ageing::Ageing;
 use crate::describe::{count, significant, time};
 use crate::layout::paragraph;
 
@@ -49,9 +49,9 @@ pub fn sentence(record: &EvolutionRecord) -> String {
 }
 
 /// What the reader should know before the numbers.
-pub fn notes(ageing: &Ageing, from: Stage, rows: &Rows, no_range: bool) -> Vec<String> {
+pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
     let mut notes = Vec::new();
-    let motions = [from, rows.to()].map(|stage| ageing.evolution().motion(stage));
+    let motions = ends.map(|stage| ageing.evolution().motion(stage));
     let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
     if !ageing.lossy && ratio.is_finite() && (ratio - 1.0).abs() > APART {
         notes.push(format!(
@@ -76,7 +76,7 @@ pub fn notes(ageing: &Ageing, from: Stage, rows: &Rows, no_range: bool) -> Vec<S
     if ageing.by_polynomial && ageing.lossy {
         notes.push("The reduced equations hold no loss of a material that is not Kelvin-Voigt: take it from the harmonics.".into());
     }
-    if no_range {
+    if unranged {
         notes.push("The ranges of the materials are left out under a torque.".into());
     }
     notes

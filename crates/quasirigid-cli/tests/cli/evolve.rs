@@ -139,8 +139,8 @@ fn slow_torques_are_averaged_and_others_refused() {
     );
     assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r#"
     quasirigid: the force "pull" cannot be averaged over free rotations; those that
-    can are a drag torque (kind = "spin-drag") and a constant torque in body axes
-    (kind = "torque")
+    can are a drag torque and a constant torque in body axes (kinds "spin-drag"
+    and "torque")
     "#);
 }
 

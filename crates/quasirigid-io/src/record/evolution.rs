@@ -6,7 +6,7 @@ use super::{Column, number};
 ///
 /// The columns are `t`, `D_over_I3`, `circled_axis` (1 of least, 3 of greatest inertia), `nutation_min` and
 /// `nutation_max` (angle between the momentum and that axis), `energy`, `momentum`, `polhode_period`,
-/// `precession_period`, `power` and `turns`.
+/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `turns`.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.

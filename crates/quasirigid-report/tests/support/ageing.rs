@@ -18,7 +18,7 @@ const ROWS: usize = 400;
 /// Steps of time between rows.
 const STEPS: usize = 50;
 
-const COLUMNS: [(&str, &str); 11] = [
+const COLUMNS: [(&str, &str); 12] = [
     ("t", "s"),
     ("D_over_I3", "1"),
     ("circled_axis", "1"),
@@ -29,6 +29,7 @@ const COLUMNS: [(&str, &str); 11] = [
     ("polhode_period", "s"),
     ("precession_period", "s"),
     ("power", "W"),
+    ("polynomial_power", "W"),
     ("turns", "1"),
 ];
 
@@ -68,6 +69,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
             polhode_period(ratio),
             precession_period(ratio),
             power(ratio),
+            0.97 * power(ratio),
             turns,
         ];
         columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));

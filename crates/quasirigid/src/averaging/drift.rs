@@ -3,19 +3,11 @@ use std::f64::consts::TAU;
 use super::evolution::Stage;
 use super::poinsot::FreeRotation;
 use super::power::MeanPower;
+use super::slow_torque::SlowTorque;
 use crate::math::ode::{Dop853, Solver, StepError, System};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sym::{add, dot, scale};
 use crate::model::{Mode, Principal};
-
-/// External torque so weak that a rotation hardly notices it in one turn. (A8)
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SlowTorque {
-    /// Torque fixed in the body (N·m), body axes.
-    pub constant: [f64; 3],
-    /// Coefficient `κ` of a drag torque `−κω` (N·m·s).
-    pub drag: f64,
-}
 
 /// Ageing of a rotation under a slow torque: energy and momentum both drift. (A8)
 pub struct Drift<'a> {
@@ -61,7 +53,7 @@ impl<'a> Drift<'a> {
     /// The drift of a free body with these principal axes.
     #[must_use]
     pub fn new(power: &'a dyn MeanPower, principal: &Principal, torque: SlowTorque) -> Self {
-        let constant = principal.axes.map(|axis| dot(axis, torque.constant));
+        let constant = principal.components(torque.constant);
         Self { power, moments: principal.moments, constant, drag: torque.drag }
     }
 

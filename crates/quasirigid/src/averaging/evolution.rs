@@ -86,6 +86,21 @@ impl<'a> Evolution<'a> {
         (from_axis > 0.0).then(|| Stage { mode, xi: (from_separatrix / from_axis).ln().max(SEPARATRIX) })
     }
 
+    /// The stage with this greatest angle (rad) between the momentum and the axis of greatest inertia; none of a body that has
+    /// no such axis.
+    #[must_use]
+    pub fn wobbling(&self, angle: f64) -> Option<Stage> {
+        Stage::of(&FreeRotation::at_nutation(self.moments, self.G, Mode::ShortAxis, angle))
+    }
+
+    /// The stage where a share is left of the energy that a stage has above the steady spin about the axis of greatest
+    /// inertia.
+    #[must_use]
+    pub fn faded(&self, from: Stage, left: f64) -> Option<Stage> {
+        let over = 1.0 / self.motion(from).ratio() - 1.0;
+        self.stage(1.0 / (1.0 + left * over))
+    }
+
     /// `D/I₃` at a stage.
     #[must_use]
     pub fn ratio(&self, Stage { mode, xi }: Stage) -> f64 {

@@ -9,9 +9,10 @@ mod observed;
 mod poinsot;
 mod power;
 mod response;
+mod slow_torque;
 
 pub use crossing::Crossing;
-pub use drift::{Drift, DriftEnding, DriftState, SlowTorque};
+pub use drift::{Drift, DriftEnding, DriftState};
 pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
@@ -19,3 +20,4 @@ pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
 pub use power::{MeanPower, PolynomialPower};
 pub use response::Response;
+pub use slow_torque::{SlowTorque, Unaveraged};

@@ -94,7 +94,6 @@ impl ObservedPeriods {
         }
         let unit = at(0.5 * (low + high));
         let G = unit.momentum() * unit.polhode_period() / rotation;
-        let D = unit.momentum() * unit.momentum() / (2.0 * unit.energy());
-        Ok(FreeRotation::at_ratio(moments, G, D / I3))
+        Ok(FreeRotation::at_ratio(moments, G, unit.ratio()))
     }
 }

@@ -131,6 +131,12 @@ impl FreeRotation {
         }
     }
 
+    /// `D/I₃ = |K|²/2EI₃`, from `I₁/I₃` to 1.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.G * self.G / (self.G * self.G + self.from_short)
+    }
+
     /// Place `ξ` between the separatrix, `−∞`, and the circled axis, `∞`: the logit of [`at_logit`](Self::at_logit).
     #[must_use]
     pub fn logit(&self) -> f64 {

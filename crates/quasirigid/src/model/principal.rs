@@ -61,12 +61,25 @@ impl Principal {
         }
     }
 
+    /// Components of a vector along the principal axes.
+    #[must_use]
+    pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {
+        self.axes.map(|axis| dot(axis, vector))
+    }
+
+    /// The vector with these components along the principal axes.
+    #[must_use]
+    pub fn vector(&self, components: [f64; 3]) -> [f64; 3] {
+        let parts = self.axes.iter().zip(components);
+        parts.fold([0.0; 3], |sum, (axis, component)| sym::add(sum, sym::scale(component, *axis)))
+    }
+
     /// Motion of the spin of the frozen body that starts with `omega` (rad/s); none if the spin does not move in the
     /// body or takes for ever, as about a principal axis of a sphere and on the separatrix.
     #[must_use]
     pub fn polhode(&self, omega: [f64; 3]) -> Option<Polhode> {
         let [I1, I2, I3] = self.moments;
-        let w: [f64; 3] = self.axes.map(|axis| dot(axis, omega).powi(2));
+        let w = self.components(omega).map(|rate| rate * rate);
         let above = I2 * (I2 - I1) * w[1] + I3 * (I3 - I1) * w[2]; // G² − 2E I₁
         let below = I1 * (I3 - I1) * w[0] + I2 * (I3 - I2) * w[1]; // 2E I₃ − G²
         let (short, long) = ((I3 - I2) * above, (I2 - I1) * below);

@@ -1,0 +1,257 @@
+use std::f64::consts::TAU;
+
+use quasirigid::averaging::{
+    DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage,
+};
+use quasirigid::dynamics::SpinState;
+use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
+use quasirigid_io::model::{Power, Target};
+use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
+
+use super::rows::Rows;
+use super::{Asked, words};
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::progress::Bar;
+
+/// Share of the wobble's energy that is left where nothing says how far to go.
+const LEFT: f64 = 0.01;
+/// Shares of harmonics below this are not listed, nor more than so many of them.
+const FAINT: f64 = 1e-4;
+const MOST_HARMONICS: usize = 12;
+/// Resonances listed.
+const MOST_CROSSINGS: usize = 12;
+
+/// A body whose rotation ages.
+pub struct Ageing {
+    pub principal: Principal,
+    pub response: Response,
+    pub polynomial: PolynomialPower,
+    /// Whether the polynomial's power is the one followed.
+    pub by_polynomial: bool,
+    /// Rotation of the frozen body with the momentum at the start.
+    pub initial: FreeRotation,
+    pub order: usize,
+    /// Whether a material loses energy by a law that the polynomial does not hold.
+    pub lossy: bool,
+    /// Frequencies (rad/s) between which materials were measured.
+    pub measured: Vec<[f64; 2]>,
+}
+
+impl Ageing {
+    pub fn new(
+        body: &FlexibleBody,
+        reduced: &ReducedBody,
+        start: SpinState,
+        power: Option<Power>,
+    ) -> Result<Self, Failure> {
+        let lossy = !body.lossy().is_empty();
+        let principal = Principal::of(reduced.J);
+        let K = principal.components(reduced.momentum(start.omega));
+        let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
+        let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
+        Ok(Self {
+            principal,
+            response: Response::of(body)?,
+            polynomial: PolynomialPower::of(reduced),
+            by_polynomial: !lossy && power.is_none() || power == Some(Power::Polynomial),
+            initial: FreeRotation::through(principal.moments, frozen),
+            order: reduced.order,
+            lossy,
+            measured: measured.collect(),
+        })
+    }
+
+    pub fn power(&self) -> &dyn MeanPower {
+        if self.by_polynomial { &self.polynomial } else { &self.response }
+    }
+
+    pub fn evolution(&self) -> Evolution<'_> {
+        Evolution::new(self.power(), self.initial.momentum())
+    }
+
+    /// Where the evolution starts: at a target, or at the initial state.
+    pub fn start(&self, evolution: &Evolution, from: Option<Target>) -> Result<Stage, Failure> {
+        match from {
+            Some(target) => self.stage(evolution, target),
+            None => Stage::of(&self.initial).ok_or(Failure::Steady),
+        }
+    }
+
+    pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, Failure> {
+        let [I1, _, I3] = self.principal.moments;
+        match target {
+            Target::Ratio(ratio) => evolution.stage(ratio).ok_or(Failure::NoStage { ratio, least: I1 / I3 }),
+            Target::Wobble(angle) => evolution.wobbling(angle).ok_or(Failure::NoShortAxis),
+        }
+    }
+
+    /// Where the evolution ends: the target, the time, or what is left of the wobble, whichever comes first.
+    pub fn end(&self, evolution: &Evolution, from: Stage, asked: &Asked) -> Result<Stage, Failure> {
+        let target = match asked.until {
+            Some(target) => self.stage(evolution, target)?,
+            None => evolution.faded(from, LEFT).ok_or(Failure::Steady)?,
+        };
+        let [start, end] = [from, target].map(|stage| evolution.ratio(stage));
+        if end < start {
+            return Err(Failure::Backwards { from: start, to: end });
+        }
+        match asked.duration {
+            Some(duration) if evolution.time(from, target) > duration => {
+                Ok(evolution.after(from, duration).unwrap_or(from))
+            }
+            _ => Ok(target),
+        }
+    }
+
+    pub fn drifting(&self, stage: Stage) -> DriftState {
+        let circled = self.initial.omega(0.0)[stage.mode.circled()];
+        let side = if circled < 0.0 { -1.0 } else { 1.0 };
+        DriftState { t: 0.0, stage, momentum: self.initial.momentum(), side, turns: 0.0 }
+    }
+
+    /// The table of the rows; fewer of them if Ctrl-C ends the work.
+    pub fn columns(&self, rows: &mut Rows, interrupt: &Interrupt, bar: &Bar) -> Vec<Column> {
+        let mut columns: Vec<Column> = COLUMNS
+            .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
+            .into();
+        for i in 0..rows.states.len() {
+            if interrupt.pressed() {
+                rows.states.truncate(i);
+                rows.status = "interrupted";
+                break;
+            }
+            bar.show(i as f64 / rows.states.len() as f64);
+            let values = self.row(rows.advance(i));
+            columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
+        }
+        columns
+    }
+
+    fn row(&self, state: DriftState) -> [f64; COLUMNS.len()] {
+        let motion = Evolution::new(self.power(), state.momentum).motion(state.stage);
+        let [least, greatest] = motion.nutation();
+        [
+            state.t,
+            motion.ratio(),
+            (motion.mode().circled() + 1) as f64,
+            least,
+            greatest,
+            motion.energy(),
+            motion.momentum(),
+            motion.polhode_period(),
+            TAU / motion.long_axis_precession_rate(),
+            self.power().mean_power(&motion),
+            self.polynomial.mean_power(&motion),
+            state.turns,
+        ]
+    }
+
+    pub fn record(
+        &self,
+        evolution: &Evolution,
+        from: Stage,
+        rows: &Rows,
+        time_range: Option<[f64; 2]>,
+        columns: Vec<Column>,
+    ) -> EvolutionRecord {
+        let last = rows.last();
+        let to = last.stage;
+        let power = evolution.power(from);
+        let ages = power > 0.0 || !rows.steady();
+        let mut record = EvolutionRecord {
+            sentence: String::new(),
+            method: self.method(),
+            status: rows.status.into(),
+            momentum: self.initial.momentum(),
+            mode_start: mode(from.mode).into(),
+            mode_end: mode(to.mode).into(),
+            ratio_start: evolution.ratio(from),
+            ratio_end: evolution.ratio(to),
+            time: if ages { last.t } else { f64::INFINITY },
+            time_range,
+            turns: if ages { last.turns } else { f64::INFINITY },
+            power,
+            separatrix_time: if rows.steady() {
+                evolution.separatrix_time(from, to)
+            } else {
+                rows.crossing()
+            },
+            lingering: if rows.steady() { evolution.lingering(from, to) } else { None },
+            damping_time: folding(evolution, Mode::ShortAxis),
+            growth_time: folding(evolution, Mode::LongAxis),
+            harmonics: self.harmonics(&evolution.motion(from)),
+            resonances: self.resonances(evolution, from, to),
+            columns,
+        };
+        record.sentence = words::sentence(&record);
+        record
+    }
+
+    fn method(&self) -> String {
+        if self.by_polynomial {
+            format!("mean of the power of the reduced equations of order {} along the polhode", self.order)
+        } else {
+            "sum over the harmonics of the polhode, with every elastic mode, dashpot and material".into()
+        }
+    }
+
+    fn harmonics(&self, motion: &FreeRotation) -> Vec<HarmonicRecord> {
+        let powers: Vec<(f64, f64)> = self.response.harmonic_powers(motion).collect();
+        let sum: f64 = powers.iter().map(|(_, power)| power).sum();
+        let record = |(i, (frequency, power)): (usize, &(f64, f64))| HarmonicRecord {
+            number: i + 1,
+            frequency: *frequency,
+            share: power / sum,
+        };
+        let harmonics = powers.iter().enumerate().map(record);
+        harmonics.filter(|harmonic| harmonic.share > FAINT).take(MOST_HARMONICS).collect()
+    }
+
+    fn resonances(&self, evolution: &Evolution, from: Stage, to: Stage) -> Vec<CrossingRecord> {
+        let way = evolution.ratio(from)..=evolution.ratio(to);
+        let crossings = self.response.crossings(evolution).into_iter();
+        crossings
+            .filter(|crossing| way.contains(&evolution.ratio(crossing.stage)))
+            .take(MOST_CROSSINGS)
+            .map(|crossing| CrossingRecord {
+                harmonic: crossing.harmonic,
+                frequency: crossing.frequency,
+                ratio: evolution.ratio(crossing.stage),
+                mode: mode(crossing.stage.mode).into(),
+                coordinate: crossing.coordinate,
+                share: crossing.share,
+            })
+            .collect()
+    }
+}
+
+/// Columns of the table, each with its unit.
+const COLUMNS: [(&str, &str); 12] = [
+    ("t", "s"),
+    ("D_over_I3", "1"),
+    ("circled_axis", "1"),
+    ("nutation_min", "rad"),
+    ("nutation_max", "rad"),
+    ("energy", "J"),
+    ("momentum", "N m s"),
+    ("polhode_period", "s"),
+    ("precession_period", "s"),
+    ("power", "W"),
+    ("polynomial_power", "W"),
+    ("turns", "1"),
+];
+
+/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost.
+fn folding(evolution: &Evolution, mode: Mode) -> f64 {
+    let rate = evolution.wobble_rate(mode);
+    if rate > 0.0 { rate.recip() } else { f64::INFINITY }
+}
+
+/// The name of a mode.
+fn mode(mode: Mode) -> &'static str {
+    match mode {
+        Mode::ShortAxis => "short-axis",
+        Mode::LongAxis => "long-axis",
+    }
+}

@@ -1,0 +1,50 @@
+use thiserror::Error;
+
+use crate::math::sym::{add, scale};
+use crate::model::Marker;
+use crate::model::force::{Axes, Force, Law};
+
+/// External torque so weak that a rotation hardly notices it in one turn. (A8)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlowTorque {
+    /// Torque fixed in the body (N·m), body axes.
+    pub constant: [f64; 3],
+    /// Coefficient `κ` of a drag torque `−κω` (N·m·s).
+    pub drag: f64,
+}
+
+/// A force whose mean over a free rotation is not known without the attitude.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error(
+    "the force {name:?} cannot be averaged over free rotations; those that can are a drag torque and a constant torque in body axes"
+)]
+pub struct Unaveraged {
+    /// Name of the force.
+    pub name: String,
+}
+
+impl SlowTorque {
+    /// The torque of some forces together.
+    ///
+    /// # Errors
+    /// [`Unaveraged`] names the first force that is neither a drag of the spin nor a constant torque in body axes.
+    pub fn of(forces: &[Force<Marker>]) -> Result<Self, Unaveraged> {
+        let mut sum = Self::default();
+        for Force { name, law } in forces {
+            match law {
+                Law::SpinDrag { coefficient } => sum.drag += coefficient,
+                Law::Torque { torque, axes: Axes::Body, wave } if wave.frequency == 0.0 => {
+                    sum.constant = add(sum.constant, scale(wave.phase.cos(), *torque));
+                }
+                _ => return Err(Unaveraged { name: name.clone() }),
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Whether there is no torque.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
+}

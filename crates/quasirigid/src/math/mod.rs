@@ -13,5 +13,6 @@ pub mod rotation;
 pub mod scalar;
 pub mod simd;
 pub mod sparse;
+pub mod surface;
 pub mod sym;
 pub mod taylor;

@@ -1,0 +1,120 @@
+use thiserror::Error;
+
+/// Why triangles enclose no body. Fields count vertices and triangles from 0, messages from 1.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum SurfaceError {
+    /// Fewer triangles than a tetrahedron has.
+    #[error("{triangles} triangles enclose nothing; a closed surface has at least 4")]
+    TooFew {
+        /// How many there are.
+        triangles: usize,
+    },
+    /// A triangle with a corner that is not in the list of vertices.
+    #[error("triangle {} has the corner {}, but there are {vertices} vertices{}", triangle + 1, index.saturating_add(1), among(*count, "triangles"))]
+    NoSuchVertex {
+        /// The first such triangle.
+        triangle: usize,
+        /// The corner that it names.
+        index: usize,
+        /// How many vertices there are.
+        vertices: usize,
+        /// How many triangles have such a corner.
+        count: usize,
+    },
+    /// A vertex at NaN or at infinity.
+    #[error("vertex {} is at no finite place{}", vertex + 1, among(*count, "vertices"))]
+    NotFinite {
+        /// The first such vertex.
+        vertex: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A triangle without area: a corner twice, or all three on a line to within rounding.
+    #[error(
+        "triangle {} has no area{}; merge its corners, or take it out and close the gap",
+        triangle + 1, among(*count, "triangles")
+    )]
+    Degenerate {
+        /// The first such triangle.
+        triangle: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// An edge that belongs to one triangle only.
+    #[error(
+        "the edge between vertices {} and {} of triangle {} is open{}; fill the hole, and let triangles that meet share their vertices",
+        edge[0] + 1, edge[1] + 1, triangle + 1, among(*count, "edges")
+    )]
+    Open {
+        /// Ends of the first such edge, in the direction of its triangle.
+        edge: [usize; 2],
+        /// Its triangle.
+        triangle: usize,
+        /// How many open edges there are.
+        count: usize,
+    },
+    /// An edge of more than two triangles.
+    #[error(
+        "the edge between vertices {} and {} belongs to {} triangles, {}{}; two is right: take out walls inside the body, and give bodies that touch vertices of their own",
+        edge[0] + 1, edge[1] + 1, triangles.len(), listed(triangles), among(*count, "edges")
+    )]
+    NonManifold {
+        /// Ends of the first such edge.
+        edge: [usize; 2],
+        /// Its triangles.
+        triangles: Vec<usize>,
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// An edge that both its triangles pass in the same direction, so that one of them is turned around.
+    #[error(
+        "triangles {} and {} both run from vertex {} to vertex {}{}; turn one of them around",
+        triangles[0] + 1, triangles[1] + 1, edge[0] + 1, edge[1] + 1, among(*count, "edges")
+    )]
+    TwiceOriented {
+        /// Ends of the first such edge, in the direction of its triangles.
+        edge: [usize; 2],
+        /// Its triangles.
+        triangles: [usize; 2],
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// The surface looks inward: what it encloses has a negative volume.
+    #[error(
+        "the surface encloses a negative volume; turn all triangles around, so that they run counterclockwise seen from outside"
+    )]
+    Inward,
+    /// A shell that looks inward, as a cavity does, without being in a body.
+    #[error(
+        "the shell of triangle {} looks inward like a cavity but lies in no body{}; turn its triangles around",
+        triangle + 1, among(*count, "shells")
+    )]
+    LooseCavity {
+        /// A triangle of the first such shell.
+        triangle: usize,
+        /// How many such shells there are.
+        count: usize,
+    },
+    /// A shell that looks outward inside the body, which would be counted twice.
+    #[error(
+        "the shell of triangle {} lies inside the body and looks outward{}; turn its triangles around if it is a cavity, else leave it out",
+        triangle + 1, among(*count, "shells")
+    )]
+    Buried {
+        /// A triangle of the first such shell.
+        triangle: usize,
+        /// How many such shells there are.
+        count: usize,
+    },
+}
+
+/// That an element is the first of several.
+fn among(count: usize, elements: &str) -> String {
+    if count > 1 { format!(", the first of {count} such {elements}") } else { String::new() }
+}
+
+/// Numbers of elements, from 1.
+fn listed(elements: &[usize]) -> String {
+    elements.iter().map(|index| (index + 1).to_string()).collect::<Vec<_>>().join(", ")
+}

@@ -20,6 +20,9 @@ fn without_newline(text: &str) -> &str {
     text.strip_prefix("\r\n").or_else(|| text.strip_prefix('\n')).unwrap_or(text)
 }
 
+/// What TOML takes for white space: not every space that Unicode knows.
+const BLANK: [char; 4] = [' ', '\t', '\n', '\r'];
+
 /// Steps through the inside of a written string.
 struct Reader<'a> {
     text: &'a str,
@@ -63,7 +66,9 @@ impl Reader<'_> {
             Some('u') => 4,
             Some('U') => 8,
             Some('x') => 2,
-            Some(space) if space.is_whitespace() => return (rest.len() - rest[1..].trim_start().len(), 0),
+            Some(' ' | '\t' | '\n' | '\r') => {
+                return (rest.len() - rest[1..].trim_start_matches(BLANK).len(), 0);
+            }
             other => return (1 + other.map_or(0, char::len_utf8), 1),
         };
         let code = rest.get(2..2 + digits).and_then(|hex| u32::from_str_radix(hex, 16).ok());
@@ -75,6 +80,7 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
     use toml::de::DeValue;
 
     use super::place;
@@ -91,6 +97,7 @@ mod tests {
         assert_eq!(shown(r#""\u00e9\"x""#, 3..4), "x");
         assert_eq!(shown("\"\"\"\n2*\\\n   foo\"\"\"", 2..5), "foo");
         assert_eq!(shown("'''\r\nfoo'''", 0..3), "foo");
+        assert_eq!(shown("\"\"\"\\\n\u{2000}foo\"\"\"", 0..3), "\u{2000}");
         assert_eq!(shown("\"t +\"", 3..3), "\"");
         assert_eq!(shown("\"\"", 0..0), "\"");
         assert_eq!(place("12", 0..1), None);
@@ -98,6 +105,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1978), ..ProptestConfig::default() })]
+
         /// Every character of a text is found where it is written, whatever stands around it.
         #[test]
         fn every_character_is_found(text in "(\\PC|\n|\t|[\"'\\\\é]){0,20}") {

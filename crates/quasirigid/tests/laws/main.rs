@@ -36,6 +36,7 @@ mod refused;
 mod refused_forces;
 mod rheology;
 mod springs;
+mod surfaces;
 mod verification;
 mod vibrations;
 mod wobble_rate;

@@ -265,25 +265,25 @@ fn errors_in_ply_have_their_line_or_byte() {
     assert_eq!(body, 295);
     assert_snapshot!(changed(&|bytes| bytes.truncate(body + 40)), @"a.ply: byte 335: the file ends after 1 of 8 vertices; was it cut off, or is the number wrong?");
     assert_snapshot!(changed(&|bytes| bytes.truncate(body + 177)), @r#"a.ply: byte 472: the file ends after 0 of 2 elements "edge"; was it cut off, or is the number wrong?"#);
-    assert_snapshot!(changed(&|bytes| bytes.push(0)), @"");
-    assert_snapshot!(changed(&|bytes| bytes[body + 2] = 0x7F), @"");
-    assert_snapshot!(changed(&|bytes| bytes[body + 2..body + 10].fill(0xFF)), @"");
+    assert_snapshot!(changed(&|bytes| bytes.push(0)), @"a.ply: byte 707: more follows the 12 faces announced; is that number right?");
+    assert_snapshot!(changed(&|bytes| bytes[body + 2..body + 10].fill(0xFF)), @"a.ply: byte 297: the coordinate NaN is not finite; leave out this vertex and its faces, and close the gap");
+    assert_snapshot!(changed(&|bytes| bytes[body + 188] = 0x20), @"a.ply: byte 483: there is no vertex 8192; 8 vertices count from 0 here");
 }
 
 #[test]
 fn errors_in_plate_tables_have_their_line() {
     let with = |from: &str, to: &str| says("a.tab", plates(false).replacen(from, to, 1));
-    assert_snapshot!(with(" 8\r\n", "8 12 4\n"), @"");
-    assert_snapshot!(with(" 8\r\n", "eight\n"), @"");
-    assert_snapshot!(with(" 8\r\n", "9\n"), @"");
-    assert_snapshot!(with("  3 ", "  4 "), @"");
-    assert_snapshot!(with("1.250000", "NaN"), @"");
-    assert_snapshot!(with("  3 -0.5", "  3 0 -0.5"), @"");
-    assert_snapshot!(with("\n12\n", "\n13\n"), @"");
-    assert_snapshot!(with("\n12\n", "\n11\n"), @"");
-    assert_snapshot!(with("1, 1, 2, 3", "1, 0, 2, 3"), @"");
-    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2, 9"), @"");
-    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2.5, 3"), @"");
+    assert_snapshot!(with(" 8\r\n", "8 12 4\n"), @"a.tab:1: 3 values; the first line has the number of vertices, then perhaps the number of faces");
+    assert_snapshot!(with(" 8\r\n", "eight\n"), @r#"a.tab:1: "eight" is not a number; the first line has the number of vertices, then perhaps the number of faces"#);
+    assert_snapshot!(with(" 8\r\n", "9\n"), @"a.tab:10: 1 values; a vertex is written number x y z, as often as the first line says");
+    assert_snapshot!(with("  3 ", "  4 "), @"a.tab:4: number 4 stands where 3 should; rows count from 1 without a gap");
+    assert_snapshot!(with("1.250000", "NaN"), @"a.tab:6: the coordinate NaN is not finite; leave out this vertex and its faces, and close the gap");
+    assert_snapshot!(with("  3 -0.5", "  3 0 -0.5"), @"a.tab:4: 5 values; a vertex is written number x y z, as often as the first line says");
+    assert_snapshot!(with("\n12\n", "\n13\n"), @"a.tab:22: the file ends after 12 of 13 faces; was it cut off, or is the number wrong?");
+    assert_snapshot!(with("\n12\n", "\n11\n"), @"a.tab:22: more follows the 11 faces announced; is that number right?");
+    assert_snapshot!(with("1, 1, 2, 3", "1, 0, 2, 3"), @"a.tab:11: there is no vertex 0; 8 vertices count from 1 here");
+    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2, 9"), @"a.tab:11: there is no vertex 9; 8 vertices count from 1 here");
+    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2.5, 3"), @r#"a.tab:11: "2.5" is not a number; a face is written number a b c"#);
 }
 
 /// A header costs nothing: memory and time follow the bytes that are there.
@@ -291,19 +291,19 @@ fn errors_in_plate_tables_have_their_line() {
 fn a_billion_announced_is_not_a_billion_taken() {
     let billion = "1000000000";
     let text = ply_text().replacen("vertex 8", &format!("vertex {billion}"), 1);
-    assert_snapshot!(says("a.ply", text), @"");
+    assert_snapshot!(says("a.ply", text), @"a.ply:21: 6 values; the line of an element has one value for each of its properties, and lists begin with their length");
     let binary = |from: &str, to: &str| {
         let (bytes, from) = (ply_binary(false), from.as_bytes());
         let at = bytes.windows(from.len()).position(|part| part == from).unwrap();
         says("a.ply", [&bytes[..at], to.as_bytes(), &bytes[at + from.len()..]].concat())
     };
-    assert_snapshot!(binary("vertex 8", &format!("vertex {billion}")), @"");
-    assert_snapshot!(binary("face 12", &format!("face {billion}")), @"");
-    assert_snapshot!(binary("element edge 2", &format!("element none {billion}\r\nelement edge {billion}")), @"");
-    assert_snapshot!(says("a.tab", format!("{billion} {billion}\n1 0 0 0\n")), @"");
+    assert_snapshot!(binary("vertex 8", &format!("vertex {billion}")), @"a.ply: byte 673: the coordinate NaN is not finite; leave out this vertex and its faces, and close the gap");
+    assert_snapshot!(binary("face 12", &format!("face {billion}")), @"a.ply: byte 718: the file ends after 12 of 1000000000 faces; was it cut off, or is the number wrong?");
+    assert_snapshot!(binary("element edge 2", &format!("element none {billion}\r\nelement edge {billion}")), @r#"a.ply: byte 744: the file ends after 6 of 1000000000 elements "edge"; was it cut off, or is the number wrong?"#);
+    assert_snapshot!(says("a.tab", format!("{billion} {billion}\n1 0 0 0\n")), @"a.tab:2: the file ends after 1 of 1000000000 vertices; was it cut off, or is the number wrong?");
     let mut stl = stl_binary();
     stl[80..84].copy_from_slice(&1_000_000_000u32.to_le_bytes());
-    assert_snapshot!(says("a.stl", stl), @"");
+    assert_snapshot!(says("a.stl", stl), @"a.stl: byte 684: the file ends after 12 of 1000000000 faces; was it cut off, or is the number wrong?");
 }
 
 proptest! {

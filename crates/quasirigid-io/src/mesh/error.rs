@@ -93,7 +93,7 @@ impl fmt::Display for Row {
             Self::Stl => "a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet",
             Self::PlateCounts => "the first line has the number of vertices, then perhaps the number of faces",
             Self::PlateCount => "the line after the vertices has the number of faces",
-            Self::PlateVertex => "a vertex is written number x y z",
+            Self::PlateVertex => "a vertex is written number x y z, as often as the first line says",
             Self::PlateFace => "a face is written number a b c",
             Self::PlyElement => "the line of an element has one value for each of its properties, and lists begin with their length",
         })

@@ -1,4 +1,4 @@
-//! Closed surfaces: moments against closed forms, invariance under how the triangles are written, and every refusal.
+//! Moments of closed surfaces: closed forms, and what they must not depend on.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -7,103 +7,12 @@ use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::math::polynomial::monomial::exponents;
-use quasirigid::math::surface::{ClosedSurface, Moments, SurfaceError};
+use quasirigid::math::surface::Moments;
 
+use crate::shapes::{
+    Mesh, block, both, closed, det, icosphere, inside_out, mapped, split_in_four, star, tetrahedron,
+};
 use crate::support::cases;
-
-type Mesh = (Vec<[f64; 3]>, Vec<[usize; 3]>);
-
-fn closed((vertices, triangles): &Mesh) -> ClosedSurface {
-    ClosedSurface::new(vertices.clone(), triangles.clone()).unwrap()
-}
-
-fn refusal((vertices, triangles): &Mesh) -> SurfaceError {
-    ClosedSurface::new(vertices.clone(), triangles.clone()).unwrap_err()
-}
-
-/// Vertex `4i + 2j + k` is at `[x_i, y_j, z_k]`.
-fn block([low, high]: [[f64; 3]; 2]) -> Mesh {
-    let corner =
-        |n: usize| [[low[0], high[0]][n / 4], [low[1], high[1]][n / 2 % 2], [low[2], high[2]][n % 2]];
-    let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    let triangles = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-    ((0..8).map(corner).collect(), triangles)
-}
-
-const UNIT_CUBE: [[f64; 3]; 2] = [[-1.0; 3], [1.0; 3]];
-
-fn tetrahedron(corners: [[f64; 3]; 4]) -> Mesh {
-    (corners.to_vec(), vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-}
-
-/// A sphere about the origin: the icosahedron, every triangle split in four `splits` times.
-fn icosphere(splits: usize) -> Mesh {
-    let g = 0.5 * (1.0 + 5f64.sqrt());
-    let mut vertices = Vec::new();
-    for [a, b] in [[1.0, g], [-1.0, g], [1.0, -g], [-1.0, -g]] {
-        vertices.extend([[a, b, 0.0], [0.0, a, b], [b, 0.0, a]]);
-    }
-    let near = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>() < 4.1;
-    let mut triangles = Vec::new();
-    for a in 0..12 {
-        for b in a + 1..12 {
-            for c in b + 1..12 {
-                let [p, q, r] = [a, b, c].map(|n: usize| vertices[n]);
-                if near(p, q) && near(q, r) && near(r, p) {
-                    triangles.push(if det(p, q, r) > 0.0 { [a, b, c] } else { [a, c, b] });
-                }
-            }
-        }
-    }
-    let mut mesh = (vertices, triangles);
-    for _ in 0..splits {
-        mesh = split_in_four(&mesh);
-    }
-    for vertex in &mut mesh.0 {
-        let length = vertex.iter().map(|x| x * x).sum::<f64>().sqrt();
-        *vertex = vertex.map(|x| x / length);
-    }
-    mesh
-}
-
-fn split_in_four((vertices, triangles): &Mesh) -> Mesh {
-    let (mut vertices, mut halves) = (vertices.clone(), BTreeMap::new());
-    let mut half = |a: usize, b: usize| {
-        *halves.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-            vertices.push(std::array::from_fn(|i| 0.5 * (vertices[a][i] + vertices[b][i])));
-            vertices.len() - 1
-        })
-    };
-    let split = |[a, b, c]: &[usize; 3]| {
-        let [p, q, r] = [half(*a, *b), half(*b, *c), half(*c, *a)];
-        [[*a, p, r], [p, *b, q], [r, q, *c], [p, q, r]]
-    };
-    let triangles = triangles.iter().flat_map(split).collect();
-    (vertices, triangles)
-}
-
-fn det(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-/// Two meshes as one.
-fn both((mut vertices, mut triangles): Mesh, (others, more): Mesh) -> Mesh {
-    let first = vertices.len();
-    vertices.extend(others);
-    triangles.extend(more.into_iter().map(|corners| corners.map(|corner| corner + first)));
-    (vertices, triangles)
-}
-
-fn inside_out((vertices, triangles): Mesh) -> Mesh {
-    (vertices, triangles.into_iter().map(|[a, b, c]| [a, c, b]).collect())
-}
-
-/// Vertices moved.
-fn mapped((vertices, triangles): &Mesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
-    (vertices.iter().copied().map(map).collect(), triangles.clone())
-}
 
 fn all(degree: usize) -> impl Iterator<Item = [usize; 3]> {
     (0..=degree).flat_map(exponents)
@@ -126,22 +35,6 @@ fn binomial(n: usize, k: usize) -> f64 {
 
 fn factorial(n: usize) -> f64 {
     (1..=n).map(|k| k as f64).product()
-}
-
-/// A body about the origin whose every ray from there leaves it once, with bumps of up to 40 %.
-fn star(splits: usize) -> impl Strategy<Value = Mesh> {
-    let size = icosphere(splits).0.len();
-    let waves = vec((uniform3(-3.0..3.0), 0.0..6.3), 4);
-    let bumps = vec(0.9..1.0, size);
-    (waves, bumps).prop_map(move |(waves, bumps)| {
-        let (mut vertices, triangles) = icosphere(splits);
-        for (vertex, bump) in vertices.iter_mut().zip(bumps) {
-            let phase = |(k, start): &([f64; 3], f64)| (0..3).map(|i| k[i] * vertex[i]).sum::<f64>() + start;
-            let radius = bump * (1.0 + 0.08 * waves.iter().map(|wave| phase(wave).sin()).sum::<f64>());
-            *vertex = vertex.map(|x| x * radius);
-        }
-        (vertices, triangles)
-    })
 }
 
 /// `∫ ξ^i` over an interval is `(b^{i+1} − a^{i+1})/(i+1)`; of its absolute value, the same from the origin both ways.
@@ -297,87 +190,5 @@ proptest! {
         for (found, expected) in other.centroid().into_iter().zip(place(here.centroid())) {
             prop_assert!((found - expected).abs() < 1e-14 * unit);
         }
-    }
-}
-
-#[test]
-fn what_encloses_no_body_is_refused() {
-    use SurfaceError::*;
-    let cube = block(UNIT_CUBE);
-    let changed = |change: fn(&mut Mesh)| {
-        let mut mesh = cube.clone();
-        change(&mut mesh);
-        refusal(&mesh)
-    };
-    assert_eq!(changed(|mesh| mesh.1.truncate(3)), TooFew { triangles: 3 });
-    let missing = NoSuchVertex { triangle: 7, index: 8, vertices: 8, count: 2 };
-    assert_eq!(changed(|mesh| [mesh.1[7][1], mesh.1[9][0]] = [8, 9]), missing);
-    assert_eq!(changed(|mesh| mesh.0[5][2] = f64::NAN), NotFinite { vertex: 5, count: 1 });
-    assert_eq!(changed(|mesh| mesh.0.push([f64::INFINITY; 3])), NotFinite { vertex: 8, count: 1 });
-    assert_eq!(changed(|mesh| mesh.1[4][1] = mesh.1[4][0]), Degenerate { triangle: 4, count: 1 });
-    assert_eq!(changed(|mesh| mesh.0.fill([1.0; 3])), Degenerate { triangle: 0, count: 12 });
-    assert_eq!(
-        changed(|mesh| mesh.1.retain(|corners| *corners != [4, 7, 5])),
-        Open { edge: [7, 4], triangle: 2, count: 3 }
-    );
-    let crowded = NonManifold { edge: [4, 7], triangles: vec![2, 3, 12], count: 3 };
-    assert_eq!(changed(|mesh| mesh.1.push(mesh.1[3])), crowded);
-    let turned = TwiceOriented { edge: [7, 4], triangles: [2, 3], count: 3 };
-    assert_eq!(changed(|mesh| mesh.1[3].swap(0, 1)), turned);
-    assert_eq!(refusal(&inside_out(cube.clone())), Inward);
-    let small = block([[-0.5; 3], [0.5; 3]]);
-    let beside = block([[1.5; 3], [2.0; 3]]);
-    assert_eq!(refusal(&both(cube.clone(), small.clone())), Buried { triangle: 12, count: 1 });
-    assert_eq!(refusal(&both(small.clone(), cube.clone())), Buried { triangle: 0, count: 1 });
-    assert_eq!(
-        refusal(&both(cube.clone(), inside_out(beside.clone()))),
-        LooseCavity { triangle: 12, count: 1 }
-    );
-    let hollow = both(cube, inside_out(small));
-    let core = block([[-0.1; 3], [0.1; 3]]);
-    assert!((closed(&both(both(hollow.clone(), core.clone()), beside)).volume() - 7.133).abs() < 1e-14);
-    assert_eq!(refusal(&both(hollow, inside_out(core))), LooseCavity { triangle: 24, count: 1 });
-}
-
-#[test]
-fn refusals_count_from_one_and_say_what_to_do() {
-    let says = |mesh: Mesh, expected: &str| assert_eq!(refusal(&mesh).to_string(), expected);
-    let (vertices, mut triangles) = block(UNIT_CUBE);
-    triangles.remove(3);
-    says(
-        (vertices.clone(), triangles.clone()),
-        "the edge between vertices 8 and 5 of triangle 3 is open, the first of 3 such edges; \
-         fill the hole, and let triangles that meet share their vertices",
-    );
-    triangles.push([4, 5, 7]);
-    says(
-        (vertices.clone(), triangles.clone()),
-        "triangles 3 and 12 both run from vertex 8 to vertex 5, the first of 3 such edges; turn one of them around",
-    );
-    triangles.push([4, 7, 5]);
-    says(
-        (vertices.clone(), triangles),
-        "the edge between vertices 5 and 8 belongs to 3 triangles, 3, 12, 13, the first of 3 such edges; two is right: \
-         take out walls inside the body, and give bodies that touch vertices of their own",
-    );
-    says((vertices, vec![[0, 1, 2]; 3]), "3 triangles enclose nothing; a closed surface has at least 4");
-}
-
-/// Lines that are nearly straight: the last bit decides, and it is the same bit for a grain and for a moon.
-#[test]
-fn a_sliver_is_a_triangle_until_rounding() {
-    for unit in [1e-9, 1.0, 1e9] {
-        // A cube whose first side has a vertex close to its diagonal.
-        let with = |height: f64| {
-            let (mut vertices, mut triangles) = mapped(&block(UNIT_CUBE), |x| x.map(|x| x * unit));
-            let on = [-1.0, 0.5 * height, -0.5 * height].map(|x| x * unit); // diagonal from [-1, -1] to [1, 1]
-            vertices.push(on);
-            let [a, b, c] = triangles[0];
-            triangles[0] = [a, b, 8];
-            triangles.extend([[b, c, 8], [8, c, a]]);
-            ClosedSurface::new(vertices, triangles)
-        };
-        assert!(with(1e-12).is_ok(), "{unit:e}");
-        assert_eq!(with(1e-15).unwrap_err(), SurfaceError::Degenerate { triangle: 13, count: 1 });
     }
 }

@@ -1,9 +1,10 @@
 use super::geometry::{bounds, is_flat, normalised};
-use super::{Moments, SurfaceError, shells, topology};
+use super::{Moments, SurfaceError, crossing, shells, topology};
 
 /// A surface of triangles that bounds a body: one shell or several, side by side or as cavities one in the other.
 ///
-/// Invariant: every edge has two triangles that pass it in opposite directions; no triangle is flat; triangles run
+/// Invariant: every edge has two triangles that pass it in opposite directions; no triangle is flat, and no two meet
+/// except in a corner or an edge that they share; triangles run
 /// counterclockwise seen from outside the body, so those of a cavity seen from within it. Shells may share single
 /// vertices. All lengths are judged beside the largest coordinate, so that the unit does not matter.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +38,7 @@ impl ClosedSurface {
             return Err(SurfaceError::Degenerate { triangle, count });
         }
         let neighbours = topology::neighbours(&triangles)?;
+        crossing::check(&corners, &triangles)?;
         shells::check(&corners, &neighbours)?;
         let bounds = bounds(triangles.iter().flatten().map(|vertex| vertices[*vertex]));
         Ok(Self { vertices, triangles, bounds })

@@ -80,6 +80,17 @@ pub enum SurfaceError {
         /// How many such edges there are.
         count: usize,
     },
+    /// Two triangles that cross or touch where they share no corner, or lie back to back.
+    #[error(
+        "triangles {} and {} cross or touch{}; a surface must not meet itself: pull them apart, or join the parts into one body",
+        triangles[0] + 1, triangles[1] + 1, among(*count, "pairs")
+    )]
+    SelfIntersecting {
+        /// The first such pair.
+        triangles: [usize; 2],
+        /// How many there are; no more than 1000 are counted.
+        count: usize,
+    },
     /// The surface looks inward: what it encloses has a negative volume.
     #[error(
         "the surface encloses a negative volume; turn all triangles around, so that they run counterclockwise seen from outside"

@@ -1,11 +1,13 @@
 //! Closed surfaces of triangles, and exact integrals over what they enclose.
 
 mod closed;
+mod crossing;
 mod error;
 mod geometry;
 mod moments;
 mod shells;
 mod topology;
+mod tree;
 
 pub use closed::ClosedSurface;
 pub use error::SurfaceError;

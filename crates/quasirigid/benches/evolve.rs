@@ -2,7 +2,7 @@
 #![allow(missing_docs, non_snake_case)]
 
 use quasirigid::averaging::{Evolution, MeanPower, ObservedPeriods, PolynomialPower, Response, Stage};
-use quasirigid::elements::{Assembly, Ellipsoid};
+use quasirigid::elements::{Assembly, Ellipsoid, Material};
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
 
@@ -19,10 +19,7 @@ fn apophis(rheology: Rheology) -> FlexibleBody {
         name: "Apophis".into(),
         semi_axes: [219.1, 151.2, 142.7],
         center: [0.0; 3],
-        density: 2020.0,
-        young: 1.25e9,
-        poisson: 0.25,
-        rheology,
+        material: Material { density: 2020.0, young: 1.25e9, poisson: 0.25, rheology },
     };
     Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() }.body().expect("an ellipsoid")
 }

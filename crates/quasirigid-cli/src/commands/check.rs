@@ -1,7 +1,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{SteadySpin, steady_spins};
-use quasirigid::elements::Ellipsoid;
+use quasirigid::elements::{Ellipsoid, Resolution, Surface};
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
@@ -34,6 +34,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
             text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
         }
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
+        model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
         text
     };
     output::print(&text)?;
@@ -165,10 +166,22 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
 /// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
 fn self_gravity(ellipsoid: &Ellipsoid) -> String {
     let pressure = ellipsoid.central_pressure();
-    let [pressure, share] = [pressure, pressure / ellipsoid.young].map(|value| significant(value, 2));
+    let [pressure, share] =
+        [pressure, pressure / ellipsoid.material.young].map(|value| significant(value, 2));
     let text = format!(
         "Self-gravity, which is not in the model, presses the centre of {:?} with {pressure} Pa, {share} of Young's modulus.",
         ellipsoid.name
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// How well polynomials resolve a solid.
+fn resolution(surface: &Surface) -> String {
+    let Ok(Resolution { degree, missing }) = surface.resolution(0) else { return String::new() };
+    let text = format!(
+        "{:?}: polynomials of degree {degree}; the last two degrees brought {} % of the compliance.",
+        surface.name,
+        significant(100.0 * missing, 2)
     );
     format!("\n{}\n", paragraph(&text, "", "  "))
 }

@@ -16,11 +16,9 @@ const APART: f64 = 0.1;
 
 /// The answer in a sentence or two.
 pub fn sentence(record: &EvolutionRecord) -> String {
-    let degrees = |end: fn(&[f64]) -> Option<&f64>| {
-        let column = column(&record.columns, "nutation_max");
-        end(column).map_or_else(|| "unknown".into(), |angle| significant(angle.to_degrees(), 3))
-    };
-    let (first, last) = (degrees(<[f64]>::first), degrees(<[f64]>::last));
+    let wobble = column(&record.columns, "nutation_max");
+    let [from, to] = [wobble.first(), wobble.last()].map(|angle| angle.copied().unwrap_or(f64::NAN));
+    let [first, last] = [from, to].map(|angle| significant(angle.to_degrees(), 3));
     if record.time.is_infinite() {
         return "Nothing is dissipated: the rotation stays as it is.".into();
     }
@@ -30,7 +28,7 @@ pub fn sentence(record: &EvolutionRecord) -> String {
     let taken = format!("in {}{range}, {} turns", time(record.time), count(record.turns));
     if record.mode_start == record.mode_end {
         let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
-        let verb = if axis == "greatest" { "falls" } else { "grows" };
+        let verb = if to > from { "grows" } else { "falls" };
         return format!(
             "The wobble about the axis of {axis} inertia {verb} from {first} to {last} degrees {taken}, {} mode throughout.",
             record.mode_start

@@ -123,7 +123,7 @@ fn duplicate_name_is_refused() {
 fn missing_carrier_is_refused() {
     let carrier = ..MODEL.find("[[point]]").unwrap();
     assert_snapshot!(refusal(&MODEL[carrier], ""), @r"
-    Error: the file has neither a [carrier] nor an [[ellipsoid]]
+    Error: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
        ╭─[ model.toml:1:1 ]
        │
      1 │ [[point]]

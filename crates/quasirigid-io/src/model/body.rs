@@ -1,3 +1,5 @@
+use std::path::Path;
+
 use quasirigid::elements::{Assembly, Carrier, Motion, Point};
 use quasirigid::model::{Rheology, Support};
 
@@ -12,6 +14,7 @@ use super::rheology::Extremes;
 use super::spans::Spans;
 use super::spring::{SPRING, spring};
 use super::support;
+use super::surface::{self, SURFACE, surface};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -46,21 +49,34 @@ impl Body<'_> {
 
 /// Reads everything that describes the body, what it stands on, and what acts on it; what is merely suspect goes into
 /// `notes`.
-pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>, notes: &mut Vec<String>) -> Body<'a> {
+pub(super) fn body<'a>(
+    file: &Table<'a>,
+    folder: &Path,
+    problems: &'a Problems<'a>,
+    notes: &mut Vec<String>,
+) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
-    if file.get("carrier").is_none() && file.get("ellipsoid").is_none_or(|value| value.is_empty()) {
+    let absent = |key| file.get(key).is_none_or(|value| value.is_empty());
+    if file.get("carrier").is_none() && absent("ellipsoid") && absent("surface") {
         report_missing_body(problems);
     }
     let has_support = file.get("support").is_some();
     let support = support::table(file);
     let materials = Materials::new(file);
     let ellipsoid_tables = file.tables("ellipsoid", "[[ellipsoid]]", &ELLIPSOID);
+    let surface_tables = file.tables("surface", "[[surface]]", &SURFACE);
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
     let hinged_tables = file.tables("hinged", "[[hinged]]", &HINGED);
     let force_tables = force::tables(file);
-    let names = Names::new(&point_tables, &hinged_tables, &ellipsoid_tables, &force_tables, problems);
-    notes.extend(materials.unused(&ellipsoid_tables));
+    let names = Names::new(
+        &point_tables,
+        &hinged_tables,
+        [&ellipsoid_tables, &surface_tables],
+        &force_tables,
+        problems,
+    );
+    notes.extend(materials.unused(ellipsoid_tables.iter().chain(&surface_tables)));
 
     let spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
@@ -68,6 +84,7 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>, notes: &mut
         springs: spring_tables.iter().map(Table::spans).collect(),
         hinged: hinged_tables.iter().map(Table::spans).collect(),
         ellipsoids: ellipsoid_tables.iter().map(|table| ellipsoid::spans(table, &materials)).collect(),
+        surfaces: surface_tables.iter().map(|table| surface::spans(table, &materials)).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
     };
@@ -77,6 +94,8 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>, notes: &mut
     };
     let ellipsoids = ellipsoid_tables.iter().zip(&names.ellipsoids);
     let ellipsoids = every(ellipsoids.map(|(table, name)| ellipsoid(table, name, &materials)));
+    let surfaces = surface_tables.iter().zip(&names.surfaces);
+    let surfaces = every(surfaces.map(|(table, name)| surface(table, name, &materials, folder)));
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
@@ -87,18 +106,20 @@ pub(super) fn body<'a>(file: &Table<'a>, problems: &'a Problems<'a>, notes: &mut
     let forces = every(force_tables.iter().zip(&names.forces).map(|(table, name)| table.force(name, &names)));
     let parts = || {
         let (ellipsoids, ranges_of_ellipsoids) = ellipsoids?.into_iter().unzip();
+        let (surfaces, ranges_of_surfaces) = surfaces?.into_iter().unzip();
         let (springs, ranges_of_springs) = springs?.into_iter().unzip();
         let (hinged, ranges_of_hinged) = hinged?.into_iter().unzip();
         let (carrier, points, support, forces) = (carrier?, points?, support?, forces?);
-        let assembly = Assembly { carrier, ellipsoids, points, springs, hinged, support, forces };
-        let ranges: [Vec<Extremes>; 3] = [ranges_of_ellipsoids, ranges_of_springs, ranges_of_hinged];
+        let assembly = Assembly { carrier, ellipsoids, surfaces, points, springs, hinged, support, forces };
+        let ranges: [Vec<Extremes>; 4] =
+            [ranges_of_ellipsoids, ranges_of_surfaces, ranges_of_springs, ranges_of_hinged];
         Some(Parts { extremes: extremes(&assembly, &ranges.concat()), assembly, spans })
     };
     Body { parts: parts(), names }
 }
 
 /// The body with every rheology at its least and at its greatest, if there are ranges; they are those of the
-/// ellipsoids, springs and appendages, in this order.
+/// ellipsoids, surfaces, springs and appendages, in this order.
 fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2]>> {
     let at = |end: usize| {
         let mut assembly = assembly.clone();
@@ -113,10 +134,11 @@ fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2
 }
 
 fn rheologies(assembly: &mut Assembly) -> impl Iterator<Item = &mut Rheology> {
-    let Assembly { ellipsoids, springs, hinged, .. } = assembly;
-    let ellipsoids = ellipsoids.iter_mut().map(|ellipsoid| &mut ellipsoid.rheology);
+    let Assembly { ellipsoids, surfaces, springs, hinged, .. } = assembly;
+    let ellipsoids = ellipsoids.iter_mut().map(|ellipsoid| &mut ellipsoid.material.rheology);
     let springs = springs.iter_mut().map(|spring| &mut spring.rheology);
-    ellipsoids.chain(springs).chain(hinged.iter_mut().map(|hinged| &mut hinged.rheology))
+    let surfaces = surfaces.iter_mut().map(|surface| &mut surface.material.rheology);
+    ellipsoids.chain(surfaces).chain(springs).chain(hinged.iter_mut().map(|hinged| &mut hinged.rheology))
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.
@@ -178,7 +200,7 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 }
 
 fn report_missing_body(problems: &Problems<'_>) {
-    let message = "the file has neither a [carrier] nor an [[ellipsoid]]";
+    let message = "the file has no [carrier], no [[ellipsoid]] and no [[surface]]";
     let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; \
                 or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout";
     problems.report(Diagnostic::new(0..0, message, "no body in this file").help(help));

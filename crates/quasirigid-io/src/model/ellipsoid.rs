@@ -18,18 +18,9 @@ pub(super) fn ellipsoid(
         .required("semi_axes", "semi_axes = [\"2.3 km\", \"1.2 km\", \"950 m\"]")
         .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)));
     let center = table.vector_or_zero("center", Dimension::LENGTH);
-    let material =
+    let (material, extremes) =
         table.required("material", "material = \"rock\"").and_then(|value| materials.named(&value))?;
-    let ellipsoid = Ellipsoid {
-        name: name.to_owned(),
-        semi_axes: semi_axes?,
-        center: center?,
-        density: material.density,
-        young: material.young,
-        poisson: material.poisson,
-        rheology: material.known.rheology,
-    };
-    Some((ellipsoid, material.known.extremes))
+    Some((Ellipsoid { name: name.to_owned(), semi_axes: semi_axes?, center: center?, material }, extremes))
 }
 
 /// Where its values stand, also those of its material.

@@ -162,14 +162,15 @@ fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
     Some(Displacements::Given { q: q?, rate: rate? })
 }
 
-/// Coordinates of every part, points first, all zero; an ellipsoid is the only part.
+/// Coordinates of every part, points first, all zero; an element that is elastic throughout is the only part.
 fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     let Some(assembly) = body.assembly() else { return Vec::new() };
     // A motion that is none is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
     let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
     let ellipsoid = assembly.ellipsoids.first().and_then(|ellipsoid| ellipsoid.body(0).ok());
-    points.chain(hinged).chain(ellipsoid.map(|body| vec![0.0; body.coordinates().len()])).collect()
+    let alone = ellipsoid.or_else(|| assembly.surfaces.first()?.body(0).ok());
+    points.chain(hinged).chain(alone.map(|body| vec![0.0; body.coordinates().len()])).collect()
 }
 
 /// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
@@ -185,10 +186,10 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             Some(Part::Hinged(index)) => {
                 of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))
             }
-            Some(Part::Ellipsoid) => value.refuse_at(
+            Some(Part::Throughout) => value.refuse_at(
                 key,
-                format!("{:?} is an ellipsoid, and its displacements have no names", value.key()),
-                "an ellipsoid",
+                format!("{:?} is elastic throughout, and its displacements have no names", value.key()),
+                "elastic throughout",
                 Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
             ),
             None => None,

@@ -1,7 +1,9 @@
 use std::collections::{BTreeMap, HashSet};
 
+use quasirigid::elements::Material;
+
 use super::names::suggestion;
-use super::rheology::{Known, Scale, rheology};
+use super::rheology::{Extremes, Known, Scale, rheology};
 use super::spans::ElementSpans;
 use super::table::{Keys, Table};
 use super::value::Value;
@@ -9,14 +11,8 @@ use crate::units::Dimension;
 
 const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"], later: &[] };
 
-/// What an element is made of.
-#[derive(Clone)]
-pub(super) struct Material {
-    pub(super) density: f64,
-    pub(super) young: f64,
-    pub(super) poisson: f64,
-    pub(super) known: Known,
-}
+/// What an element is made of, and its rheology at the ends of the range it is known to.
+pub(super) type Made = (Material, Extremes);
 
 /// The `[material.NAME]` tables of a file.
 pub(super) struct Materials<'a> {
@@ -25,7 +21,7 @@ pub(super) struct Materials<'a> {
 
 struct Entry {
     /// The material, if nothing is wrong with it.
-    material: Option<Material>,
+    material: Option<Made>,
     spans: ElementSpans,
 }
 
@@ -49,7 +45,7 @@ impl<'a> Materials<'a> {
     }
 
     /// The material with the name that a value gives.
-    pub(super) fn named(&self, value: &Value<'_>) -> Option<Material> {
+    pub(super) fn named(&self, value: &Value<'_>) -> Option<Made> {
         let name = value.text()?;
         if let Some(entry) = self.entries.get(name) {
             return entry.material.clone();
@@ -67,15 +63,21 @@ impl<'a> Materials<'a> {
     }
 
     /// A note on each material that none of these elements is made of.
-    pub(super) fn unused(&self, elements: &[Table<'a>]) -> impl Iterator<Item = String> {
+    pub(super) fn unused<'t>(
+        &self,
+        elements: impl Iterator<Item = &'t Table<'a>>,
+    ) -> impl Iterator<Item = String>
+    where
+        'a: 't,
+    {
         let name = |table: &Table<'a>| table.get("material")?.words();
-        let used: HashSet<&str> = elements.iter().filter_map(name).collect();
+        let used: HashSet<&str> = elements.filter_map(name).collect();
         let rest = self.entries.keys().filter(move |name| !used.contains(*name));
         rest.map(|name| format!("nothing is made of the material {name:?}"))
     }
 }
 
-fn material(table: &Table<'_>) -> Option<Material> {
+fn material(table: &Table<'_>) -> Option<Made> {
     let density = table
         .required("density", "density = \"2.5 g/cm^3\"")
         .and_then(|value| value.positive(Dimension::DENSITY));
@@ -86,7 +88,9 @@ fn material(table: &Table<'_>) -> Option<Material> {
     // the unit of the moduli does not matter where the material is refused for its own modulus
     let scale = Scale { dimension: Dimension::PRESSURE, modulus: young.unwrap_or(1.0) };
     let known = rheology(table, scale);
-    Some(Material { density: density?, young: young?, poisson: poisson?, known: known? })
+    let (density, young, poisson) = (density?, young?, poisson?);
+    let Known { rheology, extremes } = known?;
+    Some((Material { density, young, poisson, rheology }, extremes))
 }
 
 /// Reads Young's modulus, or the shear modulus and makes it of that: `E = 2 μ (1 + ν)`.

@@ -25,6 +25,7 @@ mod source;
 mod spans;
 mod spring;
 mod support;
+mod surface;
 mod syntax;
 mod table;
 mod value;
@@ -52,6 +53,7 @@ const FILE: Keys = Keys {
         "carrier",
         "material",
         "ellipsoid",
+        "surface",
         "point",
         "spring",
         "hinged",
@@ -64,7 +66,6 @@ const FILE: Keys = Keys {
         ("beam", "[[beam]]"),
         ("panel", "[[panel]]"),
         ("solid", "[[solid]]"),
-        ("surface", "[[surface]]"),
         ("matrices", "[[matrices]]"),
         ("cavity", "[[cavity]]"),
         ("rotor", "[[rotor]]"),
@@ -126,7 +127,8 @@ impl Model {
 
     fn new(source: Source) -> Result<Self, ModelError> {
         let problems = Problems::new(&source.text);
-        let content = content(&source.text, &problems);
+        let folder = source.file.parent().unwrap_or(Path::new(""));
+        let content = content(&source.text, folder, &problems);
         let diagnostics = problems.into_diagnostics();
         match content {
             Some(Content { name, parts, initial, run, notes }) if diagnostics.is_empty() => {
@@ -148,7 +150,7 @@ struct Content {
     notes: Vec<String>,
 }
 
-fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
+fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content> {
     let tree = syntax::tree(text, problems)?;
     if tree.is_empty() {
         let message =
@@ -162,7 +164,7 @@ fn content(text: &str, problems: &Problems<'_>) -> Option<Content> {
     let mut notes = Vec::new();
     let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.text()).map(str::to_owned);
-    let body = body::body(&file, problems, &mut notes);
+    let body = body::body(&file, folder, problems, &mut notes);
     let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
         Some(table) => initial::initial(&table, &body, &mut notes),
         None => Some(Initial::default()),

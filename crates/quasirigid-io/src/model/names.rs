@@ -15,7 +15,7 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids and forces of a file.
+/// Names of the points, appendages, ellipsoids, surfaces and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
@@ -23,6 +23,8 @@ pub(super) struct Names<'a> {
     pub(super) hinged: Vec<String>,
     /// Names of the ellipsoids, in the order of the file.
     pub(super) ellipsoids: Vec<String>,
+    /// Names of the surfaces, in the order of the file.
+    pub(super) surfaces: Vec<String>,
     /// Names of the forces, in the order of the file.
     pub(super) forces: Vec<String>,
     parts: Register<'a, Part>,
@@ -33,7 +35,7 @@ pub(super) struct Names<'a> {
 pub(super) enum Part {
     Point(usize),
     Hinged(usize),
-    Ellipsoid,
+    Throughout,
 }
 
 /// What says which point it is fixed to.
@@ -60,12 +62,12 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`,
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`, `surface 1`,
     /// `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],
-        ellipsoids: &[Table<'_>],
+        [ellipsoids, surfaces]: [&[Table<'_>]; 2],
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
     ) -> Self {
@@ -80,14 +82,18 @@ impl<'a> Names<'a> {
             .collect();
         let ellipsoids = ellipsoids.iter().enumerate();
         let ellipsoids = ellipsoids
-            .map(|(index, table)| parts.enter(table, format!("ellipsoid {}", index + 1), Part::Ellipsoid))
+            .map(|(index, table)| parts.enter(table, format!("ellipsoid {}", index + 1), Part::Throughout))
+            .collect();
+        let surfaces = surfaces.iter().enumerate();
+        let surfaces = surfaces
+            .map(|(index, table)| parts.enter(table, format!("surface {}", index + 1), Part::Throughout))
             .collect();
         let mut register = Register { owners: HashMap::new(), problems };
         let forces = forces.iter().enumerate();
         let forces = forces
             .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
             .collect();
-        Self { points, hinged, ellipsoids, forces, parts }
+        Self { points, hinged, ellipsoids, surfaces, forces, parts }
     }
 
     /// What a spring or force is fixed to.
@@ -103,10 +109,10 @@ impl<'a> Names<'a> {
                 "not a point",
                 Some(what.instead_of_appendage().to_owned()),
             ),
-            Some(Part::Ellipsoid) => value.refuse(
-                format!("{name:?} is an ellipsoid, but {}", what.rule()),
+            Some(Part::Throughout) => value.refuse(
+                format!("{name:?} is elastic throughout, but {}", what.rule()),
                 "not a point",
-                Some("an ellipsoid is a whole body; nothing is fixed to it".to_owned()),
+                Some("it is a whole body; nothing is fixed to it".to_owned()),
             ),
             None if self.parts.problems.full() => None,
             None if self.points.is_empty() => value.refuse(

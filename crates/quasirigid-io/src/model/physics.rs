@@ -10,7 +10,7 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
     let span = spans.find(*place, *field);
     let message = match problem {
         Problem::Mechanism { .. } | Problem::NoInertia { .. } | Problem::NoBody => problem.to_string(),
-        Problem::BesideEllipsoid => format!("{}: {problem}", described(*place, assembly)),
+        Problem::BesideWhole => format!("{}: {problem}", described(*place, assembly)),
         _ => format!("`{field}` of {}: {problem}", described(*place, assembly)),
     };
     let diagnostic = Diagnostic::new(span, message, label(problem));
@@ -25,6 +25,7 @@ fn described(place: Place, assembly: &Assembly) -> String {
     let named = match place {
         Place::Point(index) => assembly.points.get(index).map(|point| format!("point {:?}", point.name)),
         Place::Hinged(index) => assembly.hinged.get(index).map(|part| format!("appendage {:?}", part.name)),
+        Place::Surface(index) => assembly.surfaces.get(index).map(|part| format!("surface {:?}", part.name)),
         Place::Ellipsoid(index) => {
             assembly.ellipsoids.get(index).map(|part| format!("ellipsoid {:?}", part.name))
         }
@@ -52,8 +53,8 @@ fn label(problem: &Problem) -> &'static str {
         Problem::NotElliptic { .. } => "no ellipse",
         Problem::Poisson { .. } | Problem::Rheology(_) => "no such material",
         Problem::NoBody => "no body",
-        Problem::BesideEllipsoid => "beside an ellipsoid",
-        Problem::HeldEllipsoid => "cannot be held",
+        Problem::BesideWhole => "beside a whole body",
+        Problem::HeldWhole => "cannot be held",
         Problem::NoCarrier => "no carrier",
         _ => "here",
     }
@@ -85,10 +86,13 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Poisson { .. } => "most rocks and metals have 0.2 to 0.35",
         Problem::Rheology(RheologyError::NotPositive { .. }) => "write a positive number",
         Problem::Rheology(RheologyError::Exponent { .. }) => "most materials have 0.2 to 0.5",
-        Problem::NoBody => "add a [carrier], or an [[ellipsoid]]",
-        Problem::BesideEllipsoid => "leave it out, or make the body of a [carrier] and what hangs on it",
-        Problem::HeldEllipsoid => "leave [support] out",
-        Problem::NoCarrier => "on an ellipsoid act gravity and torques, which need no place",
+        Problem::NoBody => "add a [carrier], an [[ellipsoid]] or a [[surface]]",
+        Problem::BesideWhole => "leave it out, or make the body of a [carrier] and what hangs on it",
+        Problem::HeldWhole => "leave [support] out",
+        Problem::NoCarrier => {
+            "on a body that is elastic throughout act gravity and torques, which need no place"
+        }
+        Problem::Unresolved { .. } => "choose a lower degree",
         Problem::AxisCount { .. } => "write one to three axes, for example axes = [[0, 0, 1]]",
         Problem::DependentAxes => "no axis may be a combination of the others",
         Problem::ValuePerAxis { .. } => {

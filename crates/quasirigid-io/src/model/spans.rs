@@ -10,6 +10,7 @@ pub(super) struct Spans {
     pub(super) springs: Vec<ElementSpans>,
     pub(super) hinged: Vec<ElementSpans>,
     pub(super) ellipsoids: Vec<ElementSpans>,
+    pub(super) surfaces: Vec<ElementSpans>,
     pub(super) support: ElementSpans,
     pub(super) forces: Vec<ElementSpans>,
 }
@@ -33,6 +34,7 @@ impl Spans {
             Place::Spring(index) => self.springs.get(index),
             Place::Hinged(index) => self.hinged.get(index),
             Place::Ellipsoid(index) => self.ellipsoids.get(index),
+            Place::Surface(index) => self.surfaces.get(index),
             Place::Support => Some(&self.support),
             Place::Force(index) => self.forces.get(index),
         };

@@ -23,11 +23,11 @@ fn verdict(rest: &str) -> String {
 #[test]
 fn a_file_without_a_body_is_refused() {
     assert_snapshot!(refusal(&format!("[material.rock]\n{ROCK}")), @"
-    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
       add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
     ");
     assert_snapshot!(refusal("ellipsoid = []\n"), @"
-    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
       add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
     ");
     assert_snapshot!(refusal("[ellipsoid]\nsemi_axes = [1, 2, 3]\n"), @"
@@ -92,32 +92,32 @@ fn names_are_unique_across_all_parts() {
 fn nothing_is_fixed_to_an_ellipsoid() {
     let spring = "[[spring]]\nfrom = \"ellipsoid 1\"\nto = \"tip\"\nstiffness = 1\n";
     assert_snapshot!(refusal(&with(&format!("{POINT}{spring}"))), @r#"
-    model.toml:13:8: "ellipsoid 1" is an ellipsoid, but a spring joins points and the carrier
-      an ellipsoid is a whole body; nothing is fixed to it
+    model.toml:13:8: "ellipsoid 1" is elastic throughout, but a spring joins points and the carrier
+      it is a whole body; nothing is fixed to it
     "#);
     let force = "[[force]]\nkind = \"thrust\"\non = \"ellipsoid 1\"\nforce = [0, 0, 1]\n";
     assert_snapshot!(refusal(&with(force)), @r#"
-    model.toml:10:6: "ellipsoid 1" is an ellipsoid, but a force acts on a point or on the carrier
-      an ellipsoid is a whole body; nothing is fixed to it
+    model.toml:10:6: "ellipsoid 1" is elastic throughout, but a force acts on a point or on the carrier
+      it is a whole body; nothing is fixed to it
     "#);
 }
 
 #[test]
 fn what_stands_beside_an_ellipsoid_is_refused() {
-    assert_snapshot!(verdict(CARRIER), @"
-    model.toml:8:1: the carrier: an ellipsoid is a whole body; this cannot stand beside it
+    assert_snapshot!(verdict(CARRIER), @r#"
+    model.toml:8:1: the carrier: an element that is elastic throughout is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
-    ");
+    "#);
     assert_snapshot!(verdict(POINT), @r#"
-    model.toml:9:8: point "tip": an ellipsoid is a whole body; this cannot stand beside it
+    model.toml:9:8: point "tip": an element that is elastic throughout is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n")), @r#"
-    model.toml:9:8: appendage "boom": an ellipsoid is a whole body; this cannot stand beside it
+    model.toml:9:8: appendage "boom": an element that is elastic throughout is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[[ellipsoid]]\nsemi_axes = [1, 2, 3]\nmaterial = \"rock\"\n"), @r#"
-    model.toml:8:1: ellipsoid "ellipsoid 2": an ellipsoid is a whole body; this cannot stand beside it
+    model.toml:8:1: ellipsoid "ellipsoid 2": an element that is elastic throughout is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n"), @"
@@ -126,7 +126,7 @@ fn what_stands_beside_an_ellipsoid_is_refused() {
     ");
     assert_snapshot!(verdict("[[force]]\nkind = \"thrust\"\non = \"carrier\"\nat = [0, 0, 1]\nforce = [0, 0, 1]\n"), @r#"
     model.toml:10:6: `on` of force "force 1": this body has no carrier that the force could act on
-      on an ellipsoid act gravity and torques, which need no place
+      on a body that is elastic throughout act gravity and torques, which need no place
     "#);
     let torque = read(&with("[[force]]\nkind = \"torque\"\ntorque = [0, 0, 1]\n"));
     assert_eq!(
@@ -139,28 +139,28 @@ fn what_stands_beside_an_ellipsoid_is_refused() {
 #[test]
 fn what_mechanics_says_of_an_ellipsoid_is_located() {
     let mut model = read(&with(""));
-    model.assembly.ellipsoids[0].young = f64::INFINITY;
+    model.assembly.ellipsoids[0].material.young = f64::INFINITY;
     assert_snapshot!(model.diagnose_all(&model.assembly.check()), @r#"
     model.toml:6:9: `young` of ellipsoid "ellipsoid 1": inf is not a finite number
       write a finite number
     "#);
-    model.assembly.ellipsoids[0].young = 1.0;
-    model.assembly.ellipsoids[0].poisson = 0.5;
+    model.assembly.ellipsoids[0].material.young = 1.0;
+    model.assembly.ellipsoids[0].material.poisson = 0.5;
     assert_snapshot!(model.diagnose_all(&model.assembly.check()), @r#"
     model.toml:7:11: `poisson` of ellipsoid "ellipsoid 1": no elastic material that can be compressed has the Poisson's ratio 0.5; it lies between -1 and 0.5
       most rocks and metals have 0.2 to 0.35
     "#);
     let mut sheared = read(&with("").replace("young", "shear"));
-    sheared.assembly.ellipsoids[0].young = -1.0;
+    sheared.assembly.ellipsoids[0].material.young = -1.0;
     assert_snapshot!(sheared.diagnose_all(&sheared.assembly.check()), @r#"
     model.toml:6:9: `young` of ellipsoid "ellipsoid 1": -1 is not positive
       write a positive number
     "#);
     model.assembly.ellipsoids.clear();
-    assert_snapshot!(model.diagnose(&model.assembly.body().expect_err("no body")), @"
-    model.toml:1:1: the body has no carrier and no ellipsoid
-      add a [carrier], or an [[ellipsoid]]
-    ");
+    assert_snapshot!(model.diagnose(&model.assembly.body().expect_err("no body")), @r#"
+    model.toml:1:1: the body has no carrier, no ellipsoid and no surface
+      add a [carrier], an [[ellipsoid]] or a [[surface]]
+    "#);
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn an_ellipsoid_starts_on_the_slow_manifold_or_at_rest() {
     assert_eq!(still.len(), 36);
     assert_eq!(rest.initial.displacements, Displacements::Given { q: still.clone(), rate: still });
     assert_snapshot!(refusal(&with("[initial]\ndisplacements = { \"ellipsoid 1\" = [0, 0, 1] }\n")), @r#"
-    model.toml:9:19: "ellipsoid 1" is an ellipsoid, and its displacements have no names
+    model.toml:9:19: "ellipsoid 1" is elastic throughout, and its displacements have no names
       write displacements = "slow-manifold" or "rest"
     "#);
 }

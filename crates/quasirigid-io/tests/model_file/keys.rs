@@ -10,7 +10,7 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
     model.toml:9:3: unknown key "points" in the file
-      did you mean `point`? the keys are body, carrier, material, ellipsoid, point, spring, hinged, support, force, initial, run
+      did you mean `point`? the keys are body, carrier, material, ellipsoid, surface, point, spring, hinged, support, force, initial, run
     "#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]
@@ -21,7 +21,7 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
 #[test]
 fn a_missing_key_is_refused_at_its_table() {
     assert_snapshot!(refusal("[body]\nname = \"x\"\n"), @"
-    model.toml:1:1: the file has neither a [carrier] nor an [[ellipsoid]]
+    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
       add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
     ");
     assert_snapshot!(refusal("[carrier]\n"), @r#"

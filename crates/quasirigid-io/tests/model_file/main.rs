@@ -15,6 +15,7 @@ mod rheology;
 mod robustness;
 mod rotation;
 mod settings;
+mod surfaces;
 mod values;
 
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Materials, and ellipsoids made of them.
 
 use insta::assert_snapshot;
-use quasirigid::elements::Ellipsoid;
+use quasirigid::elements::{Ellipsoid, Material};
 use quasirigid::model::Rheology;
 
 use super::{CARRIER, ELLIPSOID, ROCK, made_of, read, refusal};
@@ -24,10 +24,7 @@ fn an_ellipsoid_is_read_with_its_material() {
         name: "ellipsoid 1".to_owned(),
         semi_axes: [2300.0, 1200.0, 950.0],
         center: [1.0, 2.0, 3.0],
-        density: 2500.0,
-        young: 1e9,
-        poisson: 0.25,
-        rheology: Rheology::Elastic,
+        material: Material { density: 2500.0, young: 1e9, poisson: 0.25, rheology: Rheology::Elastic },
     };
     assert_eq!(body.ellipsoids, [expected]);
     assert_eq!(body.carrier, None);
@@ -38,8 +35,8 @@ fn an_ellipsoid_is_read_with_its_material() {
 #[test]
 fn a_shear_modulus_gives_that_of_young() {
     let steel = ellipsoid("density = 7850\nshear = \"79.3 GPa\"\npoisson = 0.3\n");
-    assert!((steel.young / 206.18e9 - 1.0).abs() < 1e-14, "{}", steel.young); // two products, each rounded
-    assert_eq!((steel.poisson, steel.center), (0.3, [0.0; 3]));
+    assert!((steel.material.young / 206.18e9 - 1.0).abs() < 1e-14, "{}", steel.material.young); // two products, each rounded
+    assert_eq!((steel.material.poisson, steel.center), (0.3, [0.0; 3]));
 }
 
 #[test]
@@ -73,7 +70,7 @@ fn an_impossible_material_is_refused() {
       write 0.3 without the quotes
     "#);
     let inside = ellipsoid("density = 1\nyoung = 1\npoisson = 0.499\n");
-    assert_eq!(inside.poisson, 0.499);
+    assert_eq!(inside.material.poisson, 0.499);
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn rheology(text: &str) -> Rheology {
 
 /// The rheology of an ellipsoid that is made of a material with these lines.
 fn rheology_of(lines: &str) -> Rheology {
-    read(&made_of(lines)).assembly.ellipsoids[0].rheology.clone()
+    read(&made_of(lines)).assembly.ellipsoids[0].material.rheology.clone()
 }
 
 /// How a rheology of rock is refused; it is in line 8, from column 12.
@@ -63,7 +63,7 @@ fn a_measured_rheology_is_read() {
 #[test]
 fn a_rheology_can_be_a_table_of_its_own() {
     let text = format!("{}[material.rock.rheology]\nkind = \"maxwell\"\ntime = 2\n", made_of(ROCK));
-    assert_eq!(read(&text).assembly.ellipsoids[0].rheology, Rheology::Maxwell { time: 2.0 });
+    assert_eq!(read(&text).assembly.ellipsoids[0].material.rheology, Rheology::Maxwell { time: 2.0 });
 }
 
 /// All at their least together, all at their greatest together; what follows from the parameter follows it.
@@ -75,9 +75,9 @@ fn ranges_give_the_extremes_of_the_body() {
     let model = read(&text);
     let extremes = model.extremes.expect("a range");
     let andrade = |time| Rheology::Andrade { time, creep_time: time, exponent: 1.0 / 3.0 };
-    assert_eq!(model.assembly.ellipsoids[0].rheology, andrade(7200.0));
+    assert_eq!(model.assembly.ellipsoids[0].material.rheology, andrade(7200.0));
     assert_eq!(
-        extremes.each_ref().map(|body| body.ellipsoids[0].rheology.clone()),
+        extremes.each_ref().map(|body| body.ellipsoids[0].material.rheology.clone()),
         [3600.0, 10_800.0].map(andrade)
     );
 

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::affine::{Field as Shape, Piece};
 use super::error::{ElementError, Field, Place, Problem};
 use super::matrices::Matrices;
-use super::{Carrier, Ellipsoid, Hinged, Point, Spring, Station, coefficient, force};
+use super::{Carrier, Ellipsoid, Hinged, Point, Spring, Station, Surface, coefficient, force};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::Support;
@@ -18,6 +18,8 @@ pub struct Assembly {
     pub carrier: Option<Carrier>,
     /// Ellipsoids, each of them a whole body.
     pub ellipsoids: Vec<Ellipsoid>,
+    /// Solids inside closed surfaces, each of them a whole body.
+    pub surfaces: Vec<Surface>,
     /// Material points.
     pub points: Vec<Point>,
     /// Springs and dashpots.
@@ -28,6 +30,12 @@ pub struct Assembly {
     pub support: Support,
     /// External forces.
     pub forces: Vec<Force<Station>>,
+}
+
+/// An element that is a whole body, elastic throughout.
+enum Alone<'a> {
+    Ellipsoid(&'a Ellipsoid),
+    Surface(&'a Surface),
 }
 
 /// A rigid piece placed on the body, with the coordinates that move it.
@@ -53,6 +61,7 @@ impl Assembly {
         let carrier = self.carrier.as_ref().and_then(|carrier| carrier.piece().err());
         let ellipsoids =
             self.ellipsoids.iter().enumerate().filter_map(|(i, ellipsoid)| ellipsoid.check(i).err());
+        let surfaces = self.surfaces.iter().enumerate().filter_map(|(i, surface)| surface.check(i).err());
         let points = self.points.iter().enumerate().filter_map(|(i, point)| point.mover(i).err());
         let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
         let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
@@ -66,6 +75,7 @@ impl Assembly {
         carrier
             .into_iter()
             .chain(ellipsoids)
+            .chain(surfaces)
             .chain(self.alone().err())
             .chain(points)
             .chain(hinged)
@@ -85,8 +95,10 @@ impl Assembly {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
-        if let Some(ellipsoid) = self.alone()? {
-            return ellipsoid.body(0);
+        match self.alone()? {
+            Some(Alone::Ellipsoid(ellipsoid)) => return ellipsoid.body(0),
+            Some(Alone::Surface(surface)) => return surface.body(0),
+            None => {}
         }
         let (carrier, position) = self.carried()?;
         let movers = self.movers()?;
@@ -116,7 +128,8 @@ impl Assembly {
     pub fn forces(&self) -> Result<Vec<Force<Marker>>, ElementError> {
         let movers = self.movers()?;
         let center_of_mass = match self.alone()? {
-            Some(ellipsoid) => ellipsoid.center.into(),
+            Some(Alone::Ellipsoid(ellipsoid)) => ellipsoid.center.into(),
+            Some(Alone::Surface(surface)) => surface.surface.centroid().into(),
             None => {
                 let (carrier, position) = self.carried()?;
                 mass_center(&carrier, position, &movers).1
@@ -142,25 +155,28 @@ impl Assembly {
         Ok((carrier.piece()?, carrier.position()))
     }
 
-    /// The ellipsoid that is the whole body, if there is one; nothing may stand beside it.
-    fn alone(&self) -> Result<Option<&Ellipsoid>, ElementError> {
-        let Some(ellipsoid) = self.ellipsoids.first() else {
+    /// The element that is the whole body, if there is one; nothing may stand beside it.
+    fn alone(&self) -> Result<Option<Alone<'_>>, ElementError> {
+        let ellipsoids = self.ellipsoids.iter().map(Alone::Ellipsoid);
+        let Some(alone) = ellipsoids.chain(self.surfaces.iter().map(Alone::Surface)).next() else {
             return Ok(None);
         };
         let beside = [
             (self.carrier.is_some(), Place::Carrier),
             (self.ellipsoids.len() > 1, Place::Ellipsoid(1)),
+            (!self.ellipsoids.is_empty() && !self.surfaces.is_empty(), Place::Surface(0)),
+            (self.surfaces.len() > 1, Place::Surface(1)),
             (!self.points.is_empty(), Place::Point(0)),
             (!self.springs.is_empty(), Place::Spring(0)),
             (!self.hinged.is_empty(), Place::Hinged(0)),
         ];
         if let Some((_, place)) = beside.iter().find(|(there, _)| *there) {
-            return Err(at(*place, Field::Name)(Problem::BesideEllipsoid));
+            return Err(at(*place, Field::Name)(Problem::BesideWhole));
         }
         if self.support != Support::Free {
-            return Err(at(Place::Support, Field::FixedPoint)(Problem::HeldEllipsoid));
+            return Err(at(Place::Support, Field::FixedPoint)(Problem::HeldWhole));
         }
-        Ok(Some(ellipsoid))
+        Ok(Some(alone))
     }
 
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {

@@ -14,6 +14,11 @@ pub(super) fn finite(values: &[f64]) -> Result<(), Problem> {
     }
 }
 
+pub(super) fn positive(value: f64) -> Result<(), Problem> {
+    finite(&[value])?;
+    if value > 0.0 { Ok(()) } else { Err(Problem::NotPositive { value }) }
+}
+
 pub(super) fn mass(value: f64) -> Result<(), Problem> {
     finite(&[value])?;
     if value > 0.0 { Ok(()) } else { Err(Problem::NotAMass { value }) }

@@ -4,12 +4,13 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::assembly::at;
 use super::error::{ElementError, Field, Place, Problem};
+use super::material::Material;
 use super::matrices::{Block, Matrices};
 use super::{coefficient, moment};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::Support;
 use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts};
-use crate::model::{Rheology, Support};
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///
@@ -24,14 +25,8 @@ pub struct Ellipsoid {
     pub semi_axes: [f64; 3],
     /// Centre (m), in the file's frame.
     pub center: [f64; 3],
-    /// Density (kg/m³).
-    pub density: f64,
-    /// Young's modulus (Pa).
-    pub young: f64,
-    /// Poisson's ratio, above −1 and below ½.
-    pub poisson: f64,
-    /// How the material answers periodic strain.
-    pub rheology: Rheology,
+    /// What it is made of.
+    pub material: Material,
 }
 
 /// `factor · ξ^i η^j ζ^k` along an axis, where `ξ, η, ζ` are the coordinates over the semi-axes.
@@ -84,19 +79,12 @@ impl Ellipsoid {
     /// Everything wrong with its values, the first of it.
     pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
         let place = Place::Ellipsoid(index);
-        let positive = |value: f64| {
-            coefficient::finite(&[value])?;
-            if value > 0.0 { Ok(()) } else { Err(Problem::NotPositive { value }) }
-        };
-        self.semi_axes.iter().try_for_each(|axis| positive(*axis)).map_err(at(place, Field::SemiAxes))?;
+        self.semi_axes
+            .iter()
+            .try_for_each(|axis| coefficient::positive(*axis))
+            .map_err(at(place, Field::SemiAxes))?;
         coefficient::finite(&self.center).map_err(at(place, Field::Center))?;
-        positive(self.density).map_err(at(place, Field::Density))?;
-        positive(self.young).map_err(at(place, Field::Young))?;
-        let possible = self.poisson > -1.0 && self.poisson < 0.5;
-        if !possible {
-            return Err(at(place, Field::Poisson)(Problem::Poisson { value: self.poisson }));
-        }
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+        self.material.check(place)
     }
 
     /// The 36 shapes: three stretches, three shears without angular momentum, and thirty cubic ones each less the
@@ -170,7 +158,7 @@ impl Ellipsoid {
             }
         }
         Invariants {
-            mass: self.density * self.volume(),
+            mass: self.material.density * self.volume(),
             J,
             S: still.clone(),
             h: still,
@@ -195,14 +183,13 @@ impl Ellipsoid {
             columns: (0..shapes.len()).collect(),
             stiffness,
             damping: Vec::new(),
-            rheology: self.rheology.clone(),
+            rheology: self.material.rheology.clone(),
         }
     }
 
     /// Elastic energy of two displacements, `∫ (λ div u div v + 2G ε(u):ε(v)) dV`. (G4)
     fn strain(&self, a: &Term, b: &Term) -> f64 {
-        let shear = self.young / (2.0 * (1.0 + self.poisson));
-        let lame = 2.0 * shear * self.poisson / (1.0 - 2.0 * self.poisson);
+        let (shear, lame) = (self.material.shear(), self.material.lame());
         let same = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
         let mut energy = 0.0;
         for l in 0..3 {
@@ -243,7 +230,7 @@ impl Ellipsoid {
         for a in u {
             for b in v {
                 W[(a.axis, b.axis)] +=
-                    self.density * a.factor * b.factor * self.integral(a.exponents, b.exponents);
+                    self.material.density * a.factor * b.factor * self.integral(a.exponents, b.exponents);
             }
         }
         W
@@ -251,7 +238,7 @@ impl Ellipsoid {
 
     /// `∫ x² dm` along an axis.
     fn second_moment(&self, axis: usize) -> f64 {
-        self.density * self.volume() * self.semi_axes[axis].powi(2) / 5.0
+        self.material.density * self.volume() * self.semi_axes[axis].powi(2) / 5.0
     }
 
     fn volume(&self) -> f64 {
@@ -290,7 +277,7 @@ impl Ellipsoid {
     pub fn central_pressure(&self) -> f64 {
         const GRAVITATION: f64 = 6.6743e-11;
         let square = self.semi_axes.iter().product::<f64>().cbrt().powi(2);
-        2.0 / 3.0 * PI * GRAVITATION * self.density * self.density * square
+        2.0 / 3.0 * PI * GRAVITATION * self.material.density * self.material.density * square
     }
 }
 

@@ -27,6 +27,8 @@ pub enum Place {
     Hinged(usize),
     /// An ellipsoid.
     Ellipsoid(usize),
+    /// A solid inside a closed surface.
+    Surface(usize),
     /// The support.
     Support,
     /// An external force.
@@ -41,6 +43,7 @@ impl std::fmt::Display for Place {
             Self::Spring(index) => write!(f, "spring {}", index + 1),
             Self::Hinged(index) => write!(f, "hinged appendage {}", index + 1),
             Self::Ellipsoid(index) => write!(f, "ellipsoid {}", index + 1),
+            Self::Surface(index) => write!(f, "surface {}", index + 1),
             Self::Support => write!(f, "support"),
             Self::Force(index) => write!(f, "force {}", index + 1),
         }
@@ -80,6 +83,8 @@ pub enum Field {
     SemiAxes,
     /// Centre of an ellipsoid.
     Center,
+    /// Degree of the polynomials of a displacement.
+    Degree,
     /// Density of a material.
     Density,
     /// Young's modulus of a material.
@@ -148,6 +153,7 @@ impl std::fmt::Display for Field {
             Self::Axes => "axes",
             Self::SemiAxes => "semi_axes",
             Self::Center => "center",
+            Self::Degree => "degree",
             Self::Density => "density",
             Self::Young => "young",
             Self::Poisson => "poisson",
@@ -206,18 +212,32 @@ pub enum Problem {
     /// No material answers a strain like this.
     #[error(transparent)]
     Rheology(#[from] RheologyError),
+    /// Polynomials that rounding, or the shape, cannot tell apart.
+    #[error("polynomials of degree {degree} cannot be told apart on this body")]
+    Unresolved {
+        /// Their degree.
+        degree: usize,
+    },
+    /// A degree that is not offered.
+    #[error("polynomials of degree {degree} are not offered; choose 1 to {most}")]
+    Degree {
+        /// Degree asked for.
+        degree: usize,
+        /// Highest one offered.
+        most: usize,
+    },
     /// The body has neither a carrier nor a part that is elastic throughout.
-    #[error("the body has no carrier and no ellipsoid")]
+    #[error("the body has no carrier, no ellipsoid and no surface")]
     NoBody,
     /// An element that only goes with a carrier, on a body without.
-    #[error("an ellipsoid is a whole body; this cannot stand beside it")]
-    BesideEllipsoid,
+    #[error("an element that is elastic throughout is the whole body; this cannot stand beside it")]
+    BesideWhole,
     /// A force acts at a place of the carrier of a body that has none.
     #[error("this body has no carrier that the force could act on")]
     NoCarrier,
     /// A body that is elastic throughout has no point that a support could hold.
     #[error("a body that is elastic throughout moves freely; no point of it can be held")]
-    HeldEllipsoid,
+    HeldWhole,
     /// A direction has no length.
     #[error("a direction of zero length")]
     ZeroDirection,

@@ -41,8 +41,8 @@ pub(super) fn check(index: usize, force: &Force<Station>, points: usize) -> Resu
 }
 
 fn on_orbit(place: Place, orbit: &Orbit) -> Result<(), ElementError> {
-    positive(orbit.parameter).map_err(at(place, Field::GravitationalParameter))?;
-    positive(orbit.semi_major_axis).map_err(at(place, Field::SemiMajorAxis))?;
+    coefficient::positive(orbit.parameter).map_err(at(place, Field::GravitationalParameter))?;
+    coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SemiMajorAxis))?;
     elliptic(orbit.eccentricity).map_err(at(place, Field::Eccentricity))?;
     let angles = [
         (Field::Inclination, orbit.inclination),
@@ -61,11 +61,6 @@ fn varying(place: Place, wave: &Wave) -> Result<(), ElementError> {
 fn not_driving(value: f64) -> Result<(), Problem> {
     coefficient::finite(&[value])?;
     if value >= 0.0 { Ok(()) } else { Err(Problem::Driving { value }) }
-}
-
-fn positive(value: f64) -> Result<(), Problem> {
-    coefficient::finite(&[value])?;
-    if value > 0.0 { Ok(()) } else { Err(Problem::NotPositive { value }) }
 }
 
 fn elliptic(value: f64) -> Result<(), Problem> {

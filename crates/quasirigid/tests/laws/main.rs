@@ -37,6 +37,7 @@ mod refused;
 mod refused_forces;
 mod refused_surfaces;
 mod rheology;
+mod solids;
 mod springs;
 mod surfaces;
 mod verification;

@@ -1,7 +1,7 @@
 //! Homogeneous ellipsoids: compliance, mean power, periods and times of ageing. `data/published/ellipsoid`.
 
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response};
-use quasirigid::elements::{Assembly, Ellipsoid};
+use quasirigid::elements::{Assembly, Ellipsoid, Material};
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
 
@@ -27,10 +27,7 @@ fn unit(semi_axes: [f64; 3], poisson: f64, rheology: Rheology) -> FlexibleBody {
         name: "rock".into(),
         semi_axes,
         center: [3.0, -1.0, 2.0],
-        density: 1.0,
-        young,
-        poisson,
-        rheology,
+        material: Material { density: 1.0, young, poisson, rheology },
     })
 }
 
@@ -43,10 +40,7 @@ fn asteroid(young: f64, rheology: Rheology) -> FlexibleBody {
         name: "rock".into(),
         semi_axes: [2300.0, 1200.0, 950.0],
         center: [0.0; 3],
-        density: 2500.0,
-        young,
-        poisson: 0.25,
-        rheology,
+        material: Material { density: 2500.0, young, poisson: 0.25, rheology },
     })
 }
 
@@ -188,10 +182,7 @@ fn spheroids_have_the_printed_coefficients() {
                     name: "spheroid".into(),
                     semi_axes: [1.0, 1.0, h],
                     center: [0.0; 3],
-                    density: 1.0,
-                    young: 2.5 * stiff,
-                    poisson: 0.25,
-                    rheology,
+                    material: Material { density: 1.0, young: 2.5 * stiff, poisson: 0.25, rheology },
                 }))
                 .unwrap();
             };
@@ -222,10 +213,7 @@ fn triaxial_body_has_the_printed_powers_and_shares() {
             name: "rock".into(),
             semi_axes: [1.0, 0.8, 0.6],
             center: [0.0; 3],
-            density: 1.0,
-            young: 2.5 * stiff,
-            poisson: 0.25,
-            rheology,
+            material: Material { density: 1.0, young: 2.5 * stiff, poisson: 0.25, rheology },
         }))
         .unwrap()
     };
@@ -276,10 +264,12 @@ fn spheroid_follows_the_closed_time_law() {
         name: "spheroid".into(),
         semi_axes: [1.0, 1.0, h],
         center: [0.0; 3],
-        density: 1.0,
-        young: 2.5 * stiff,
-        poisson: 0.25,
-        rheology: Rheology::KelvinVoigt { time },
+        material: Material {
+            density: 1.0,
+            young: 2.5 * stiff,
+            poisson: 0.25,
+            rheology: Rheology::KelvinVoigt { time },
+        },
     }))
     .unwrap();
     let [A, _, C] = response.moments();

@@ -2,7 +2,7 @@
 //! parameter is adjusted. `data/published/quillen_2019`.
 
 use quasirigid::averaging::{FreeRotation, MeanPower, Response};
-use quasirigid::elements::{Assembly, Ellipsoid};
+use quasirigid::elements::{Assembly, Ellipsoid, Material};
 use quasirigid::model::Rheology;
 
 const RUNS: &str = include_str!("../../../../data/published/quillen_2019/runs.csv");
@@ -14,10 +14,12 @@ fn predicted(shape: [f64; 2], omega: [f64; 3], young: f64, time: f64) -> f64 {
         name: "network".into(),
         semi_axes: [long, long * shape[0], long * shape[1]],
         center: [0.0; 3],
-        density: 0.75 / std::f64::consts::PI, // mass 1
-        young,
-        poisson: 0.25,
-        rheology: Rheology::KelvinVoigt { time },
+        material: Material {
+            density: 0.75 / std::f64::consts::PI,
+            young,
+            poisson: 0.25,
+            rheology: Rheology::KelvinVoigt { time },
+        },
     };
     let body = Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() }.body().unwrap();
     let response = Response::of(&body).unwrap();

@@ -36,12 +36,13 @@ fn pages(root: &Path) -> Vec<PathBuf> {
 fn problems_of(root: &Path, page: &Path) -> Vec<String> {
     let folder = TempDir::new().unwrap();
     copy(&root.join("examples"), &folder.path().join("examples"));
-    let text = fs::read_to_string(root.join(page)).unwrap();
+    let file = root.join(page);
+    let (text, beside) = (fs::read_to_string(&file).unwrap(), file.parent().unwrap());
     let found = blocks(&text).into_iter().flat_map(|block| match block.language.as_str() {
         "console" => {
             commands(&block).into_iter().filter_map(|shown| wrong_output(&shown, folder.path())).collect()
         }
-        "toml" => wrong_model(&block).into_iter().collect(),
+        "toml" => wrong_model(&block, beside).into_iter().collect(),
         _ => Vec::new(),
     });
     found.map(|(line, problem)| format!("{}:{line}: {problem}", page.display())).collect()
@@ -70,17 +71,19 @@ fn wrong_output(shown: &Shown, folder: &Path) -> Option<(usize, String)> {
         .then(|| (shown.line, format!("`{command}` prints otherwise:\n{}", printed.join("\n"))))
 }
 
-fn wrong_model(block: &Block) -> Option<(usize, String)> {
+/// What is wrong with a complete model; the files that it names stand beside its page.
+fn wrong_model(block: &Block, beside: &Path) -> Option<(usize, String)> {
     if block.text.lines().next().map(str::trim) != Some("# complete") {
         return None;
     }
-    let refused = match Model::parse(Path::new("model.toml"), &block.text) {
+    let refused = match Model::parse(&beside.join("model.toml"), &block.text) {
         Err(error) => error.to_string(),
         Ok(model) => match model.assembly.body() {
             Err(error) => model.diagnose(&error).to_string(),
             Ok(_) => return None,
         },
     };
+    let refused = refused.replace(&format!("{}/", beside.display()), "");
     Some((block.line, format!("not a complete model:\n{refused}")))
 }
 

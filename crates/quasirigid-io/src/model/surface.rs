@@ -1,0 +1,69 @@
+use std::path::Path;
+
+use quasirigid::elements::Surface;
+use quasirigid::math::surface::ClosedSurface;
+
+use super::material::Materials;
+use super::rheology::Extremes;
+use super::settings::optional;
+use super::spans::ElementSpans;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::mesh::read_triangles;
+use crate::units::Dimension;
+
+pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree"], later: &[] };
+
+/// Reads a `[[surface]]` with its file, which is looked for beside the model, and its rheology at the ends of the range it is
+/// known to.
+pub(super) fn surface(
+    table: &Table<'_>,
+    name: &str,
+    materials: &Materials<'_>,
+    folder: &Path,
+) -> Option<(Surface, Extremes)> {
+    let unit = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MOST));
+    let file = table.required("file", "file = \"shape.obj\"");
+    let surface = file.and_then(|value| closed(&value, folder, unit?));
+    let (material, extremes) =
+        table.required("material", "material = \"rock\"").and_then(|value| materials.named(&value))?;
+    Some((Surface { name: name.to_owned(), surface: surface?, material, degree: degree? }, extremes))
+}
+
+/// Reads the length of one unit of the file: `"km"` or `"2.5 cm"`.
+fn unit(value: &Value<'_>) -> Option<f64> {
+    let one = value.words().map(|text| format!("1 {text}"));
+    match one.and_then(|text| crate::units::quantity(&text, Dimension::LENGTH).ok()) {
+        Some(length) if length > 0.0 => Some(length),
+        _ => value.positive(Dimension::LENGTH),
+    }
+}
+
+/// Reads a closed surface; what is wrong with its file is said at its name.
+fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> {
+    let path = folder.join(value.text()?);
+    let refuse = |message: String, label: &str, help: &str| {
+        value.refuse(format!("`file`: {message}"), label, Some(help.to_owned()))
+    };
+    let mesh = match read_triangles(&path) {
+        Ok(mesh) => mesh,
+        Err(error) => {
+            let help = "it is looked for beside the model; OBJ, STL, PLY and plate tables are read";
+            return refuse(error.to_string(), "cannot be used", help);
+        }
+    };
+    let vertices = mesh.vertices.into_iter().map(|vertex| vertex.map(|entry| unit * entry)).collect();
+    match ClosedSurface::new(vertices, mesh.triangles) {
+        Ok(surface) => Some(surface),
+        Err(error) => {
+            let help = "the surface must close, with every triangle counter-clockwise from outside";
+            refuse(error.to_string(), "not the surface of a solid", help)
+        }
+    }
+}
+
+/// Where its values stand, also those of its material.
+pub(super) fn spans(table: &Table<'_>, materials: &Materials<'_>) -> ElementSpans {
+    super::ellipsoid::spans(table, materials)
+}

@@ -1,0 +1,72 @@
+//! Solids inside closed surfaces, read from files beside the model.
+
+use std::fs;
+
+use insta::assert_snapshot;
+use quasirigid_io::model::{Model, ModelError};
+use tempfile::TempDir;
+
+use super::ROCK;
+
+/// A tetrahedron in an OBJ file.
+const TETRAHEDRON: &str = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+/// Reads a model with a surface of these lines, beside an OBJ file with this text.
+fn read(shape: &str, lines: &str) -> Result<Model, ModelError> {
+    let folder = TempDir::new().expect("a folder");
+    fs::write(folder.path().join("shape.obj"), shape).expect("a file");
+    let text = format!("[material.rock]\n{ROCK}[[surface]]\nmaterial = \"rock\"\n{lines}");
+    fs::write(folder.path().join("model.toml"), text).expect("a file");
+    Model::read(&folder.path().join("model.toml"))
+}
+
+/// How it is refused, with the folder's name left out; the lines start in line 7.
+fn refused(shape: &str, lines: &str) -> String {
+    let message = read(shape, lines).expect_err("a refusal").to_string();
+    let folder = |line: &str| {
+        line.split_whitespace()
+            .map(|word| word.rsplit('/').next().unwrap_or(word))
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    message.lines().map(folder).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_surface_is_read_in_its_unit() {
+    let model = read(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"km\"\ndegree = 4\n").expect("a model");
+    let [surface] = &model.assembly.surfaces[..] else { panic!("one surface") };
+    assert_eq!((surface.name.as_str(), surface.degree), ("surface 1", Some(4)));
+    assert!((surface.surface.volume() / (8e9 / 6.0) - 1.0).abs() < 1e-12);
+    assert_eq!(model.assembly.carrier, None);
+    assert_eq!(model.assembly.check(), []);
+    let odd = read(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"2.5 cm\"\n").expect("a model");
+    assert!((odd.assembly.surfaces[0].surface.volume() / (0.05_f64.powi(3) / 6.0) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_no_surface_is_refused_at_its_file() {
+    assert_snapshot!(refused(TETRAHEDRON, "file = \"none.obj\"\n"), @r#"
+    model.toml:7:8: `file`: none.obj: entity not found; is the name right, and may the file be read?
+    it is looked for beside the model; OBJ, STL, PLY and plate tables are read
+    "#);
+    let open = TETRAHEDRON.replace("f 2 3 4\n", "f 2 3 4\nf 2 3 1\n").replace("f 1 4 3\n", "");
+    assert_snapshot!(refused(&open, "file = \"shape.obj\"\n"), @r#"
+    model.toml:7:8: `file`: the edge between vertices 4 and 1 of triangle 2 is open, the first of 2 such edges; fill the hole, and let triangles that meet share their vertices
+    the surface must close, with every triangle counter-clockwise from outside
+    "#);
+    assert_snapshot!(refused("v 0 0 x\n", "file = \"shape.obj\"\n"), @r#"
+    model.toml:7:8: `file`: shape.obj:1: "x" is not a number; a vertex is written v x y z
+    it is looked for beside the model; OBJ, STL, PLY and plate tables are read
+    "#);
+    assert_snapshot!(refused(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"kg\"\ndegree = 13\n"), @r#"
+    model.toml:8:8: `unit`: "kg" is not a decimal number with a unit
+    write for example "22 in", or a plain number in m
+    model.toml:9:10: `degree` is 13, but must be an integer from 1 to 12
+    write an integer from 1 to 12
+    "#);
+    assert_snapshot!(refused(TETRAHEDRON, "file = 3\n"), @r#"
+    model.toml:7:8: `file`: found an integer, expected a text
+    write the file in quotes
+    "#);
+}

@@ -1,0 +1,41 @@
+use super::assembly::at;
+use super::coefficient;
+use super::error::{ElementError, Field, Place, Problem};
+use crate::model::Rheology;
+
+/// What a solid is made of: homogeneous and isotropic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Density (kg/m³).
+    pub density: f64,
+    /// Young's modulus (Pa).
+    pub young: f64,
+    /// Poisson's ratio, above −1 and below ½.
+    pub poisson: f64,
+    /// How it answers periodic strain.
+    pub rheology: Rheology,
+}
+
+impl Material {
+    /// Shear modulus `μ` (Pa).
+    #[must_use]
+    pub fn shear(&self) -> f64 {
+        self.young / (2.0 * (1.0 + self.poisson))
+    }
+
+    /// Lamé's other modulus `λ` (Pa).
+    #[must_use]
+    pub fn lame(&self) -> f64 {
+        2.0 * self.shear() * self.poisson / (1.0 - 2.0 * self.poisson)
+    }
+
+    /// Accepts the material of an element.
+    pub(super) fn check(&self, place: Place) -> Result<(), ElementError> {
+        coefficient::positive(self.density).map_err(at(place, Field::Density))?;
+        coefficient::positive(self.young).map_err(at(place, Field::Young))?;
+        if !(self.poisson > -1.0 && self.poisson < 0.5) {
+            return Err(at(place, Field::Poisson)(Problem::Poisson { value: self.poisson }));
+        }
+        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+    }
+}

@@ -189,11 +189,10 @@ impl<'a> Evolution<'a> {
             }
             let [slowness, _] = self.slowness(x);
             let next = x - over / slowness;
-            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
             if (next - x).abs() <= SETTLED * PIECE {
                 return next;
             }
-            x = next;
+            x = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         x
     }

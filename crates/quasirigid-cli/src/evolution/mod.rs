@@ -89,10 +89,12 @@ pub fn follow(
 fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], Failure> {
     let time = |assembly: &Assembly| -> Result<f64, Failure> {
         let body = assembly.body().map_err(|cause| Failure::Extreme { cause: Box::new(cause) })?;
-        let response = Response::of(&body)?;
-        let polynomial = PolynomialPower::of(&reduce(&body, ageing.order)?);
-        let power: &dyn MeanPower = if ageing.by_polynomial { &polynomial } else { &response };
-        Ok(Evolution::new(power, ageing.initial.momentum()).time(from, to))
+        let power: Box<dyn MeanPower> = if ageing.by_polynomial {
+            Box::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
+        } else {
+            Box::new(Response::of(&body)?)
+        };
+        Ok(Evolution::new(&*power, ageing.initial.momentum()).time(from, to))
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])

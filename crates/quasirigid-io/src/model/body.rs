@@ -5,7 +5,7 @@ use quasirigid::model::{Rheology, Support};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
-use super::ellipsoid::{self, ELLIPSOID, ellipsoid};
+use super::ellipsoid::{ELLIPSOID, ellipsoid};
 use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
 use super::material::Materials;
@@ -14,7 +14,7 @@ use super::rheology::Extremes;
 use super::spans::Spans;
 use super::spring::{SPRING, spring};
 use super::support;
-use super::surface::{self, SURFACE, surface};
+use super::surface::{SURFACE, surface};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -83,8 +83,8 @@ pub(super) fn body<'a>(
         points: point_tables.iter().map(Table::spans).collect(),
         springs: spring_tables.iter().map(Table::spans).collect(),
         hinged: hinged_tables.iter().map(Table::spans).collect(),
-        ellipsoids: ellipsoid_tables.iter().map(|table| ellipsoid::spans(table, &materials)).collect(),
-        surfaces: surface_tables.iter().map(|table| surface::spans(table, &materials)).collect(),
+        ellipsoids: ellipsoid_tables.iter().map(|table| materials.spans(table)).collect(),
+        surfaces: surface_tables.iter().map(|table| materials.spans(table)).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
     };

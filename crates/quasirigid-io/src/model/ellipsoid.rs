@@ -2,7 +2,6 @@ use quasirigid::elements::Ellipsoid;
 
 use super::material::Materials;
 use super::rheology::Extremes;
-use super::spans::ElementSpans;
 use super::table::{Keys, Table};
 use crate::units::Dimension;
 
@@ -18,17 +17,6 @@ pub(super) fn ellipsoid(
         .required("semi_axes", "semi_axes = [\"2.3 km\", \"1.2 km\", \"950 m\"]")
         .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)));
     let center = table.vector_or_zero("center", Dimension::LENGTH);
-    let (material, extremes) =
-        table.required("material", "material = \"rock\"").and_then(|value| materials.named(&value))?;
+    let (material, extremes) = materials.of(table)?;
     Some((Ellipsoid { name: name.to_owned(), semi_axes: semi_axes?, center: center?, material }, extremes))
-}
-
-/// Where its values stand, also those of its material.
-pub(super) fn spans(table: &Table<'_>, materials: &Materials<'_>) -> ElementSpans {
-    let mut spans = table.spans();
-    let name = table.get("material").and_then(|value| value.words());
-    if let Some(material) = name.and_then(|name| materials.spans(name)) {
-        spans.values.extend(material.values.iter().cloned());
-    }
-    spans
 }

@@ -44,8 +44,13 @@ impl<'a> Materials<'a> {
         Self { entries: named.filter_map(open).collect() }
     }
 
+    /// What an element is made of.
+    pub(super) fn of(&self, element: &Table<'_>) -> Option<Made> {
+        element.required("material", "material = \"rock\"").and_then(|value| self.named(&value))
+    }
+
     /// The material with the name that a value gives.
-    pub(super) fn named(&self, value: &Value<'_>) -> Option<Made> {
+    fn named(&self, value: &Value<'_>) -> Option<Made> {
         let name = value.text()?;
         if let Some(entry) = self.entries.get(name) {
             return entry.material.clone();
@@ -57,9 +62,14 @@ impl<'a> Materials<'a> {
         value.refuse(format!("there is no material {name:?}"), "unknown material", Some(help))
     }
 
-    /// Where the values of a material stand.
-    pub(super) fn spans(&self, name: &str) -> Option<&ElementSpans> {
-        self.entries.get(name).map(|entry| &entry.spans)
+    /// Where the values of an element stand, also those of its material.
+    pub(super) fn spans(&self, element: &Table<'_>) -> ElementSpans {
+        let mut spans = element.spans();
+        let name = element.get("material").and_then(|value| value.words());
+        if let Some(entry) = name.and_then(|name| self.entries.get(name)) {
+            spans.values.extend(entry.spans.values.iter().cloned());
+        }
+        spans
     }
 
     /// A note on each material that none of these elements is made of.

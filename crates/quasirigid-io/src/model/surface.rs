@@ -6,7 +6,6 @@ use quasirigid::math::surface::ClosedSurface;
 use super::material::Materials;
 use super::rheology::Extremes;
 use super::settings::optional;
-use super::spans::ElementSpans;
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::mesh::read_triangles;
@@ -26,8 +25,7 @@ pub(super) fn surface(
     let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MOST));
     let file = table.required("file", "file = \"shape.obj\"");
     let surface = file.and_then(|value| closed(&value, folder, unit?));
-    let (material, extremes) =
-        table.required("material", "material = \"rock\"").and_then(|value| materials.named(&value))?;
+    let (material, extremes) = materials.of(table)?;
     Some((Surface { name: name.to_owned(), surface: surface?, material, degree: degree? }, extremes))
 }
 
@@ -61,9 +59,4 @@ fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> 
             refuse(error.to_string(), "not the surface of a solid", help)
         }
     }
-}
-
-/// Where its values stand, also those of its material.
-pub(super) fn spans(table: &Table<'_>, materials: &Materials<'_>) -> ElementSpans {
-    super::ellipsoid::spans(table, materials)
 }

@@ -1,5 +1,6 @@
 use super::evolution::{Evolution, Stage};
 use super::response::Response;
+use crate::math::bisection::bisected;
 use crate::model::Mode;
 
 /// A place on the way of an ageing rotation where a harmonic of the polhode has the frequency of an elastic mode. (G8)
@@ -21,9 +22,8 @@ pub struct Crossing {
 const MOST_HARMONICS: usize = 40;
 /// Shares below this are not worth a name.
 const FAINT: f64 = 1e-9;
-/// Places of a mode between which the polhode frequency is bisected, as `ξ`, and the number of halvings.
+/// Places of a mode between which the polhode frequency is bisected, as `ξ`.
 const ENDS: [f64; 2] = [-30.0, 30.0];
-const HALVINGS: usize = 60;
 
 impl Response {
     /// Resonances of the polhode's harmonics at one angular momentum, the strongest first. (G8)
@@ -40,7 +40,7 @@ impl Response {
                     if !(slow.min(fast)..slow.max(fast)).contains(&wanted) {
                         continue;
                     }
-                    let stage = Stage { mode, xi: bisected(&step, wanted, fast > slow) };
+                    let stage = Stage { mode, xi: bisected(ENDS, step, wanted, fast > slow) };
                     let share = self.share(evolution, stage, harmonic);
                     if share > FAINT {
                         let coordinate = coordinate.to_owned();
@@ -58,18 +58,4 @@ impl Response {
             self.harmonic_powers(&evolution.motion(stage)).map(|(_, power)| power).collect();
         powers.get(harmonic - 1).copied().unwrap_or(0.0) / powers.iter().sum::<f64>()
     }
-}
-
-/// Where a monotonic function of `ξ` has a value.
-fn bisected(function: &dyn Fn(f64) -> f64, wanted: f64, rising: bool) -> f64 {
-    let [mut low, mut high] = ENDS;
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if (function(middle) < wanted) == rising {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }

@@ -3,6 +3,7 @@ use std::f64::consts::TAU;
 use thiserror::Error;
 
 use super::poinsot::FreeRotation;
+use crate::math::bisection::bisected;
 use crate::model::Mode;
 
 /// A tumbling body as observers describe it: two periods and a mode.
@@ -41,8 +42,6 @@ pub enum ObservedError {
     },
 }
 
-/// Halvings of the interval of energies: past the resolution of the numbers.
-const HALVINGS: usize = 200;
 /// Nearest approach to the axis and to the separatrix that is looked at, relative to their distance.
 const NEAR: f64 = 1e-12;
 
@@ -74,25 +73,14 @@ impl ObservedPeriods {
             rotation / precession
         };
         let ratio = rotation / precession;
-        let (mut low, mut high) = (NEAR, 1.0 - NEAR);
-        let ends = [ratio_at(low), ratio_at(high)];
+        let shares = [NEAR, 1.0 - NEAR];
+        let ends = shares.map(ratio_at);
         let rising = ends[1] > ends[0];
         let [least, greatest] = if rising { ends } else { [ends[1], ends[0]] };
         if !(least..=greatest).contains(&ratio) {
             return Err(ObservedError::Ratio { ratio, least, greatest });
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if (ratio_at(middle) < ratio) == rising {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let unit = at(0.5 * (low + high));
+        let unit = at(bisected(shares, ratio_at, ratio, rising));
         let G = unit.momentum() * unit.polhode_period() / rotation;
         Ok(FreeRotation::at_ratio(moments, G, unit.ratio()))
     }

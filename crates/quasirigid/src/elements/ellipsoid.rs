@@ -3,14 +3,14 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
 
 use super::assembly::at;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place};
 use super::material::Material;
-use super::matrices::{Block, Matrices};
+use super::matrices::Block;
+use super::whole::Whole;
 use super::{coefficient, moment};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
-use crate::model::Support;
-use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair};
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///
@@ -54,26 +54,17 @@ impl Ellipsoid {
     pub fn body(&self, index: usize) -> Result<FlexibleBody, ElementError> {
         self.check(index)?;
         let shapes = self.shapes();
-        let invariants = self.invariants(&shapes);
-        let size = shapes.len();
-        let Matrices { stiffness, damping, lossy } =
-            Matrices::sum(size, std::iter::once(Ok(self.block(&shapes))))?;
         let coordinate =
             |shape: &Shape| Coordinate { name: format!("\"{}\" {}", self.name, shape.name), unit: "m" };
-        FlexibleBody::new(Parts {
-            support: Support::Free,
-            pole: self.center,
-            center_of_mass: self.center,
-            invariants,
-            damping,
-            stiffness,
-            lossy,
+        let whole = Whole {
+            place: Place::Ellipsoid(index),
+            center: self.center,
+            invariants: self.invariants(&shapes),
+            block: self.block(&shapes),
             coordinates: shapes.iter().map(coordinate).collect(),
             markers: (0..3).map(|axis| self.tip(axis, &shapes)).collect(),
-        })
-        .map_err(|FlexibleError::Mechanism { coordinates }| {
-            at(Place::Ellipsoid(index), Field::Young)(Problem::Mechanism { coordinates })
-        })
+        };
+        whole.body()
     }
 
     /// Everything wrong with its values, the first of it.

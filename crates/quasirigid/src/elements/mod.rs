@@ -16,6 +16,7 @@ mod ritz;
 mod spring;
 mod station;
 mod surface;
+mod whole;
 
 pub use assembly::Assembly;
 pub use carrier::Carrier;

@@ -1,3 +1,5 @@
+use std::ops::AddAssign;
+
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Vector3};
 
 use super::error::Problem;
@@ -85,10 +87,6 @@ impl Solid<'_> {
     /// Products of Legendre polynomials, made orthonormal in mass.
     fn polynomials(&self, degree: usize) -> Result<Polynomials, Problem> {
         let monomials: Vec<[usize; 3]> = (0..=degree).flat_map(monomial::exponents).collect();
-        let place = |exponents: [usize; 3]| {
-            let total: usize = exponents.iter().sum();
-            total * (total + 1) * (total + 2) / 6 + monomial::index(exponents)
-        };
         let legendre = legendre(degree);
         let size = monomials.len();
         let mut products = DMatrix::zeros(size, size);
@@ -96,7 +94,7 @@ impl Solid<'_> {
             for (a, x) in legendre[*i].iter().enumerate() {
                 for (b, y) in legendre[*j].iter().enumerate() {
                     for (c, z) in legendre[*k].iter().enumerate() {
-                        products[(row, place([a, b, c]))] += x * y * z;
+                        products[(row, monomial::place([a, b, c]))] += x * y * z;
                     }
                 }
             }
@@ -117,12 +115,12 @@ impl Solid<'_> {
     fn position(&self, polynomials: &Polynomials) -> Matrix3xX<f64> {
         let mut position = Matrix3xX::zeros(polynomials.monomials.len());
         // With four polynomials of degree one or less the place is a triangular system.
-        let low = polynomials.coefficients.view((0, 0), (4, 4)).into_owned();
+        let low = polynomials.coefficients.view((0, 0), (4, 4)).transpose().lu();
         for axis in 0..3 {
             let mut place = DVector::zeros(4);
             let exponents = [0, 1, 2].map(|i| usize::from(i == axis));
-            place[1 + monomial::index(exponents)] = self.scale[axis];
-            if let Some(shares) = low.transpose().lu().solve(&place) {
+            place[monomial::place(exponents)] = self.scale[axis];
+            if let Some(shares) = low.solve(&place) {
                 (0..4).for_each(|a| position[(axis, a)] = shares[a]);
             }
         }
@@ -132,7 +130,7 @@ impl Solid<'_> {
     /// `C` over the displacements `φ_a e_i`, numbered `3a + i`. (G4)
     fn stiffness(&self, polynomials: &Polynomials) -> DMatrix<f64> {
         let (shear, lame) = (self.material.shear(), self.material.lame());
-        let slopes = [0, 1, 2].map(|axis| self.slope(polynomials, axis));
+        let slopes = self.slopes(polynomials);
         let size = polynomials.monomials.len();
         let mut stiffness = DMatrix::zeros(3 * size, 3 * size);
         let products = |l: usize, m: usize| &slopes[l] * slopes[m].transpose() / self.material.density;
@@ -153,22 +151,31 @@ impl Solid<'_> {
         stiffness
     }
 
-    /// Derivatives along an axis, as combinations of the polynomials.
-    fn slope(&self, Polynomials { monomials, coefficients }: &Polynomials, axis: usize) -> DMatrix<f64> {
-        let size = monomials.len();
+    /// Derivatives along each axis, as combinations of the polynomials.
+    fn slopes(&self, polynomials: &Polynomials) -> [DMatrix<f64>; 3] {
+        let factor = polynomials.coefficients.transpose().lu();
+        [0, 1, 2].map(|axis| {
+            let derived = polynomials.derived(axis) / self.scale[axis];
+            // derived = slope · coefficients
+            factor.solve(&derived.transpose()).unwrap_or(derived).transpose()
+        })
+    }
+}
+
+impl Polynomials {
+    /// Coefficients of the derivatives along an axis.
+    fn derived(&self, axis: usize) -> DMatrix<f64> {
+        let size = self.monomials.len();
         let mut derived = DMatrix::zeros(size, size);
-        for (column, exponents) in monomials.iter().enumerate().filter(|(_, exponents)| exponents[axis] > 0) {
+        for (column, exponents) in self.monomials.iter().enumerate() {
             let mut lower = *exponents;
-            lower[axis] -= 1;
-            let total: usize = lower.iter().sum();
-            let place = total * (total + 1) * (total + 2) / 6 + monomial::index(lower);
-            let factor = exponents[axis] as f64 / self.scale[axis];
-            for row in 0..size {
-                derived[(row, place)] += factor * coefficients[(row, column)];
+            if let Some(power) = exponents[axis].checked_sub(1) {
+                lower[axis] = power;
+                let slope = exponents[axis] as f64 * self.coefficients.column(column);
+                derived.column_mut(monomial::place(lower)).add_assign(&slope);
             }
         }
-        // derived = slope · coefficients
-        coefficients.transpose().lu().solve(&derived.transpose()).unwrap_or(derived).transpose()
+        derived
     }
 }
 
@@ -327,7 +334,7 @@ mod tests {
             / odd(exponents.iter().sum::<usize>() + 3)
     }
 
-    /// Elastic energy at a product, `½(½J_k)²/C_k` summed, by the loads of the stretches.
+    /// `JᵀC⁻¹J` for the derivatives `J` of one entry of the inertia: as large as the compliance to that product.
     fn energy(J1: &[Sym], stiffness: &[Vec<f64>], product: usize) -> f64 {
         let size = J1.len();
         let matrix = DMatrix::from_fn(size, size, |i, j| stiffness[i][j]);

@@ -1,10 +1,10 @@
 use super::assembly::at;
 use super::error::{ElementError, Field, Place, Problem};
 use super::material::Material;
-use super::matrices::Matrices;
 use super::ritz::{Ritz, Solid};
+use super::whole::Whole;
 use crate::math::surface::ClosedSurface;
-use crate::model::{Coordinate, FlexibleBody, FlexibleError, Marker, Parts, Support};
+use crate::model::{Coordinate, FlexibleBody, Marker};
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh. (G9)
 ///
@@ -48,24 +48,17 @@ impl Surface {
         let (ritz, _) = self.resolved(index)?;
         let center = self.surface.centroid();
         let block = ritz.block(&self.material.rheology);
-        let size = block.columns.len();
-        let Matrices { stiffness, damping, lossy } = Matrices::sum(size, std::iter::once(Ok(block)))?;
         let coordinate =
             |number| Coordinate { name: format!("\"{}\" shape {}", self.name, number + 1), unit: "m" };
-        FlexibleBody::new(Parts {
-            support: Support::Free,
-            pole: center,
-            center_of_mass: center,
+        let whole = Whole {
+            place: Place::Surface(index),
+            center,
             markers: self.tips(&ritz, center),
+            coordinates: (0..block.columns.len()).map(coordinate).collect(),
             invariants: ritz.invariants,
-            damping,
-            stiffness,
-            lossy,
-            coordinates: (0..size).map(coordinate).collect(),
-        })
-        .map_err(|FlexibleError::Mechanism { coordinates }| {
-            at(Place::Surface(index), Field::Young)(Problem::Mechanism { coordinates })
-        })
+            block,
+        };
+        whole.body()
     }
 
     /// How well the polynomials that the body is made of resolve it.

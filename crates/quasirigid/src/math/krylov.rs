@@ -152,25 +152,6 @@ fn scattered(size: usize, column: usize) -> Vec<f64> {
     (0..size).map(|_| next()).collect()
 }
 
-/// The same span by vectors orthonormal in the inner product of `C`.
-pub fn orthonormal(span: Vec<Vec<f64>>, stiffness: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<f64>> {
-    let mut kept: Vec<Vec<f64>> = Vec::new();
-    for mut x in span {
-        for _ in 0..2 {
-            for y in &kept {
-                let share = dot(y, &stiffness(&x));
-                x.iter_mut().zip(y).for_each(|(x, y)| *x -= share * y);
-            }
-        }
-        let length = dot(&x, &stiffness(&x)).max(0.0).sqrt();
-        if length > f64::EPSILON.sqrt() {
-            x.iter_mut().for_each(|entry| *entry /= length);
-            kept.push(x);
-        }
-    }
-    kept
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,6 @@
 //! Mathematics that knows no physics.
 
+pub mod bisection;
 pub mod cholesky;
 pub mod dynamic_stiffness;
 pub mod eigen;
@@ -12,6 +13,7 @@ pub mod quadrature;
 pub mod rotation;
 pub mod scalar;
 pub mod simd;
+pub mod span;
 pub mod sparse;
 pub mod surface;
 pub mod sym;

@@ -1,5 +1,6 @@
 use crate::math::eigen::{Dense, Modes, NoConvergence};
-use crate::math::krylov::{Pencil, dot, orthonormal};
+use crate::math::krylov::Pencil;
+use crate::math::span::{Span, largest};
 use crate::model::FlexibleBody;
 
 /// Mass, damping and stiffness as dense matrices: those of the body itself, or of a body of many coordinates on the
@@ -14,7 +15,7 @@ pub(super) struct Projection {
     /// How many of the slowest vibrations are those of the body.
     pub trusted: usize,
     /// Vectors that span the space; none if it is the whole.
-    span: Option<Vec<Vec<f64>>>,
+    span: Option<Span>,
 }
 
 /// Coordinates up to which the whole matrices are used.
@@ -48,41 +49,29 @@ impl Projection {
         let (damping, stiffness) =
             (|x: &[f64]| body.damping().times(x), |x: &[f64]| body.stiffness().times(x));
         let solve = |x: &mut [f64]| body.solve_stiffness(x, 1);
-        let largest = |mass: &dyn Fn(&[f64]) -> Vec<f64>, count: usize| {
+        let softest = |mass: &dyn Fn(&[f64]) -> Vec<f64>, count: usize| {
             Pencil { size, stiffness: &stiffness, solve: &solve, mass }.largest(count)
         };
-        let mut span = largest(&mass, count)?;
-        span.extend(largest(&free, count)?);
+        let mut span = softest(&mass, count)?;
+        span.extend(softest(&free, count)?);
         if body.damping().iter().any(|(_, _, entry)| *entry != 0.0) {
-            span.extend(largest(&damping, 1)?);
+            span.extend(softest(&damping, 1)?);
         }
-        let span = orthonormal(span, &stiffness);
-        let projected = |operator: &dyn Fn(&[f64]) -> Vec<f64>| {
-            let mut matrix = Dense::zero(span.len());
-            for (column, x) in span.iter().enumerate() {
-                let image = operator(x);
-                span.iter().enumerate().for_each(|(row, y)| matrix.add(row, column, dot(y, &image)));
-            }
-            matrix
-        };
-        let (A, recoiling, B, C) =
-            (projected(&mass), projected(&free), projected(&damping), projected(&stiffness));
-        Ok(Self { A, recoiling, B, C, trusted: count, span: Some(span) })
+        let span = Span::orthonormal(span, stiffness);
+        Ok(Self {
+            A: span.projected(mass),
+            recoiling: span.projected(free),
+            B: span.projected(damping),
+            C: span.projected(stiffness),
+            trusted: count,
+            span: Some(span),
+        })
     }
 
     /// The coordinate with the largest share in the slowest mode.
     pub fn largest_share(&self, modes: &Modes) -> Option<usize> {
         let slowest: Vec<f64> = (0..modes.shapes.size()).map(|row| modes.shapes.at(row, 0)).collect();
-        let shape = match &self.span {
-            None => slowest,
-            Some(span) => {
-                let size = span.first().map_or(0, Vec::len);
-                (0..size)
-                    .map(|row| span.iter().zip(&slowest).map(|(x, share)| share * x[row]).sum())
-                    .collect()
-            }
-        };
-        (0..shape.len()).max_by(|a, b| shape[*a].abs().total_cmp(&shape[*b].abs()))
+        largest(&self.span.as_ref().map_or(slowest.clone(), |span| span.combined(&slowest)))
     }
 }
 

@@ -16,6 +16,13 @@ pub fn index([_, j, k]: [usize; 3]) -> usize {
     r * (r + 1) / 2 + k
 }
 
+/// Place of a monomial in a list of all by ascending degree.
+#[must_use]
+pub fn place(exponents: [usize; 3]) -> usize {
+    let degree: usize = exponents.iter().sum();
+    degree * (degree + 1) * (degree + 2) / 6 + index(exponents)
+}
+
 /// Exponents of every monomial of a degree, in order.
 pub fn exponents(degree: usize) -> impl Iterator<Item = [usize; 3]> {
     (0..=degree).flat_map(move |r| (0..=r).map(move |k| [degree - r, r - k, k]))
@@ -36,5 +43,7 @@ mod tests {
             }
         }
         assert_eq!(exponents(2).nth(1), Some([1, 1, 0]));
+        let all: Vec<_> = (0..9).flat_map(exponents).collect();
+        assert!(all.iter().enumerate().all(|(position, monomial)| place(*monomial) == position));
     }
 }

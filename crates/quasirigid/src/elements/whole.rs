@@ -1,0 +1,38 @@
+use super::assembly::at;
+use super::error::{ElementError, Field, Place, Problem};
+use super::matrices::{Block, Matrices};
+use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
+
+/// A free body that is one element, elastic throughout, in its Tisserand frame.
+pub(super) struct Whole {
+    pub place: Place,
+    /// Centre of mass (m), in the file's frame.
+    pub center: [f64; 3],
+    pub invariants: Invariants,
+    pub block: Block,
+    pub coordinates: Vec<Coordinate>,
+    pub markers: Vec<Marker>,
+}
+
+impl Whole {
+    /// The body.
+    pub fn body(self) -> Result<FlexibleBody, ElementError> {
+        let Self { place, center, invariants, block, coordinates, markers } = self;
+        let Matrices { stiffness, damping, lossy } =
+            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)))?;
+        FlexibleBody::new(Parts {
+            support: Support::Free,
+            pole: center,
+            center_of_mass: center,
+            invariants,
+            damping,
+            stiffness,
+            lossy,
+            coordinates,
+            markers,
+        })
+        .map_err(|FlexibleError::Mechanism { coordinates }| {
+            at(place, Field::Young)(Problem::Mechanism { coordinates })
+        })
+    }
+}

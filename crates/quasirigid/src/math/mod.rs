@@ -7,6 +7,7 @@ pub mod eigen;
 pub mod elliptic;
 pub mod expression;
 pub mod krylov;
+pub mod mesh;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;

@@ -1,0 +1,1 @@
+//! Finite elements: the matrices of a piece of elastic matter between nodes.

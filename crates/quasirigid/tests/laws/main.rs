@@ -20,6 +20,7 @@ mod ellipsoids;
 mod forces;
 mod forms;
 mod formulas;
+mod frames;
 mod full;
 mod gravity;
 mod harmonics;

@@ -1,186 +1,8 @@
 use thiserror::Error;
 
+use crate::elements::finite::beam::BeamError;
+use crate::math::eigen::NoConvergence;
 use crate::model::{InertiaError, RheologyError};
-
-/// An element that no body can have: where it is, which of its values is wrong, and what is wrong with it.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{place}: {field}: {problem}")]
-pub struct ElementError {
-    /// The element.
-    pub place: Place,
-    /// The value.
-    pub field: Field,
-    /// What is wrong.
-    pub problem: Problem,
-}
-
-/// An element of an [`Assembly`](super::Assembly), by its index in the list of its kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// The carrier.
-    Carrier,
-    /// A material point.
-    Point(usize),
-    /// A spring.
-    Spring(usize),
-    /// A hinged appendage.
-    Hinged(usize),
-    /// An ellipsoid.
-    Ellipsoid(usize),
-    /// A solid inside a closed surface.
-    Surface(usize),
-    /// The support.
-    Support,
-    /// An external force.
-    Force(usize),
-}
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Carrier => write!(f, "carrier"),
-            Self::Point(index) => write!(f, "point {}", index + 1),
-            Self::Spring(index) => write!(f, "spring {}", index + 1),
-            Self::Hinged(index) => write!(f, "hinged appendage {}", index + 1),
-            Self::Ellipsoid(index) => write!(f, "ellipsoid {}", index + 1),
-            Self::Surface(index) => write!(f, "surface {}", index + 1),
-            Self::Support => write!(f, "support"),
-            Self::Force(index) => write!(f, "force {}", index + 1),
-        }
-    }
-}
-
-/// A value of an element; its text is the key of the model file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
-    /// Unique name.
-    Name,
-    /// Mass.
-    Mass,
-    /// Centre of mass.
-    CenterOfMass,
-    /// Inertia tensor.
-    Inertia,
-    /// Equilibrium position.
-    Position,
-    /// Motion left by the constraints.
-    Motion,
-    /// First end of a spring.
-    From,
-    /// Second end of a spring.
-    To,
-    /// The carrier's end of an axial spring.
-    Anchor,
-    /// Stiffness.
-    Stiffness,
-    /// Damping.
-    Damping,
-    /// Place of a hinge.
-    Hinge,
-    /// Axes of a hinge.
-    Axes,
-    /// Semi-axes of an ellipsoid.
-    SemiAxes,
-    /// Centre of an ellipsoid.
-    Center,
-    /// Degree of the polynomials of a displacement.
-    Degree,
-    /// Density of a material.
-    Density,
-    /// Young's modulus of a material.
-    Young,
-    /// Poisson's ratio of a material.
-    Poisson,
-    /// How a material answers periodic strain.
-    Rheology,
-    /// The fixed or driven point of a support.
-    FixedPoint,
-    /// Velocity of a driven point at the start.
-    Velocity,
-    /// Acceleration of gravity.
-    Acceleration,
-    /// Part that a force acts on.
-    On,
-    /// Place on the carrier where a force acts.
-    At,
-    /// Coefficient of a drag.
-    Coefficient,
-    /// Amplitude of a torque.
-    Torque,
-    /// Amplitude of a thrust.
-    Force,
-    /// Magnetic dipole moment.
-    Moment,
-    /// Uniform magnetic field.
-    MagneticField,
-    /// Strength of the dipole whose magnetic field it is.
-    Dipole,
-    /// Frequency of a periodic force.
-    Frequency,
-    /// Phase of a periodic force.
-    Phase,
-    /// Gravitational parameter of an orbit.
-    GravitationalParameter,
-    /// Semi-major axis of an orbit.
-    SemiMajorAxis,
-    /// Eccentricity of an orbit.
-    Eccentricity,
-    /// Inclination of an orbit.
-    Inclination,
-    /// Longitude of the ascending node of an orbit.
-    Node,
-    /// Argument of the periapsis of an orbit.
-    Periapsis,
-    /// Mean anomaly at the start.
-    MeanAnomaly,
-}
-
-impl std::fmt::Display for Field {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Name => "name",
-            Self::Mass => "mass",
-            Self::CenterOfMass => "center_of_mass",
-            Self::Inertia => "inertia",
-            Self::Position => "position",
-            Self::Motion => "motion",
-            Self::From => "from",
-            Self::To => "to",
-            Self::Anchor => "anchor",
-            Self::Stiffness => "stiffness",
-            Self::Damping => "damping",
-            Self::Hinge => "hinge",
-            Self::Axes => "axes",
-            Self::SemiAxes => "semi_axes",
-            Self::Center => "center",
-            Self::Degree => "degree",
-            Self::Density => "density",
-            Self::Young => "young",
-            Self::Poisson => "poisson",
-            Self::Rheology => "rheology",
-            Self::FixedPoint => "point",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-            Self::On => "on",
-            Self::At => "at",
-            Self::Coefficient => "coefficient",
-            Self::Torque => "torque",
-            Self::Force => "force",
-            Self::Moment => "moment",
-            Self::MagneticField => "field",
-            Self::Dipole => "dipole",
-            Self::Frequency => "frequency",
-            Self::Phase => "phase",
-            Self::GravitationalParameter => "gravitational_parameter",
-            Self::SemiMajorAxis => "semi_major_axis",
-            Self::Eccentricity => "eccentricity",
-            Self::Inclination => "inclination",
-            Self::Node => "node",
-            Self::Periapsis => "periapsis",
-            Self::MeanAnomaly => "mean_anomaly",
-        })
-    }
-}
 
 /// What can be wrong with a value of an element.
 #[non_exhaustive]
@@ -227,10 +49,10 @@ pub enum Problem {
         most: usize,
     },
     /// The body has neither a carrier nor a part that is elastic throughout.
-    #[error("the body has no carrier, no ellipsoid and no surface")]
+    #[error("the body has no carrier and no part that is elastic throughout")]
     NoBody,
     /// An element that only goes with a carrier, on a body without.
-    #[error("an element that is elastic throughout is the whole body; this cannot stand beside it")]
+    #[error("an ellipsoid or a surface is the whole body; this cannot stand beside it")]
     BesideWhole,
     /// A force acts at a place of the carrier of a body that has none.
     #[error("this body has no carrier that the force could act on")]
@@ -238,6 +60,77 @@ pub enum Problem {
     /// A body that is elastic throughout has no point that a support could hold.
     #[error("a body that is elastic throughout moves freely; no point of it can be held")]
     HeldWhole,
+    /// A part hangs in the air: the body has a carrier and nothing joins the part to it.
+    #[error("nothing joins this part to the carrier; attach some of its nodes, or connect it")]
+    NotAttached,
+    /// Something names a part that there is not.
+    #[error("there is no part number {index}")]
+    NoSuchPart {
+        /// Index of the part.
+        index: usize,
+    },
+    /// Something names a node that there is not.
+    #[error("the part has no node number {index}; it has {count}")]
+    NoSuchNode {
+        /// Index of the node.
+        index: usize,
+        /// Number of nodes.
+        count: usize,
+    },
+    /// A side of a connection or an attachment has no nodes.
+    #[error("no nodes are named here")]
+    NoNodes,
+    /// Both sides of a connection are held already.
+    #[error("{node} is held already, by a connection or the carrier; a node can be held once")]
+    HeldTwice {
+        /// The node, by name.
+        node: String,
+    },
+    /// Connections run in a circle.
+    #[error("the connections at {node} run in a circle; replace one of them by a stiff spring")]
+    Circle {
+        /// A node of the circle, by name.
+        node: String,
+    },
+    /// A joint is away from the node that carries it, which does not turn.
+    #[error("{base} has no rotations to carry {node}, {distance} m away; join nodes at the same place, or a whole face")]
+    NoArm {
+        /// The node that would carry.
+        base: String,
+        /// The node that would be carried.
+        node: String,
+        /// Distance between them (m).
+        distance: f64,
+    },
+    /// A hinge or ball joins a node that does not turn.
+    #[error("{node} has no rotations, so it can have no hinge; name a face, or three nodes or more")]
+    NoTurn {
+        /// The node, by name.
+        node: String,
+    },
+    /// Two sides of many nodes each do not match.
+    #[error("{node} has no partner at its place on the other side; the nearest is {distance} m away")]
+    NoPartner {
+        /// The node, by name.
+        node: String,
+        /// Distance to the nearest node of the other side (m).
+        distance: f64,
+    },
+    /// A beam or its section cannot be.
+    #[error(transparent)]
+    Beam(#[from] BeamError),
+    /// The lowest modes of the parts are not found.
+    #[error("its lowest modes are not found: {cause}")]
+    NoModes {
+        /// Why.
+        cause: NoConvergence,
+    },
+    /// A part has no mass, or too little of it to turn.
+    #[error("this has no mass")]
+    NoMass,
+    /// A point on a line or in a plane, on a body without a carrier to hold the line or the plane.
+    #[error("a body without a carrier has nothing that could hold a line or a plane")]
+    NoGuide,
     /// A direction has no length.
     #[error("a direction of zero length")]
     ZeroDirection,

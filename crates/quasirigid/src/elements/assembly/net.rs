@@ -1,0 +1,219 @@
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Assembly;
+use super::held::holds;
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::finite::{Link, Mass};
+use crate::elements::part::{NodeRef, extremes};
+use crate::elements::structure::{Component, Fault, Freedoms, Hold, Matter, Node, Purpose, Structure, Unknown};
+use crate::elements::{End, Motion, coefficient};
+use crate::model::Rheology;
+
+/// The parts of a body as one structure; without a carrier also its points and springs.
+pub(super) struct Net<'a> {
+    assembly: &'a Assembly,
+    pub structure: Structure,
+    /// First node of each part, then that of the points; joints come last.
+    pub firsts: Vec<usize>,
+    /// Nodes whose displacements are wanted, and what they are in the structure.
+    stations: Vec<NodeRef>,
+    /// Those of them at which springs or forces pull.
+    pulled: Vec<usize>,
+}
+
+/// Most unknowns named in a message.
+const MOST_NAMES: usize = 6;
+
+impl<'a> Net<'a> {
+    /// The structure of the parts of a body.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first part or connection that cannot be.
+    pub fn of_parts(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        let mut structure = Structure::default();
+        let mut firsts = Vec::new();
+        for (index, part) in assembly.parts.iter().enumerate() {
+            firsts.push(structure.nodes.len());
+            structure.nodes.extend(part.nodes());
+            part.furnish(index, firsts[index], &mut structure)?;
+        }
+        firsts.push(structure.nodes.len());
+        structure.holds = vec![Hold::Free; structure.nodes.len()];
+        let mut net = Self { assembly, structure, firsts, stations: Vec::new(), pulled: Vec::new() };
+        holds(assembly, &mut net)?;
+        net.station_all(false)?;
+        Ok(net)
+    }
+
+    /// The same with the points and springs of a body without a carrier.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first element that cannot be.
+    pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        let mut net = Self::of_parts(assembly)?;
+        for (index, point) in assembly.points.iter().enumerate() {
+            let place = Place::Point(index);
+            coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
+            coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
+            if point.motion != Motion::Free {
+                return Err(at(place, Field::Motion)(Problem::NoGuide));
+            }
+            net.point(point.mass, point.position.into());
+        }
+        for index in 0..assembly.springs.len() {
+            net.spring(index)?;
+        }
+        net.station_all(true)?;
+        Ok(net)
+    }
+
+    /// The structure with few coordinates.
+    ///
+    /// # Errors
+    /// [`ElementError`] for nodes that hold each other, and for a mechanism.
+    pub fn component(&self, floating: bool) -> Result<Component, ElementError> {
+        let freedoms = Freedoms::new(&self.structure.nodes, &self.structure.holds)
+            .map_err(|circle| self.blame(circle.node, Problem::Circle { node: self.node_name(circle.node) }))?;
+        let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
+        let purpose = Purpose {
+            order: self.assembly.reduction.order,
+            modes: self.assembly.reduction.modes,
+            floating,
+            stations: &stations,
+            pulled: &self.pulled,
+        };
+        self.structure.component(freedoms, &purpose).map_err(|fault| self.refusal(fault))
+    }
+
+    /// Number of a node in the structure.
+    pub fn index(&self, node: NodeRef) -> usize {
+        self.firsts[node.part] + node.node
+    }
+
+    /// Nodes whose displacements the component has, in the order of its stations.
+    pub fn stations(&self) -> &[NodeRef] {
+        &self.stations
+    }
+
+    /// Name of a node of the structure.
+    pub fn node_name(&self, node: usize) -> String {
+        let part = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
+        match self.assembly.parts.get(part) {
+            Some(owner) => format!("{:?} {}", owner.name, owner.node_name(node - self.firsts[part])),
+            None => match self.assembly.points.get(node - self.firsts[part]) {
+                Some(point) => format!("{:?}", point.name),
+                None => "a joint".to_owned(),
+            },
+        }
+    }
+
+    /// Adds a node that belongs to no part.
+    pub fn joint_node(&mut self, place: Vector3<f64>) -> usize {
+        self.structure.nodes.push(Node { place, turns: true });
+        self.structure.holds.push(Hold::Free);
+        self.structure.nodes.len() - 1
+    }
+
+    /// Number of the matter without damping of its own that answers periodic strain like this.
+    pub fn matter(&mut self, rheology: &Rheology) -> usize {
+        let matter = Matter { rheology: rheology.clone(), per_mass: 0.0, per_stiffness: 0.0 };
+        self.structure.matter(matter)
+    }
+
+    /// An element blamed for what is wrong with a node.
+    pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
+        let part = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
+        if part < self.assembly.parts.len() {
+            return at(Place::Part(part), Field::Attach)(problem);
+        }
+        at(Place::Point(node - self.firsts[part]), Field::Stiffness)(problem)
+    }
+
+    fn point(&mut self, mass: f64, place: Vector3<f64>) {
+        let node = self.structure.nodes.len();
+        let matter = self.matter(&Rheology::Elastic);
+        self.structure.nodes.push(Node { place, turns: false });
+        self.structure.holds.push(Hold::Free);
+        let points = vec![(mass, Vector3::zeros())];
+        self.structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
+    }
+
+    fn spring(&mut self, index: usize) -> Result<(), ElementError> {
+        let spring = &self.assembly.springs[index];
+        let place = Place::Spring(index);
+        if spring.from == spring.to {
+            return Err(at(place, Field::To)(Problem::SameEnds));
+        }
+        let node = |end: End, field: Field| match end {
+            End::Carrier => Err(at(place, field)(Problem::NoCarrier)),
+            End::Point(point) if point < self.assembly.points.len() => {
+                Ok(self.firsts[self.assembly.parts.len()] + point)
+            }
+            End::Point(index) => Err(at(place, field)(Problem::NoSuchPoint { index })),
+            End::Node(node) => Ok(self.index(node)),
+        };
+        let nodes = [node(spring.from, Field::From)?, node(spring.to, Field::To)?];
+        let places = nodes.map(|node| self.structure.nodes[node].place);
+        let (stiffness, damping): (Matrix3<f64>, Matrix3<f64>) = spring.matrices(place, places)?;
+        let matter = self.matter(&spring.rheology);
+        self.structure.elements.push(Box::new(Link { nodes, matter, stiffness, damping }));
+        Ok(())
+    }
+
+    /// Notes the nodes that are watched, and those at which springs and forces pull; of a body without a carrier also
+    /// points, which count as one more part.
+    fn station_all(&mut self, floating: bool) -> Result<(), ElementError> {
+        let points = self.assembly.parts.len();
+        let mut stations = BTreeMap::new();
+        for (part, description) in self.assembly.parts.iter().enumerate() {
+            stations.extend(description.watched().into_iter().map(|node| (NodeRef { part, node }, false)));
+        }
+        if floating {
+            let places: Vec<[f64; 3]> = self.assembly.points.iter().map(|point| point.position).collect();
+            stations.extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
+        }
+        for (place, field, end) in self.assembly.ends() {
+            let spring = matches!(place, Place::Spring(_));
+            match end {
+                End::Node(node) => {
+                    self.assembly.has(node).map_err(at(place, field))?;
+                    *stations.entry(node).or_default() |= !(floating && spring);
+                }
+                End::Point(node) if floating && !spring => {
+                    stations.insert(NodeRef { part: points, node }, true);
+                }
+                End::Point(_) | End::Carrier => {}
+            }
+        }
+        self.pulled = stations.values().enumerate().filter(|(_, pulled)| **pulled).map(|(i, _)| i).collect();
+        self.stations = stations.into_keys().collect();
+        Ok(())
+    }
+
+    fn refusal(&self, fault: Fault) -> ElementError {
+        match fault {
+            Fault::Loose(unknowns) => self.mechanism(&unknowns),
+            Fault::NoConvergence(cause) => at(Place::Part(0), Field::Modes)(Problem::NoModes { cause }),
+        }
+    }
+
+    fn mechanism(&self, loose: &[Unknown]) -> ElementError {
+        const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
+        let name = |unknown: &Unknown| match *unknown {
+            Unknown::OfNode(node, component) => format!("{} {}", self.node_name(node), COMPONENTS[component]),
+            Unknown::OfJoint(node, axis) => {
+                format!("{} at its joint, about axis {}", self.node_name(node), axis + 1)
+            }
+        };
+        let mut names: Vec<String> = loose.iter().take(MOST_NAMES).map(name).collect();
+        if loose.len() > MOST_NAMES {
+            names.push(format!("{} more", loose.len() - MOST_NAMES));
+        }
+        let first = loose.first().map_or(0, |unknown| match *unknown {
+            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) => node,
+        });
+        self.blame(first, Problem::Mechanism { coordinates: names.join(", ") })
+    }
+}

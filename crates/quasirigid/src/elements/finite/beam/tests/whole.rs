@@ -1,0 +1,85 @@
+use nalgebra::Matrix3;
+
+use super::super::Moments;
+use super::*;
+
+const ENDS: [[f64; 3]; 2] = [[0.4, -0.9, 1.3], [2.1, 0.5, 0.2]];
+const SIDES: [f64; 2] = [0.7, 0.4];
+
+fn chain() -> Chain {
+    let section = SectionShape::Rectangle { height: SIDES[0], width: SIDES[1] }.section(0.3).unwrap();
+    Chain::cut(ENDS, [0.1, 0.3, -0.8], section, ALLOY, &[0.0, 0.37, 1.0])
+}
+
+/// `∫ r rᵀ dm` of the prism, from the origin, by the points of a rule that is exact for quadratic functions.
+fn second_moment(beam: &Beam) -> Matrix3<f64> {
+    let [from, to] = ENDS.map(Vector3::from);
+    let (middle, [_, y, z]) = (0.5 * (from + to), beam.directions());
+    let mass = ALLOY.density * (to - from).norm() * SIDES[0] * SIDES[1];
+    let node = 0.5 / 3.0_f64.sqrt();
+    let mut sum = Matrix3::zeros();
+    for a in [-node, node] {
+        for b in [-node, node] {
+            for c in [-node, node] {
+                let r = middle + a * (to - from) + b * SIDES[1] * y + c * SIDES[0] * z;
+                sum += mass / 8.0 * r * r.transpose();
+            }
+        }
+    }
+    sum
+}
+
+#[test]
+fn rigid_motions_find_mass_centre_and_inertia_of_the_prism() {
+    let chain = chain();
+    let (mass, nodes) = (chain.sum(Beam::mass), chain.nodes());
+    let [from, to] = ENDS.map(Vector3::from);
+    let whole = ALLOY.density * (to - from).norm() * SIDES[0] * SIDES[1];
+    let centre = 0.5 * (from + to);
+    let W = second_moment(&chain.beams[0]);
+    let inertia = W.trace() * Matrix3::identity() - W;
+    let unit = |axis: usize| Vector3::ith(axis, 1.0);
+    let shift = |axis| rigid(&nodes, unit(axis), Vector3::zeros());
+    let turn = |axis| rigid(&nodes, Vector3::zeros(), unit(axis));
+    for i in 0..3 {
+        for j in 0..3 {
+            let delta = if i == j { whole } else { 0.0 };
+            assert!((shift(i).dot(&(&mass * shift(j))) - delta).abs() < 1e-13 * whole);
+            let first = whole * unit(i).dot(&unit(j).cross(&centre));
+            assert!((shift(i).dot(&(&mass * turn(j))) - first).abs() < 1e-13 * whole * centre.norm());
+            let (found, wanted) = (turn(i).dot(&(&mass * turn(j))), inertia[(i, j)]);
+            assert!((found - wanted).abs() < 1e-13 * inertia.trace(), "{i} {j}: {found} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn moments_of_fields_add_up_to_those_of_the_prism() {
+    let chain = chain();
+    let nodes = chain.nodes();
+    let W = second_moment(&chain.beams[0]);
+    let spin = Vector3::new(0.3, -0.8, 0.5).cross_matrix();
+    let other = Vector3::new(-1.1, 0.2, 0.6);
+    let fields = [spin, other.cross_matrix()]
+        .map(|turn| rigid(&nodes, Vector3::zeros(), Vector3::new(turn.m32, turn.m13, turn.m21)));
+    let (mut place, mut pair, mut sum) = (Matrix3::zeros(), Matrix3::zeros(), Vector3::zeros());
+    for (i, beam) in chain.beams.iter().enumerate() {
+        let Moments { sum: own_sum, place: own_place, pairs } = beam.moments();
+        let [u, v] = [own(&fields[0], i), own(&fields[1], i)];
+        sum += own_sum * u;
+        for j in 0..12 {
+            place += u[j] * own_place[j];
+            (0..12).for_each(|k| pair += u[j] * v[k] * pairs[j][k]);
+        }
+        let trace = Matrix12::from_fn(|j, k| pairs[j][k].trace());
+        assert!((trace - beam.mass()).amax() < 1e-14 * trace.amax());
+    }
+    let [from, to] = ENDS.map(Vector3::from);
+    let whole = ALLOY.density * (to - from).norm() * SIDES[0] * SIDES[1];
+    let first = 0.5 * whole * spin * (from + to);
+    assert!((sum - first).amax() < 1e-13 * first.amax());
+    let place_wanted = W * spin.transpose();
+    assert!((place - place_wanted).amax() < 1e-13 * W.amax(), "{place} {place_wanted}");
+    let pair_wanted = spin * W * other.cross_matrix().transpose();
+    assert!((pair - pair_wanted).amax() < 1e-13 * W.amax(), "{pair} {pair_wanted}");
+}

@@ -1,1 +1,4 @@
 //! Finite elements: the matrices of a piece of elastic matter between nodes.
+
+pub(in crate::elements) mod elasticity;
+pub(in crate::elements) mod solid;

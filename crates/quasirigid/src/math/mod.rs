@@ -9,6 +9,7 @@ pub mod expression;
 pub mod krylov;
 pub mod mesh;
 pub mod ode;
+mod parts;
 pub mod polynomial;
 pub mod quadrature;
 pub mod rotation;

@@ -2,7 +2,9 @@
 
 pub(super) mod beam;
 mod element;
+pub(super) mod elasticity;
 mod lumped;
+pub(super) mod solid;
 
 pub(super) use element::{Element, Grain, Turn};
 pub(super) use lumped::{Link, Mass};

@@ -78,15 +78,16 @@ fn straight_beams_bend_as_beams() {
     }
 }
 
-/// In the plane, elements of four nodes that pass the patch test cannot follow bending where the sides are not parallel
-/// (MacNeal 1987): the error falls with the elements, but slowly.
+/// In the plane, elements of four nodes that pass the patch test cannot follow bending where opposite sides are not
+/// parallel (MacNeal 1987); divided further they become parallelograms. Long slanted triangles converge slowly.
 #[test]
 fn slanted_elements_are_stiff_in_the_plane() {
     for shape in SHAPES {
+        let allowed = if shape == Shape::Quad4 { 0.02 } else { 0.15 };
         for (form, slant) in [("parallelograms", 1.0), ("trapezoids", -1.0)] {
             let ratios = MESHES.map(|n| straight(shape, n, slant, Y) / 0.1081);
             println!("straight, in, {form:16} {:9} {MESHES:?}: {ratios:.4?}", name(shape));
-            assert!((ratios[3] - 1.0).abs() < 0.1, "{ratios:?}");
+            assert!((ratios[3] - 1.0).abs() < allowed, "{ratios:?}");
         }
     }
 }

@@ -10,3 +10,4 @@ mod laminate;
 mod patch;
 mod plate;
 mod structure;
+mod vibration;

@@ -15,18 +15,14 @@ pub(in crate::elements) enum ShellError {
     #[error("a {shape} was given {found} nodes")]
     Nodes { shape: Shape, found: usize },
     /// The corners enclose no area, or are not finite.
-    #[error(
-        "the corners enclose an area of {area} m², against a longest side of {side} m; merge the nodes or remove the cell"
-    )]
+    #[error("an area of {area} m² has a longest side of {side} m; merge the nodes or remove the cell")]
     Area { area: f64, side: f64 },
     /// A corner of a quadrilateral is not convex.
-    #[error(
-        "the angle at node {node} of the quadrilateral is 180 degrees or more; order the nodes around the cell, or split it"
-    )]
+    #[error("the angle at node {node} is 180 degrees or more; order the nodes around the cell, or split it")]
     Concave { node: usize },
     /// The direction of the layers is along the normal.
     #[error(
-        "the reference direction has only {share} of its length in the plane of the element; choose one along the surface"
+        "only {share} of the reference direction is in the plane of the element; choose one along the surface"
     )]
     Reference { share: f64 },
     /// The displacement does not have six numbers per node.

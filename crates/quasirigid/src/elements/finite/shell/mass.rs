@@ -50,7 +50,8 @@ struct Point {
     shares: Vec<f64>,
 }
 
-/// Middles of the sides of a triangle, Gauss's four points of a quadrilateral: exact for products of two shape functions.
+/// Middles of the sides of a triangle, Gauss's four points of a quadrilateral: exact for products of two shape
+/// functions.
 fn points(shape: Shape, nodes: &[Vector3<f64>]) -> Vec<Point> {
     let point = |tangents: [Vector3<f64>; 2], part: f64, shares: Vec<f64>| {
         let area = tangents[0].cross(&tangents[1]);

@@ -1,10 +1,11 @@
 //! Thin plates and curved shells of layers: triangles and quadrilaterals with six freedoms at every node.
 //!
-//! A displacement is three translations (m), then three rotations (rad) per node, all along the axes of the body. At the
-//! height `z` over the nodes matter moves by `u + θ × z n`; `n` is the normal about which the nodes run counter-clockwise.
+//! A displacement is three translations (m), then three rotations (rad) per node, all along the axes of the body. At
+//! the height `z` over the nodes matter moves by `u + θ × z n`; `n` is the normal about which the nodes run
+//! counter-clockwise.
 //!
-//! Every strain is a fixed function of the displacement that does not know the material, so that stiffness and mass are
-//! linear in the section: the matrices of the layers of one material add to those of the others.
+//! Every strain is a fixed function of the displacement that does not know the material, so that stiffness and mass
+//! are linear in the section: the matrices of the layers of one material add to those of the others.
 
 mod error;
 mod mass;
@@ -34,8 +35,8 @@ use crate::math::mesh::Shape;
 /// Symmetric, positive semi-definite, linear in the section; it vanishes for the six motions of a rigid body and for
 /// nothing else. The section is in the axes that the projection of `reference` begins.
 ///
-/// A quadrilateral resists a rotation of *one* node about the normal only weakly, as thin as it is: carry such a moment
-/// over several nodes. A triangle has no flexibility in transverse shear: thick cores need quadrilaterals.
+/// A quadrilateral resists a rotation of *one* node about the normal only weakly, as thin as it is: carry such a
+/// moment over several nodes. A triangle has no flexibility in transverse shear: thick cores need quadrilaterals.
 ///
 /// # Errors
 /// A shape that is no shell, or nodes and a reference between which no element can be.
@@ -62,8 +63,9 @@ pub(in crate::elements) fn stiffness(
 /// ½ qᵀ K q = ½ ∫ N_αβ  ∂q/∂x_α · ∂q/∂x_β  dA,     N = A ε(u) + B κ(u)
 /// ```
 ///
-/// with all three components of the translation `q`, so that a rotation of the whole element turns its forces with it.
-/// The dead stress is positive in tension; the buckling load is the `λ` at which `stiffness + λ geometric` is singular.
+/// with all three components of the translation `q`, so that a rotation of the whole element turns its forces with
+/// it. The dead stress is positive in tension; the buckling load is the `λ` at which `stiffness + λ geometric` is
+/// singular.
 ///
 /// # Errors
 /// As for [`stiffness`].

@@ -7,12 +7,12 @@ use super::section::ShellSection;
 
 /// A quadrilateral, flat or warped, that locks neither in shear nor in its membrane.
 ///
-/// - Membrane: five strains, none of which knows the rotations. Three are constant; those along the sides are the mean
-///   stretches of opposite sides, whose warped parts a flat element would lose. Two are bending in the plane, after the
-///   hourglass modes of Belytschko & Bindeman (1993), here for warped elements too; they are linear, of mean zero, and
-///   vanish for a linear displacement (patch test).
-/// - Bending: bilinear rotations. Transverse shear from the middles of the sides (Dvorkin & Bathe 1984).
-/// - Drilling: the mean rotation about the normal follows that of the membrane (Hughes & Brezzi 1989, at one point);
+/// - Membrane: five strains, none of which knows the rotations. Three are constant; those along the sides are the
+///   mean stretches of opposite sides, whose warped parts a flat element would lose. Two are bending in the plane,
+///   after the hourglass modes of `[@belytschko1991]`, here for warped elements too; they are linear, of
+///   mean zero, and vanish for a linear displacement (patch test).
+/// - Bending: bilinear rotations. Transverse shear from the middles of the sides `[@dvorkin1984]`.
+/// - Drilling: the mean rotation about the normal follows that of the membrane (`[@hughes1989]`, at one point);
 ///   what varies is held as weakly as a curvature, since a stronger hold stiffens thin warped shells.
 pub(super) struct Quad<'a> {
     plane: &'a Plane,
@@ -29,8 +29,9 @@ pub(super) struct Quad<'a> {
 /// Natural coordinates of the nodes.
 const R: [f64; 4] = [-1.0, 1.0, 1.0, -1.0];
 const S: [f64; 4] = [-1.0, -1.0, 1.0, 1.0];
-/// Contraction across a strain of bending in the plane. Exact for isotropic matter with this Poisson's ratio, 0.3 % too
-/// stiff at 0.3 and 6 % at zero for a single element; it cannot follow the section and leave the stiffness linear in it.
+/// Contraction across a strain of bending in the plane. Exact for isotropic matter with this Poisson's ratio, 0.3 %
+/// too stiff at 0.3 and 6 % at zero for a single element; it cannot follow the section and leave the stiffness
+/// linear in it.
 const CONTRACTION: f64 = 0.25;
 /// Hold of the varying rotation about the normal, in units of the stiffness in twist.
 const DRILLING: f64 = 0.01;
@@ -109,8 +110,8 @@ impl<'a> Quad<'a> {
         })
     }
 
-    /// What of a displacement of the nodes is neither constant nor linear in the plane, `γ` of Flanagan & Belytschko
-    /// (1981): one for the displacement `rs`.
+    /// What of a displacement of the nodes is neither constant nor linear in the plane, `γ` of
+    /// `[@flanagan1981]`: one for the displacement `rs`.
     fn hourglass(&self) -> [f64; 4] {
         let slopes = self.slopes(0.0, 0.0);
         std::array::from_fn(|i| 0.25 * R[i] * S[i] - slopes.column(i).dot(&self.skew))

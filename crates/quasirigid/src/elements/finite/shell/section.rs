@@ -47,13 +47,13 @@ pub(in crate::elements) struct Ply {
     pub angle: f64,
 }
 
-/// Reissner's factor of a homogeneous section. It is used for every laminate, because a factor from the equilibrium of the
-/// layers (Whitney 1973) is not a sum over them.
+/// Reissner's factor of a homogeneous section. It is used for every laminate, because a factor from the equilibrium
+/// of the layers is not a sum over them.
 const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl ShellSection {
     /// Layers from the lowest to the highest, with their common mid-surface `offset` (m) above the nodes: classical
-    /// lamination theory (Jones 1999, §4.2), with transverse shear in parallel.
+    /// lamination theory `[@jones1999]`, with transverse shear in parallel.
     ///
     /// # Errors
     /// A layer that no matter can be.
@@ -187,7 +187,7 @@ mod tests {
         angle: 0.0,
     };
 
-    /// `Q₁₁`, `Q₂₂`, `Q₁₂` of the layer (Jones 1999, §2.4).
+    /// `Q₁₁`, `Q₂₂`, `Q₁₂` of the layer `[@jones1999]`.
     fn moduli() -> [f64; 3] {
         let share = 1.0 - 0.3 * 0.3 * 9.0 / 140.0;
         [140e9 / share, 9e9 / share, 0.3 * 9e9 / share]
@@ -197,7 +197,7 @@ mod tests {
         assert!((value - expected).abs() <= 1e-13 * expected.abs(), "{value} {expected}");
     }
 
-    /// Fibres along the axis below, across it above: stiffer along it below the middle (Jones 1999, §4.4.3).
+    /// Fibres along the axis below, across it above: stiffer along it below the middle.
     #[test]
     fn layers_across_each_other_couple_stretch_and_bending() {
         let across = Ply { angle: std::f64::consts::FRAC_PI_2, ..CARBON };
@@ -212,7 +212,7 @@ mod tests {
         near(section.S[(0, 0)], 5.0 / 6.0 * 1e-3 * (4e9 + 3e9));
     }
 
-    /// Jones 1999, eq. 2.85, at an angle at which no entry vanishes.
+    /// `[@jones1999]`, at an angle at which no entry vanishes.
     #[test]
     fn fibres_at_an_angle_couple_stretch_and_shear() {
         let angle = 0.6_f64;

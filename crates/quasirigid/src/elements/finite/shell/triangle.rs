@@ -3,8 +3,8 @@ use nalgebra::{Matrix2xX, Matrix3, Matrix3xX, Vector2, Vector3};
 use super::plane::Plane;
 use super::sample::Sample;
 
-/// A flat triangle: the optimal membrane with drilling rotations (Felippa 2003) and the discrete Kirchhoff plate (Batoz,
-/// Bathe & Ho 1980).
+/// A flat triangle: the optimal membrane with drilling rotations `[@felippa2003]` and the discrete Kirchhoff plate
+/// `[@batoz1980]`.
 pub(super) struct Triangle<'a> {
     places: &'a [Vector2<f64>],
     area: f64,
@@ -14,10 +14,10 @@ pub(super) struct Triangle<'a> {
 const SIDE: f64 = 1.5;
 /// Stiffness `β₀` of the higher strains, one value for all so that the stiffness is linear in the section.
 ///
-/// Felippa's `½ (1 − 4ν²)`, 0.32 for aluminium, makes bending in the plane exact for a beam one square deep, but locks thin
-/// curved shells: the hemisphere of 16 × 16 has 94 % of its deflection and the twisted strip of 48 × 8 92 %, against 99 %
-/// and 98 % with this value. A beam four squares deep is 0.6 % too soft in its plane. Below 0.05, triangles in corners
-/// are so loose that they have the lowest frequency.
+/// Felippa's `½ (1 − 4ν²)`, 0.32 for aluminium, makes bending in the plane exact for a beam one square deep, but
+/// locks thin curved shells: the hemisphere of 16 × 16 has 94 % of its deflection and the twisted strip of 48 × 8 92
+/// %, against 99 % and 98 % with this value. A beam four squares deep is 0.6 % too soft in its plane. Below 0.05,
+/// triangles in corners are so loose that they have the lowest frequency.
 const HIGHER: f64 = 0.06;
 /// Natural strains along the sides 12, 23, 31 at the first node, per unit of the three drilling rotations.
 const NATURAL: [[f64; 3]; 3] = [[1.0, 2.0, 1.0], [0.0, 1.0, -1.0], [-1.0, -1.0, -2.0]];
@@ -77,8 +77,8 @@ impl<'a> Triangle<'a> {
         strain
     }
 
-    /// The higher membrane strain at the middle of a side, of mean zero: from the rotations of the nodes less that of the
-    /// whole.
+    /// The higher membrane strain at the middle of a side, of mean zero: from the rotations of the nodes less that
+    /// of the whole.
     fn higher(&self, k: usize) -> Matrix3xX<f64> {
         let (here, next) = (self.natural(k), self.natural((k + 1) % 3));
         let factor = 1.5 * HIGHER.sqrt();
@@ -115,8 +115,8 @@ impl<'a> Triangle<'a> {
         Matrix3::from_columns(&[column(a, b, c), column(b, c, a), column(c, a, b)])
     }
 
-    /// Curvature at the place with these `shares` of the nodes. Rotations are quadratic; at the middle of a side, that
-    /// along it is of the cubic beam between the two nodes, and that across it is linear.
+    /// Curvature at the place with these `shares` of the nodes. Rotations are quadratic; at the middle of a side,
+    /// that along it is of the cubic beam between the two nodes, and that across it is linear.
     fn bending(&self, share: [f64; 3]) -> Matrix3xX<f64> {
         let slopes = self.slopes();
         let mut curvature = Matrix3xX::zeros(18);

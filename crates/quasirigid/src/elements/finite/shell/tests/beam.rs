@@ -1,4 +1,4 @@
-//! MacNeal & Harder (1985): beams of shells.
+//! Beams of shells `[@macneal1985]`.
 
 use std::f64::consts::PI;
 
@@ -79,7 +79,7 @@ fn straight_beams_bend_as_beams() {
 }
 
 /// In the plane, elements of four nodes that pass the patch test cannot follow bending where opposite sides are not
-/// parallel (MacNeal 1987); divided further they become parallelograms. Long slanted triangles converge slowly.
+/// parallel `[@macneal1987]`; divided further they become parallelograms. Long slanted triangles converge slowly.
 #[test]
 fn slanted_elements_are_stiff_in_the_plane() {
     for shape in SHAPES {
@@ -102,7 +102,7 @@ fn curved_beams_bend_as_beams() {
     converges("curved, out", Shape::Quad4, &MESHES, |n| curved(Shape::Quad4, n, Z) / 0.5022);
 }
 
-/// Thick values of MacNeal & Harder, thin ones of Belytschko, Wong & Stolarski (1989).
+/// Thick values of `[@macneal1985]`, thin ones of `[@belytschko1989]`.
 #[test]
 fn twisted_beams_bend_as_beams() {
     let cases = [(0.32, Z, 5.424e-3), (0.32, Y, 1.754e-3), (0.0032, Z, 5256.0), (0.0032, Y, 1294.0)];

@@ -1,4 +1,4 @@
-//! Buckling of a simply supported square plate under compression along one axis: `N = 4 π² D / b²` (Bryan 1891).
+//! Buckling of a simply supported square plate under compression along one axis: `N = 4 π² D / b²` (Bryan).
 
 use std::f64::consts::PI;
 

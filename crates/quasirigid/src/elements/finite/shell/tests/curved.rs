@@ -1,4 +1,4 @@
-//! MacNeal & Harder (1985): shells with one or two curvatures.
+//! Shells with one or two curvatures `[@macneal1985]`.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
 //! Simply supported laminates under a sinusoidal pressure, against Navier's solution of classical lamination theory
-//! (Reddy 2004, §5.3 and §5.4).
+//! `[@reddy2004]`.
 
 use std::f64::consts::PI;
 
@@ -25,8 +25,8 @@ fn section(angles: &[f64]) -> ShellSection {
     ShellSection::laminate(&plies, 0.0).unwrap()
 }
 
-/// Amplitudes of the displacement under a unit pressure in the middle. Layers across (`cross`) move as `cos sin`, `sin cos`
-/// in the plane, those at opposite angles as `sin cos`, `cos sin`.
+/// Amplitudes of the displacement under a unit pressure in the middle. Layers across (`cross`) move as `cos sin`,
+/// `sin cos` in the plane, those at opposite angles as `sin cos`, `cos sin`.
 fn navier(section: &ShellSection, cross: bool) -> Vector3<f64> {
     let ShellSection { A, B, D, .. } = section;
     let [a, b] = SIDES.map(|side| PI / side);

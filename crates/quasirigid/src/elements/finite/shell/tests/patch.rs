@@ -7,7 +7,7 @@ use super::element::laminate;
 use super::grid::SHAPES;
 use crate::math::mesh::Shape;
 
-/// The patch of MacNeal & Harder (1985): four corners, four nodes inside, five quadrilaterals.
+/// The patch of `[@macneal1985]`: four corners, four nodes inside, five quadrilaterals.
 const NODES: [[f64; 2]; 8] = [
     [0.0, 0.0],
     [0.24, 0.0],

@@ -1,9 +1,12 @@
-//! Thin square plates under uniform pressure (Timoshenko & Woinowsky-Krieger 1959, tables 8 and 35).
+//! Thin square plates under uniform pressure `[@timoshenko1959]`.
+
+use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+use super::super::{Ply, ShellSection};
 use super::grid::{Grid, SHAPES, name};
-use super::structure::{Structure, section};
+use super::structure::{Structure, isotropic, section};
 use crate::math::mesh::Shape;
 
 /// Deflection of the middle in units of `q a⁴ / D`, from a quarter of the plate.
@@ -35,5 +38,28 @@ fn thin_plates_bend_as_kirchhoff_says() {
                 assert!((ratios[2] - 1.0).abs() < 0.01);
             }
         }
+    }
+}
+
+/// Mindlin's plate under a sinusoidal pressure deflects by `q/(D k⁴) (1 + D k²/S)`, `k² = 2 π²/a²`: bending and shear in
+/// series. With a soft core four fifths of it are shear.
+#[test]
+fn thick_plates_shear_as_mindlin_says() {
+    let ply = isotropic(7e10, 0.3, 0.1);
+    let core = Ply { shear: [ply.shear[0], 2e8, 2e8], ..ply };
+    for ply in [ply, core] {
+        let section = ShellSection::laminate(&[ply], 0.0).unwrap();
+        let k2 = 2.0 * PI * PI;
+        let D = section.D[(0, 0)];
+        let exact = (1.0 + D * k2 / (5.0 / 6.0 * ply.shear[1] * 0.1)) / (D * k2 * k2);
+        let mut plate =
+            Structure::new(Grid::new(Shape::Quad4, [16, 16], |x, y| [x, y, 0.0]), section, [1.0, 0.0, 0.0]);
+        let edge = |value: f64| value.abs() < 1e-9 || (value - 1.0).abs() < 1e-9;
+        plate.hold(&[0, 1], |_| true);
+        plate.hold(&[2, 3], |p| edge(p.x));
+        plate.hold(&[2, 4], |p| edge(p.y));
+        plate.press(|p| (PI * p.x).sin() * (PI * p.y).sin() * Vector3::z());
+        let ratio = plate.answer()[6 * plate.grid.node(8, 8) + 2] / exact;
+        assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
     }
 }

@@ -1,5 +1,5 @@
-//! Free vibration of a free square plate in its plane (Bardell, Langley & Dunsdon 1996, ν = 0.3): membrane, drilling and
-//! mass together; a mechanism that the mesh hides would be the lowest mode.
+//! Free vibration of a free square plate in its plane with `ν = 0.3` `[@bardell1996]`: membrane, drilling
+//! and mass together; a mechanism that the mesh hides would be the lowest mode.
 
 use nalgebra::DMatrix;
 

@@ -1,9 +1,10 @@
 //! Finite elements: the matrices of a piece of elastic matter between nodes.
 
 pub(super) mod beam;
-mod element;
 pub(super) mod elasticity;
+mod element;
 mod lumped;
+pub(super) mod shell;
 pub(super) mod solid;
 
 pub(super) use element::{Element, Grain, Turn};

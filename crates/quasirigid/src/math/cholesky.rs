@@ -1,32 +1,20 @@
-//! Factorisation of sparse symmetric positive definite matrices; the only file that names the sparse library.
+//! Factorisation of sparse symmetric positive definite matrices stored by rows.
 
-use faer::prelude::Solve;
-use faer::sparse::linalg::solvers::Llt;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{MatMut, Side};
-
+use super::factor::{Ordering, Structure, Triangle, refusal, rescale, unit_diagonal, verdict};
 use super::sparse::SparseRows;
+use super::symmetric::Symmetric;
+
+pub use super::factor::NotPositive;
 
 /// Cholesky factor of a sparse symmetric matrix, scaled to a unit diagonal so that mixed units do no harm.
+///
+/// Solutions are not refined: what a [`super::factor::Factor`] does for the last digits of large bodies costs too
+/// much where equations of motion are solved at every step.
 #[derive(Clone, Debug)]
 pub struct Cholesky {
     scale: Vec<f64>,
-    factor: Option<Llt<usize, f64>>,
+    factor: Option<Triangle<f64>>,
 }
-
-/// A matrix is singular or indefinite: along `direction` its quadratic form is not positive.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NotPositive {
-    /// A vector whose quadratic form is zero to rounding, or negative; largest entry ±1.
-    pub direction: Vec<f64>,
-}
-
-/// Quadratic forms below this, for a unit diagonal, are rounding.
-const SINGULAR: f64 = 1e-13;
-/// Shift that makes a singular matrix factorable when its null direction is looked for.
-const SHIFT: f64 = 1e-11;
-/// Steps of inverse iteration; each gains the ratio of the two smallest eigenvalues.
-const INVERSE_ITERATIONS: usize = 8;
 
 impl Cholesky {
     /// Factors a symmetric positive definite matrix.
@@ -34,68 +22,32 @@ impl Cholesky {
     /// # Errors
     /// [`NotPositive`] holds a direction in which the matrix is singular or indefinite.
     pub fn new(matrix: &SparseRows<f64>) -> Result<Self, NotPositive> {
-        let size = matrix.size();
-        let diagonal = matrix.diagonal();
-        if diagonal.iter().any(|d| !(*d > 0.0)) {
-            let direction = diagonal.iter().map(|d| f64::from(u8::from(!(*d > 0.0)))).collect();
-            return Err(NotPositive { direction });
-        }
-        let scale: Vec<f64> = diagonal.iter().map(|d| d.sqrt().recip()).collect();
-        if size == 0 {
+        let scale = unit_diagonal(&matrix.diagonal())?;
+        if scale.is_empty() {
             return Ok(Self { scale, factor: None });
         }
-        let cholesky = Self { factor: scaled_factor(matrix, &scale, 0.0), scale };
-        let (form, direction) = cholesky.softest(matrix);
-        if form > SINGULAR { Ok(cholesky) } else { Err(NotPositive { direction }) }
+        let matrix = Symmetric::from(matrix);
+        let Some(structure) = Structure::new(&matrix, Ordering::Automatic) else {
+            return Err(NotPositive { direction: vec![1.0; scale.len()] });
+        };
+        let Some(factor) = Triangle::new(structure.clone(), &matrix, &scale, 0.0) else {
+            return Err(refusal(&matrix, &structure, &scale));
+        };
+        verdict(&matrix, &scale, |x| {
+            factor.solve(x, 1);
+            true
+        })?;
+        Ok(Self { scale, factor: Some(factor) })
     }
 
     /// Solves in place for right-hand sides stored row by row, `width` to a row.
     pub fn solve(&self, right: &mut [f64], width: usize) {
-        self.rescale(right, width);
+        rescale(right, width, &self.scale);
         if let Some(factor) = &self.factor {
-            factor.solve_in_place(MatMut::from_row_major_slice_mut(right, self.scale.len(), width));
+            factor.solve(right, width);
         }
-        self.rescale(right, width);
+        rescale(right, width, &self.scale);
     }
-
-    fn rescale(&self, rows: &mut [f64], width: usize) {
-        for (row, scale) in rows.chunks_exact_mut(width).zip(&self.scale) {
-            row.iter_mut().for_each(|entry| *entry *= scale);
-        }
-    }
-
-    /// Smallest quadratic form of the scaled matrix over unit vectors, by inverse iteration, and the unscaled
-    /// vector that has it.
-    fn softest(&self, matrix: &SparseRows<f64>) -> (f64, Vec<f64>) {
-        let shifted = self.factor.clone().or_else(|| scaled_factor(matrix, &self.scale, SHIFT));
-        let Some(factor) = shifted else {
-            return (f64::NEG_INFINITY, vec![1.0; self.scale.len()]);
-        };
-        let size = self.scale.len();
-        let mut x: Vec<f64> = (0..size).map(|row| 1.0 + 0.5 * (row as f64).sin()).collect();
-        for _ in 0..INVERSE_ITERATIONS {
-            factor.solve_in_place(MatMut::from_row_major_slice_mut(&mut x, size, 1));
-            let norm = x.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-            x.iter_mut().for_each(|entry| *entry /= norm);
-        }
-        let unscaled: Vec<f64> = x.iter().zip(&self.scale).map(|(entry, scale)| entry * scale).collect();
-        let form = unscaled.iter().zip(matrix.times(&unscaled)).map(|(a, b)| a * b).sum();
-        let largest = unscaled.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-        (form, unscaled.iter().map(|entry| entry / largest).collect())
-    }
-}
-
-fn scaled_factor(matrix: &SparseRows<f64>, scale: &[f64], shift: f64) -> Option<Llt<usize, f64>> {
-    let lower: Vec<_> = matrix
-        .iter()
-        .filter(|(row, column, _)| row >= column)
-        .map(|(row, column, entry)| {
-            let diagonal = if row == column { shift } else { 0.0 };
-            Triplet::new(row, column, entry * scale[row] * scale[column] + diagonal)
-        })
-        .collect();
-    let sparse = SparseColMat::try_new_from_triplets(scale.len(), scale.len(), &lower).ok()?;
-    sparse.sp_cholesky(Side::Lower).ok()
 }
 
 #[cfg(test)]

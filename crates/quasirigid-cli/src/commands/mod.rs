@@ -9,10 +9,10 @@ mod summary;
 pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
+use quasirigid::elements::Built;
+use quasirigid::elements::Built;
 use quasirigid::math::sym::{dot, norm};
-use quasirigid::elements::Built;
 use quasirigid::model::force::Force;
-use quasirigid::elements::Built;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, frequencies};
 use quasirigid_io::model::{Model, Stop};

@@ -26,11 +26,13 @@ pub use carrier::Carrier;
 pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Place, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
+pub use finite::elasticity::{ElasticityError, Modulus};
+pub use finite::shell::{Constant, ShellError};
 pub use hinged::{HingeCoefficient, Hinged};
 pub use material::Material;
 pub use part::{
-    Anchor, Connection, Frame, FrameNode, Kind, Layer, Member, NodeRef, Orthotropic, Panel, Part, Region, Solid, Substance,
-    TipMass,
+    Anchor, Connection, Frame, FrameNode, Kind, Layer, Member, NodeRef, Orthotropic, Panel, Part, Region,
+    Solid, Substance, TipMass,
 };
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};

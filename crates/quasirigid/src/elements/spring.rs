@@ -188,10 +188,6 @@ impl Ends<'_> {
 impl Pulled {
     /// The node as a place on the body, from the pole.
     pub fn marker(&self, pole: Vector3<f64>) -> Marker {
-        Marker {
-            name: self.name.clone(),
-            position: (self.place - pole).into(),
-            shapes: self.shapes.clone(),
-        }
+        Marker { name: self.name.clone(), position: (self.place - pole).into(), shapes: self.shapes.clone() }
     }
 }

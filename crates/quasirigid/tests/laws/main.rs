@@ -20,7 +20,6 @@ mod ellipsoids;
 mod forces;
 mod forms;
 mod formulas;
-mod frames;
 mod full;
 mod gravity;
 mod harmonics;

@@ -4,13 +4,13 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::net::Net;
 use super::{Assembly, Built, Mover};
+use crate::elements::End;
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::matrices::Matrices;
 use crate::elements::part::NodeRef;
 use crate::elements::spring::{Ends, Pulled};
 use crate::elements::structure::Component;
-use crate::elements::End;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
@@ -82,11 +82,7 @@ impl Assembly {
     }
 
     /// Stiffness and damping matrices (I9), coordinates numbered points first, then appendages, then parts.
-    fn matrices(
-        &self,
-        whole: &Carried,
-        pulled: &HashMap<NodeRef, Pulled>,
-    ) -> Result<Matrices, ElementError> {
+    fn matrices(&self, whole: &Carried, pulled: &HashMap<NodeRef, Pulled>) -> Result<Matrices, ElementError> {
         let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled };
         let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);

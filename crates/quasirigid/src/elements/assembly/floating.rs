@@ -28,7 +28,9 @@ impl Assembly {
         let names = net.stations().iter().zip(&markers);
         let marker = |end: End| match end {
             End::Carrier => None,
-            End::Node(node) => names.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone()),
+            End::Node(node) => {
+                names.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone())
+            }
             End::Point(_) => None,
         };
         let forces = self.placed_forces(center, marker)?;

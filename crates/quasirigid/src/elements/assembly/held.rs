@@ -101,7 +101,10 @@ impl Connection {
         }
         for (field, values) in [(Field::Stiffness, &self.stiffness), (Field::Damping, &self.damping)] {
             if values.len() != axes.len() {
-                return Err(at(place, field)(Problem::ValuePerAxis { axes: axes.len(), values: values.len() }));
+                return Err(at(place, field)(Problem::ValuePerAxis {
+                    axes: axes.len(),
+                    values: values.len(),
+                }));
             }
             for value in values {
                 coefficient::finite(&[*value]).map_err(at(place, field))?;

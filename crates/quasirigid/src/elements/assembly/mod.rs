@@ -154,8 +154,8 @@ impl Assembly {
             [(Place::Spring(i), Field::From, spring.from), (Place::Spring(i), Field::To, spring.to)]
         });
         let forces = self.forces.iter().enumerate();
-        let forces = forces
-            .filter_map(|(i, force)| Some((Place::Force(i), Field::On, force.law.place()?.on)));
+        let forces =
+            forces.filter_map(|(i, force)| Some((Place::Force(i), Field::On, force.law.place()?.on)));
         springs.chain(forces)
     }
 
@@ -176,7 +176,11 @@ impl Assembly {
     }
 
     fn parts_and_connections(&self) -> Result<(), ElementError> {
-        if self.parts.is_empty() && self.connections.is_empty() { Ok(()) } else { Net::of_parts(self).map(drop) }
+        if self.parts.is_empty() && self.connections.is_empty() {
+            Ok(())
+        } else {
+            Net::of_parts(self).map(drop)
+        }
     }
 
     /// The element that is the whole body, if there is one; nothing may stand beside it.

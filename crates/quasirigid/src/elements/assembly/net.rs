@@ -7,7 +7,9 @@ use super::held::holds;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Link, Mass};
 use crate::elements::part::{NodeRef, extremes};
-use crate::elements::structure::{Component, Fault, Freedoms, Hold, Matter, Node, Purpose, Structure, Unknown};
+use crate::elements::structure::{
+    Component, Fault, Freedoms, Hold, Matter, Node, Purpose, Structure, Unknown,
+};
 use crate::elements::{End, Motion, coefficient};
 use crate::model::Rheology;
 
@@ -74,8 +76,9 @@ impl<'a> Net<'a> {
     /// # Errors
     /// [`ElementError`] for nodes that hold each other, and for a mechanism.
     pub fn component(&self, floating: bool) -> Result<Component, ElementError> {
-        let freedoms = Freedoms::new(&self.structure.nodes, &self.structure.holds)
-            .map_err(|circle| self.blame(circle.node, Problem::Circle { node: self.node_name(circle.node) }))?;
+        let freedoms = Freedoms::new(&self.structure.nodes, &self.structure.holds).map_err(|circle| {
+            self.blame(circle.node, Problem::Circle { node: self.node_name(circle.node) })
+        })?;
         let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
         let purpose = Purpose {
             order: self.assembly.reduction.order,
@@ -172,7 +175,8 @@ impl<'a> Net<'a> {
         }
         if floating {
             let places: Vec<[f64; 3]> = self.assembly.points.iter().map(|point| point.position).collect();
-            stations.extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
+            stations
+                .extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
         }
         for (place, field, end) in self.assembly.ends() {
             let spring = matches!(place, Place::Spring(_));

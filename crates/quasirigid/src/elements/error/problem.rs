@@ -1,7 +1,10 @@
 use thiserror::Error;
 
 use crate::elements::finite::beam::BeamError;
+use crate::elements::finite::elasticity::ElasticityError;
+use crate::elements::finite::shell::ShellError;
 use crate::math::eigen::NoConvergence;
+use crate::math::mesh::MeshFault;
 use crate::model::{InertiaError, RheologyError};
 
 /// What can be wrong with a value of an element.
@@ -93,7 +96,9 @@ pub enum Problem {
         node: String,
     },
     /// A joint is away from the node that carries it, which does not turn.
-    #[error("{base} has no rotations to carry {node}, {distance} m away; join nodes at the same place, or a whole face")]
+    #[error(
+        "{base} has no rotations to carry {node}, {distance} m away; join nodes at the same place, or a whole face"
+    )]
     NoArm {
         /// The node that would carry.
         base: String,
@@ -119,6 +124,20 @@ pub enum Problem {
     /// A beam or its section cannot be.
     #[error(transparent)]
     Beam(#[from] BeamError),
+    /// A mesh cannot be calculated with.
+    #[error("{}", all(.0))]
+    Mesh(Vec<MeshFault>),
+    /// The constants of a material are those of none.
+    #[error(transparent)]
+    Elasticity(#[from] ElasticityError),
+    /// A cell of a panel or its layers cannot be.
+    #[error("{}{cause}", cell.map(|cell| format!("cell {cell}: ")).unwrap_or_default())]
+    Shell {
+        /// Number of the cell in its file; none where the layers are wrong.
+        cell: Option<u64>,
+        /// What is wrong.
+        cause: ShellError,
+    },
     /// The lowest modes of the parts are not found.
     #[error("its lowest modes are not found: {cause}")]
     NoModes {
@@ -242,4 +261,15 @@ pub enum Problem {
         /// Whether the pole is a point that is fixed or driven, not the centre of mass.
         held: bool,
     },
+}
+
+/// Faults listed in one message.
+const MOST_FAULTS: usize = 5;
+
+fn all(faults: &[MeshFault]) -> String {
+    let mut listed: Vec<String> = faults.iter().take(MOST_FAULTS).map(MeshFault::to_string).collect();
+    if faults.len() > MOST_FAULTS {
+        listed.push(format!("and {} more faults", faults.len() - MOST_FAULTS));
+    }
+    listed.join("; ")
 }

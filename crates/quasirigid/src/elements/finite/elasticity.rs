@@ -22,7 +22,7 @@ pub(super) const VOIGT: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
 /// Why constants describe no elastic material.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
-pub(in crate::elements) enum ElasticityError {
+pub enum ElasticityError {
     /// A modulus that is not positive and finite.
     #[error("{} = {value} Pa; a modulus is positive", name(*modulus))]
     Modulus {
@@ -67,7 +67,7 @@ pub(in crate::elements) enum ElasticityError {
 
 /// A modulus of elasticity; axes count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::elements) enum Modulus {
+pub enum Modulus {
     /// Young's modulus of an isotropic material.
     Young,
     /// Young's modulus along an axis.

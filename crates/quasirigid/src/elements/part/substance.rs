@@ -1,4 +1,5 @@
-use crate::elements::Material;
+use crate::elements::error::{ElementError, Field, Place, at};
+use crate::elements::{Material, coefficient};
 use crate::model::Rheology;
 
 /// What a part is made of.
@@ -26,6 +27,17 @@ pub struct Orthotropic {
 }
 
 impl Substance {
+    /// Accepts the substance of a part; its moduli are for the part to judge.
+    pub(super) fn check(&self, place: Place) -> Result<(), ElementError> {
+        match self {
+            Self::Isotropic(material) => material.check(place),
+            Self::Orthotropic(material) => {
+                coefficient::positive(material.density).map_err(at(place, Field::Density))?;
+                material.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+            }
+        }
+    }
+
     /// Density (kg/m³).
     #[must_use]
     pub fn density(&self) -> f64 {

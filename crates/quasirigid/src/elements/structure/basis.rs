@@ -33,7 +33,8 @@ impl Basis {
             if let Some(before) = cost.checked_sub(2) {
                 images.push(solver.answers(discrete.turned(&found[before])));
             }
-            let added = images.iter().flat_map(|image| basis.append_rows(discrete, image)).collect::<Vec<_>>();
+            let added =
+                images.iter().flat_map(|image| basis.append_rows(discrete, image)).collect::<Vec<_>>();
             found.push(stacked(&added, statics.ncols()));
         }
         if budget < 2 {

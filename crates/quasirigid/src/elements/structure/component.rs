@@ -78,11 +78,14 @@ impl Structure {
         let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
         let fields = scaled(&discrete, basis.displacements(loads.ncols()), centered.mass);
-        let curvatures = (!purpose.floating).then(|| discrete.curvatures(reference, &statics, &fields)).flatten();
+        let curvatures =
+            (!purpose.floating).then(|| discrete.curvatures(reference, &statics, &fields)).flatten();
         Ok(Component {
             reference,
             whole: discrete.whole(reference),
-            sums: (0..fields.nrows()).map(|j| Vector3::from_fn(|a, _| loads.row(a).dot(&fields.row(j)))).collect(),
+            sums: (0..fields.nrows())
+                .map(|j| Vector3::from_fn(|a, _| loads.row(a).dot(&fields.row(j))))
+                .collect(),
             moments: (0..fields.nrows())
                 .map(|j| Matrix3::from_fn(|b, a| loads.row(3 + 3 * b + a).dot(&fields.row(j))))
                 .collect(),
@@ -114,7 +117,8 @@ impl Component {
     pub fn inertia(&self, pole: Vector3<f64>) -> Sym {
         let arm = self.reference - pole;
         let Whole { mass, first, second } = &self.whole;
-        let second = second + arm * first.transpose() + first * arm.transpose() + *mass * arm * arm.transpose();
+        let second =
+            second + arm * first.transpose() + first * arm.transpose() + *mass * arm * arm.transpose();
         moment::inertia(&second).map(|entry| 0.5 * entry)
     }
 

@@ -26,9 +26,8 @@ impl Discrete<'_> {
         let mut works = vec![DMatrix::zeros(count, count); LOADS];
         let mut curved = false;
         for element in &self.structure.elements {
-            let spread = |rows: &DMatrix<f64>| {
-                self.freedoms.spread(element.nodes(), element.freedoms(), rows)
-            };
+            let spread =
+                |rows: &DMatrix<f64>| self.freedoms.spread(element.nodes(), element.freedoms(), rows);
             let own = spread(fields);
             curved |= bent(element.as_ref(), reference, &spread(statics), &own, &mut works);
             for grain in element.grains() {

@@ -113,9 +113,10 @@ impl Discrete<'_> {
 /// Mass matrix over the freedoms of an element. (F3)
 fn consistent(element: &dyn Element) -> DMatrix<f64> {
     let size = element.nodes().len() * element.freedoms();
-    element.grains().iter().fold(DMatrix::zeros(size, size), |sum, grain| {
-        sum + grain.mass * grain.shapes.tr_mul(&grain.shapes)
-    })
+    element
+        .grains()
+        .iter()
+        .fold(DMatrix::zeros(size, size), |sum, grain| sum + grain.mass * grain.shapes.tr_mul(&grain.shapes))
 }
 
 fn scatter(rows: &[&[(usize, f64)]], matrix: &DMatrix<f64>, factor: f64, entries: &mut Entries) {

@@ -92,7 +92,11 @@ impl Freedoms {
     }
 
     /// Rows of an element with these nodes.
-    pub fn rows<'a>(&'a self, nodes: &'a [usize], freedoms: usize) -> impl Iterator<Item = &'a [(usize, f64)]> {
+    pub fn rows<'a>(
+        &'a self,
+        nodes: &'a [usize],
+        freedoms: usize,
+    ) -> impl Iterator<Item = &'a [(usize, f64)]> {
         nodes.iter().flat_map(move |node| (0..freedoms).map(move |component| self.row(*node, component)))
     }
 

@@ -27,7 +27,8 @@ fn structure(assembly: &Assembly) -> Structure {
     structure.holds.push(Hold::On { base: None, axes: Vec::new() });
     let node = |end: End| if let End::Point(index) = end { index } else { carrier };
     for spring in &assembly.springs {
-        let Law::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Full(c) } = spring.law else {
+        let Law::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Full(c) } = spring.law
+        else {
             panic!("a full spring")
         };
         structure.elements.push(Box::new(Link {
@@ -56,8 +57,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         .map(|entry| (entry / size, entry % size))
         .map(|(j, k)| (j, k, component.pair(j, k, pole)))
         .collect();
-    let Matrices { stiffness, damping, lossy } =
-        Matrices::sum(size, component.blocks(0).map(Ok)).unwrap();
+    let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok)).unwrap();
     FlexibleBody::new(Parts {
         support: Support::Free,
         pole: pole.into(),

@@ -5,9 +5,9 @@ mod element;
 mod error;
 mod forces;
 mod geometric;
+mod grains;
 mod interpolation;
 mod mass;
-mod moments;
 mod section;
 mod stiffness;
 #[cfg(test)]
@@ -15,7 +15,6 @@ mod tests;
 
 pub(in crate::elements) use element::{Beam, Matter};
 pub use error::{BeamError, Quantity};
-pub(in crate::elements) use moments::Moments;
 pub use section::{Section, SectionShape};
 
 use nalgebra::{SMatrix, SVector};

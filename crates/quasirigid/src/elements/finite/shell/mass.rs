@@ -44,15 +44,15 @@ pub(in crate::elements) fn mass(
 }
 
 /// A point of a surface that stands for an area (m²), with the values of the shape functions there.
-struct Point {
-    area: f64,
-    normal: Vector3<f64>,
-    shares: Vec<f64>,
+pub(super) struct Point {
+    pub area: f64,
+    pub normal: Vector3<f64>,
+    pub shares: Vec<f64>,
 }
 
 /// Middles of the sides of a triangle, Gauss's four points of a quadrilateral: exact for products of two shape
 /// functions.
-fn points(shape: Shape, nodes: &[Vector3<f64>]) -> Vec<Point> {
+pub(super) fn points(shape: Shape, nodes: &[Vector3<f64>]) -> Vec<Point> {
     let point = |tangents: [Vector3<f64>; 2], part: f64, shares: Vec<f64>| {
         let area = tangents[0].cross(&tangents[1]);
         Point { area: part * area.norm(), normal: area.normalize(), shares }

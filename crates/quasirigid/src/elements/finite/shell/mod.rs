@@ -8,6 +8,7 @@
 //! are linear in the section: the matrices of the layers of one material add to those of the others.
 
 mod error;
+mod grains;
 mod mass;
 mod plane;
 mod quad;
@@ -20,7 +21,8 @@ mod tests;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-pub(in crate::elements) use self::error::ShellError;
+pub use self::error::{Constant, ShellError};
+pub(in crate::elements) use self::grains::grains;
 pub(in crate::elements) use self::mass::mass;
 pub(in crate::elements) use self::section::{Ply, ShellSection};
 

@@ -13,11 +13,13 @@
 mod bending;
 mod dilatation;
 mod geometric;
+mod grains;
 mod mass;
 mod slopes;
 mod stiffness;
 
 pub(in crate::elements) use geometric::geometric;
+pub(in crate::elements) use grains::grains;
 pub(in crate::elements) use mass::mass;
 pub(in crate::elements) use stiffness::stiffness;
 

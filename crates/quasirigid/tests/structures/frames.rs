@@ -1,8 +1,8 @@
 //! Frames of beams on a carrier.
 
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, Frame, FrameNode, HingeCoefficient, Hinged, Kind, Material, Member, Part,
-    Reduction, SectionShape,
+    Anchor, Assembly, Carrier, Connection, Frame, FrameNode, HingeCoefficient, Hinged, Kind, Material,
+    Member, Part, Reduction, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::math::quadrature::gauss_legendre;
 
 /// A section by many small squares: whether each is filled, and its side.
 struct Grid {
@@ -123,44 +124,65 @@ fn a_thin_tube_twists_by_bredt_and_a_full_one_is_a_circle() {
     assert!((circle.torsion - 8.0 * PI).abs() < 1e-13);
 }
 
-/// `Q²` of the flow of shear in thin walls over `I²`: at Poisson's ratio 0 the effective area is `I²/∫ Q²/t ds`.
-fn flow(webs: f64, web: f64, flange: f64, half: f64, arms: [f64; 4]) -> f64 {
-    // `arms`: lengths of the four (or two, doubled) free halves of the flanges, from where the flow is zero.
-    let area: f64 = arms.iter().sum::<f64>() * flange;
-    let second = area * half * half + webs * web * (2.0 * half).powi(3) / 12.0;
-    let points = 2000;
-    let middle = |i: usize, length: f64| (i as f64 + 0.5) / points as f64 * length;
-    let in_flanges: f64 = arms
-        .iter()
-        .map(|length| {
-            let step = length / points as f64;
-            (0..points).map(|i| (middle(i, *length) * flange * half).powi(2) / flange * step).sum::<f64>()
-        })
-        .sum();
-    let step = 2.0 * half / points as f64;
-    let in_webs: f64 = (0..points)
-        .map(|i| {
-            let z = middle(i, 2.0 * half) - half;
-            let first = 0.5 * area * half / webs + 0.5 * web * (half * half - z * z);
-            webs * first * first / web * step
-        })
-        .sum();
-    second * second / (in_flanges + in_webs)
+/// Two flanges of thickness `t` at `z = ±h/2`, and webs of the thickness `web` together at `y = ±place`.
+struct Walls {
+    h: f64,
+    b: f64,
+    t: f64,
+    web: f64,
+    place: f64,
+    /// Where the flow in half a flange is zero.
+    end: f64,
+}
+
+impl Walls {
+    /// Cowper's area by his definition `Q/(G γ)`, with `γ = W′ + Φ` of the mean slope `W′` and the mean rotation
+    /// `Φ = ∫ z w dA/I`: the warping `w` along the walls under a unit shear force, from the flow of shear in balance
+    /// with bending and from the displacements `ν κ (z² − y²)/2` and `ν κ y z` across, by Poisson's ratio.
+    fn shear_area(&self, nu: f64) -> f64 {
+        let Walls { h, b, t, web, place, end } = *self;
+        let (top, young) = (0.5 * h, 2.0 * (1.0 + nu));
+        let flange = b * t;
+        let second = 2.0 * flange * top * top + web * h.powi(3) / 12.0;
+        let other = 2.0 * t * b.powi(3) / 12.0 + web * h * place * place;
+        let rate = -1.0 / (young * second);
+        let slope = |z: f64| {
+            let flow = (flange * top + 0.5 * web * (top * top - z * z)) / (second * web);
+            flow - 0.5 * nu * rate * (z * z - place * place)
+        };
+        let warp = |z: f64| integral(0.0, z, slope);
+        let across = |y: f64| {
+            let bent = young * ((y - end).powi(2) - (place - end).powi(2)) - nu * (y * y - place * place);
+            warp(top) + 0.5 * rate * top * bent
+        };
+        let webs = integral(-top, top, |z| z * warp(z) * web);
+        let flanges = 4.0 * top * t * integral(0.0, 0.5 * b, across);
+        let mean = 0.5 * nu * rate * (second - other) / (2.0 * flange + web * h);
+        1.0 / (mean + (webs + flanges) / second)
+    }
+}
+
+fn integral(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let half = 0.5 * (to - from);
+    gauss_legendre(6).iter().map(|[x, weight]| half * weight * f(0.5 * (from + to) + half * x)).sum()
 }
 
 #[test]
-fn shear_areas_are_those_of_the_flow_in_thin_walls() {
+fn shear_areas_of_thin_walls_are_those_of_cowper_s_definition() {
     // Walls so thin that middles and outsides do not differ.
     let (h, b, t) = (3.0, 1.4, 1e-6);
-    let shape = SectionShape::Box { height: h, width: b, thickness: t }.section(0.0).unwrap();
-    let along_z = flow(2.0, t, t, 0.5 * h, [0.5 * b; 4]);
-    let along_y = flow(2.0, t, t, 0.5 * b, [0.5 * h; 4]);
-    assert!((shape.shear_z / along_z - 1.0).abs() < 1e-5, "{} {along_z}", shape.shear_z);
-    assert!((shape.shear_y / along_y - 1.0).abs() < 1e-5, "{} {along_y}", shape.shear_y);
-    let beam = SectionShape::IBeam { height: h, width: b, web: t, flange: 1.5 * t }.section(0.0).unwrap();
-    let along_z = flow(1.0, t, 1.5 * t, 0.5 * h, [0.5 * b; 4]);
-    assert!((beam.shear_z / along_z - 1.0).abs() < 1e-5, "{} {along_z}", beam.shear_z);
-    assert!((beam.shear_y / (5.0 / 6.0 * 3.0 * b * t) - 1.0).abs() < 1e-12, "two plates");
+    for nu in [0.0, 0.2, 0.3, 0.45, -0.4] {
+        let tube = SectionShape::Box { height: h, width: b, thickness: t }.section(nu).unwrap();
+        let along = |h: f64, b: f64| Walls { h, b, t, web: 2.0 * t, place: 0.5 * b, end: 0.0 }.shear_area(nu);
+        let beam = SectionShape::IBeam { height: h, width: b, web: t, flange: 1.5 * t }.section(nu).unwrap();
+        let web = Walls { h, b, t: 1.5 * t, web: t, place: 0.0, end: 0.5 * b }.shear_area(nu);
+        for (found, wanted) in [(tube.shear_z, along(h, b)), (tube.shear_y, along(b, h)), (beam.shear_z, web)]
+        {
+            assert!((found / wanted - 1.0).abs() < 1e-5, "{nu}: {found} {wanted}");
+        }
+        let plates = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu) * 3.0 * b * t;
+        assert!((beam.shear_y / plates - 1.0).abs() < 1e-12, "two plates");
+    }
 }
 
 #[test]

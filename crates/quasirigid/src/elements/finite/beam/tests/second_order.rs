@@ -96,6 +96,20 @@ fn it_is_the_second_derivative_of_the_work_on_exact_strains() {
 }
 
 #[test]
+fn a_twisted_beam_is_shorter_by_its_fibres() {
+    // A fibre at the distance r from the axis is a helix: by ½ (r w/L)² longer per length than the axis, w the twist.
+    let beam = &chain(&[0.0, 1.0]).beams[0];
+    let [axis, ..] = beam.directions();
+    let length = beam.length;
+    let stretched = Vector12::from_fn(|i, _| if (6..9).contains(&i) { axis[i - 6] } else { 0.0 });
+    let unit = length / (ALLOY.young * SIDES[0] * SIDES[1]);
+    let twist = Vector12::from_fn(|i, _| if i >= 9 { axis[i - 9] } else { 0.0 });
+    let shorter = 0.5 * twist.dot(&(beam.geometric(&(unit * stretched)) * twist));
+    let mean = (SIDES[0].powi(2) + SIDES[1].powi(2)) / 12.0;
+    assert!((shorter / (0.5 * mean / length) - 1.0).abs() < 1e-12, "{shorter}");
+}
+
+#[test]
 fn a_beam_that_turns_keeps_its_length() {
     // A turn moves each node by θ × r + ½ θ × (θ × r); the second part does the work −½ qᵀGq.
     let cuts = [0.0, 0.2, 1.0];

@@ -54,6 +54,33 @@ fn rigid_motions_find_mass_centre_and_inertia_of_the_prism() {
 }
 
 #[test]
+fn a_slender_beam_has_the_classical_mass_matrix() {
+    // Archer 1963: ρAL/420 of 156, 22L, 54, −13L, 4L², −3L² for the cubic functions; ⅓ and ⅙ for the linear ones.
+    let (length, area) = (1.7, 0.01);
+    let matter = Matter { density: 420.0 / (area * length), ..ALLOY };
+    let beam = Beam::new([[0.0; 3], [length, 0.0, 0.0]], None, thin(area, 1e-9, 1e-9), matter).unwrap();
+    let (M, L) = (beam.mass(), length);
+    let cubic = [
+        [156.0, 22.0 * L, 54.0, -13.0 * L],
+        [22.0 * L, 4.0 * L * L, 13.0 * L, -3.0 * L * L],
+        [54.0, 13.0 * L, 156.0, -22.0 * L],
+        [-13.0 * L, -3.0 * L * L, -22.0 * L, 4.0 * L * L],
+    ];
+    for i in 0..4 {
+        for j in 0..4 {
+            let sign = if (i + j) % 2 == 0 { 1.0 } else { -1.0 };
+            for (found, wanted) in [
+                (M[([1, 5, 7, 11][i], [1, 5, 7, 11][j])], cubic[i][j]),
+                (M[([2, 4, 8, 10][i], [2, 4, 8, 10][j])], sign * cubic[i][j]),
+            ] {
+                assert!((found - wanted).abs() < 1e-11, "{i} {j}: {found} {wanted}");
+            }
+        }
+    }
+    assert!((M[(0, 0)] - 140.0).abs() < 1e-11 && (M[(0, 6)] - 70.0).abs() < 1e-11);
+}
+
+#[test]
 fn grains_add_up_to_the_prism() {
     let chain = chain();
     let nodes = chain.nodes();

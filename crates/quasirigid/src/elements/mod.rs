@@ -6,6 +6,7 @@ mod carrier;
 mod coefficient;
 mod ellipsoid;
 mod error;
+mod finite;
 mod force;
 mod hinged;
 mod material;

@@ -14,8 +14,7 @@ use super::section::ShellSection;
 /// - Bending: bilinear rotations. Transverse shear from the middles of the sides `[@dvorkin1984]`.
 /// - Drilling: the mean rotation about the normal follows that of the membrane (`[@hughes1989]`, at one point);
 ///   what varies is held as weakly as a curvature, since a stronger hold stiffens thin warped shells.
-pub(super) struct Quad<'a> {
-    plane: &'a Plane,
+pub(super) struct Quad {
     /// Half the lines between middles of opposite sides: `∂x/∂r` and `∂x/∂s` at the centre (m).
     sides: [Vector2<f64>; 2],
     /// `∂²x/∂r∂s` (m).
@@ -34,13 +33,13 @@ const CONTRACTION: f64 = 0.25;
 /// Hold of the varying rotation about the normal, in units of the stiffness in twist.
 const DRILLING: f64 = 0.01;
 
-impl<'a> Quad<'a> {
-    pub fn new(plane: &'a Plane) -> Result<Self, ShellError> {
+impl Quad {
+    pub fn new(plane: &Plane) -> Result<Self, ShellError> {
         let mean = |factor: &dyn Fn(usize) -> f64| -> Vector2<f64> {
             (0..4).map(|i| 0.25 * factor(i) * plane.places[i]).sum()
         };
         let sides = [mean(&|i| R[i]), mean(&|i| S[i])];
-        let quad = Self { plane, sides, skew: mean(&|i| R[i] * S[i]), warp: plane.heights[0] };
+        let quad = Self { sides, skew: mean(&|i| R[i] * S[i]), warp: plane.heights[0] };
         // The Jacobian is linear: a positive one at the corners is positive everywhere.
         match (0..4).find(|i| !(quad.jacobian(R[*i], S[*i]) > 0.0)) {
             Some(node) => Err(ShellError::Concave { node: node + 1 }),

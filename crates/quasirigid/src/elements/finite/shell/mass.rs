@@ -2,6 +2,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::error::ShellError;
 use super::plane::Plane;
+use super::quad::{R, S, gauss};
 use super::section::ShellSection;
 use crate::math::mesh::Shape;
 
@@ -62,15 +63,13 @@ pub(super) fn points(shape: Shape, nodes: &[Vector3<f64>]) -> Vec<Point> {
         let middle = |i: usize| (0..3).map(|node| if node == i { 0.0 } else { 0.5 }).collect();
         return (0..3).map(|i| point(sides, 1.0 / 6.0, middle(i))).collect();
     }
-    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    let gauss = |[r, s]: [f64; 2]| {
-        let (r, s) = (r / 3.0_f64.sqrt(), s / 3.0_f64.sqrt());
-        let sum = |factor: &dyn Fn([f64; 2]) -> f64| -> Vector3<f64> {
-            corners.iter().zip(nodes).map(|(corner, node)| 0.25 * factor(*corner) * node).sum()
+    let gauss_point = |[r, s]: [f64; 2]| {
+        let sum = |factor: &dyn Fn(usize) -> f64| -> Vector3<f64> {
+            (0..4).map(|i| 0.25 * factor(i) * nodes[i]).sum()
         };
-        let tangents = [sum(&|[a, b]| a * (1.0 + b * s)), sum(&|[a, b]| b * (1.0 + a * r))];
-        let shares = corners.iter().map(|[a, b]| 0.25 * (1.0 + a * r) * (1.0 + b * s)).collect();
+        let tangents = [sum(&|i| R[i] * (1.0 + S[i] * s)), sum(&|i| S[i] * (1.0 + R[i] * r))];
+        let shares = (0..4).map(|i| 0.25 * (1.0 + R[i] * r) * (1.0 + S[i] * s)).collect();
         point(tangents, 1.0, shares)
     };
-    corners.into_iter().map(gauss).collect()
+    gauss().map(gauss_point).into()
 }

@@ -172,7 +172,7 @@ fn numbers_of_gmsh_are_kept() {
     let mesh = mesh("zoo-4.1-binary.msh");
     let mut labels = mesh.node_labels.clone();
     labels.sort();
-    assert_eq!(labels, (0..124).map(|node| 100 + 3 * node).collect::<Vec<u64>>());
+    assert_eq!(labels, (0..125).map(|node| 100 + 3 * node).collect::<Vec<u64>>());
     let hex = mesh.cells.iter().find(|cell| cell.shape == Shape::Hex8).unwrap();
     assert_eq!((hex.label, mesh.node_labels[hex.nodes[0]]), (48, 235)); // as zoo.inp has them
 }
@@ -199,7 +199,7 @@ fn every_shape_comes_in_our_order_from_abaqus() {
     assert_eq!(shapes(&mesh, "PhysicalLine40"), LINES);
     assert_eq!(shapes(&mesh, "face"), FACES);
     assert_eq!(shapes(&mesh, "right"), RIGHT);
-    assert_eq!(shapes(&mesh, "left"), []); // gmsh writes it so, since its cells are in another group, too
+    assert_eq!(shapes(&mesh, "left"), LEFT);
     assert_eq!(shapes(&mesh, "all_of_it"), [LEFT.as_slice(), &RIGHT].concat());
     assert_eq!(shapes(&mesh, "Volume22"), [Shape::Hex20]);
 }

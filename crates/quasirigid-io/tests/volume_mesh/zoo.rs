@@ -211,6 +211,7 @@ fn pieces_count_on() {
     let mesh = parsed("two.vtu", format!("{}{}", &text[..end], &text[start..]));
     assert_eq!((mesh.nodes.len(), mesh.cells.len()), (2 * 125, 2 * 14));
     mesh.cells.iter().for_each(|cell| assert_cell_is_in_place(&mesh, cell));
+    assert!(mesh.cells.iter().all(|cell| cell.nodes.iter().all(|node| (*node >= 125) == (cell.label >= 15))));
     assert_eq!(set(&mesh, "region=1").cells, [7, 8, 9, 21, 22, 23]);
     let labels: Vec<u64> = mesh.cells.iter().map(|cell| cell.label).collect();
     assert_eq!(labels, (0..14).chain(15..29).collect::<Vec<_>>()); // the vertices are counted

@@ -8,8 +8,8 @@ use super::{parsed, says, set, with};
 
 const FILE: &str = "*Heading\nbody, 1 2 3\n** a comment\n*Part, name=A\n*NODE, NSET=Nall\n10, 0., 0, 0\n20, 1.D0,,0.,\n30, 0, 1\n\n\
     40, 0, 0, 1\n50, 1, 1, 1\n*element, type = c3d4, elset=\"Left part\"\n1, 10, 20, 30, 40\n*ELEMENT, TYPE=B32\n3, 10,\n 30, 20\n\
-    *ELEMENT, TYPE=C3D4H, ELSET=Right\n7,50,20,30,40,\n*Nset, nset=tip\n50, 40,\n10\n*NSET, NSET=more\nTIP, 30\n\
-    *NSET, NSET=some, GENERATE\n10, 35, 20\n*NSET, NSET=all, GENERATE\n1, 1000000000000\n*NSET, NSET=of right, ELSET=right\n\
+    *ELEMENT, TYPE=C3D4H, ELSET=Right\n7,50,20,30,40,\n*Nset, nset=tip\n50, 40, 50,\n10\n*NSET, NSET=more\nTIP, 30\n\
+    *NSET, NSET=some, GENERATE\n10, 35, 20\n10, 9000000000, 40\n*NSET, NSET=all, GENERATE\n1, 1000000000000\n*NSET, NSET=of right, ELSET=right\n\
     *ELSET, ELSET=both\nleft part, RIGHT\n*ELSET, ELSET=odd, GENERATE\n1, 9, 2\n*End Part\n*Assembly\n*Instance, name=A-1, part=A\n\
     *End Instance\n*End Assembly\n*MATERIAL, NAME=steel\n*ELASTIC\n2e11, 0.3\n*STEP\n*END STEP\n";
 
@@ -25,7 +25,7 @@ fn sets_list_generate_and_name_one_another() {
     assert_eq!(nodes("Nall"), [0, 1, 2, 3, 4]);
     assert_eq!(nodes("tip"), [0, 3, 4]);
     assert_eq!(nodes("more"), [0, 2, 3, 4]);
-    assert_eq!(nodes("some"), [0, 2]);
+    assert_eq!(nodes("some"), [0, 2, 4]);
     assert_eq!(nodes("all"), [0, 1, 2, 3, 4]);
     assert_eq!(nodes("of right"), [1, 2, 3, 4]);
     let cells = |name: &str| set(&mesh, name).cells.clone();
@@ -39,17 +39,10 @@ fn sets_list_generate_and_name_one_another() {
 #[test]
 fn types_with_the_geometry_of_a_shape_are_read() {
     let shape = |name: &str, nodes: usize| {
-        let list = |count: usize, of: &dyn Fn(usize) -> String| (1..=count).map(of).collect::<String>();
-        let nodes_of_cell =
-            list(nodes, &|node| format!(", {node}{}", if node % 8 == 0 { ",\n 1" } else { "" }));
-        let _ = nodes_of_cell;
+        let places: String = (1..=nodes).map(|node| format!("{node}, {node}\n")).collect();
         let corners: Vec<String> = (1..=nodes).map(|node| node.to_string()).collect();
         let lines: Vec<String> = corners.chunks(7).map(|chunk| chunk.join(", ")).collect();
-        let file = format!(
-            "*NODE\n{}*ELEMENT, TYPE={name}\n1, {}\n",
-            list(nodes, &|node| format!("{node}, {node}\n")),
-            lines.join(",\n")
-        );
+        let file = format!("*NODE\n{places}*ELEMENT, TYPE={name}\n1, {}\n", lines.join(",\n"));
         parsed("a.inp", file).cells[0].shape
     };
     let known = [
@@ -93,33 +86,33 @@ fn types_with_the_geometry_of_a_shape_are_read() {
 
 #[test]
 fn lines_are_refused() {
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10"), @"");
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0 0 0"), @"");
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "20, 0, 0, 0"), @"");
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0, 0, -inf"), @"");
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "ten, 0, 0, 0"), @"");
-    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,45"), @"");
-    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30"), @"");
-    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,"), @"");
-    assert_snapshot!(with(FILE, "7,50,20,30,40,", "1,50,20,30,40"), @"");
-    assert_snapshot!(with(FILE, "TIP, 30", "TOP, 30"), @"");
-    assert_snapshot!(with(FILE, "TIP, 30", "TIP, 31"), @"");
-    assert_snapshot!(with(FILE, "1, 9, 2", "1, 9, 0"), @"");
-    assert_snapshot!(with(FILE, "1, 9, 2", "1"), @"");
-    assert_snapshot!(with(FILE, "1, 9, 2", "4, 6, 1"), @"");
-    assert_snapshot!(with(FILE, ", elset=\"Left part\"", ""), @"");
-    assert_snapshot!(with(FILE, "type = c3d4", "kind = c3d4"), @"");
-    assert_snapshot!(says("a.inp", "*NODE\n1, 0\n2, 1\n*ELEMENT, TYPE=B31\n1, 1,"), @"");
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10"), @"a:6: 1 values; a node is written number, x, y, z");
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0 0 0"), @r#"a:6: "0 0 0" is not a number; a node is written number, x, y, z"#);
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "20, 0, 0, 0"), @"a:7: the number 20 comes twice among the nodes; renumber them");
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0, 0, -inf"), @"a:6: the coordinate -inf of node 10 is not finite; correct it, or leave out the node and its cells");
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "ten, 0, 0, 0"), @r#"a:6: "ten" is not a number; a node is written number, x, y, z"#);
+    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,45"), @"a:18: cell 7 names node 45, which is not among the nodes before it; was the node left out?");
+    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30"), @"a:18: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
+    assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,"), @"a:19: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
+    assert_snapshot!(with(FILE, "7,50,20,30,40,", "1,50,20,30,40"), @"a:18: the number 1 comes twice among the cells; renumber them");
+    assert_snapshot!(with(FILE, "TIP, 30", "TOP, 30"), @r#"a:23: the set "more" names TOP, which is not among the nodes before it; was it left out?"#);
+    assert_snapshot!(with(FILE, "TIP, 30", "TIP, 31"), @r#"a:23: the set "more" names 31, which is not among the nodes before it; was it left out?"#);
+    assert_snapshot!(with(FILE, "1, 9, 2", "1, 9, 0"), @r#"a:33: "step 0" is not a number; a range is written first, last, step"#);
+    assert_snapshot!(with(FILE, "1, 9, 2", "1"), @"a:33: 1 values; a range is written first, last, step");
+    assert_snapshot!(with(FILE, "1, 9, 2", "4, 6, 1"), @r#"a:33: the set "odd" names 4 to 6, which is not among the cells before it; was it left out?"#);
+    assert_snapshot!(with(FILE, ", elset=\"Left part\"", ""), @r#"a:31: the set "both" names left part, which is not among the cells before it; was it left out?"#);
+    assert_snapshot!(with(FILE, "type = c3d4", "kind = c3d4"), @"a:12: *ELEMENT lacks TYPE=; add it");
+    assert_snapshot!(says("a.inp", "*NODE\n1, 0\n2, 1\n*ELEMENT, TYPE=B31\n1, 1,"), @"a.inp:5: 1 nodes for a line of 2 nodes; is the type of the cell right?");
 }
 
 #[test]
 fn what_would_change_the_mesh_is_refused() {
-    assert_snapshot!(with(FILE, "*Heading", "*NGEN, NSET=a\n1, 5\n*Heading"), @"");
-    assert_snapshot!(with(FILE, "*NODE,", "*NODE, SYSTEM=C,"), @"");
-    assert_snapshot!(with(FILE, "*NODE,", "*NODE, INPUT=nodes.txt,"), @"");
-    assert_snapshot!(with(FILE, "*Assembly", "*Part, name=B"), @"");
-    assert_snapshot!(with(FILE, "*End Instance", "0, 0, 5\n*End Instance"), @"");
-    assert_snapshot!(with(FILE, "*End Assembly", "*Instance, name=A-2, part=A\n*End Assembly"), @"");
+    assert_snapshot!(with(FILE, "*Heading", "*NGEN, NSET=a\n1, 5\n*Heading"), @"a:1: *NGEN is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
+    assert_snapshot!(with(FILE, "*NODE,", "*NODE, SYSTEM=C,"), @"a:5: *NODE, SYSTEM=C is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
+    assert_snapshot!(with(FILE, "*NODE,", "*NODE, INPUT=nodes.txt,"), @"a:5: *NODE, INPUT=nodes.txt is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
+    assert_snapshot!(with(FILE, "*Assembly", "*Part, name=B"), @"a:35: a second *PART; save a flattened file: one part, where it is, without instances");
+    assert_snapshot!(with(FILE, "*End Instance", "0, 0, 5\n*End Instance"), @"a:37: an *INSTANCE that is moved; save a flattened file: one part, where it is, without instances");
+    assert_snapshot!(with(FILE, "*End Assembly", "*Instance, name=A-2, part=A\n*End Assembly"), @"a:38: a second *INSTANCE; save a flattened file: one part, where it is, without instances");
 }
 
 #[test]
@@ -138,16 +131,16 @@ fn files_are_included() {
         text.replace(&folder.path().display().to_string(), "[folder]")
     };
     fs::write(place("cells.txt"), "*ELEMENT, TYPE=S3\n4, 1, 2, 9\n").unwrap();
-    assert_snapshot!(says(), @"");
+    assert_snapshot!(says(), @"[folder]/cells.txt:2: cell 4 names node 9, which is not among the nodes before it; was the node left out?");
     fs::write(place("cells.txt"), "*INCLUDE, INPUT=main.inp\n").unwrap();
-    assert_snapshot!(says(), @"");
+    assert_snapshot!(says(), @"[folder]/cells.txt:1: [folder]/main.inp is included within itself, or more than 5 files deep");
     for depth in 1..9 {
         fs::write(place(&format!("{depth}.txt")), format!("*INCLUDE, INPUT={}.txt\n", depth + 1)).unwrap();
     }
     fs::write(place("cells.txt"), "*INCLUDE, INPUT=1.txt\n").unwrap();
-    assert_snapshot!(says(), @"");
+    assert_snapshot!(says(), @"[folder]/3.txt:1: [folder]/4.txt is included within itself, or more than 5 files deep");
     fs::write(place("cells.txt"), "*INCLUDE, INPUT=none.txt\n").unwrap();
-    assert_snapshot!(says(), @"");
+    assert_snapshot!(says(), @"[folder]/none.txt: entity not found; is the name right, and may the file be read?");
     fs::write(place("cells.txt"), "*INCLUDE\n").unwrap();
-    assert_snapshot!(says(), @"");
+    assert_snapshot!(says(), @"[folder]/cells.txt:1: *INCLUDE lacks INPUT=; add it");
 }

@@ -172,7 +172,7 @@ fn numbers_of_gmsh_are_kept() {
     let mesh = mesh("zoo-4.1-binary.msh");
     let mut labels = mesh.node_labels.clone();
     labels.sort();
-    assert_eq!(labels, (0..124).map(|node| 100 + 3 * node).collect::<Vec<u64>>());
+    assert_eq!(labels, (0..125).map(|node| 100 + 3 * node).collect::<Vec<u64>>());
     let hex = mesh.cells.iter().find(|cell| cell.shape == Shape::Hex8).unwrap();
     assert_eq!((hex.label, mesh.node_labels[hex.nodes[0]]), (48, 235)); // as zoo.inp has them
 }
@@ -199,7 +199,7 @@ fn every_shape_comes_in_our_order_from_abaqus() {
     assert_eq!(shapes(&mesh, "PhysicalLine40"), LINES);
     assert_eq!(shapes(&mesh, "face"), FACES);
     assert_eq!(shapes(&mesh, "right"), RIGHT);
-    assert_eq!(shapes(&mesh, "left"), []); // gmsh writes it so, since its cells are in another group, too
+    assert_eq!(shapes(&mesh, "left"), LEFT);
     assert_eq!(shapes(&mesh, "all_of_it"), [LEFT.as_slice(), &RIGHT].concat());
     assert_eq!(shapes(&mesh, "Volume22"), [Shape::Hex20]);
 }
@@ -211,6 +211,7 @@ fn pieces_count_on() {
     let mesh = parsed("two.vtu", format!("{}{}", &text[..end], &text[start..]));
     assert_eq!((mesh.nodes.len(), mesh.cells.len()), (2 * 125, 2 * 14));
     mesh.cells.iter().for_each(|cell| assert_cell_is_in_place(&mesh, cell));
+    assert!(mesh.cells.iter().all(|cell| cell.nodes.iter().all(|node| (*node >= 125) == (cell.label >= 15))));
     assert_eq!(set(&mesh, "region=1").cells, [7, 8, 9, 21, 22, 23]);
     let labels: Vec<u64> = mesh.cells.iter().map(|cell| cell.label).collect();
     assert_eq!(labels, (0..14).chain(15..29).collect::<Vec<_>>()); // the vertices are counted

@@ -137,6 +137,12 @@ pub enum VolumeProblem {
         /// The line.
         found: String,
     },
+    /// A VTK file without something that cells need.
+    #[error("the file ends without {keyword}; was it cut off?")]
+    Missing {
+        /// The keyword.
+        keyword: String,
+    },
     /// A type of number that is not read.
     #[error("values of type {found:?} are not read; save them as numbers")]
     Scalar {

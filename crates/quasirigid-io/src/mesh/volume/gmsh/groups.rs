@@ -25,7 +25,7 @@ impl Groups {
             let quoted = source.remainder()?;
             let name = quoted.strip_prefix('"').and_then(|name| name.strip_suffix('"'));
             let wrong =
-                || (source.place(), MeshProblem::NotANumber { found: quoted.into(), row: Row::GmshName });
+                || (source.place(), MeshProblem::Unexpected { found: quoted.into(), row: Row::GmshName });
             let name = name.ok_or_else(wrong)?;
             draft.sets.place(name, name);
             self.names.insert(group, name.to_owned());

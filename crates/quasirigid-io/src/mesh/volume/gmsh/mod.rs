@@ -82,9 +82,10 @@ fn read_format(source: &mut Source) -> Result<Version, Fault> {
         }
         _ => return Err(refused()),
     }
-    source.announce(Part::Names, 0);
-    source.close("MeshFormat")?;
-    Ok(version)
+    match source.line() {
+        Some(b"$EndMeshFormat") => Ok(version),
+        _ => Err((source.place(), VolumeProblem::NoSectionEnd { section: "MeshFormat".to_owned() }.into())),
+    }
 }
 
 /// Adds a cell whose nodes stand in the order of gmsh, and returns its index; none for a point, which is no cell.

@@ -119,7 +119,7 @@ impl Values {
         }
     }
 
-    /// Numbers from words, at most `count` of them; `Err` has the word that is none.
+    /// Numbers from words, at most `count` of them, up to the next keyword.
     pub(super) fn from_words(words: &mut Words, scalar: Scalar, count: u64) -> Result<Self, Fault> {
         if scalar.is_whole() {
             words.numbers(count).map(Self::Whole)
@@ -141,12 +141,19 @@ impl<'a> Words<'a> {
     fn numbers<T: std::str::FromStr>(&mut self, count: u64) -> Result<Vec<T>, Fault> {
         let mut numbers = Vec::new();
         for _ in 0..count {
+            let before = self.at;
             let Some((start, word)) = self.next() else { break };
-            let number = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
-            numbers.push(number.ok_or_else(|| {
-                let found = String::from_utf8_lossy(word).chars().take(SHOWN).collect();
-                (self.line(start), MeshProblem::NotANumber { found, row: Row::VtkValue })
-            })?);
+            match std::str::from_utf8(word).ok().and_then(|word| word.parse().ok()) {
+                Some(number) => numbers.push(number),
+                None if is_keyword(word) => {
+                    self.at = before;
+                    break;
+                }
+                None => {
+                    let found = String::from_utf8_lossy(word).chars().take(SHOWN).collect();
+                    return Err((self.line(start), MeshProblem::NotANumber { found, row: Row::VtkValue }));
+                }
+            }
         }
         Ok(numbers)
     }
@@ -164,6 +171,11 @@ impl<'a> Words<'a> {
     pub(super) fn line(&self, at: usize) -> Place {
         Place::Line(self.first_line + self.bytes[..at].iter().filter(|byte| **byte == b'\n').count())
     }
+}
+
+/// Whether a word is one like `CELL_TYPES`.
+fn is_keyword(word: &[u8]) -> bool {
+    word.len() > 3 && word.iter().all(|byte| byte.is_ascii_uppercase() || *byte == b'_')
 }
 
 /// Where the values of an array stand.

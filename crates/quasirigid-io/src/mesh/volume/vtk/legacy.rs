@@ -16,8 +16,7 @@ pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
         file.read_part(line, offsets, &mut parts)?;
     }
     let end = file.end();
-    let missing =
-        |part: &str| (end, VolumeProblem::Keyword { found: format!("the end, before {part}") }.into());
+    let missing = |part: &str| (end, VolumeProblem::Missing { keyword: part.to_owned() }.into());
     let (corners, ends) = parts.cells.ok_or_else(|| missing("CELLS"))?;
     let grid = Grid {
         points: parts.points.ok_or_else(|| missing("POINTS"))?,
@@ -225,8 +224,16 @@ impl<'a> File<'a> {
                 ));
             };
             let here = usize::try_from(*count).ok().and_then(|count| after.split_at_checked(count));
-            let (here, after) =
-                here.ok_or_else(|| (place(), VolumeProblem::Label { found: *count }.into()))?;
+            let (here, after) = here.ok_or_else(|| {
+                let (start, total) = ((array.values.len() - after.len()) as u64, array.values.len() as u64);
+                let problem = match u64::try_from(*count) {
+                    Ok(count) => {
+                        VolumeProblem::Offset { cell, start, end: start.saturating_add(count), total }
+                    }
+                    Err(_) => VolumeProblem::Label { found: *count },
+                };
+                (place(), problem.into())
+            })?;
             corners.extend(here);
             ends.push(corners.len() as i64);
             rest = after;
@@ -288,6 +295,11 @@ impl<'a> File<'a> {
             (values, Origin::Words { bytes: self.bytes, start, first_line: 1 })
         };
         let found = values.len() as u64;
+        if found < count && !self.bytes[self.at..].trim_ascii().is_empty() {
+            let array = name.to_owned();
+            let problem = VolumeProblem::ArrayLength { array, found, expected: count };
+            return Err((origin.place(values.len()), problem.into()));
+        }
         if found < count {
             return Err((self.end(), cut(name, count, found)));
         }

@@ -126,11 +126,10 @@ fn probes(shape: Shape) -> Vec<Probe> {
 
 /// Where the Jacobian of a cell is least.
 fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
-    let tangents = probes.iter().map(|(_, gradients)| tangents(nodes, gradients));
-    let mean = tangents.clone().map(|tangents| normal(dimension, tangents)).fold([0.0; 3], add);
+    let mean = if dimension == 3 { [0.0; 3] } else { mean_normal(dimension, nodes, probes) };
     let mut worst = Worst { thickness: f64::INFINITY, at: [0.0; 3], best: f64::NEG_INFINITY };
-    for (tangents, (functions, _)) in tangents.zip(probes) {
-        let thickness = thickness(dimension, tangents, mean);
+    for (functions, gradients) in probes {
+        let thickness = thickness(dimension, tangents(nodes, gradients), mean);
         worst.best = worst.best.max(thickness);
         if thickness < worst.thickness {
             worst.thickness = thickness;
@@ -139,6 +138,11 @@ fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
         }
     }
     worst
+}
+
+/// Direction in which a face looks or a line runs on the whole.
+fn mean_normal(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> [f64; 3] {
+    probes.iter().map(|(_, gradients)| normal(dimension, tangents(nodes, gradients))).fold([0.0; 3], add)
 }
 
 /// The first of several faults of a kind, with their number.

@@ -27,3 +27,26 @@ pub(super) fn correction(gradients: &DMatrix<f64>, volumes: &[f64], samples: &[S
     let means = weighted(gradients, volumes) * linear.transpose();
     (means * shares - gradients) / 3.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::mesh::{Rule, Shape};
+
+    /// Once the dilatation is linear there is nothing left to change, and its mean never changes.
+    #[test]
+    fn the_correction_is_that_of_a_projection() {
+        for shape in [Shape::Hex20, Shape::Hex27] {
+            let samples = shape.samples(Rule::Slopes);
+            let volumes: Vec<f64> =
+                samples.iter().map(|at| at.weight * (1.0 + 0.3 * at.at[0] * at.at[1])).collect();
+            let gradients = DMatrix::from_fn(3 * shape.nodes(), samples.len(), |row, at| {
+                samples[at].gradients[row / 3][row % 3]
+            });
+            let change = correction(&gradients, &volumes, samples);
+            assert!(change.amax() > 0.1 && weighted(&change, &volumes).column_sum().amax() < 1e-14);
+            let linear = &gradients + 3.0 * &change;
+            assert!(correction(&linear, &volumes, samples).amax() < 1e-14);
+        }
+    }
+}

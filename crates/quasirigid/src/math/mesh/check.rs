@@ -20,12 +20,12 @@ struct Worst {
 impl Mesh {
     /// Accepts the mesh if its cells describe a body; changes nothing. What is merely suspect is in [`Mesh::notes`].
     ///
-    /// The Jacobian of each cell must be positive at its corners and at every point at which it is integrated. Of faces
-    /// and lines, which have no inside, it must not change its direction within the cell.
+    /// The Jacobian of each cell must be positive at its corners and at every point at which it is integrated. Of
+    /// faces and lines, which have no inside, it must not change its direction within the cell.
     ///
     /// # Errors
-    /// Every kind of [`MeshFault`] that occurs: where first, and how often. Cells that name nodes that do not exist end
-    /// the check.
+    /// Every kind of [`MeshFault`] that occurs: where first, and how often. Cells that name nodes that do not exist
+    /// end the check.
     pub fn check(&self) -> Result<(), Vec<MeshFault>> {
         if let Some(fault) = self.labels() {
             return Err(vec![fault]);

@@ -39,8 +39,8 @@ fn upright(plane: &[Weighted], degree: usize) -> Vec<Weighted> {
     line(degree).flat_map(at).collect()
 }
 
-/// The middle, three points, or the seven of Radon; beyond degree 5 Gauss's rule on a square with one side shrunk to a
-/// point.
+/// The middle, three points, or the seven of Radon; beyond degree 5 Gauss's rule on a square with one side shrunk to
+/// a point.
 fn triangle(degree: usize) -> Vec<Weighted> {
     let orbit = |share: f64, weight: f64| {
         let far = 1.0 - 2.0 * share;

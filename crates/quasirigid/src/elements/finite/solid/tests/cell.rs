@@ -107,7 +107,8 @@ fn geometric_stiffness_is_that_of_a_uniform_stress() {
 }
 
 /// Pure bending `u = (κxz, 0, −κx²/2)` of a bar: a hexahedron of 8 nodes has its exact stress `σ_xx = Eκz` and so the
-/// geometric stiffness `∫ v'² σ_xx dV`, which for `v = xz` is `Eκ ∫ z² z dV + …`, here beside another choice of nodes.
+/// geometric stiffness `∫ v'² σ_xx dV`, which for `v = xz` is `Eκ ∫ z² z dV + …`, here beside another choice of
+/// nodes.
 #[test]
 fn geometric_stiffness_of_bending_is_that_of_its_stress() {
     let (young, curvature) = (3.0, 0.01);
@@ -127,8 +128,8 @@ fn geometric_stiffness_of_bending_is_that_of_its_stress() {
     assert!((found / exact - 1.0).abs() < 1e-12, "{found} {exact}");
 }
 
-/// `u = (x²z, 0, 0)` has the dilatation `2xz`, which a quadratic hexahedron smooths to nothing, so that `σ_xx = 8μxz/3`
-/// and `σ_zx = μx²`. With `v = x + x²z/2`: `∫ ∇v·σ∇v dV = 16μ/3 ∫ x²z² dV + μ ∫ x⁴ dV`.
+/// `u = (x²z, 0, 0)` has the dilatation `2xz`, which a quadratic hexahedron smooths to nothing: `σ_xx = 8μxz/3` and
+/// `σ_zx = μx²`. With `v = x + x²z/2` follows `∫ ∇v·σ∇v dV = 16μ/3 ∫ x²z² dV + μ ∫ x⁴ dV`.
 #[test]
 fn geometric_stiffness_has_the_stress_of_the_smoothed_dilatation() {
     let (young, poisson) = (3.0, 0.3);

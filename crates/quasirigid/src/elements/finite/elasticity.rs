@@ -98,11 +98,11 @@ pub(in crate::elements) fn isotropic(young: f64, poisson: f64) -> Result<Matrix6
     }))
 }
 
-/// Elasticity (Pa) of an orthotropic material whose axes 1, 2, 3 are the columns of `R_BM`, over xx yy zz yz zx xy of the
-/// axes B with engineering shears.
+/// Elasticity (Pa) of an orthotropic material whose axes 1, 2, 3 are the columns of `R_BM`, over xx yy zz yz zx xy of
+/// the axes B with engineering shears.
 ///
-/// The compliance in the axes of the material has `1/E_i` on its diagonal, `−ν_ij/E_i` beside it and `1/G_ij` for shears;
-/// its inverse turns as a tensor of fourth order, `C_ijkl = R_ip R_jq R_kr R_ls C_pqrs`.
+/// The compliance in the axes of the material has `1/E_i` on its diagonal, `−ν_ij/E_i` beside it and `1/G_ij` for
+/// shears; its inverse turns as a tensor of fourth order, `C_ijkl = R_ip R_jq R_kr R_ls C_pqrs`.
 ///
 /// # Errors
 /// [`ElasticityError`] names the inequality that fails; together they are those of a positive definite elasticity

@@ -20,12 +20,12 @@ struct Worst {
 impl Mesh {
     /// Accepts the mesh if its cells describe a body; changes nothing. What is merely suspect is in [`Mesh::notes`].
     ///
-    /// The Jacobian of each cell must be positive at its corners and at every point at which it is integrated. Of faces
-    /// and lines, which have no inside, it must not change its direction within the cell.
+    /// The Jacobian of each cell must be positive at its corners and at every point at which it is integrated. Of
+    /// faces and lines, which have no inside, it must not change its direction within the cell.
     ///
     /// # Errors
-    /// Every kind of [`MeshFault`] that occurs: where first, and how often. Cells that name nodes that do not exist end
-    /// the check.
+    /// Every kind of [`MeshFault`] that occurs: where first, and how often. Cells that name nodes that do not exist
+    /// end the check.
     pub fn check(&self) -> Result<(), Vec<MeshFault>> {
         if let Some(fault) = self.labels() {
             return Err(vec![fault]);
@@ -126,11 +126,10 @@ fn probes(shape: Shape) -> Vec<Probe> {
 
 /// Where the Jacobian of a cell is least.
 fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
-    let tangents = probes.iter().map(|(_, gradients)| tangents(nodes, gradients));
-    let mean = tangents.clone().map(|tangents| normal(dimension, tangents)).fold([0.0; 3], add);
+    let mean = if dimension == 3 { [0.0; 3] } else { mean_normal(dimension, nodes, probes) };
     let mut worst = Worst { thickness: f64::INFINITY, at: [0.0; 3], best: f64::NEG_INFINITY };
-    for (tangents, (functions, _)) in tangents.zip(probes) {
-        let thickness = thickness(dimension, tangents, mean);
+    for (functions, gradients) in probes {
+        let thickness = thickness(dimension, tangents(nodes, gradients), mean);
         worst.best = worst.best.max(thickness);
         if thickness < worst.thickness {
             worst.thickness = thickness;
@@ -139,6 +138,11 @@ fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
         }
     }
     worst
+}
+
+/// Direction in which a face looks or a line runs on the whole.
+fn mean_normal(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> [f64; 3] {
+    probes.iter().map(|(_, gradients)| normal(dimension, tangents(nodes, gradients))).fold([0.0; 3], add)
 }
 
 /// The first of several faults of a kind, with their number.

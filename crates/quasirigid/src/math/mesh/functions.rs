@@ -47,9 +47,9 @@ const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 impl Shape {
     /// Places of the nodes on the reference cell, in their order.
     ///
-    /// Lines, quadrilaterals and hexahedra reach from −1 to 1 along each axis; triangles and tetrahedra have the origin
-    /// and the ends of the unit vectors for corners; a wedge is that triangle from −1 to 1. Axes that a shape lacks stay
-    /// at zero.
+    /// Lines, quadrilaterals and hexahedra reach from −1 to 1 along each axis; triangles and tetrahedra have the
+    /// origin and the ends of the unit vectors for corners; a wedge is that triangle from −1 to 1. Axes that a shape
+    /// lacks stay at zero.
     #[must_use]
     pub fn reference(self) -> Vec<[f64; 3]> {
         let middle = |[i, j]: [usize; 2]| -> [f64; 3] {
@@ -78,8 +78,8 @@ impl Shape {
         self.evaluated(at)
     }
 
-    /// Derivatives of the shape functions along the axes of the reference cell, in the order of the nodes; zero beyond
-    /// them.
+    /// Derivatives of the shape functions along the axes of the reference cell, in the order of the nodes; zero
+    /// beyond them.
     #[must_use]
     pub fn gradients(self, at: [f64; 3]) -> [[f64; 3]; MOST] {
         let slopes = [0, 1, 2].map(|along| {

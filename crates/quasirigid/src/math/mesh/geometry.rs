@@ -29,7 +29,8 @@ impl Shape {
     }
 }
 
-/// Derivatives of the place along the axes of the reference cell: `∂x/∂ξ_k = Σ x_a ∂N_a/∂ξ_k`, the columns of the Jacobian.
+/// Derivatives of the place along the axes of the reference cell: `∂x/∂ξ_k = Σ x_a ∂N_a/∂ξ_k`, the columns of the
+/// Jacobian.
 pub(super) fn tangents(nodes: &[[f64; 3]], gradients: &[[f64; 3]]) -> [[f64; 3]; 3] {
     let mut tangents = [[0.0; 3]; 3];
     for (node, gradient) in nodes.iter().zip(gradients) {
@@ -40,9 +41,9 @@ pub(super) fn tangents(nodes: &[[f64; 3]], gradients: &[[f64; 3]]) -> [[f64; 3];
     tangents
 }
 
-/// How thick a cell is at a place beside its length there, from its tangents: of the parallelepiped between them the least
-/// height over the longest side, negative if it is inside out. Of a face the same in its plane, seen along a `normal`; of
-/// a line the cosine of its angle to that direction.
+/// How thick a cell is at a place beside its length there, from its tangents: of the parallelepiped between them the
+/// least height over the longest side, negative if it is inside out. Of a face the same in its plane, seen along a
+/// `normal`; of a line the cosine of its angle to that direction.
 pub(super) fn thickness(dimension: usize, tangents: [[f64; 3]; 3], normal: [f64; 3]) -> f64 {
     let longest = tangents[..dimension].iter().fold(0.0, |longest: f64, tangent| longest.max(norm(*tangent)));
     let [a, b, c] = tangents.map(|tangent| scale(1.0 / longest, tangent));

@@ -39,8 +39,8 @@ fn upright(plane: &[Weighted], degree: usize) -> Vec<Weighted> {
     line(degree).flat_map(at).collect()
 }
 
-/// The middle, three points, or the seven of Radon; beyond degree 5 Gauss's rule on a square with one side shrunk to a
-/// point.
+/// The middle, three points, or the seven of Radon; beyond degree 5 Gauss's rule on a square with one side shrunk to
+/// a point.
 fn triangle(degree: usize) -> Vec<Weighted> {
     let orbit = |share: f64, weight: f64| {
         let far = 1.0 - 2.0 * share;
@@ -110,7 +110,7 @@ mod tests {
 
     /// `∫ x^a dx` from −1 to 1.
     fn even(power: usize) -> f64 {
-        if power % 2 == 0 { 2.0 / (power + 1) as f64 } else { 0.0 }
+        if power.is_multiple_of(2) { 2.0 / (power + 1) as f64 } else { 0.0 }
     }
 
     /// `∫ x^a y^b z^c` over the reference cell, `a! b! / (a + b + 2)!` over a triangle.

@@ -3,7 +3,8 @@ use std::sync::OnceLock;
 use super::Shape;
 use super::functions::MOST;
 
-/// What a quadrature over a cell is for. A Jacobian of higher degree than that of a cell with straight edges is not counted.
+/// What a quadrature over a cell is for. A Jacobian of higher degree than that of a cell with straight edges is not
+/// counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rule {
     /// Products of two slopes, with as many points as leave no motion but the rigid ones free of strain.

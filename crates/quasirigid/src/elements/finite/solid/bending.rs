@@ -1,6 +1,6 @@
 //! Quadratic displacements of a hexahedron of 8 nodes, without which it is far too stiff in bending.
 
-use nalgebra::{DMatrix, DVector, Dyn, Matrix3, OMatrix, SMatrix, U9, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, Vector3};
 
 use super::slopes::{inverse, jacobian};
 use crate::math::mesh::{MOST, Sample, Shape};
@@ -37,10 +37,10 @@ pub(super) struct Enriched(pub DMatrix<f64>);
 
 impl Enriched {
     /// The cell's own displacements per displacement of the nodes, which leave no force on them: `−K_aa⁻¹ K_au`.
-    pub fn own(&self) -> OMatrix<f64, U9, Dyn> {
+    pub fn own(&self) -> DMatrix<f64> {
         let nodes = self.0.nrows() - 3 * OWN;
         let own: SMatrix<f64, 9, 9> = self.0.fixed_view::<9, 9>(nodes, nodes).into_owned();
-        let coupled: OMatrix<f64, U9, Dyn> = self.0.fixed_rows::<9>(nodes).columns(0, nodes).into_owned();
+        let coupled = self.0.view((nodes, 0), (3 * OWN, nodes)).into_owned();
         match own.cholesky() {
             Some(factor) => -factor.solve(&coupled),
             None => coupled * f64::NAN,

@@ -6,16 +6,16 @@ use super::stiffness::full;
 use crate::elements::finite::elasticity::VOIGT;
 use crate::math::mesh::{Rule, Shape};
 
-/// Geometric stiffness (N/m) of a solid cell for one component of the displacement, node by node: how the stress `σ` of a
-/// displacement `u` (m, node by node x y z) stiffens the cell against further motion.
+/// Geometric stiffness (N/m) of a solid cell for one component of the displacement, node by node: how the stress `σ`
+/// of a displacement `u` (m, node by node x y z) stiffens the cell against further motion.
 ///
 /// ```text
 /// S_ab = ∫ ∂N_a/∂x_k σ_kl ∂N_b/∂x_l dV,     σ = D ε(u)
 /// ```
 ///
-/// The geometric stiffness over all displacements is this times the 3×3 identity. `D` is the elasticity (Pa) in the axes
-/// of the nodes, over xx yy zz yz zx xy with engineering shears. In a hexahedron of 8 nodes the stress is that of its own
-/// displacements as well.
+/// The geometric stiffness over all displacements is this times the 3×3 identity. `D` is the elasticity (Pa) in the
+/// axes of the nodes, over xx yy zz yz zx xy with engineering shears. In a hexahedron of 8 nodes the stress is that
+/// of its own displacements as well.
 pub(in crate::elements) fn geometric(
     shape: Shape,
     nodes: &[Vector3<f64>],

@@ -31,12 +31,11 @@ pub(super) fn full(slopes: &Slopes, D: &Matrix6<f64>) -> DMatrix<f64> {
     let mut stiffness = DMatrix::zeros(size, size);
     for a in (0..size).step_by(3) {
         for b in (a..size).step_by(3) {
-            let product: SMatrix<f64, 9, 1> = SMatrix::from_fn(|kl, _| products[(a + kl / 3, b + kl % 3)]);
-            let block = tensor * product;
-            for ij in 0..9 {
-                stiffness[(a + ij / 3, b + ij % 3)] = block[ij];
-                stiffness[(b + ij % 3, a + ij / 3)] = block[ij];
-            }
+            let product: Matrix3<f64> = products.fixed_view::<3, 3>(a, b).into_owned();
+            let block = tensor * SMatrix::<f64, 9, 1>::from_column_slice(product.as_slice());
+            let block = Matrix3::from_column_slice(block.as_slice());
+            stiffness.fixed_view_mut::<3, 3>(a, b).copy_from(&block);
+            stiffness.fixed_view_mut::<3, 3>(b, a).copy_from(&block.transpose());
         }
     }
     if let Some(dilatation) = &slopes.dilatation {
@@ -45,8 +44,8 @@ pub(super) fn full(slopes: &Slopes, D: &Matrix6<f64>) -> DMatrix<f64> {
     stiffness
 }
 
-/// What a change `c` of the strain in each direction adds, with the stress `S` and the pressure sum `p` of a unit strain
-/// in all directions: `K_ai,bj += S_ik ∫ ∂N_a/∂x_k c_bj dV + S_jl ∫ c_ai ∂N_b/∂x_l dV + p ∫ c_ai c_bj dV`.
+/// What a change `c` of the strain in each direction adds, with the stress `S` and the pressure sum `p` of a unit
+/// strain in all directions: `K_ai,bj += S_ik ∫ ∂N_a/∂x_k c_bj dV + S_jl ∫ c_ai ∂N_b/∂x_l dV + p ∫ c_ai c_bj dV`.
 fn of_dilatation(slopes: &Slopes, dilatation: &DMatrix<f64>, D: &Matrix6<f64>) -> DMatrix<f64> {
     let pressure = D * Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
     let stress = Matrix3::from_fn(|i, k| pressure[VOIGT[i][k]]);
@@ -63,7 +62,7 @@ fn of_dilatation(slopes: &Slopes, dilatation: &DMatrix<f64>, D: &Matrix6<f64>) -
     &half + half.transpose()
 }
 
-/// Elasticity as a matrix with rows `3i + j` and columns `3k + l` of `D_ik,jl`.
+/// Elasticity as a matrix with rows `i + 3j` and columns `k + 3l` of `D_ik,jl`.
 fn tensor(D: &Matrix6<f64>) -> SMatrix<f64, 9, 9> {
-    SMatrix::from_fn(|ij, kl| D[(VOIGT[ij / 3][kl / 3], VOIGT[ij % 3][kl % 3])])
+    SMatrix::from_fn(|ij, kl| D[(VOIGT[ij % 3][kl % 3], VOIGT[ij / 3][kl / 3])])
 }

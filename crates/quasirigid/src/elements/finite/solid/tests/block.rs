@@ -20,8 +20,8 @@ pub struct Block {
 }
 
 impl Block {
-    /// A cube of so many bricks along each axis, each one hexahedron, two wedges or six tetrahedra. Corners inside the
-    /// cube are shifted by up to a share of a brick; edges stay straight.
+    /// A cube of so many bricks along each axis, each one hexahedron, two wedges or six tetrahedra. Corners inside
+    /// the cube are shifted by up to a share of a brick; edges stay straight.
     pub fn new(shape: Shape, counts: [usize; 3], shift: f64) -> Self {
         let size = counts.map(|count| count + 1);
         let index = |at: [usize; 3]| at[0] + size[0] * (at[1] + size[1] * at[2]);

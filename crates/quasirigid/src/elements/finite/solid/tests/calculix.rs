@@ -3,8 +3,8 @@
 //! Its input has the nodes of [`nodes`] with six decimals, `*ELASTIC` 3, 0.3 and `*DENSITY` 2.5;
 //! `*FREQUENCY, SOLVER=MATRIXSTORAGE` writes the matrices with 14 digits. Here stand their products with the vectors of
 //! [`pattern`], which every entry takes part in. It integrates the mass by the points of the stiffness, which is not
-//! exact; ours is, so the rule is named. Its C3D8 has no displacements of its own, its C3D20 no smoothed dilatation, and
-//! its C3D6 two points, which leave one motion more than the rigid ones free of strain.
+//! exact; ours is, so the rule is named. Its C3D8 has no displacements of its own, its C3D20 no smoothed dilatation,
+//! and its C3D6 two points, which leave one motion more than the rigid ones free of strain.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 

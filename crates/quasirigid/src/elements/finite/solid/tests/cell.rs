@@ -107,7 +107,8 @@ fn geometric_stiffness_is_that_of_a_uniform_stress() {
 }
 
 /// Pure bending `u = (κxz, 0, −κx²/2)` of a bar: a hexahedron of 8 nodes has its exact stress `σ_xx = Eκz` and so the
-/// geometric stiffness `∫ v'² σ_xx dV`, which for `v = xz` is `Eκ ∫ z² z dV + …`, here beside another choice of nodes.
+/// geometric stiffness `∫ v'² σ_xx dV`, which for `v = xz` is `Eκ ∫ z² z dV + …`, here beside another choice of
+/// nodes.
 #[test]
 fn geometric_stiffness_of_bending_is_that_of_its_stress() {
     let (young, curvature) = (3.0, 0.01);
@@ -125,4 +126,25 @@ fn geometric_stiffness_of_bending_is_that_of_its_stress() {
     let exact = 2.0 * young * curvature * size.product() * size.z * size.z / 12.0;
     let found = v.dot(&(&S * &v));
     assert!((found / exact - 1.0).abs() < 1e-12, "{found} {exact}");
+}
+
+/// `u = (x²z, 0, 0)` has the dilatation `2xz`, which a quadratic hexahedron smooths to nothing: `σ_xx = 8μxz/3` and
+/// `σ_zx = μx²`. With `v = x + x²z/2` follows `∫ ∇v·σ∇v dV = 16μ/3 ∫ x²z² dV + μ ∫ x⁴ dV`.
+#[test]
+fn geometric_stiffness_has_the_stress_of_the_smoothed_dilatation() {
+    let (young, poisson) = (3.0, 0.3);
+    let D = isotropic(young, poisson).unwrap();
+    let shear = 0.5 * young / (1.0 + poisson);
+    let size = Vector3::new(2.0, 0.5, 0.7);
+    for shape in [Shape::Hex20, Shape::Hex27] {
+        let nodes: Vec<Vector3<f64>> =
+            shape.reference().into_iter().map(|at| 0.5 * size.component_mul(&Vector3::from(at))).collect();
+        let u =
+            DVector::from_iterator(3 * nodes.len(), nodes.iter().flat_map(|x| [x.x * x.x * x.z, 0.0, 0.0]));
+        let v = DVector::from_iterator(nodes.len(), nodes.iter().map(|x| x.x + 0.5 * x.x * x.x * x.z));
+        let found = v.dot(&(geometric(shape, &nodes, &D, &u) * &v));
+        let (squares, fourth) = ((size.x * size.z).powi(2) / 144.0, size.x.powi(4) / 80.0);
+        let exact = shear * size.product() * (16.0 / 3.0 * squares + fourth);
+        assert!((found / exact - 1.0).abs() < 1e-12, "{shape}: {found} {exact}");
+    }
 }

@@ -17,9 +17,11 @@ mod literal;
 mod material;
 mod names;
 mod orbit;
+mod part;
 mod physics;
 mod rheology;
 mod rotation;
+mod section;
 mod settings;
 mod source;
 mod spans;
@@ -52,8 +54,14 @@ const FILE: Keys = Keys {
         "body",
         "carrier",
         "material",
+        "section",
         "ellipsoid",
         "surface",
+        "beam",
+        "panel",
+        "solid",
+        "connection",
+        "reduction",
         "point",
         "spring",
         "hinged",
@@ -63,9 +71,6 @@ const FILE: Keys = Keys {
         "run",
     ],
     later: &[
-        ("beam", "[[beam]]"),
-        ("panel", "[[panel]]"),
-        ("solid", "[[solid]]"),
         ("matrices", "[[matrices]]"),
         ("cavity", "[[cavity]]"),
         ("rotor", "[[rotor]]"),

@@ -1,4 +1,4 @@
-use quasirigid::elements::{Assembly, ElementError, Place, Problem};
+use quasirigid::elements::{Assembly, ElementError, Kind, Place, Problem};
 use quasirigid::model::{InertiaError, RheologyError};
 
 use super::Diagnostic;
@@ -30,9 +30,19 @@ fn described(place: Place, assembly: &Assembly) -> String {
             assembly.ellipsoids.get(index).map(|part| format!("ellipsoid {:?}", part.name))
         }
         Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
-        Place::Carrier | Place::Spring(_) | Place::Support => None,
+        Place::Part(index) => assembly.parts.get(index).map(|part| format!("{} {:?}", kind(&part.kind), part.name)),
+        Place::Carrier | Place::Spring(_) | Place::Connection(_) | Place::Support => None,
     };
-    named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_)) { "" } else { "the " }))
+    named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_) | Place::Connection(_)) { "" } else { "the " }))
+}
+
+fn kind(kind: &Kind) -> &'static str {
+    match kind {
+        Kind::Frame(_) => "beam",
+        Kind::Panel(_) => "panel",
+        Kind::Solid(_) => "solid",
+        _ => "part",
+    }
 }
 
 fn label(problem: &Problem) -> &'static str {

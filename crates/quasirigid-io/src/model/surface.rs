@@ -30,7 +30,7 @@ pub(super) fn surface(
 }
 
 /// Reads the length of one unit of the file: `"km"` or `"2.5 cm"`.
-fn unit(value: &Value<'_>) -> Option<f64> {
+pub(super) fn unit(value: &Value<'_>) -> Option<f64> {
     let one = value.words().map(|text| format!("1 {text}"));
     match one.and_then(|text| crate::units::quantity(&text, Dimension::LENGTH).ok()) {
         Some(length) if length > 0.0 => Some(length),

@@ -31,6 +31,7 @@ pub struct Part {
 }
 
 /// Kind of a part.
+#[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
     /// A solid of cells.

@@ -211,7 +211,7 @@ pub enum VolumeProblem {
     },
     /// Data of an Abaqus file that make or move nodes and cells and are not read.
     #[error(
-        "{found} is not read, and without it the mesh would be another; save a flattened file that lists every node and cell"
+        "{found} is not read, and without it the mesh would be another; save a flattened file with every node and cell"
     )]
     Generated {
         /// The keyword, with the parameter that matters.

@@ -141,7 +141,9 @@ impl fmt::Display for Row {
             Self::PlyElement => "the line of an element has one value for each of its properties, and lists begin with their length",
             Self::GmshFormat => "$MeshFormat is followed by version, 0 for text or 1 for binary, 8",
             Self::GmshName => "the name of a group is written dimension number \"name\"",
-            Self::GmshCount => "the section begins with the number of things in it, after that of the blocks in version 4",
+            Self::GmshCount => {
+                "the section begins with the number of things in it, after that of the blocks in version 4"
+            }
             Self::GmshEntity => "an entity is written number box groups, with the number of groups before them",
             Self::GmshBlock => "a block begins with dimension and number of its entity, what is in it, and how many",
             Self::GmshNode => "a node is written number x y z",

@@ -1,4 +1,5 @@
-//! Surfaces of triangles from files: OBJ, STL, PLY and plate tables; meshes of cells from those of gmsh, VTK and Abaqus.
+//! Surfaces of triangles from files: OBJ, STL, PLY and plate tables. Meshes of cells from files of gmsh, VTK and
+//! Abaqus.
 //!
 //! Numbers are taken as they are, in the unit of the file; whether the triangles bound a body is for
 //! [`ClosedSurface`](quasirigid::math::surface::ClosedSurface) to say. Polygons become fans of triangles about their

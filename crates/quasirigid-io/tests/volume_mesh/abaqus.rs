@@ -107,9 +107,9 @@ fn lines_are_refused() {
 
 #[test]
 fn what_would_change_the_mesh_is_refused() {
-    assert_snapshot!(with(FILE, "*Heading", "*NGEN, NSET=a\n1, 5\n*Heading"), @"a:1: *NGEN is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
-    assert_snapshot!(with(FILE, "*NODE,", "*NODE, SYSTEM=C,"), @"a:5: *NODE, SYSTEM=C is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
-    assert_snapshot!(with(FILE, "*NODE,", "*NODE, INPUT=nodes.txt,"), @"a:5: *NODE, INPUT=nodes.txt is not read, and without it the mesh would be another; save a flattened file that lists every node and cell");
+    assert_snapshot!(with(FILE, "*Heading", "*NGEN, NSET=a\n1, 5\n*Heading"), @"a:1: *NGEN is not read, and without it the mesh would be another; save a flattened file with every node and cell");
+    assert_snapshot!(with(FILE, "*NODE,", "*NODE, SYSTEM=C,"), @"a:5: *NODE, SYSTEM=C is not read, and without it the mesh would be another; save a flattened file with every node and cell");
+    assert_snapshot!(with(FILE, "*NODE,", "*NODE, INPUT=nodes.txt,"), @"a:5: *NODE, INPUT=nodes.txt is not read, and without it the mesh would be another; save a flattened file with every node and cell");
     assert_snapshot!(with(FILE, "*Assembly", "*Part, name=B"), @"a:35: a second *PART; save a flattened file: one part, where it is, without instances");
     assert_snapshot!(with(FILE, "*End Instance", "0, 0, 5\n*End Instance"), @"a:37: an *INSTANCE that is moved; save a flattened file: one part, where it is, without instances");
     assert_snapshot!(with(FILE, "*End Assembly", "*Instance, name=A-2, part=A\n*End Assembly"), @"a:38: a second *INSTANCE; save a flattened file: one part, where it is, without instances");

@@ -18,19 +18,19 @@ pub use problem::VolumeProblem;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
 ///
-/// - gmsh `.msh` 2.2 and 4.1, text or binary of either byte order, and 4.0 as text. Physical groups become sets with their name, or
-///   their number where they have none: a set of a group of curves, surfaces or volumes has cells, one of points has
-///   nodes. Groups of several dimensions with the same name are one set.
+/// - gmsh `.msh` 2.2 and 4.1, text or binary of either byte order, and 4.0 as text. Physical groups become sets
+///   with their name, or their number where they have none: a set of a group of curves, surfaces or volumes has
+///   cells, one of points has nodes. Groups of several dimensions with the same name are one set.
 /// - VTK, unstructured grids: legacy `.vtk`, text or binary, up to version 5; `.vtu`, text, base64 or raw, plain or
-///   compressed by zlib, of either byte order, in one piece or more. Each value of an array of whole numbers, one per
-///   cell, becomes a set, `material=3`; arrays of more than a thousand values number the cells and become none.
-/// - Abaqus and CalculiX `.inp`: the mesh of one part, with `*INCLUDE` of files named from the folder of the first one.
-///   Sets keep the spelling they first have; capitals do not matter. Nodes stand before the cells that name them, and
-///   both before the sets. Of a range, a set has what exists.
+///   compressed by zlib, of either byte order, in one piece or more. Each value of an array of whole numbers, one
+///   per cell, becomes a set, `material=3`; arrays of more than a thousand values number the cells and become none.
+/// - Abaqus and CalculiX `.inp`: the mesh of one part, with `*INCLUDE` of files named from the folder of the first
+///   one. Sets keep the spelling they first have; capitals do not matter. Nodes stand before the cells that name
+///   them, and both before the sets. Of a range, a set has what exists.
 ///
-/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and come out
-/// in the node order of [`Shape`](quasirigid::math::mesh::Shape); cells of one node are left out. Numbers are taken as they
-/// are, in the unit of the file. No geometry is checked here.
+/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
+/// come out in the node order of [`Shape`](quasirigid::math::mesh::Shape); cells of one node are left out. Numbers
+/// are taken as they are, in the unit of the file. No geometry is checked here.
 ///
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.

@@ -10,8 +10,8 @@ use super::Part;
 pub enum VolumeProblem {
     /// Its beginning is not that of a known format.
     #[error(
-        "the file begins with {start:?}, as no mesh of cells known here does; give a .msh file of gmsh, .vtk or .vtu of \
-         VTK, or .inp of Abaqus or CalculiX"
+        "the file begins with {start:?}, as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
+         .vtu of VTK, or .inp of Abaqus or CalculiX"
     )]
     NotAMesh {
         /// Its first characters.
@@ -30,8 +30,8 @@ pub enum VolumeProblem {
     },
     /// A cell that is none of the shapes.
     #[error(
-        "cells of type {found} are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first \
-         or second order are, but no wedges of 18 nodes"
+        "cells of type {found} are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of \
+         first or second order are, but no wedges of 18 nodes"
     )]
     Kind {
         /// Its type, as the file says it, with its name where that is known.
@@ -130,8 +130,8 @@ pub enum VolumeProblem {
     },
     /// A line that is not known in a VTK file.
     #[error(
-        "{found:?} cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS \
-         and CELL_TYPES, then CELL_DATA and POINT_DATA"
+        "{found:?} cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, \
+         CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"
     )]
     Keyword {
         /// The line.
@@ -211,7 +211,7 @@ pub enum VolumeProblem {
     },
     /// Data of an Abaqus file that make or move nodes and cells and are not read.
     #[error(
-        "{found} is not read, and without it the mesh would be another; save a flattened file that lists every node and cell"
+        "{found} is not read, and without it the mesh would be another; save a flattened file with every node and cell"
     )]
     Generated {
         /// The keyword, with the parameter that matters.

@@ -80,7 +80,8 @@ impl Layout {
         Some(bytes.to_mut().drain(self.width()..).take(length as usize).collect::<Vec<_>>().into())
     }
 
-    /// Number of blocks, size of a block, size of the last if it is smaller, size of each when compressed; then blocks.
+    /// Number of blocks, size of a block, size of the last if it is smaller, size of each when compressed;
+    /// then blocks.
     fn decompressed(&self, encoded: &Encoded, array: &str) -> Result<Vec<u8>, MeshProblem> {
         let width = self.width() as u64;
         let (head, _) = encoded.bytes(0, 3 * width).ok_or_else(|| wrong_text(array))?;

@@ -45,32 +45,33 @@ impl Pencil<'_> {
     /// # Errors
     /// [`NoConvergence`] if the residuals do not fall.
     pub fn largest(&self, count: usize) -> Result<Vec<Vec<f64>>, NoConvergence> {
-        let block = (count + SPARE).min(self.size);
-        let mut start: Vec<Vec<f64>> = (0..block).map(|column| scattered(self.size, column)).collect();
+        let width = (count + SPARE).min(self.size);
+        let mut basis = Basis::default();
+        let mut block: Vec<Vec<f64>> = (0..width).map(|column| scattered(self.size, column)).collect();
         for _ in 0..RESTARTS {
-            let basis = self.krylov(start);
-            let (values, ritz) = self.ritz(&basis, block)?;
-            let wanted = count.min(ritz.len());
-            let worst = ritz[..wanted].iter().zip(&values).map(|(x, theta)| self.residual(x, *theta));
-            if worst.fold(0.0, f64::max) <= CONVERGED * values.first().copied().unwrap_or(0.0) {
-                return Ok(ritz.into_iter().take(wanted).collect());
+            self.extend(&mut basis, block);
+            let (values, ritz) = self.ritz(&basis, width)?;
+            let wanted = count.min(values.len());
+            let worst = (0..wanted).map(|i| self.residual(&ritz, i, values[i])).fold(0.0, f64::max);
+            if worst <= CONVERGED * values.first().copied().unwrap_or(0.0) {
+                return Ok(ritz.vectors.into_iter().take(wanted).collect());
             }
-            start = ritz;
+            block = ritz.images.clone();
+            basis = ritz;
         }
         Err(NoConvergence { size: self.size })
     }
 
-    /// The space of a block and its images under powers of `C⁻¹M`.
-    fn krylov(&self, mut block: Vec<Vec<f64>>) -> Basis {
-        let mut basis = Basis::default();
-        for _ in 0..DEPTH {
+    /// Adds a block and its images under powers of `C⁻¹M`; a basis of Ritz vectors counts as the first power.
+    fn extend(&self, basis: &mut Basis, mut block: Vec<Vec<f64>>) {
+        let powers = if basis.vectors.is_empty() { DEPTH } else { DEPTH - 1 };
+        for _ in 0..powers {
             let first = basis.vectors.len();
             for vector in block {
-                self.append(&mut basis, vector);
+                self.append(basis, vector);
             }
             block = basis.images[first..].to_vec();
         }
-        basis
     }
 
     /// Adds what of a vector is not in the span yet.
@@ -100,8 +101,8 @@ impl Pencil<'_> {
         image
     }
 
-    /// The largest Ritz values of a basis, and their vectors.
-    fn ritz(&self, basis: &Basis, count: usize) -> Result<(Vec<f64>, Vec<Vec<f64>>), NoConvergence> {
+    /// The largest Ritz values of a basis, and their vectors, whose products are combined from those of the basis.
+    fn ritz(&self, basis: &Basis, count: usize) -> Result<(Vec<f64>, Basis), NoConvergence> {
         let rank = basis.vectors.len();
         let (mut mass, mut unit) = (Dense::zero(rank), Dense::zero(rank));
         for i in 0..rank {
@@ -116,20 +117,26 @@ impl Pencil<'_> {
         let finite = small.frequencies.iter().filter(|frequency| frequency.is_finite()).count();
         let columns = 0..count.min(finite);
         let values = columns.clone().map(|column| small.frequencies[column].powi(-2)).collect();
-        let vectors = columns.map(|column| {
-            let mut x = vec![0.0; self.size];
-            for (row, vector) in basis.vectors.iter().enumerate() {
-                let share = small.shapes.at(row, column) / small.frequencies[column];
-                x.iter_mut().zip(vector).for_each(|(x, v)| *x += share * v);
-            }
-            x
-        });
-        Ok((values, vectors.collect()))
+        let combined = |vectors: &[Vec<f64>]| {
+            let combination = |column: usize| {
+                let mut x = vec![0.0; self.size];
+                for (row, vector) in vectors.iter().enumerate() {
+                    let share = small.shapes.at(row, column) / small.frequencies[column];
+                    x.iter_mut().zip(vector).for_each(|(x, v)| *x += share * v);
+                }
+                x
+            };
+            columns.clone().map(combination).collect()
+        };
+        let [vectors, forces, images] =
+            [&basis.vectors, &basis.forces, &basis.images].map(|part| combined(part));
+        Ok((values, Basis { vectors, forces, images }))
     }
 
-    /// `|C⁻¹M x − θ x|` in the norm of `C`.
-    fn residual(&self, x: &[f64], theta: f64) -> f64 {
-        let gap: Vec<f64> = self.image(x).iter().zip(x).map(|(image, x)| image - theta * x).collect();
+    /// `|C⁻¹M x − θ x|` of a Ritz vector in the norm of `C`.
+    fn residual(&self, ritz: &Basis, index: usize, theta: f64) -> f64 {
+        let (x, image) = (&ritz.vectors[index], &ritz.images[index]);
+        let gap: Vec<f64> = image.iter().zip(x).map(|(image, x)| image - theta * x).collect();
         dot(&gap, &(self.stiffness)(&gap)).max(0.0).sqrt()
     }
 }

@@ -1,13 +1,15 @@
 //! Refinement of solutions by conjugate gradients, several right-hand sides at a time.
 
-/// `A x = b` with an approximate inverse, for vectors stored row by row, `width` to a row.
+/// `A x = b` with an inverse that may be rough, for vectors stored row by row, `width` to a row.
 pub(super) struct System<'a> {
     pub width: usize,
     /// `S` that scales the unknowns to a unit diagonal; residuals are measured as `|S r|`.
     pub scale: &'a [f64],
     /// `A x`.
     pub times: &'a dyn Fn(&[f64]) -> Vec<f64>,
-    /// `A⁻¹ r`, roughly, in place.
+    /// Whether `precondition` is right to rounding, so that conjugate gradients have nothing to add.
+    pub exact: bool,
+    /// `A⁻¹ r`, in place.
     pub precondition: &'a dyn Fn(&mut [f64]),
 }
 
@@ -20,12 +22,12 @@ pub struct Refinement {
     pub residual: f64,
 }
 
-/// Residual that is as good as zero.
-const CONVERGED: f64 = 2e-15;
 /// Gain of one run of conjugate gradients, before the true residual is computed anew.
 const GAIN: f64 = 1e-7;
 /// A step that leaves more than this of the residual is the last.
 const STALLED: f64 = 0.5;
+/// Residuals below this share of the solution, for a unit diagonal, are rounding of the product `A x`.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 impl System<'_> {
     /// Solves from zero: `right` becomes the solution, to rounding or until so many iterations are spent.
@@ -38,7 +40,11 @@ impl System<'_> {
         let mut spent = 0;
         loop {
             let mut step = residual.clone();
-            spent += self.descend(&mut step, most.saturating_sub(spent));
+            if self.exact {
+                (self.precondition)(&mut step);
+            } else {
+                spent += self.descend(&mut step, most.saturating_sub(spent));
+            }
             step.iter_mut().zip(right.iter()).for_each(|(new, old)| *new += old);
             residual.iter_mut().zip((self.times)(&step)).zip(&b).for_each(|((r, Ax), b)| *r = b - Ax);
             let left = largest_ratio(&self.norms(&residual), &goal);
@@ -48,7 +54,8 @@ impl System<'_> {
             let stalled = left > STALLED * best.residual;
             best.residual = left;
             right.copy_from_slice(&step);
-            if left <= target.max(CONVERGED) || stalled || spent >= most {
+            let rounding = ROUNDING * largest_ratio(&self.lengths(right), &goal);
+            if stalled || left <= target.max(rounding) || spent >= most {
                 return Refinement { iterations: spent, ..best };
             }
         }
@@ -96,9 +103,18 @@ impl System<'_> {
 
     /// `|S r|` of each vector.
     fn norms(&self, r: &[f64]) -> Vec<f64> {
+        self.root_sums(r, |r, scale| r * scale)
+    }
+
+    /// `|S⁻¹ x|` of each vector.
+    fn lengths(&self, x: &[f64]) -> Vec<f64> {
+        self.root_sums(x, |x, scale| x / scale)
+    }
+
+    fn root_sums(&self, x: &[f64], scaled: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let mut squares = vec![0.0; self.width];
-        for (r, scale) in r.chunks_exact(self.width).zip(self.scale) {
-            squares.iter_mut().zip(r).for_each(|(square, r)| *square += (scale * r) * (scale * r));
+        for (x, scale) in x.chunks_exact(self.width).zip(self.scale) {
+            squares.iter_mut().zip(x).for_each(|(square, x)| *square += scaled(*x, *scale).powi(2));
         }
         squares.into_iter().map(f64::sqrt).collect()
     }

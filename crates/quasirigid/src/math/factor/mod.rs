@@ -183,8 +183,9 @@ impl Factor {
     fn refined(&self, right: &mut [f64], width: usize, residual: f64, most: usize) -> Refinement {
         let times = |x: &[f64]| self.matrix.times_block(x, width);
         let precondition = |x: &mut [f64]| self.rough(x, width);
-        System { width, scale: &self.scale, times: &times, precondition: &precondition }
-            .solve(right, residual, most)
+        let exact = !matches!(self.triangle, Stored::Single(_));
+        let system = System { width, scale: &self.scale, times: &times, exact, precondition: &precondition };
+        system.solve(right, residual, most)
     }
 
     /// `A⁻¹ r` to the precision of the factor, in place.

@@ -10,7 +10,6 @@ pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
 use quasirigid::elements::Built;
-use quasirigid::elements::Built;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};

@@ -42,7 +42,10 @@ impl<'a> Materials<'a> {
                 return value.mismatch("a table with the name of a material", help);
             }
             let table = value.table("the material", &MATERIAL)?;
-            Some((value.key(), Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) }))
+            Some((
+                value.key(),
+                Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) },
+            ))
         };
         Self { entries: named.filter_map(open).collect() }
     }
@@ -119,7 +122,8 @@ fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
         value.and_then(|value| value.array("moduli", |item| item.positive(Dimension::PRESSURE)))
     };
     let young: Option<[f64; 3]> = moduli("young", "young = [\"140 GPa\", \"9 GPa\", \"9 GPa\"]");
-    let shear: Option<[f64; 3]> = moduli("shear", "shear = [\"5 GPa\", \"5 GPa\", \"3 GPa\"], for 12, 13, 23");
+    let shear: Option<[f64; 3]> =
+        moduli("shear", "shear = [\"5 GPa\", \"5 GPa\", \"3 GPa\"], for 12, 13, 23");
     let poisson = table
         .required("poisson", "poisson = [0.3, 0.3, 0.45], for 12, 13, 23")
         .and_then(|value| value.vector(Dimension::NUMBER));

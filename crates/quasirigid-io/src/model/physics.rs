@@ -30,10 +30,17 @@ fn described(place: Place, assembly: &Assembly) -> String {
             assembly.ellipsoids.get(index).map(|part| format!("ellipsoid {:?}", part.name))
         }
         Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
-        Place::Part(index) => assembly.parts.get(index).map(|part| format!("{} {:?}", kind(&part.kind), part.name)),
+        Place::Part(index) => {
+            assembly.parts.get(index).map(|part| format!("{} {:?}", kind(&part.kind), part.name))
+        }
         Place::Carrier | Place::Spring(_) | Place::Connection(_) | Place::Support => None,
     };
-    named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_) | Place::Connection(_)) { "" } else { "the " }))
+    named.unwrap_or_else(|| {
+        format!(
+            "{}{place}",
+            if matches!(place, Place::Spring(_) | Place::Connection(_)) { "" } else { "the " }
+        )
+    })
 }
 
 fn kind(kind: &Kind) -> &'static str {

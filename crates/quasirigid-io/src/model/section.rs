@@ -68,7 +68,9 @@ impl<'a> Sections<'a> {
             return *section;
         }
         let help = match self.entries.len() {
-            0 => format!("the file has no sections; add [section.{name}] with shape = \"tube\", radius and thickness"),
+            0 => format!(
+                "the file has no sections; add [section.{name}] with shape = \"tube\", radius and thickness"
+            ),
             count => suggestion(name, || self.entries.keys().copied(), count),
         };
         value.refuse(format!("there is no section {name:?}"), "unknown section", Some(help))

@@ -46,8 +46,7 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let attached = attached(table, &nodes);
     let (section, (material, extremes)) = (section?, material?);
     let (up, elements) = (up?, elements?);
-    let member =
-        |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
+    let member = |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
     let members: Vec<Member> = lines?.into_iter().map(member).collect();
     let extremes = vec![extremes; members.len()];
     let kind = Kind::Frame(Frame { nodes: frame_nodes, members, masses: masses? });
@@ -77,7 +76,11 @@ fn ends(value: &Value<'_>, nodes: &Nodes) -> Option<[usize; 2]> {
     let ends: [usize; 2] = value.array("nodes", |end| nodes.single(&end))?;
     if ends[0] == ends[1] {
         let help = "a line joins two different nodes".to_owned();
-        return value.refuse("both ends of the line are the same".to_owned(), "a line of no length", Some(help));
+        return value.refuse(
+            "both ends of the line are the same".to_owned(),
+            "a line of no length",
+            Some(help),
+        );
     }
     Some(ends)
 }

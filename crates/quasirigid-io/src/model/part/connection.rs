@@ -21,7 +21,9 @@ pub(in crate::model) fn connection(table: &Table<'_>, names: &Names<'_>) -> Opti
     let to = side("to", "to = { part = \"boom\", node = \"root\" }");
     let axes = axes(table)?;
     let springs = |key: &'static str, dimension: Dimension| match table.get(key) {
-        Some(value) if value.is_array() => value.list("one number per axis", |item| item.non_negative(dimension)),
+        Some(value) if value.is_array() => {
+            value.list("one number per axis", |item| item.non_negative(dimension))
+        }
         Some(value) => value.non_negative(dimension).map(|number| vec![number; axes.len()]),
         None => Some(vec![0.0; axes.len()]),
     };
@@ -62,7 +64,8 @@ impl Names<'_> {
         if value.is_word("carrier") {
             return Some(Anchor::Carrier);
         }
-        let help = "write \"carrier\", { part = \"boom\", node = \"root\" } or { part = \"array\", set = \"left\" }";
+        let help =
+            "write \"carrier\", { part = \"boom\", node = \"root\" } or { part = \"array\", set = \"left\" }";
         value.mismatch("the carrier, or nodes of a part", help)
     }
 }

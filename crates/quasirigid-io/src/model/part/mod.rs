@@ -22,7 +22,7 @@ use super::value::Value;
 use crate::units::Dimension;
 pub(super) use connection::{CONNECTION, connection};
 pub(super) use nodes::Nodes;
-pub(super) use reduction::{REDUCTION, reduction};
+pub(super) use reduction::reduction;
 
 /// The part tables of a file.
 pub(super) struct PartTables<'a> {

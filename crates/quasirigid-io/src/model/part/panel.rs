@@ -61,8 +61,9 @@ fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes
     let material = table
         .required("material", "material = \"aluminium\"")
         .and_then(|value| sources.materials.named(&value));
-    let thickness =
-        table.required("thickness", "thickness = \"2 mm\"").and_then(|value| value.positive(Dimension::LENGTH));
+    let thickness = table
+        .required("thickness", "thickness = \"2 mm\"")
+        .and_then(|value| value.positive(Dimension::LENGTH));
     let angle = table.get("angle").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
     let (substance, extremes) = material?;
     Some((Layer { substance, thickness: thickness?, angle: angle? }, extremes))
@@ -97,8 +98,10 @@ fn rectangle(value: &Value<'_>) -> Option<Mesh> {
         [0, 1, 2].map(|axis| s * first[axis] + t * second[axis])
     };
     let nodes: Vec<[f64; 3]> = (0..=n).flat_map(|j| (0..=m).map(move |i| place(i, j))).collect();
-    let corners = (0..n).flat_map(|j| (0..m).map(move |i| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]));
-    let cells = corners.zip(1..).map(|(nodes, label)| Cell { label, shape: Shape::Quad4, nodes: Box::new(nodes) });
+    let corners = (0..n)
+        .flat_map(|j| (0..m).map(move |i| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]));
+    let cells =
+        corners.zip(1..).map(|(nodes, label)| Cell { label, shape: Shape::Quad4, nodes: Box::new(nodes) });
     let across = |i: usize| (0..=n).map(|j| node(i, j)).collect::<Vec<_>>();
     let along = |j: usize| (0..=m).map(|i| node(i, j)).collect::<Vec<_>>();
     let sets = [

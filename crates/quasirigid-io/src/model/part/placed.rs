@@ -59,7 +59,10 @@ fn file(value: &Value<'_>, folder: &Path) -> Option<Mesh> {
         Err(error) => value.refuse(
             format!("`file`: {error}"),
             "cannot be used",
-            Some("it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read".to_owned()),
+            Some(
+                "it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read"
+                    .to_owned(),
+            ),
         ),
     }
 }

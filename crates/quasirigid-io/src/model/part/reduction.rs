@@ -2,7 +2,7 @@ use quasirigid::elements::Reduction;
 
 use super::super::table::{Keys, Table};
 
-pub(in crate::model) const REDUCTION: Keys = Keys { known: &["modes"], later: &[] };
+const REDUCTION: Keys = Keys { known: &["modes"], later: &[] };
 
 const MOST_MODES: usize = 500;
 

@@ -13,7 +13,16 @@ use crate::units::Dimension;
 
 pub(super) const SOLID: Keys = Keys {
     known: &[
-        "name", "file", "unit", "position", "attitude", "material", "materials", "axes", "attach", "rayleigh",
+        "name",
+        "file",
+        "unit",
+        "position",
+        "attitude",
+        "material",
+        "materials",
+        "axes",
+        "attach",
+        "rayleigh",
     ],
     later: &[],
 };
@@ -80,8 +89,12 @@ fn several(
     let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
     let Some(first) = wrong.first() else { return Some(regions) };
     let what = if owners[*first] == 0 { "in none of these sets" } else { "in two of these sets" };
-    let message =
-        format!("cell {} is {what}, as {} of {} cells", mesh.cells[*first].label, wrong.len(), mesh.cells.len());
+    let message = format!(
+        "cell {} is {what}, as {} of {} cells",
+        mesh.cells[*first].label,
+        wrong.len(),
+        mesh.cells.len()
+    );
     value.refuse(message, "each cell in one set", Some("every solid cell needs one material".to_owned()))
 }
 
@@ -97,7 +110,11 @@ fn cells_of(entry: &Value<'_>, mesh: &Mesh) -> Option<Vec<usize>> {
                 [] => "the mesh has no set of solid cells; give one `material`".to_owned(),
                 names => format!("the sets of solid cells are {}", names.join(", ")),
             };
-            entry.refuse(format!("the mesh has no solid cells in a set {:?}", entry.key()), "unknown set", Some(help))
+            entry.refuse(
+                format!("the mesh has no solid cells in a set {:?}", entry.key()),
+                "unknown set",
+                Some(help),
+            )
         }
     }
 }

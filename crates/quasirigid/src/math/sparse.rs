@@ -63,19 +63,6 @@ impl SparseRows<f64> {
         Self { entries: self.entries.iter().map(|entry| factor * entry).collect(), ..self.clone() }
     }
 
-    /// Sum with another of the same size.
-    #[must_use]
-    pub fn plus(&self, other: &Self) -> Self {
-        let entries = self.iter().chain(other.iter());
-        Self::sum(self.size(), entries.map(|(row, column, entry)| (row, column, *entry)).collect())
-    }
-
-    /// Whether no entry differs from zero.
-    #[must_use]
-    pub fn is_zero(&self) -> bool {
-        self.entries.iter().all(|entry| *entry == 0.0)
-    }
-
     /// The diagonal.
     #[must_use]
     pub fn diagonal(&self) -> Vec<f64> {

@@ -151,7 +151,9 @@ impl Carried {
             add(&mut J, component.inertia(pole));
             for j in 0..component.size() {
                 let (S_j, h_j, J_j) = component.coordinate(j, pole);
-                (S.push(S_j), h.push(h_j), J1.push(J_j));
+                S.push(S_j);
+                h.push(h_j);
+                J1.push(J_j);
             }
             pairs.extend(component.pairs(pole, self.flexible()));
         }

@@ -16,6 +16,13 @@ pub(in crate::elements) trait Element {
     /// Stiffness over its freedoms.
     fn stiffness(&self) -> DMatrix<f64>;
 
+    /// Mass matrix over its freedoms. (F3)
+    fn mass(&self) -> DMatrix<f64> {
+        let size = self.nodes().len() * self.freedoms();
+        let add = |sum: DMatrix<f64>, grain: &Grain| sum + grain.mass * grain.shapes.tr_mul(&grain.shapes);
+        self.grains().iter().fold(DMatrix::zeros(size, size), add)
+    }
+
     /// Damping by dashpots over its freedoms; none if it has no dashpots.
     fn damping(&self) -> Option<DMatrix<f64>> {
         None

@@ -199,6 +199,10 @@ impl Element for BeamElement {
         DMatrix::from_column_slice(12, 12, self.beam.stiffness().as_slice())
     }
 
+    fn mass(&self) -> DMatrix<f64> {
+        DMatrix::from_column_slice(12, 12, self.beam.mass().as_slice())
+    }
+
     fn grains(&self) -> Vec<Grain> {
         self.beam.grains()
     }

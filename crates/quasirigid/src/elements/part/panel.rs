@@ -151,6 +151,10 @@ impl Element for ShellCell {
         self.matrix().expect("the panel has tried the cell")
     }
 
+    fn mass(&self) -> DMatrix<f64> {
+        shell::mass(self.shape, &self.places, &self.section).expect("the panel has tried the cell")
+    }
+
     fn grains(&self) -> Vec<Grain> {
         shell::grains(self.shape, &self.places, &self.section)
     }

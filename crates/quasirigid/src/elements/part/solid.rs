@@ -103,6 +103,10 @@ impl Element for SolidCell {
         solid::stiffness(self.shape, &self.places, &self.elasticity)
     }
 
+    fn mass(&self) -> DMatrix<f64> {
+        solid::mass(self.shape, &self.places, self.density).kronecker(&Matrix3::identity())
+    }
+
     fn grains(&self) -> Vec<Grain> {
         solid::grains(self.shape, &self.places, self.density)
     }

@@ -1,7 +1,7 @@
 use nalgebra::DMatrix;
 
-use super::discrete::Discrete;
-use super::solver::{Solver, times};
+use super::discrete::{Discrete, times};
+use super::solver::Solver;
 
 /// Displacements of a structure that hold its slow manifold to an order, a row each. (F8)
 ///

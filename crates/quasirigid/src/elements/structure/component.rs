@@ -2,10 +2,10 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::basis::Basis;
 use super::curvature::Curvature;
-use super::discrete::{Discrete, Structure};
+use super::discrete::{Discrete, Structure, times};
 use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
-use super::solver::{Solver, times};
+use super::solver::Solver;
 use crate::elements::matrices::Block;
 use crate::elements::moment;
 use crate::math::eigen::NoConvergence;
@@ -233,8 +233,8 @@ fn blocks(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<Block> {
             rheology: matter.rheology.clone(),
         })
         .collect();
-    if let Some(first) = blocks.first_mut().filter(|_| !discrete.damping.is_zero()) {
-        first.damping = between(&discrete.damping);
+    if let Some((first, damping)) = blocks.first_mut().zip(discrete.damping.as_ref()) {
+        first.damping = between(damping);
     }
     blocks
 }

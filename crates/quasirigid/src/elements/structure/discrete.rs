@@ -1,8 +1,9 @@
 use nalgebra::DMatrix;
 
 use super::freedoms::{Freedoms, Hold, Node, Unknown};
+use super::sum::{Tie, pattern};
 use crate::elements::finite::Element;
-use crate::math::sparse::SparseRows;
+use crate::math::symmetric::Symmetric;
 use crate::model::Rheology;
 
 /// Finite elements between nodes, as the parts of a body give them.
@@ -53,84 +54,63 @@ pub(in crate::elements) struct Discrete<'a> {
     pub structure: &'a Structure,
     pub freedoms: Freedoms,
     /// Stiffness of each matter.
-    pub stiffness: Vec<SparseRows<f64>>,
-    /// Dashpots, and damping in proportion to mass or stiffness.
-    pub damping: SparseRows<f64>,
-    pub mass: SparseRows<f64>,
-    pub total: SparseRows<f64>,
+    pub stiffness: Vec<Symmetric>,
+    /// Dashpots, and damping in proportion to mass or stiffness; none if there are none.
+    pub damping: Option<Symmetric>,
+    pub mass: Symmetric,
+    /// Stiffness of the whole.
+    pub total: Symmetric,
 }
-
-/// Entries of a matrix, with row and column.
-type Entries = Vec<(usize, usize, f64)>;
 
 impl<'a> Discrete<'a> {
     /// Adds up the elements. (F1)–(F3)
     pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Self {
-        let size = freedoms.unknowns().len();
-        let mut stiffness: Vec<Entries> = vec![Vec::new(); structure.matters.len()];
-        let (mut damping, mut mass) = (Entries::new(), Entries::new());
-        for element in &structure.elements {
-            let rows: Vec<_> = freedoms.rows(element.nodes(), element.freedoms()).collect();
+        let ties: Vec<Tie> =
+            structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();
+        let zero = Symmetric::zero(pattern(&freedoms, &ties));
+        let mut stiffness = vec![zero.clone(); structure.matters.len()];
+        let (mut damping, mut mass) = (zero.clone(), zero.clone());
+        for (element, tie) in structure.elements.iter().zip(&ties) {
             let matter = &structure.matters[element.matter()];
-            let (K, M) = (element.stiffness(), consistent(element.as_ref()));
-            scatter(&rows, &K, 1.0, &mut stiffness[element.matter()]);
-            scatter(&rows, &M, 1.0, &mut mass);
-            scatter(&rows, &K, matter.per_stiffness, &mut damping);
-            scatter(&rows, &M, matter.per_mass, &mut damping);
+            let (K, M) = (element.stiffness(), element.mass());
+            tie.add(&K, 1.0, &mut stiffness[element.matter()]);
+            tie.add(&M, 1.0, &mut mass);
+            tie.add(&K, matter.per_stiffness, &mut damping);
+            tie.add(&M, matter.per_mass, &mut damping);
             if let Some(dashpots) = element.damping() {
-                scatter(&rows, &dashpots, 1.0, &mut damping);
+                tie.add(&dashpots, 1.0, &mut damping);
             }
         }
         for joint in &structure.joints {
             for (axis, unknown) in joint_unknowns(&freedoms, joint) {
-                stiffness[joint.matter].push((unknown, unknown, joint.stiffness[axis]));
-                damping.push((unknown, unknown, joint.damping[axis]));
+                diagonal(unknown, joint.stiffness[axis], &mut stiffness[joint.matter]);
+                diagonal(unknown, joint.damping[axis], &mut damping);
             }
         }
-        let total = SparseRows::sum(size, stiffness.concat());
-        Self {
-            structure,
-            stiffness: stiffness.into_iter().map(|entries| SparseRows::sum(size, entries)).collect(),
-            damping: SparseRows::sum(size, damping),
-            mass: SparseRows::sum(size, mass),
-            total,
-            freedoms,
-        }
+        let total = stiffness.iter().skip(1).fold(stiffness[0].clone(), |sum, part| {
+            sum.plus(1.0, part).expect("all matters are on one pattern")
+        });
+        let damping = damping.entries().iter().any(|entry| *entry != 0.0).then_some(damping);
+        Self { structure, freedoms, stiffness, damping, mass, total }
     }
-}
 
-impl Discrete<'_> {
     /// What takes energy from a motion, as matrices; nothing that is a multiple of the stiffness.
-    pub fn losses(&self) -> Vec<&SparseRows<f64>> {
+    pub fn losses(&self) -> Vec<&Symmetric> {
         let matters = self.structure.matters.iter().zip(&self.stiffness);
         let lossy = matters.filter(|(matter, _)| matter.rheology != Rheology::Elastic);
         let several = if self.structure.matters.len() > 1 { usize::MAX } else { 0 };
-        let dashpots = (!self.damping.is_zero()).then_some(&self.damping);
-        dashpots.into_iter().chain(lossy.map(|(_, stiffness)| stiffness).take(several)).collect()
+        self.damping.iter().chain(lossy.map(|(_, stiffness)| stiffness).take(several)).collect()
     }
 }
 
-/// Mass matrix over the freedoms of an element. (F3)
-fn consistent(element: &dyn Element) -> DMatrix<f64> {
-    let size = element.nodes().len() * element.freedoms();
-    element
-        .grains()
-        .iter()
-        .fold(DMatrix::zeros(size, size), |sum, grain| sum + grain.mass * grain.shapes.tr_mul(&grain.shapes))
+/// Product of a symmetric matrix with vectors, a row each.
+pub(super) fn times(matrix: &Symmetric, vectors: &DMatrix<f64>) -> DMatrix<f64> {
+    let product = matrix.times_block(vectors.as_slice(), vectors.nrows());
+    DMatrix::from_vec(vectors.nrows(), vectors.ncols(), product)
 }
 
-fn scatter(rows: &[&[(usize, f64)]], matrix: &DMatrix<f64>, factor: f64, entries: &mut Entries) {
-    if factor == 0.0 {
-        return;
-    }
-    for (i, row) in rows.iter().enumerate() {
-        for (j, column) in rows.iter().enumerate() {
-            let value = factor * matrix[(i, j)];
-            for (r, a) in row.iter().filter(|_| value != 0.0) {
-                entries.extend(column.iter().map(|(c, b)| (*r, *c, a * b * value)));
-            }
-        }
-    }
+fn diagonal(unknown: usize, value: f64, sum: &mut Symmetric) {
+    sum.add(&[Some(unknown as u32)], &[value]).expect("every pattern has its diagonal");
 }
 
 fn joint_unknowns<'f>(freedoms: &'f Freedoms, joint: &'f Joint) -> impl Iterator<Item = (usize, usize)> + 'f {

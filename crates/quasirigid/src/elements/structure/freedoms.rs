@@ -85,6 +85,18 @@ impl Freedoms {
         &self.unknowns
     }
 
+    /// First unknown of each group of unknowns of one node, and the end.
+    pub fn groups(&self) -> Vec<u32> {
+        let owner = |unknown: &Unknown| match *unknown {
+            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) => node,
+        };
+        let starts = (1..self.unknowns.len())
+            .filter(|index| owner(&self.unknowns[*index]) != owner(&self.unknowns[index - 1]));
+        let mut groups: Vec<u32> = std::iter::once(0).chain(starts.map(|start| start as u32)).collect();
+        groups.push(self.unknowns.len() as u32);
+        groups
+    }
+
     /// Unknowns that move a component of a node, with their shares.
     pub fn row(&self, node: usize, component: usize) -> &[(usize, f64)] {
         let freedom = self.first[node] + component;

@@ -7,6 +7,7 @@ mod discrete;
 mod freedoms;
 mod grains;
 mod solver;
+mod sum;
 
 pub(super) use component::{Component, Fault, Purpose};
 pub(super) use discrete::{Joint, Matter, Structure};

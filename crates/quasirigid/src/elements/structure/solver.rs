@@ -1,15 +1,15 @@
-use nalgebra::{DMatrix, Matrix6, SMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
 
-use super::discrete::Discrete;
+use super::discrete::{Discrete, times};
 use super::freedoms::{Hold, Unknown};
-use crate::math::cholesky::{Cholesky, NotPositive};
 use crate::math::eigen::NoConvergence;
+use crate::math::factor::{Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
-use crate::math::sparse::SparseRows;
+use crate::math::symmetric::Symmetric;
 
 /// Answers of a structure to static loads: on its carrier, or floating in the Tisserand frame.
 pub(super) struct Solver {
-    factor: Cholesky,
+    factor: Factor,
     /// Motions as a rigid body, of a structure that floats.
     rigid: Option<Rigid>,
 }
@@ -28,11 +28,10 @@ impl Solver {
     /// [`NotPositive`] holds a motion that meets no stiffness.
     pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, NotPositive> {
         if !floating {
-            return Ok(Self { factor: Cholesky::new(&discrete.total)?, rigid: None });
+            return Ok(Self { factor: Factor::new(&discrete.total, Method::default())?, rigid: None });
         }
         let rigid = Rigid::new(discrete);
-        let pinned = discrete.total.plus(&pins(discrete));
-        Ok(Self { factor: Cholesky::new(&pinned)?, rigid: Some(rigid) })
+        Ok(Self { factor: Factor::new(&pinned(discrete), Method::default())?, rigid: Some(rigid) })
     }
 
     /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and
@@ -119,8 +118,8 @@ fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
     nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / nodes.len().max(1) as f64
 }
 
-/// Stiffness of six pins at three nodes: enough to hold a rigid body, and too few to strain one. (F7)
-fn pins(discrete: &Discrete<'_>) -> SparseRows<f64> {
+/// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (F7)
+fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let nodes = &discrete.structure.nodes;
     let free = (0..nodes.len()).filter(|node| matches!(discrete.structure.holds[*node], Hold::Free));
     let free: Vec<usize> = free.collect();
@@ -137,25 +136,13 @@ fn pins(discrete: &Discrete<'_>) -> SparseRows<f64> {
     let line = (nodes[b].place - start).try_normalize(0.0).unwrap_or_else(Vector3::x);
     let c = farthest(&|place| (place - start).cross(&line).norm());
     let normal = line.cross(&(nodes[c].place - start)).try_normalize(0.0).unwrap_or_else(Vector3::y);
-    let whole = nalgebra::Matrix3::identity();
-    let held = [(a, whole), (b, whole - line * line.transpose()), (c, normal * normal.transpose())];
-    let mut entries = Vec::new();
-    for (node, matrix) in held {
-        for (i, j) in (0..9).map(|entry| (entry / 3, entry % 3)) {
-            for (row, p) in discrete.freedoms.row(node, i) {
-                let columns = discrete.freedoms.row(node, j).iter();
-                entries.extend(columns.map(|(column, q)| (*row, *column, firm * p * q * matrix[(i, j)])));
-            }
-        }
+    let whole = Matrix3::identity();
+    let pins = [(a, whole), (b, whole - line * line.transpose()), (c, normal * normal.transpose())];
+    let mut pinned = discrete.total.clone();
+    for (node, matrix) in pins {
+        let unknown = |axis| discrete.freedoms.row(node, axis).first().map(|(unknown, _)| *unknown as u32);
+        let block = firm * matrix;
+        pinned.add(&[0, 1, 2].map(unknown), block.as_slice()).expect("a node joins its own unknowns");
     }
-    SparseRows::sum(diagonal.len(), entries)
-}
-
-/// Product of a sparse symmetric matrix with vectors, a row each.
-pub(super) fn times(matrix: &SparseRows<f64>, vectors: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut product = DMatrix::zeros(vectors.nrows(), vectors.ncols());
-    for (row, column, entry) in matrix.iter() {
-        product.column_mut(row).axpy(*entry, &vectors.column(column), 1.0);
-    }
-    product
+    pinned
 }

@@ -94,7 +94,6 @@ fn few_coordinates_have_the_slow_motion_of_the_many() {
         let (all, few) = (reduce(&points, order).unwrap(), reduce(&few, order).unwrap());
         for omega in [[0.9, 0.4, -0.3], [0.2, -1.1, 0.7]] {
             let (expected, found) = (all.torque(omega), few.torque(omega));
-            println!("{order} {} {expected:?} {found:?}", component.size());
             let scale = expected.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
             for axis in 0..3 {
                 assert!((found[axis] - expected[axis]).abs() < 1e-9 * scale, "order {order}, axis {axis}");

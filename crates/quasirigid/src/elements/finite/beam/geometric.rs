@@ -5,14 +5,8 @@ use super::interpolation::Fields;
 use super::{Matrix12, Vector12};
 
 impl Beam {
-    /// Geometric stiffness matrix of the internal forces that a displacement produces, in the axes of the body:
-    /// [`Beam::geometric_under`] loads at the nodes alone, where the axial force is constant.
-    pub fn geometric(&self, u: &Vector12) -> Matrix12 {
-        self.geometric_under(u, [Vector3::zeros(); 2])
-    }
-
-    /// Geometric stiffness matrix `G` under a load per length (N/m) as well, which runs evenly from the first node to
-    /// the second, as inertial loads do.
+    /// Geometric stiffness matrix `G` of the internal forces that a displacement produces, in the axes of the body, under
+    /// a load per length (N/m) that runs evenly from the first node to the second.
     ///
     /// `½ qᵀGq` is the work of the force `n` and the moment `m` in the sections on the second-order part of the
     /// strains of Reissner and Simo `[@simo1985]`, and of the axial force `N` on the stretch of the fibres of a

@@ -1,4 +1,3 @@
-use std::iter::Sum;
 use std::ops::Add;
 
 use nalgebra::{Matrix2, Matrix3, Rotation2};
@@ -52,19 +51,12 @@ pub(in crate::elements) struct Ply {
 const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl ShellSection {
-    /// Layers from the lowest to the highest, with their common mid-surface `offset` (m) above the nodes: classical
-    /// lamination theory `[@jones1999]`, with transverse shear in parallel.
+    /// The section of each layer at its place, from the lowest to the highest, with their common mid-surface `offset` (m)
+    /// above the nodes: classical lamination theory `[@jones1999]`, with transverse shear in parallel. The laminate is
+    /// their sum.
     ///
     /// # Errors
     /// A layer that no matter can be.
-    pub fn laminate(plies: &[Ply], offset: f64) -> Result<Self, ShellError> {
-        Ok(Self::layers(plies, offset)?.into_iter().sum())
-    }
-
-    /// The section of each layer at its place in the laminate.
-    ///
-    /// # Errors
-    /// As for [`ShellSection::laminate`].
     pub fn layers(plies: &[Ply], offset: f64) -> Result<Vec<Self>, ShellError> {
         if !offset.is_finite() {
             return Err(ShellError::NotFinite { name: Constant::Offset, value: offset });
@@ -156,21 +148,6 @@ impl Add for ShellSection {
             first: self.first + other.first,
             second: self.second + other.second,
         }
-    }
-}
-
-impl Sum for ShellSection {
-    fn sum<I: Iterator<Item = Self>>(sections: I) -> Self {
-        let nothing = Self {
-            A: Matrix3::zeros(),
-            B: Matrix3::zeros(),
-            D: Matrix3::zeros(),
-            S: Matrix2::zeros(),
-            mass: 0.0,
-            first: 0.0,
-            second: 0.0,
-        };
-        sections.fold(nothing, Add::add)
     }
 }
 

@@ -12,6 +12,13 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::{Beam, Matrix12, Matter, Section, SectionShape, Vector12};
 
+impl Beam {
+    /// Geometric stiffness under loads at the nodes alone, so that the axial force is constant.
+    fn geometric(&self, u: &Vector12) -> Matrix12 {
+        self.geometric_under(u, [Vector3::zeros(); 2])
+    }
+}
+
 /// A straight line of elements.
 struct Chain {
     beams: Vec<Beam>,

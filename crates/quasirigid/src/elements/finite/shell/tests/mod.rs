@@ -11,3 +11,16 @@ mod patch;
 mod plate;
 mod structure;
 mod vibration;
+
+use super::{Ply, ShellError, ShellSection};
+
+impl ShellSection {
+    /// The section of all layers.
+    pub(in crate::elements::finite::shell) fn laminate(
+        plies: &[Ply],
+        offset: f64,
+    ) -> Result<Self, ShellError> {
+        let layers = Self::layers(plies, offset)?;
+        Ok(layers.into_iter().reduce(|sum, layer| sum + layer).expect("a laminate has a layer"))
+    }
+}

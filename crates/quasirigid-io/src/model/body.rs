@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, Carrier, Motion, Part, Point};
+use quasirigid::elements::{Assembly, Carrier, Motion, Part, Point, Spring};
 use quasirigid::model::{Rheology, Support};
 
 use super::Diagnostic;
@@ -10,7 +10,7 @@ use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
 use super::material::Materials;
 use super::names::Names;
-use super::part::{self, CONNECTION, PartTables, Sources, connection, reduction};
+use super::part::{self, CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
 use super::rheology::Extremes;
 use super::section::Sections;
 use super::spans::Spans;
@@ -59,7 +59,8 @@ pub(super) fn body<'a>(
 ) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
     let absent = |key| file.get(key).is_none_or(|value| value.is_empty());
-    const BODIES: [&str; 6] = ["ellipsoid", "surface", "beam", "panel", "solid", "point"];
+    const BODIES: [&str; 8] =
+        ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "network", "point"];
     if file.get("carrier").is_none() && BODIES.iter().all(|key| absent(key)) {
         report_missing_body(problems);
     }
@@ -71,6 +72,7 @@ pub(super) fn body<'a>(
     let sections = Sections::new(file);
     let part_tables = PartTables::new(file);
     let connection_tables = file.tables("connection", "[[connection]]", &CONNECTION);
+    let network_tables = file.tables("network", "[[network]]", &NETWORK);
     let reduction = reduction(file);
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
@@ -112,6 +114,8 @@ pub(super) fn body<'a>(
     let connections = every(connection_tables.iter().map(|table| connection(table, &names)));
     notes.extend(materials.unused());
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
+    let networks = network_tables.iter().enumerate();
+    let networks = every(networks.map(|(index, table)| network(table, &names.of_network(table, index))));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let support = match support {
@@ -127,7 +131,14 @@ pub(super) fn body<'a>(
         let (connections, ranges_of_connections) = connections?.into_iter().unzip();
         let (parts, ranges_of_parts): (Vec<Part>, Vec<Vec<Extremes>>) =
             read?.into_iter().map(|read| (read.part, read.extremes)).unzip();
-        let (carrier, points, support, forces) = (carrier?, points?, support?, forces?);
+        let (carrier, mut points, support, forces) = (carrier?, points?, support?, forces?);
+        let (mut springs, mut ranges_of_springs): (Vec<Spring>, Vec<Extremes>) = (springs, ranges_of_springs);
+        for (network, extremes) in networks? {
+            let (more_points, more_springs) = network.parts(points.len());
+            ranges_of_springs.extend(std::iter::repeat_n(extremes, more_springs.len()));
+            points.extend(more_points);
+            springs.extend(more_springs);
+        }
         let assembly = Assembly {
             carrier,
             ellipsoids,

@@ -60,7 +60,9 @@ const FILE: Keys = Keys {
         "beam",
         "panel",
         "solid",
+        "matrices",
         "connection",
+        "network",
         "reduction",
         "point",
         "spring",
@@ -71,7 +73,6 @@ const FILE: Keys = Keys {
         "run",
     ],
     later: &[
-        ("matrices", "[[matrices]]"),
         ("cavity", "[[cavity]]"),
         ("rotor", "[[rotor]]"),
         ("wheel", "[[wheel]]"),

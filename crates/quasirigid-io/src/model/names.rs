@@ -112,6 +112,12 @@ impl<'a> Names<'a> {
         Self { points, hinged, ellipsoids, surfaces, flexible, nodes: Vec::new(), forces, parts }
     }
 
+    /// Name of a network, which begins those of its points.
+    pub(super) fn of_network(&self, table: &Table<'_>, index: usize) -> String {
+        let given = table.get("name").and_then(|value| value.text());
+        given.map_or_else(|| format!("network {}", index + 1), str::to_owned)
+    }
+
     /// What a spring or force is fixed to.
     pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
         if value.is_table() {

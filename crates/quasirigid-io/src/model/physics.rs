@@ -48,6 +48,7 @@ fn kind(kind: &Kind) -> &'static str {
         Kind::Frame(_) => "beam",
         Kind::Panel(_) => "panel",
         Kind::Solid(_) => "solid",
+        Kind::Matrices(_) => "matrices",
         _ => "part",
     }
 }

@@ -12,6 +12,7 @@ mod hinged;
 mod material;
 mod matrices;
 mod moment;
+mod network;
 mod part;
 mod point;
 mod ritz;
@@ -30,9 +31,10 @@ pub use finite::elasticity::{ElasticityError, Modulus};
 pub use finite::shell::{Constant, ShellError};
 pub use hinged::{HingeCoefficient, Hinged};
 pub use material::Material;
+pub use network::Network;
 pub use part::{
-    Anchor, Connection, Frame, FrameNode, Kind, Layer, Member, NodeRef, Orthotropic, Panel, Part, Region,
-    Solid, Substance, TipMass,
+    Anchor, Connection, Frame, FrameNode, Kind, Layer, Matrices, Member, NodeRef, Orthotropic, Panel, Part,
+    Region, Solid, Substance, TipMass,
 };
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};

@@ -1,7 +1,9 @@
-//! Parts of finite elements: beams, panels and solids, how they are held, and how a file names their nodes.
+//! Parts of finite elements: beams, panels, solids and matrices, how they are held, and how a file names their nodes.
 
 mod beam;
 mod connection;
+mod matrices;
+mod network;
 mod nodes;
 mod panel;
 mod placed;
@@ -21,6 +23,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 pub(super) use connection::{CONNECTION, connection};
+pub(super) use network::{NETWORK, network};
 pub(super) use nodes::Nodes;
 pub(super) use reduction::reduction;
 
@@ -29,6 +32,7 @@ pub(super) struct PartTables<'a> {
     beams: Vec<Table<'a>>,
     panels: Vec<Table<'a>>,
     solids: Vec<Table<'a>>,
+    matrices: Vec<Table<'a>>,
 }
 
 /// A part, how its nodes are named, and the ranges of its rheologies in the order of [`rheologies`].
@@ -53,15 +57,17 @@ impl<'a> PartTables<'a> {
             beams: file.tables("beam", "[[beam]]", &beam::BEAM),
             panels: file.tables("panel", "[[panel]]", &panel::PANEL),
             solids: file.tables("solid", "[[solid]]", &solid::SOLID),
+            matrices: file.tables("matrices", "[[matrices]]", &matrices::MATRICES),
         }
     }
 
     /// Tables with the word for their kind, in the order of the parts.
     pub(super) fn iter(&self) -> impl Iterator<Item = (&'static str, &Table<'a>)> {
-        let kind = |word: &'static str, tables: &'_ [Table<'a>]| (word, tables.len());
-        let words = [kind("beam", &self.beams), kind("panel", &self.panels), kind("solid", &self.solids)];
-        let words = words.into_iter().flat_map(|(word, count)| std::iter::repeat_n(word, count));
-        words.zip(self.beams.iter().chain(&self.panels).chain(&self.solids))
+        let beams = self.beams.iter().map(|table| ("beam", table));
+        let panels = self.panels.iter().map(|table| ("panel", table));
+        let solids = self.solids.iter().map(|table| ("solid", table));
+        let matrices = self.matrices.iter().map(|table| ("matrices", table));
+        beams.chain(panels).chain(solids).chain(matrices)
     }
 
     /// Where the parts stand.
@@ -72,11 +78,14 @@ impl<'a> PartTables<'a> {
     /// Reads every part, also those after a wrong one.
     pub(super) fn read(&self, names: &[String], sources: Sources<'_, 'a>) -> Option<Vec<Read>> {
         let (beams, rest) = names.split_at(self.beams.len());
-        let (panels, solids) = rest.split_at(self.panels.len());
+        let (panels, rest) = rest.split_at(self.panels.len());
+        let (solids, matrices) = rest.split_at(self.solids.len());
         let beams = self.beams.iter().zip(beams).map(|(table, name)| beam::beam(table, name, sources));
         let panels = self.panels.iter().zip(panels).map(|(table, name)| panel::panel(table, name, sources));
         let solids = self.solids.iter().zip(solids).map(|(table, name)| solid::solid(table, name, sources));
-        let read: Vec<Option<Read>> = beams.chain(panels).chain(solids).collect();
+        let matrices = self.matrices.iter().zip(matrices);
+        let matrices = matrices.map(|(table, name)| matrices::matrices(table, name, sources));
+        let read: Vec<Option<Read>> = beams.chain(panels).chain(solids).chain(matrices).collect();
         read.into_iter().collect()
     }
 }
@@ -91,6 +100,7 @@ pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
         Kind::Frame(frame) => frame.members.iter_mut().map(|member| &mut member.material.rheology).collect(),
         Kind::Panel(panel) => panel.layers.iter_mut().map(|layer| of(&mut layer.substance)).collect(),
         Kind::Solid(solid) => solid.regions.iter_mut().map(|region| of(&mut region.substance)).collect(),
+        Kind::Matrices(given) => vec![&mut given.rheology],
         _ => Vec::new(),
     }
 }

@@ -19,6 +19,11 @@ impl Nodes {
         Self { names: names.enumerate().map(|(index, name)| (name, index)).collect(), ..Self::default() }
     }
 
+    /// Nodes with numbers alone.
+    pub(super) fn of_labels(labels: &[u64]) -> Self {
+        Self { labels: labels.iter().enumerate().map(|(index, label)| (*label, index)).collect(), ..Self::default() }
+    }
+
     /// Nodes of a mesh: by their numbers, and by its sets, which stand for the nodes of their cells too.
     pub(super) fn of_mesh(mesh: &Mesh) -> Self {
         let labels = mesh.node_labels.iter().enumerate().map(|(index, label)| (*label, index)).collect();

@@ -119,7 +119,7 @@ impl Connection {
 
 impl Net<'_> {
     fn is_free(&self, node: usize) -> bool {
-        matches!(self.structure.holds[node], Hold::Free)
+        matches!(self.structure.holds[node], Hold::Free | Hold::Partly(_))
     }
 
     /// Holds a node that nothing holds yet.

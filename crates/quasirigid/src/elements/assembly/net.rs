@@ -39,10 +39,10 @@ impl<'a> Net<'a> {
         for (index, part) in assembly.parts.iter().enumerate() {
             firsts.push(structure.nodes.len());
             structure.nodes.extend(part.nodes());
+            structure.holds.extend(part.holds());
             part.furnish(index, firsts[index], &mut structure)?;
         }
         firsts.push(structure.nodes.len());
-        structure.holds = vec![Hold::Free; structure.nodes.len()];
         let mut net = Self { assembly, structure, firsts, stations: Vec::new(), pulled: Vec::new() };
         holds(assembly, &mut net)?;
         net.station_all(false)?;

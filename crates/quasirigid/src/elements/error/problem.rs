@@ -80,6 +80,14 @@ pub enum Problem {
         /// Number of nodes.
         count: usize,
     },
+    /// An entry of a matrix is about a row that there is not.
+    #[error("an entry is about row {index}, but there are {count} freedoms")]
+    NoSuchRow {
+        /// Index of the row.
+        index: usize,
+        /// Number of rows.
+        count: usize,
+    },
     /// A side of a connection or an attachment has no nodes.
     #[error("no nodes are named here")]
     NoNodes,

@@ -47,12 +47,40 @@ pub(in crate::elements) trait Element {
 pub(in crate::elements) struct Grain {
     /// Mass (kg).
     pub mass: f64,
-    /// Equilibrium position (m), in the file's frame.
-    pub place: Vector3<f64>,
+    /// Where it is.
+    pub site: Site,
     /// Displacement for a unit of each freedom.
     pub shapes: Matrix3xX<f64>,
     /// What turns it on an arm; none if nothing does.
     pub turn: Option<Turn>,
+}
+
+/// Where a grain is.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::elements) enum Site {
+    /// At an equilibrium position (m), in the file's frame.
+    At(Vector3<f64>),
+    /// Between two places, with their distance (m): mass that is moved by the difference of two displacements alone, and may
+    /// be negative.
+    Between(Vector3<f64>),
+}
+
+impl Grain {
+    /// The value on it of a field that is one everywhere.
+    pub fn one(&self) -> f64 {
+        match self.site {
+            Site::At(_) => 1.0,
+            Site::Between(_) => 0.0,
+        }
+    }
+
+    /// The value on it of the place from a point (m).
+    pub fn place_from(&self, reference: Vector3<f64>) -> Vector3<f64> {
+        match self.site {
+            Site::At(place) => place - reference,
+            Site::Between(distance) => distance,
+        }
+    }
 }
 
 /// A rotation that carries a grain: `½ θ × (θ × arm)` is the second order of its path.

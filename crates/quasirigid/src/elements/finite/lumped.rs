@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Vector3};
 
-use super::element::{Element, Grain, Turn};
+use super::element::{Element, Grain, Site, Turn};
+use crate::model::Inertia;
 
 /// Mass without stiffness at a node, a point or a small rigid body.
 #[derive(Clone, Debug)]
@@ -53,7 +54,7 @@ impl Element for Mass {
                 turns.columns_mut(3, 3).copy_from(&Matrix3::identity());
                 Turn { arm: *arm, shapes: turns }
             });
-            Grain { mass: *mass, place: self.place + arm, shapes, turn }
+            Grain { mass: *mass, site: Site::At(self.place + arm), shapes, turn }
         };
         self.points.iter().map(grain).collect()
     }
@@ -92,4 +93,14 @@ fn between(law: &Matrix3<f64>) -> DMatrix<f64> {
         matrix.view_mut((row, column), (3, 3)).copy_from(&(sign * law));
     }
     matrix
+}
+
+/// Six points with the mass and the inertia of a rigid body about its centre: masses, and places from it.
+pub(in crate::elements) fn rigid_points(mass: f64, inertia: &Inertia) -> Vec<(f64, Vector3<f64>)> {
+    let eigen = inertia.second_moments().symmetric_eigen();
+    let arms = (0..3).map(|axis| {
+        let length = (3.0 * eigen.eigenvalues[axis].max(0.0) / mass).sqrt();
+        length * eigen.eigenvectors.column(axis)
+    });
+    arms.flat_map(|arm| [(mass / 6.0, arm), (mass / 6.0, -arm)]).collect()
 }

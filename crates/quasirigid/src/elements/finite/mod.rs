@@ -7,5 +7,5 @@ mod lumped;
 pub(super) mod shell;
 pub(super) mod solid;
 
-pub(super) use element::{Element, Grain, Turn};
-pub(super) use lumped::{Link, Mass};
+pub(super) use element::{Element, Grain, Site, Turn};
+pub(super) use lumped::{Link, Mass, rigid_points};

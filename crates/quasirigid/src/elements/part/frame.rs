@@ -2,7 +2,7 @@ use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
-use crate::elements::finite::{Element, Grain, Mass};
+use crate::elements::finite::{Element, Grain, Mass, rigid_points};
 use crate::elements::structure::{Matter, Structure};
 use crate::elements::{Material, coefficient};
 use crate::model::{Inertia, Rheology};
@@ -165,21 +165,11 @@ impl TipMass {
             node: first + self.node,
             freedoms: 6,
             matter,
-            points: points(self.mass, &inertia),
+            points: rigid_points(self.mass, &inertia),
             place: node.map_err(&refuse)?.position.into(),
         }));
         Ok(())
     }
-}
-
-/// Six points with the mass and the inertia of a rigid body about its centre.
-fn points(mass: f64, inertia: &Inertia) -> Vec<(f64, Vector3<f64>)> {
-    let eigen = inertia.second_moments().symmetric_eigen();
-    let arms = (0..3).map(|axis| {
-        let length = (3.0 * eigen.eigenvalues[axis].max(0.0) / mass).sqrt();
-        length * eigen.eigenvectors.column(axis)
-    });
-    arms.flat_map(|arm| [(mass / 6.0, arm), (mass / 6.0, -arm)]).collect()
 }
 
 impl Element for BeamElement {

@@ -2,6 +2,7 @@
 
 mod connection;
 mod frame;
+mod given;
 mod panel;
 mod solid;
 mod substance;
@@ -10,12 +11,13 @@ use nalgebra::Vector3;
 
 pub use connection::{Anchor, Connection, NodeRef};
 pub use frame::{Frame, FrameNode, Member, TipMass};
+pub use given::Matrices;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
 
 use super::error::ElementError;
-use super::structure::{Node, Structure};
+use super::structure::{Hold, Node, Structure};
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +42,8 @@ pub enum Kind {
     Frame(Frame),
     /// A thin plate or shell.
     Panel(Panel),
+    /// Matrices from another program.
+    Matrices(Matrices),
 }
 
 impl Part {
@@ -49,6 +53,7 @@ impl Part {
             Kind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
             Kind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
             Kind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
+            Kind::Matrices(given) => given.nodes.iter().map(|place| node(*place, given.turns())).collect(),
         }
     }
 
@@ -57,6 +62,7 @@ impl Part {
         match &self.kind {
             Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
             Kind::Frame(frame) => frame.places().len(),
+            Kind::Matrices(given) => given.nodes.len(),
         }
     }
 
@@ -67,6 +73,7 @@ impl Part {
                 format!("node {}", mesh.node_labels[node])
             }
             Kind::Frame(frame) => frame.node_name(node),
+            Kind::Matrices(given) => format!("node {}", given.node_labels[node]),
         }
     }
 
@@ -74,6 +81,7 @@ impl Part {
     pub(super) fn watched(&self) -> Vec<usize> {
         match &self.kind {
             Kind::Frame(frame) => (0..frame.nodes.len()).collect(),
+            Kind::Matrices(given) => extremes(&given.nodes),
             Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => extremes(&mesh.nodes),
         }
     }
@@ -92,6 +100,15 @@ impl Part {
             Kind::Solid(solid) => solid.furnish(index, first, self.rayleigh, structure),
             Kind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
             Kind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
+            Kind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
+        }
+    }
+
+    /// How its nodes are held before anything is attached or connected.
+    pub(super) fn holds(&self) -> Vec<Hold> {
+        match &self.kind {
+            Kind::Matrices(given) => given.holds(),
+            _ => vec![Hold::Free; self.count()],
         }
     }
 }

@@ -25,6 +25,8 @@ pub(in crate::elements) struct Component {
     moments: Vec<Matrix3<f64>>,
     /// `∫ u_j u_kᵀ dm`.
     products: Vec<Vec<Matrix3<f64>>>,
+    /// Mass matrix: the traces of the products, and the inertia of freedoms that have no displacement.
+    masses: DMatrix<f64>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
     /// Stiffness, damping and rheology by matter.
@@ -90,6 +92,7 @@ impl Structure {
                 .map(|j| Matrix3::from_fn(|b, a| loads.row(3 + 3 * b + a).dot(&fields.row(j))))
                 .collect(),
             products: by_pair(&discrete.products(&fields)),
+            masses: &fields * times(&discrete.mass, &fields).transpose(),
             curvatures,
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
@@ -130,7 +133,7 @@ impl Component {
 
     /// Invariants of two coordinates about a pole. (I4)–(I6)
     pub fn pair(&self, j: usize, k: usize, pole: Vector3<f64>) -> Pair {
-        let straight = moment::straight_pair(&self.products[j][k]);
+        let straight = Pair { A: self.masses[(j, k)], ..moment::straight_pair(&self.products[j][k]) };
         let Some(curvatures) = &self.curvatures else { return straight };
         let Curvature { sum, moment } = curvatures[j][k];
         let G = moment + (self.reference - pole) * sum.transpose();

@@ -52,7 +52,7 @@ fn bent(
 ) -> bool {
     let mut bent = false;
     for (load, work) in works.iter_mut().enumerate() {
-        let force = |place: Vector3<f64>| acceleration(load, place - reference);
+        let force = |place: Vector3<f64>| acceleration(load, place - reference, 1.0);
         if let Some(geometric) = element.geometric(&statics.row(load).transpose(), &force) {
             *work -= fields * geometric * fields.transpose();
             bent = true;
@@ -66,7 +66,7 @@ fn turned(grain: &Grain, reference: Vector3<f64>, fields: &DMatrix<f64>, works: 
     let Some(Turn { arm, shapes }) = &grain.turn else { return false };
     let turns: MatrixXx3<f64> = fields * shapes.transpose();
     for (load, work) in works.iter_mut().enumerate() {
-        let force = grain.mass * acceleration(load, grain.place - reference);
+        let force = grain.mass * acceleration(load, grain.place_from(reference), grain.one());
         // θ_j × (θ_k × p) = θ_k (θ_j·p) − p (θ_j·θ_k)
         let (along, across) = (&turns * force, &turns * arm);
         let product = 0.5 * (&along * across.transpose() + &across * along.transpose());

@@ -14,6 +14,8 @@ pub(in crate::elements) struct Node {
 pub(in crate::elements) enum Hold {
     /// By the elements alone.
     Free,
+    /// By the elements, but for components 0 to 5 that do not move.
+    Partly([bool; 6]),
     /// On the carrier, or on another node, as one rigid piece but for rotations about these axes; three axes are a ball
     /// joint.
     On {
@@ -143,7 +145,7 @@ fn chain(holds: &[Hold], rows: &[Option<Vec<Row>>], node: usize) -> Result<Vec<u
         }
         chain.push(held);
         next = match &holds[held] {
-            Hold::Free => None,
+            Hold::Free | Hold::Partly(_) => None,
             Hold::On { base, .. } => *base,
         };
     }
@@ -163,8 +165,15 @@ fn held_rows(
         vec![(unknowns.len() - 1, 1.0)]
     };
     let count = if nodes[node].turns { 6 } else { 3 };
-    let Hold::On { base, axes } = hold else {
-        return (0..count).map(|component| own(Unknown::OfNode(node, component))).collect();
+    let (base, axes) = match hold {
+        Hold::Free => return (0..count).map(|component| own(Unknown::OfNode(node, component))).collect(),
+        Hold::Partly(moves) => {
+            let one = |component: usize| {
+                if moves[component] { own(Unknown::OfNode(node, component)) } else { Vec::new() }
+            };
+            return (0..count).map(one).collect();
+        }
+        Hold::On { base, axes } => (base, axes),
     };
     let still = vec![Vec::new(); 6];
     let held = base.and_then(|base| rows[base].as_ref()).unwrap_or(&still);

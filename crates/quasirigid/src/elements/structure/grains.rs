@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, MatrixXx3, SMatrix, Vector3};
 
 use super::discrete::Discrete;
+use crate::elements::finite::Grain;
 
 /// Loads that an acceleration linear in the place puts on a structure: `e_a` for each axis, then `ρ_b e_a`, `b` outermost.
 pub(super) const LOADS: usize = 12;
@@ -24,9 +25,9 @@ impl Discrete<'_> {
     pub(super) fn whole(&self, reference: Vector3<f64>) -> Whole {
         let mut whole = Whole { mass: 0.0, first: Vector3::zeros(), second: Matrix3::zeros() };
         for grain in self.structure.elements.iter().flat_map(|element| element.grains()) {
-            let s = grain.place - reference;
-            whole.mass += grain.mass;
-            whole.first += grain.mass * s;
+            let s = grain.place_from(reference);
+            whole.mass += grain.mass * grain.one();
+            whole.first += grain.mass * grain.one() * s;
             whole.second += grain.mass * s * s.transpose();
         }
         whole
@@ -38,7 +39,7 @@ impl Discrete<'_> {
         for element in &self.structure.elements {
             let mut forces = DMatrix::zeros(LOADS, element.nodes().len() * element.freedoms());
             for grain in element.grains() {
-                forces += grain.mass * accelerations(grain.place - reference) * &grain.shapes;
+                forces += grain.mass * accelerations(&grain, reference) * &grain.shapes;
             }
             self.freedoms.gather(element.nodes(), element.freedoms(), &forces, &mut loads);
         }
@@ -74,7 +75,7 @@ impl Discrete<'_> {
         for element in &self.structure.elements {
             let spread = self.freedoms.spread(element.nodes(), element.freedoms(), displacements);
             for grain in element.grains() {
-                batch.push(&(&spread * grain.shapes.transpose() * grain.mass.sqrt()));
+                batch.push(&(&spread * grain.shapes.transpose()), grain.mass);
                 if batch.filled == BATCH {
                     batch.add_to(&mut products);
                 }
@@ -85,38 +86,43 @@ impl Discrete<'_> {
     }
 }
 
-/// Acceleration of a load at `s`.
-pub(super) fn acceleration(load: usize, s: Vector3<f64>) -> Vector3<f64> {
+/// Acceleration of a load at `s`, where a field that is one everywhere has the value `one`.
+pub(super) fn acceleration(load: usize, s: Vector3<f64>, one: f64) -> Vector3<f64> {
     let along = Vector3::ith(load % 3, 1.0);
-    if load < 3 { along } else { s[load / 3 - 1] * along }
+    if load < 3 { one * along } else { s[load / 3 - 1] * along }
 }
 
-/// Rows: the acceleration of each load at `s`.
-fn accelerations(s: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
-    SMatrix::from_fn(|load, axis| acceleration(load, s)[axis])
+/// Rows: the acceleration of each load at a grain.
+fn accelerations(grain: &Grain, reference: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
+    let s = grain.place_from(reference);
+    SMatrix::from_fn(|load, axis| acceleration(load, s, grain.one())[axis])
 }
 
-/// Displacements of a few material points, each times the root of its mass, by axis.
+/// Displacements of a few material points by axis, and the same times their masses.
 struct Batch {
     moved: [DMatrix<f64>; 3],
+    weighted: [DMatrix<f64>; 3],
     filled: usize,
 }
 
 impl Batch {
     fn new(count: usize) -> Self {
-        Self { moved: std::array::from_fn(|_| DMatrix::zeros(count, BATCH)), filled: 0 }
+        let zeros = || std::array::from_fn(|_| DMatrix::zeros(count, BATCH));
+        Self { moved: zeros(), weighted: zeros(), filled: 0 }
     }
 
-    fn push(&mut self, moved: &MatrixXx3<f64>) {
-        for (axis, all) in self.moved.iter_mut().enumerate() {
-            all.set_column(self.filled, &moved.column(axis));
+    fn push(&mut self, moved: &MatrixXx3<f64>, mass: f64) {
+        for axis in 0..3 {
+            self.moved[axis].set_column(self.filled, &moved.column(axis));
+            self.weighted[axis].set_column(self.filled, &(mass * moved.column(axis)));
         }
         self.filled += 1;
     }
 
     fn add_to(&mut self, products: &mut [DMatrix<f64>; 9]) {
         for (entry, product) in products.iter_mut().enumerate() {
-            let [u, v] = [entry / 3, entry % 3].map(|axis| self.moved[axis].columns(0, self.filled));
+            let u = self.weighted[entry / 3].columns(0, self.filled);
+            let v = self.moved[entry % 3].columns(0, self.filled);
             product.gemm(1.0, &u, &v.transpose(), 1.0);
         }
         self.filled = 0;

@@ -121,7 +121,8 @@ fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
 /// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (F7)
 fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let nodes = &discrete.structure.nodes;
-    let free = (0..nodes.len()).filter(|node| matches!(discrete.structure.holds[*node], Hold::Free));
+    let free = (0..nodes.len())
+        .filter(|node| matches!(discrete.structure.holds[*node], Hold::Free | Hold::Partly(_)));
     let free: Vec<usize> = free.collect();
     let diagonal = discrete.total.diagonal();
     let firm = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;

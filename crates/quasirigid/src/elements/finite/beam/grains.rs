@@ -2,7 +2,7 @@ use nalgebra::{Matrix3xX, Vector3};
 
 use super::element::Beam;
 use super::mass::Slice;
-use crate::elements::finite::{Grain, Turn};
+use crate::elements::finite::{Grain, Site, Turn};
 
 impl Beam {
     /// Places of its nodes (m).
@@ -35,7 +35,7 @@ impl Beam {
         let turns = Matrix3xX::from_column_slice(fields.turn.as_slice());
         Grain {
             mass,
-            place: center + arm,
+            site: Site::At(center + arm),
             shapes: Matrix3xX::from_column_slice(shapes.as_slice()),
             turn: Some(Turn { arm, shapes: turns }),
         }

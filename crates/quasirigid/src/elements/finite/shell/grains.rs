@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::mass::{Point, points};
 use super::section::ShellSection;
-use crate::elements::finite::{Grain, Turn};
+use crate::elements::finite::{Grain, Site, Turn};
 use crate::math::mesh::Shape;
 
 /// Its mass as material points: two over each point of its surface, at heights that have the first and second moments of
@@ -32,5 +32,5 @@ fn grain(point: &Point, nodes: &[Vector3<f64>], density: f64, height: f64) -> Gr
         turns.columns_mut(6 * node + 3, 3).copy_from(&whole);
     }
     let turn = Some(Turn { arm, shapes: turns });
-    Grain { mass: 0.5 * density * point.area, place: foot + arm, shapes, turn }
+    Grain { mass: 0.5 * density * point.area, site: Site::At(foot + arm), shapes, turn }
 }

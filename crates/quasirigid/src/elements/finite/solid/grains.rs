@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::slopes::jacobian;
-use crate::elements::finite::Grain;
+use crate::elements::finite::{Grain, Site};
 use crate::math::mesh::{Rule, Shape};
 
 /// The mass of a solid cell as material points, those of the rule that is exact for products of two displacements where
@@ -17,7 +17,7 @@ pub(in crate::elements) fn grains(shape: Shape, nodes: &[Vector3<f64>], density:
                 place += *share * node;
             }
             let mass = density * sample.weight * jacobian(nodes, sample).determinant();
-            Grain { mass, place, shapes, turn: None }
+            Grain { mass, site: Site::At(place), shapes, turn: None }
         })
         .collect()
 }

@@ -93,7 +93,8 @@ fn grains_add_up_to_the_prism() {
     for (i, beam) in chain.beams.iter().enumerate() {
         let [u, v] = [own(&fields[0], i), own(&fields[1], i)];
         let mut mass = Matrix12::zeros();
-        for Grain { mass: m, place: r, shapes, .. } in beam.grains() {
+        for grain in beam.grains() {
+            let (r, Grain { mass: m, shapes, .. }) = (grain.place_from(Vector3::zeros()), grain);
             let (moved, other) = (&shapes * u, &shapes * v);
             sum += m * moved;
             place += m * r * moved.transpose();

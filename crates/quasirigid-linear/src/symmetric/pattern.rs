@@ -47,7 +47,7 @@ impl Pattern {
     }
 
     /// A pattern from the rows of each column, which ascend and begin with the diagonal.
-    pub(in crate::math) fn of_columns(size: usize, column: impl Fn(usize, &mut Vec<u32>)) -> Self {
+    pub(crate) fn of_columns(size: usize, column: impl Fn(usize, &mut Vec<u32>)) -> Self {
         let mut pattern = Self { starts: vec![0], rows: Vec::new() };
         for index in 0..size {
             column(index, &mut pattern.rows);
@@ -74,18 +74,18 @@ impl Pattern {
     }
 
     /// The places of a column; none if there is no such column.
-    pub(in crate::math) fn range(&self, column: u32) -> Option<Range<usize>> {
+    pub(crate) fn range(&self, column: u32) -> Option<Range<usize>> {
         let end = self.starts.get(column as usize + 1)?;
         Some(self.starts[column as usize]..*end)
     }
 
     /// Where each column begins among the places, and where the last one ends.
-    pub(in crate::math) fn starts(&self) -> &[usize] {
+    pub(crate) fn starts(&self) -> &[usize] {
         &self.starts
     }
 
     /// The row of each place.
-    pub(in crate::math) fn rows(&self) -> &[u32] {
+    pub(crate) fn rows(&self) -> &[u32] {
         &self.rows
     }
 }

@@ -2,7 +2,7 @@
 
 use super::NotPositive;
 use super::triangle::{Structure, Triangle};
-use crate::math::symmetric::Symmetric;
+use crate::symmetric::Symmetric;
 
 /// Quadratic forms below this, for a unit diagonal, are rounding.
 const SINGULAR: f64 = 1e-13;
@@ -18,7 +18,7 @@ const GROWTH: f64 = 10.0;
 
 /// Refuses a matrix whose softest direction has no stiffness; `solve` is `(S A S)⁻¹ x` in place. Returns false if
 /// `solve` fails.
-pub(in crate::math) fn verdict(
+pub(crate) fn verdict(
     matrix: &Symmetric,
     scale: &[f64],
     solve: impl FnMut(&mut [f64]) -> bool,
@@ -31,7 +31,7 @@ pub(in crate::math) fn verdict(
 }
 
 /// A direction in which a matrix that has no factor is not positive.
-pub(in crate::math) fn refusal(matrix: &Symmetric, structure: &Structure, scale: &[f64]) -> NotPositive {
+pub(crate) fn refusal(matrix: &Symmetric, structure: &Structure, scale: &[f64]) -> NotPositive {
     let mut shift = SHIFT;
     // For a unit diagonal no shift beyond the number of unknowns is needed.
     while shift < GROWTH * scale.len() as f64 {

@@ -13,11 +13,11 @@ use faer::traits::RealField;
 use faer::{Conj, MatMut, Par, Side};
 
 use super::ordering::{Ordering, elimination};
-use crate::math::symmetric::Symmetric;
+use crate::symmetric::Symmetric;
 
 /// Places of the entries of a factor, which depend only on the pattern of the matrix.
 #[derive(Clone, Debug)]
-pub(in crate::math) struct Structure {
+pub(crate) struct Structure {
     symbolic: Arc<SymbolicCholesky<usize>>,
     /// How the order of elimination was found.
     pub ordering: Ordering,
@@ -25,13 +25,13 @@ pub(in crate::math) struct Structure {
 
 /// `L` of `L Lᵀ = S A S + s 1` with a diagonal `S` that makes the diagonal of `S A S` one.
 #[derive(Clone, Debug)]
-pub(in crate::math) struct Triangle<T> {
+pub(crate) struct Triangle<T> {
     structure: Structure,
     entries: Vec<T>,
 }
 
 /// A number format in which a factor can be stored.
-pub(in crate::math) trait Real: RealField {
+pub(crate) trait Real: RealField {
     fn rounded(value: f64) -> Self;
 }
 

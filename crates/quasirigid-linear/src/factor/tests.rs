@@ -3,7 +3,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
-use crate::math::symmetric::Pattern;
+use crate::symmetric::Pattern;
 
 /// Springs between all nodes of a cubic grid that share a cell, three unknowns to a node, each in a unit of its own,
 /// and a foundation under every node. `held` nodes are left out.

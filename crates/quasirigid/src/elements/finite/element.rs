@@ -25,7 +25,7 @@ pub(in crate::elements) trait Element {
     fn grains(&self) -> Vec<Grain>;
 
     /// Geometric stiffness of the stress that forces per mass (N/kg, by place) produce, and the displacement that they cause;
-    /// none if the paths of its points are straight. (F6)
+    /// none if the paths of its points are straight. (K6)
     fn geometric(
         &self,
         _displacement: &DVector<f64>,

@@ -64,7 +64,7 @@ pub(in crate::elements) struct Discrete<'a> {
 type Entries = Vec<(usize, usize, f64)>;
 
 impl<'a> Discrete<'a> {
-    /// Adds up the elements. (F1)–(F3)
+    /// Adds up the elements. (K1)–(K3)
     pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Self {
         let size = freedoms.unknowns().len();
         let mut stiffness: Vec<Entries> = vec![Vec::new(); structure.matters.len()];
@@ -110,7 +110,7 @@ impl Discrete<'_> {
     }
 }
 
-/// Mass matrix over the freedoms of an element. (F3)
+/// Mass matrix over the freedoms of an element. (K3)
 fn consistent(element: &dyn Element) -> DMatrix<f64> {
     let size = element.nodes().len() * element.freedoms();
     element

@@ -239,8 +239,8 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 }
 
 fn report_missing_body(problems: &Problems<'_>) {
-    let message = "the file has no [carrier], no [[ellipsoid]] and no [[surface]]";
+    let message = "the file has no [carrier] and no part that is elastic throughout";
     let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; \
-                or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout";
+                or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]";
     problems.report(Diagnostic::new(0..0, message, "no body in this file").help(help));
 }

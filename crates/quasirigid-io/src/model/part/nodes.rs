@@ -90,7 +90,7 @@ impl Nodes {
 
     fn known(&self) -> String {
         match self.labels.len() {
-            0 => "its nodes have names".to_owned(),
+            0 => format!("its nodes are {}", self.sorted().join(", ")),
             count => format!("its {count} nodes are named by their numbers in the file"),
         }
     }

@@ -15,5 +15,6 @@ mod run;
 mod run_folder;
 mod simulate;
 mod simulate_refusals;
+mod structures;
 mod support;
 mod width;

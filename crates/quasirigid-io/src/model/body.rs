@@ -25,6 +25,9 @@ const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], late
 const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"], later: &[] };
 const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
 
+/// Points of a body without a carrier, at least: fewer have no inertia about some axis.
+const FEWEST_POINTS: usize = 3;
+
 /// What a file says of the body.
 pub(super) struct Body<'a> {
     /// Names of its parts.
@@ -59,9 +62,9 @@ pub(super) fn body<'a>(
 ) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
     let absent = |key| file.get(key).is_none_or(|value| value.is_empty());
-    const BODIES: [&str; 8] =
-        ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "network", "point"];
-    if file.get("carrier").is_none() && BODIES.iter().all(|key| absent(key)) {
+    const BODIES: [&str; 7] = ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "network"];
+    let points = file.get("point").and_then(|value| value.items()).map_or(0, |items| items.len());
+    if file.get("carrier").is_none() && points < FEWEST_POINTS && BODIES.iter().all(|key| absent(key)) {
         report_missing_body(problems);
     }
     let has_support = file.get("support").is_some();
@@ -250,8 +253,8 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 }
 
 fn report_missing_body(problems: &Problems<'_>) {
-    let message = "the file has no [carrier], no [[ellipsoid]] and no [[surface]]";
+    let message = "the file has no [carrier] and no part that is elastic throughout";
     let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; \
-                or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout";
+                or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]";
     problems.report(Diagnostic::new(0..0, message, "no body in this file").help(help));
 }

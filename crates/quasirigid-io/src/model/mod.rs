@@ -72,11 +72,7 @@ const FILE: Keys = Keys {
         "initial",
         "run",
     ],
-    later: &[
-        ("cavity", "[[cavity]]"),
-        ("rotor", "[[rotor]]"),
-        ("wheel", "[[wheel]]"),
-    ],
+    later: &[("cavity", "[[cavity]]"), ("rotor", "[[rotor]]"), ("wheel", "[[wheel]]")],
 };
 
 /// A model file, read.

@@ -16,7 +16,7 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids, surfaces and forces of a file.
+/// Names of the points, appendages, ellipsoids, surfaces, parts and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
@@ -71,8 +71,8 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`, `surface 1`,
-    /// `force 1`.
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`,
+    /// `surface 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],
@@ -100,8 +100,8 @@ impl<'a> Names<'a> {
             .collect();
         let flexible = flexible.iter().enumerate();
         let flexible = flexible
-            .map(|(index, (word, table))| {
-                parts.enter(table, format!("{word} {}", index + 1), Part::Flexible(index))
+            .map(|(index, (word, number, table))| {
+                parts.enter(table, format!("{word} {number}"), Part::Flexible(index))
             })
             .collect();
         let mut register = Register { owners: HashMap::new(), problems };
@@ -125,7 +125,7 @@ impl<'a> Names<'a> {
             return match nodes.as_slice() {
                 [node] => Some(End::Node(NodeRef { part, node: *node })),
                 several => value.refuse(
-                    format!("{} nodes are named here, but {}", several.len(), what.rule()),
+                    format!("{} nodes are named here, but one is needed", several.len()),
                     "several nodes",
                     Some("name one node".to_owned()),
                 ),

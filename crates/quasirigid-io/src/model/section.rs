@@ -7,6 +7,25 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
+/// Keys of a section that does not say its shape: those of every shape.
+const ANY: Keys = Keys {
+    known: &[
+        "shape",
+        "height",
+        "width",
+        "radius",
+        "thickness",
+        "web",
+        "flange",
+        "area",
+        "second_y",
+        "second_z",
+        "torsion",
+        "shear_areas",
+    ],
+    later: &[],
+};
+
 type Read = fn(&Table<'_>) -> Option<SectionShape>;
 
 /// A shape of a section, chosen by the key `shape`.
@@ -78,7 +97,6 @@ impl<'a> Sections<'a> {
 }
 
 fn section(value: &Value<'_>) -> Option<SectionShape> {
-    const ANY: Keys = Keys { known: &["shape"], later: &[] };
     let Some(word) = value.entry("shape") else {
         value.table("the section", &ANY)?.required("shape", "shape = \"tube\"");
         return None;

@@ -11,8 +11,8 @@ const RUNS: &str = include_str!("../../../../data/published/quillen_2019/runs.cs
 /// Stiffness of every spring of the runs.
 const STIFFNESS: f64 = 0.08;
 /// Distances that give about as many masses and springs as the runs have, 1650 and 21 600.
-const SPACING: f64 = 0.118;
-const REACH: f64 = 0.268;
+const SPACING: f64 = 0.119;
+const REACH: f64 = 0.279;
 /// Modulus and time of the ellipsoid that the network is compared with.
 const YOUNG: f64 = 3.0;
 const TIME: f64 = 0.01;

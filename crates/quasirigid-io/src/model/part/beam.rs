@@ -36,11 +36,10 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let damping = rayleigh(table);
     let frame_nodes = frame_nodes?;
     let nodes = Nodes::of_names(frame_nodes.iter().map(|node| node.name.clone()));
-    let lines = table
-        .required("lines", "lines = [[\"root\", \"tip\"]]")
-        .and_then(|value| value.list("pairs of nodes", |line| ends(&line, &nodes)));
+    let lines =
+        table.required("lines", "lines = [[\"root\", \"tip\"]]").and_then(|value| lines(&value, &nodes));
     let masses = match table.get("masses") {
-        Some(value) => value.list("tables", |item| mass(&item, &nodes)),
+        Some(value) => value.list("an array of tables", |item| mass(&item, &nodes)),
         None => Some(Vec::new()),
     };
     let attached = attached(table, &nodes);
@@ -70,6 +69,14 @@ fn nodes(value: &Value<'_>) -> Option<Vec<FrameNode>> {
     let names: HashSet<&str> = nodes.iter().map(|node| node.name.as_str()).collect();
     debug_assert_eq!(names.len(), nodes.len(), "TOML refuses a key that stands twice");
     Some(nodes)
+}
+
+fn lines(value: &Value<'_>, nodes: &Nodes) -> Option<Vec<[usize; 2]>> {
+    if value.is_empty() {
+        let help = Some("write lines = [[\"root\", \"tip\"]]".to_owned());
+        return value.refuse("a beam has one line or more".to_owned(), "no lines", help);
+    }
+    value.list("an array of pairs of nodes", |line| ends(&line, nodes))
 }
 
 fn ends(value: &Value<'_>, nodes: &Nodes) -> Option<[usize; 2]> {

@@ -22,7 +22,7 @@ pub(in crate::model) fn connection(table: &Table<'_>, names: &Names<'_>) -> Opti
     let axes = axes(table)?;
     let springs = |key: &'static str, dimension: Dimension| match table.get(key) {
         Some(value) if value.is_array() => {
-            value.list("one number per axis", |item| item.non_negative(dimension))
+            value.list("an array of one number per axis", |item| item.non_negative(dimension))
         }
         Some(value) => value.non_negative(dimension).map(|number| vec![number; axes.len()]),
         None => Some(vec![0.0; axes.len()]),
@@ -45,7 +45,7 @@ fn axes(table: &Table<'_>) -> Option<Vec<[f64; 3]>> {
         ),
         Some(value) => match value.items() {
             Some(items) if items.iter().any(Value::is_array) => {
-                value.list("axes", |axis| axis.vector(Dimension::NUMBER))
+                value.list("an array of axes", |axis| axis.vector(Dimension::NUMBER))
             }
             _ => value.vector(Dimension::NUMBER).map(|axis| vec![axis]),
         },

@@ -126,7 +126,11 @@ struct Rows {
 }
 
 impl Rows {
-    fn new(files: &[&(Value<'_>, MatrixFile)], listed: Option<&[Freedom]>, nodes: &NodeTable) -> Option<Self> {
+    fn new(
+        files: &[&(Value<'_>, MatrixFile)],
+        listed: Option<&[Freedom]>,
+        nodes: &NodeTable,
+    ) -> Option<Self> {
         let mut all = BTreeSet::new();
         for (value, file) in files {
             all.extend(freedoms_of(value, file, listed, nodes)?);
@@ -139,7 +143,8 @@ impl Rows {
             let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
             let Some(place) = index.zip(component) else {
                 let (value, _) = files[0];
-                let help = "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
+                let help =
+                    "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
                 let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
                 return value.refuse(message, "a row without a node", Some(help.to_owned()));
             };
@@ -185,7 +190,11 @@ fn freedoms_of(
 ) -> Option<Vec<Freedom>> {
     if file.rows != file.columns {
         let message = format!("the matrix has {} rows and {} columns", file.rows, file.columns);
-        return value.refuse(message, "not square", Some("mass, damping and stiffness are square".to_owned()));
+        return value.refuse(
+            message,
+            "not square",
+            Some("mass, damping and stiffness are square".to_owned()),
+        );
     }
     if let Some(labels) = &file.labels {
         return Some(labels.clone());
@@ -195,7 +204,8 @@ fn freedoms_of(
     let freedoms = match listed {
         Some(listed) => listed.to_vec(),
         None => {
-            let of_node = |label: u64| (1..=per_node).map(move |component| Freedom { node: label, component });
+            let of_node =
+                |label: u64| (1..=per_node).map(move |component| Freedom { node: label, component });
             nodes.nodes().iter().flat_map(|node| of_node(node.label)).collect()
         }
     };

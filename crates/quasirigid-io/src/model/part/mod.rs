@@ -61,18 +61,23 @@ impl<'a> PartTables<'a> {
         }
     }
 
-    /// Tables with the word for their kind, in the order of the parts.
-    pub(super) fn iter(&self) -> impl Iterator<Item = (&'static str, &Table<'a>)> {
-        let beams = self.beams.iter().map(|table| ("beam", table));
-        let panels = self.panels.iter().map(|table| ("panel", table));
-        let solids = self.solids.iter().map(|table| ("solid", table));
-        let matrices = self.matrices.iter().map(|table| ("matrices", table));
-        beams.chain(panels).chain(solids).chain(matrices)
+    /// Tables with the word for their kind and their number within it, in the order of the parts.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&'static str, usize, &Table<'a>)> {
+        let Self { beams, panels, solids, matrices } = self;
+        let kinds = [("beam", beams), ("panel", panels), ("solid", solids), ("matrices", matrices)];
+        kinds
+            .into_iter()
+            .flat_map(|(word, tables)| (1..).zip(tables).map(move |(number, table)| (word, number, table)))
     }
 
-    /// Where the parts stand.
+    /// Where the parts stand; the material of a solid of several regions is where they are listed.
     pub(super) fn spans(&self, materials: &Materials<'a>) -> Vec<ElementSpans> {
-        self.iter().map(|(_, table)| materials.spans(table)).collect()
+        let of = |table: &Table<'a>| {
+            let mut spans = materials.spans(table);
+            spans.values.extend(table.get("materials").map(|several| ("material", several.span())));
+            spans
+        };
+        self.iter().map(|(.., table)| of(table)).collect()
     }
 
     /// Reads every part, also those after a wrong one.
@@ -104,6 +109,9 @@ pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
         _ => Vec::new(),
     }
 }
+
+/// Two directions are one if the sine of the angle between them is below this.
+const PARALLEL: f64 = 1e-6;
 
 const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"], later: &[] };
 

@@ -26,8 +26,9 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
     let spacing =
         table.required("spacing", "spacing = \"20 m\"").and_then(|value| value.positive(Dimension::LENGTH));
     let reach = table.get("reach").map(|value| (value, value.positive(Dimension::LENGTH)));
-    let stiffness =
-        table.required("stiffness", "stiffness = 0.08").and_then(|value| value.positive(Dimension::STIFFNESS));
+    let stiffness = table
+        .required("stiffness", "stiffness = 0.08")
+        .and_then(|value| value.positive(Dimension::STIFFNESS));
     let seed = table.get("seed").map_or(Some(1), |value| value.integer(0..=usize::MAX >> 12));
     let known = rheology(table, Scale::OF_SPRING);
     let spacing = spacing?;
@@ -36,8 +37,10 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
         Some((value, reach)) => {
             let reach = reach?;
             if !(spacing..=LONGEST * spacing).contains(&reach) {
-                let message = format!("springs of {reach} m do not fit points that are {spacing} m apart or more");
-                let help = format!("write a reach of 1 to {LONGEST} times the spacing; {REACH} times is usual");
+                let message =
+                    format!("springs of {reach} m do not fit points that are {spacing} m apart or more");
+                let help =
+                    format!("write a reach of 1 to {LONGEST} times the spacing; {REACH} times is usual");
                 return value.refuse(message, "too short or too long", Some(help));
             }
             reach

@@ -21,7 +21,10 @@ impl Nodes {
 
     /// Nodes with numbers alone.
     pub(super) fn of_labels(labels: &[u64]) -> Self {
-        Self { labels: labels.iter().enumerate().map(|(index, label)| (*label, index)).collect(), ..Self::default() }
+        Self {
+            labels: labels.iter().enumerate().map(|(index, label)| (*label, index)).collect(),
+            ..Self::default()
+        }
     }
 
     /// Nodes of a mesh: by their numbers, and by its sets, which stand for the nodes of their cells too.
@@ -95,7 +98,7 @@ impl Nodes {
 
     fn known(&self) -> String {
         match self.labels.len() {
-            0 => "its nodes have names".to_owned(),
+            0 => format!("its nodes are {}", self.sorted().join(", ")),
             count => format!("its {count} nodes are named by their numbers in the file"),
         }
     }

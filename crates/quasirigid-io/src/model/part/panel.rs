@@ -2,12 +2,13 @@ use std::sync::Arc;
 
 use quasirigid::elements::{Kind, Layer, Panel, Part};
 use quasirigid::math::mesh::{Cell, Mesh, Set, Shape};
+use quasirigid::math::sym::{cross, norm};
 
 use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::{mesh, placed};
-use super::{Nodes, Read, Sources, attached, rayleigh};
+use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
 use crate::units::Dimension;
 
 pub(super) const PANEL: Keys = Keys {
@@ -35,11 +36,15 @@ const MOST_CELLS: usize = 1000;
 pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let mesh = match table.get("rectangle") {
         Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)),
-        None => mesh(table, sources.folder),
+        None => {
+            let example =
+                "rectangle = { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }, or file = \"wing.msh\"";
+            mesh(table, sources.folder, example)
+        }
     };
     let layers = table
         .required("layers", "layers = [{ material = \"aluminium\", thickness = \"2 mm\" }]")
-        .and_then(|value| value.list("layers", |item| layer(&item, sources)));
+        .and_then(|value| value.list("an array of layers", |item| layer(&item, sources)));
     let reference = table.get("reference").map(|value| value.vector(Dimension::NUMBER));
     let offset = table.get("offset").map_or(Some(0.0), |value| value.quantity(Dimension::LENGTH));
     let damping = rayleigh(table);
@@ -78,6 +83,17 @@ fn first_side(mesh: &Mesh) -> [f64; 3] {
     })
 }
 
+/// Accepts the sides of a rectangle if they differ in direction.
+fn span_a_plane(rectangle: &Table<'_>, sides: [[f64; 3]; 2]) -> Option<[[f64; 3]; 2]> {
+    let [first, second] = sides;
+    if norm(cross(first, second)) > PARALLEL * norm(first) * norm(second) {
+        return Some(sides);
+    }
+    let help = "write two sides at an angle, such as sides = [[2, 0, 0], [0, 1, 0]]".to_owned();
+    let message = "the sides are parallel, or one has no length".to_owned();
+    rectangle.get("sides")?.refuse(message, "no area", Some(help))
+}
+
 /// A parallelogram with a corner at the origin: its edges are the sets `left`, `right` (at the end of the first side),
 /// `bottom` and `top` (at the end of the second), its corners `left bottom` and so on.
 fn rectangle(value: &Value<'_>) -> Option<Mesh> {
@@ -91,7 +107,7 @@ fn rectangle(value: &Value<'_>) -> Option<Mesh> {
     let cells: Option<[usize; 2]> = table
         .required("cells", "cells = [8, 4]")
         .and_then(|value| value.array("numbers", |count| count.integer(1..=MOST_CELLS)));
-    let ([first, second], [m, n]) = (sides?, cells?);
+    let ([first, second], [m, n]) = (span_a_plane(&table, sides?)?, cells?);
     let node = |i: usize, j: usize| j * (m + 1) + i;
     let place = |i: usize, j: usize| {
         let (s, t) = (i as f64 / m as f64, j as f64 / n as f64);

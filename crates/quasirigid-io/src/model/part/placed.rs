@@ -17,11 +17,11 @@ struct Placement {
     attitude: Attitude,
 }
 
-/// Reads the mesh of a part, in the file's frame.
-pub(super) fn mesh(table: &Table<'_>, folder: &Path) -> Option<Mesh> {
+/// Reads the mesh of a part, in the file's frame; a line such as `example` is missing if it has none.
+pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Mesh> {
     let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
     let placement = placement(table);
-    let mesh = table.required("file", "file = \"bracket.msh\"").and_then(|value| file(&value, folder));
+    let mesh = table.required("file", example).and_then(|value| file(&value, folder));
     let (length, placement, mut mesh) = (length?, placement?, mesh?);
     for node in &mut mesh.nodes {
         *node = placement.of(node.map(|entry| length * entry));

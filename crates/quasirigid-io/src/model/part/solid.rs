@@ -8,7 +8,7 @@ use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::mesh;
-use super::{Nodes, Read, Sources, attached, rayleigh};
+use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
 use crate::units::Dimension;
 
 pub(super) const SOLID: Keys = Keys {
@@ -27,12 +27,9 @@ pub(super) const SOLID: Keys = Keys {
     later: &[],
 };
 
-/// Two directions are one if the sine of the angle between them is below this.
-const PARALLEL: f64 = 1e-6;
-
 /// Reads a `[[solid]]`: of one material, or of several by sets of its cells.
 pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
-    let mesh = mesh(table, sources.folder);
+    let mesh = mesh(table, sources.folder, "file = \"bracket.msh\"");
     let axes = match table.get("axes") {
         Some(value) => axes(&value),
         None => Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
@@ -88,13 +85,11 @@ fn several(
     }
     let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
     let Some(first) = wrong.first() else { return Some(regions) };
-    let what = if owners[*first] == 0 { "in none of these sets" } else { "in two of these sets" };
-    let message = format!(
-        "cell {} is {what}, as {} of {} cells",
-        mesh.cells[*first].label,
-        wrong.len(),
-        mesh.cells.len()
-    );
+    let sets = if owners[*first] == 0 { "none" } else { "more than one" };
+    let mut message = format!("cell {} is in {sets} of these sets", mesh.cells[*first].label);
+    if wrong.len() > 1 {
+        message += &format!(", the first of {} cells that are not in one", wrong.len());
+    }
     value.refuse(message, "each cell in one set", Some("every solid cell needs one material".to_owned()))
 }
 

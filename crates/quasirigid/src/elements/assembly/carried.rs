@@ -4,15 +4,16 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::net::Net;
 use super::{Assembly, Built, Mover};
-use crate::elements::End;
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::matrices::Matrices;
 use crate::elements::part::NodeRef;
 use crate::elements::spring::{Ends, Pulled};
 use crate::elements::structure::Component;
+use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::force::Force;
 use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
 
 /// A carrier with everything on it: rigid pieces that move, then the coordinates of the parts.
@@ -28,7 +29,7 @@ struct Carried {
 
 impl Assembly {
     /// A body with a carrier.
-    pub(super) fn carried(&self) -> Result<Built, ElementError> {
+    pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         let carrier =
             self.carrier.as_ref().ok_or_else(|| at(Place::Carrier, Field::Mass)(Problem::NoBody))?;
         let movers = self.movers()?;
@@ -48,7 +49,7 @@ impl Assembly {
             End::Point(index) => markers.get(index).cloned(),
             End::Node(node) => pulled.get(&node).map(|pulled| pulled.marker(pole)),
         };
-        let forces = self.placed_forces(pole, marker)?;
+        let forces = self.placed_forces(forces, pole, marker)?;
         let body = FlexibleBody::new(Parts {
             support: self.support.clone(),
             pole: pole.into(),

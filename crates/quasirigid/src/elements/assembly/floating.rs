@@ -2,16 +2,18 @@ use nalgebra::Vector3;
 
 use super::net::Net;
 use super::{Assembly, Built};
-use crate::elements::End;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::matrices::Matrices;
+use crate::elements::part::NodeRef;
 use crate::elements::structure::Component;
+use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
+use crate::model::force::Force;
 use crate::model::{FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame.
-    pub(super) fn floating(&self) -> Result<Built, ElementError> {
+    pub(super) fn floating(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
             return Err(at(Place::Carrier, Field::Mass)(Problem::NoBody));
         }
@@ -25,15 +27,16 @@ impl Assembly {
         let size = component.size();
         let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;
         let markers = net.markers(&component, 0, center);
-        let names = net.stations().iter().zip(&markers);
+        let stations = net.stations().iter().zip(&markers);
+        let of_node = |node: NodeRef| {
+            stations.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone())
+        };
         let marker = |end: End| match end {
             End::Carrier => None,
-            End::Node(node) => {
-                names.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone())
-            }
-            End::Point(_) => None,
+            End::Node(node) => of_node(node),
+            End::Point(node) => of_node(NodeRef { part: self.parts.len(), node }),
         };
-        let forces = self.placed_forces(center, marker)?;
+        let forces = self.placed_forces(forces, center, marker)?;
         let body = FlexibleBody::new(Parts {
             support: Support::Free,
             pole: center.into(),
@@ -67,7 +70,7 @@ fn invariants(component: &Component, pole: Vector3<f64>) -> Invariants {
 impl Net<'_> {
     /// The watched nodes, from a pole, with coordinates numbered from `start`.
     pub(super) fn markers(&self, component: &Component, start: usize, pole: Vector3<f64>) -> Vec<Marker> {
-        let marker = |(number, node): (usize, &crate::elements::part::NodeRef)| {
+        let marker = |(number, node): (usize, &NodeRef)| {
             let index = self.index(*node);
             Marker {
                 name: self.node_name(index),

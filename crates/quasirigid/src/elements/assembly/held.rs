@@ -4,7 +4,7 @@ use super::Assembly;
 use super::net::Net;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
-use crate::elements::part::{Anchor, Connection};
+use crate::elements::part::{Anchor, Connection, NodeRef};
 use crate::elements::structure::{Hold, Joint};
 
 /// Nodes of two sides are at the same place if they are closer than this share of the size of the structure.
@@ -21,14 +21,36 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
             return Err(refuse(Problem::NoCarrier));
         }
         for node in &part.attached {
-            assembly.has(crate::elements::part::NodeRef { part: index, node: *node }).map_err(&refuse)?;
+            assembly.has(NodeRef { part: index, node: *node }).map_err(&refuse)?;
             net.structure.holds[net.firsts[index] + node] = Hold::On { base: None, axes: Vec::new() };
         }
     }
     for (index, connection) in assembly.connections.iter().enumerate() {
         connection.join(assembly, index, net)?;
     }
-    Ok(())
+    if assembly.carrier.is_some() { all_attached(assembly) } else { Ok(()) }
+}
+
+/// Accepts parts that attachments and connections join to the carrier, directly or through others.
+fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
+    let mut joined: Vec<bool> = assembly.parts.iter().map(|part| !part.attached.is_empty()).collect();
+    let part = |anchor: &Anchor| match anchor {
+        Anchor::Carrier => None,
+        Anchor::Nodes { part, .. } => Some(*part),
+    };
+    // each pass reaches at least one more part
+    for _ in &assembly.parts {
+        for connection in &assembly.connections {
+            let sides = [part(&connection.from), part(&connection.to)];
+            if sides.iter().any(|side| side.is_none_or(|part| joined[part])) {
+                sides.into_iter().flatten().for_each(|part| joined[part] = true);
+            }
+        }
+    }
+    match joined.iter().position(|joined| !joined) {
+        Some(part) => Err(at(Place::Part(part), Field::Attach)(Problem::NotAttached)),
+        None => Ok(()),
+    }
 }
 
 /// Nodes of one side of a connection; none for the carrier.
@@ -44,20 +66,22 @@ impl Connection {
         let refuse = at(place, Field::To);
         match (from, to) {
             (None, None) => Err(refuse(Problem::SameEnds)),
-            (None, Some(nodes)) | (Some(nodes), None) => self.hold(net, None, nodes, axes).map_err(refuse),
+            (None, Some(nodes)) | (Some(nodes), None) => {
+                self.hold(index, net, None, nodes, axes).map_err(refuse)
+            }
             (Some(base), Some(nodes)) if base.len() == 1 && (nodes.len() > 1 || net.is_free(nodes[0])) => {
-                self.hold(net, Some(base[0]), nodes, axes).map_err(refuse)
+                self.hold(index, net, Some(base[0]), nodes, axes).map_err(refuse)
             }
             (Some(nodes), Some(base)) if base.len() == 1 => {
-                self.hold(net, Some(base[0]), nodes, axes).map_err(refuse)
+                self.hold(index, net, Some(base[0]), nodes, axes).map_err(refuse)
             }
             (Some(base), Some(nodes)) if axes.is_empty() => weld(net, &base, &nodes).map_err(refuse),
             (Some(base), Some(nodes)) => {
-                let joint = net.joint_node(middle(net, &base));
+                let joint = net.joint_node(middle(net, &base), index);
                 for node in base {
                     net.hold(node, Some(joint), Vec::new()).map_err(&refuse)?;
                 }
-                self.hold(net, Some(joint), nodes, axes).map_err(refuse)
+                self.hold(index, net, Some(joint), nodes, axes).map_err(refuse)
             }
         }
     }
@@ -65,6 +89,7 @@ impl Connection {
     /// Holds nodes as one piece, on a base or the carrier.
     fn hold(
         &self,
+        index: usize,
         net: &mut Net<'_>,
         base: Option<usize>,
         nodes: Vec<usize>,
@@ -75,7 +100,7 @@ impl Connection {
             _ if axes.is_empty() => {
                 return nodes.into_iter().try_for_each(|node| net.hold(node, base, Vec::new()));
             }
-            _ => (net.joint_node(middle(net, &nodes)), nodes),
+            _ => (net.joint_node(middle(net, &nodes), index), nodes),
         };
         if !axes.is_empty() {
             if !net.structure.nodes[joint].turns {
@@ -83,7 +108,7 @@ impl Connection {
             }
             let matter = net.matter(&self.rheology);
             let (stiffness, damping) = (self.stiffness.clone(), self.damping.clone());
-            net.structure.joints.push(Joint { node: joint, stiffness, damping, matter });
+            net.hinge(Joint { node: joint, stiffness, damping, matter }, index);
         }
         net.hold(joint, base, axes)?;
         rest.into_iter().try_for_each(|node| net.hold(node, Some(joint), Vec::new()))
@@ -95,9 +120,9 @@ impl Connection {
             .iter()
             .map(|axis| coefficient::unit(*axis))
             .collect::<Result<_, _>>()
-            .map_err(at(place, Field::Axes))?;
+            .map_err(at(place, Field::Hinge))?;
         if axes.len() > 3 {
-            return Err(at(place, Field::Axes)(Problem::AxisCount { count: axes.len() }));
+            return Err(at(place, Field::Hinge)(Problem::AxisCount { count: axes.len() }));
         }
         for (field, values) in [(Field::Stiffness, &self.stiffness), (Field::Damping, &self.damping)] {
             if values.len() != axes.len() {
@@ -156,7 +181,7 @@ fn side(anchor: &Anchor, assembly: &Assembly, net: &Net<'_>) -> Result<Side, Pro
         return Err(Problem::NoNodes);
     }
     let number = |node: &usize| {
-        let reference = crate::elements::part::NodeRef { part: *part, node: *node };
+        let reference = NodeRef { part: *part, node: *node };
         assembly.has(reference).map(|()| net.index(reference))
     };
     nodes.iter().map(number).collect::<Result<_, _>>().map(Some)

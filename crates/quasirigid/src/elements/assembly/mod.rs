@@ -112,7 +112,7 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn body(&self) -> Result<FlexibleBody, ElementError> {
-        Ok(self.build()?.body)
+        Ok(self.under(&[])?.body)
     }
 
     /// External forces with the places they act at, as seen from the pole of [`Self::body`].
@@ -128,17 +128,22 @@ impl Assembly {
     /// # Errors
     /// [`ElementError`] for the first element that no body can have, for a force that cannot act, and for a mechanism.
     pub fn build(&self) -> Result<Built, ElementError> {
+        self.under(&self.forces)
+    }
+
+    /// The body under some of its forces.
+    fn under(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
         let body = match self.alone()? {
             Some(Alone::Ellipsoid(ellipsoid)) => ellipsoid.body(0)?,
             Some(Alone::Surface(surface)) => surface.body(0)?,
-            None if self.carrier.is_some() => return self.carried(),
-            None => return self.floating(),
+            None if self.carrier.is_some() => return self.carried(forces),
+            None => return self.floating(forces),
         };
         let pole = body.pole().into();
-        Ok(Built { forces: self.placed_forces(pole, |_| None)?, body })
+        Ok(Built { forces: self.placed_forces(forces, pole, |_| None)?, body })
     }
 
     /// Whether there is such a node.
@@ -162,6 +167,7 @@ impl Assembly {
     /// The forces, with the markers of the places they act at.
     fn placed_forces(
         &self,
+        forces: &[Force<Station>],
         pole: Vector3<f64>,
         marker: impl Fn(End) -> Option<Marker>,
     ) -> Result<Vec<Force<Marker>>, ElementError> {
@@ -172,7 +178,7 @@ impl Assembly {
             }
             force.try_map(|station| Ok(station.marker(&force.name, pole, &marker)))
         };
-        self.forces.iter().enumerate().map(placed).collect()
+        forces.iter().enumerate().map(placed).collect()
     }
 
     fn parts_and_connections(&self) -> Result<(), ElementError> {

@@ -8,7 +8,7 @@ use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Link, Mass};
 use crate::elements::part::{NodeRef, extremes};
 use crate::elements::structure::{
-    Component, Fault, Freedoms, Hold, Matter, Node, Purpose, Structure, Unknown,
+    Component, Fault, Freedoms, Hold, Joint, Matter, Node, Purpose, Structure, Unknown,
 };
 use crate::elements::{End, Motion, coefficient};
 use crate::model::Rheology;
@@ -17,14 +17,20 @@ use crate::model::Rheology;
 pub(super) struct Net<'a> {
     assembly: &'a Assembly,
     pub structure: Structure,
-    /// First node of each part, then that of the points; joints come last.
+    /// First node of each part, of the points, and of the joints.
     pub firsts: Vec<usize>,
+    /// Connection of each node that is a joint.
+    joints: Vec<usize>,
+    /// Connection of each spring about the axes of a joint.
+    hinges: Vec<usize>,
     /// Nodes whose displacements are wanted, and what they are in the structure.
     stations: Vec<NodeRef>,
     /// Those of them at which springs or forces pull.
     pulled: Vec<usize>,
 }
 
+/// Order above which the space of a structure does not grow: its strains are complete up to there.
+const HIGHEST: usize = 5;
 /// Most unknowns named in a message.
 const MOST_NAMES: usize = 6;
 
@@ -34,6 +40,30 @@ impl<'a> Net<'a> {
     /// # Errors
     /// [`ElementError`] for the first part or connection that cannot be.
     pub fn of_parts(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        Self::new(assembly, false)
+    }
+
+    /// The same with the points and springs of a body without a carrier.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first element that cannot be.
+    pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        for (index, point) in assembly.points.iter().enumerate() {
+            let place = Place::Point(index);
+            coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
+            coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
+            if point.motion != Motion::Free {
+                return Err(at(place, Field::Motion)(Problem::NoGuide));
+            }
+        }
+        let mut net = Self::new(assembly, true)?;
+        for index in 0..assembly.springs.len() {
+            net.spring(index)?;
+        }
+        Ok(net)
+    }
+
+    fn new(assembly: &'a Assembly, floating: bool) -> Result<Self, ElementError> {
         let mut structure = Structure::default();
         let mut firsts = Vec::new();
         for (index, part) in assembly.parts.iter().enumerate() {
@@ -43,31 +73,15 @@ impl<'a> Net<'a> {
             part.furnish(index, firsts[index], &mut structure)?;
         }
         firsts.push(structure.nodes.len());
-        let mut net = Self { assembly, structure, firsts, stations: Vec::new(), pulled: Vec::new() };
-        holds(assembly, &mut net)?;
-        net.station_all(false)?;
-        Ok(net)
-    }
-
-    /// The same with the points and springs of a body without a carrier.
-    ///
-    /// # Errors
-    /// [`ElementError`] for the first element that cannot be.
-    pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
-        let mut net = Self::of_parts(assembly)?;
-        for (index, point) in assembly.points.iter().enumerate() {
-            let place = Place::Point(index);
-            coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
-            coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
-            if point.motion != Motion::Free {
-                return Err(at(place, Field::Motion)(Problem::NoGuide));
-            }
+        let (joints, hinges) = (Vec::new(), Vec::new());
+        let mut net =
+            Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), pulled: Vec::new() };
+        for point in assembly.points.iter().filter(|_| floating) {
             net.point(point.mass, point.position.into());
         }
-        for index in 0..assembly.springs.len() {
-            net.spring(index)?;
-        }
-        net.station_all(true)?;
+        net.firsts.push(net.structure.nodes.len());
+        holds(assembly, &mut net)?;
+        net.station_all(floating)?;
         Ok(net)
     }
 
@@ -81,7 +95,7 @@ impl<'a> Net<'a> {
         })?;
         let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
         let purpose = Purpose {
-            order: self.assembly.reduction.order,
+            order: self.assembly.reduction.order.min(HIGHEST),
             modes: self.assembly.reduction.modes,
             floating,
             stations: &stations,
@@ -102,21 +116,41 @@ impl<'a> Net<'a> {
 
     /// Name of a node of the structure.
     pub fn node_name(&self, node: usize) -> String {
-        let part = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
-        match self.assembly.parts.get(part) {
-            Some(owner) => format!("{:?} {}", owner.name, owner.node_name(node - self.firsts[part])),
-            None => match self.assembly.points.get(node - self.firsts[part]) {
-                Some(point) => format!("{:?}", point.name),
-                None => "a joint".to_owned(),
-            },
+        let (place, inner) = self.owner(node);
+        match place {
+            Place::Part(part) => {
+                let owner = &self.assembly.parts[part];
+                format!("{:?} {}", owner.name, owner.node_name(inner))
+            }
+            Place::Point(point) => format!("{:?}", self.assembly.points[point].name),
+            joint => joint.to_string(),
         }
     }
 
-    /// Adds a node that belongs to no part.
-    pub fn joint_node(&mut self, place: Vector3<f64>) -> usize {
+    /// What a node belongs to, and its index there.
+    fn owner(&self, node: usize) -> (Place, usize) {
+        let group = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
+        let (inner, parts) = (node - self.firsts[group], self.assembly.parts.len());
+        let place = match group {
+            part if part < parts => Place::Part(part),
+            points if points == parts => Place::Point(inner),
+            _ => Place::Connection(self.joints[inner]),
+        };
+        (place, inner)
+    }
+
+    /// Adds a node of a connection, which belongs to no part.
+    pub fn joint_node(&mut self, place: Vector3<f64>, connection: usize) -> usize {
+        self.joints.push(connection);
         self.structure.nodes.push(Node { place, turns: true });
         self.structure.holds.push(Hold::Free);
         self.structure.nodes.len() - 1
+    }
+
+    /// Adds the springs about the axes of a connection.
+    pub fn hinge(&mut self, joint: Joint, connection: usize) {
+        self.structure.joints.push(joint);
+        self.hinges.push(connection);
     }
 
     /// Number of the matter without damping of its own that answers periodic strain like this.
@@ -127,11 +161,10 @@ impl<'a> Net<'a> {
 
     /// An element blamed for what is wrong with a node.
     pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
-        let part = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
-        if part < self.assembly.parts.len() {
-            return at(Place::Part(part), Field::Attach)(problem);
+        match self.owner(node).0 {
+            part @ Place::Part(_) => at(part, Field::Attach)(problem),
+            other => at(other, Field::Stiffness)(problem),
         }
-        at(Place::Point(node - self.firsts[part]), Field::Stiffness)(problem)
     }
 
     fn point(&mut self, mass: f64, place: Vector3<f64>) {
@@ -203,21 +236,43 @@ impl<'a> Net<'a> {
         }
     }
 
+    /// Lays a mechanism at the door of the hinges that turn freely, else of the nodes that move.
     fn mechanism(&self, loose: &[Unknown]) -> ElementError {
         const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
-        let name = |unknown: &Unknown| match *unknown {
-            Unknown::OfNode(node, component) => format!("{} {}", self.node_name(node), COMPONENTS[component]),
+        let hinges = loose.iter().filter_map(|unknown| match *unknown {
             Unknown::OfJoint(node, axis) => {
-                format!("{} at its joint, about axis {}", self.node_name(node), axis + 1)
+                let hinge = Place::Connection(self.hinged_by(node)?);
+                Some((hinge, format!("{hinge} about its axis {}", axis + 1)))
             }
-        };
-        let mut names: Vec<String> = loose.iter().take(MOST_NAMES).map(name).collect();
-        if loose.len() > MOST_NAMES {
-            names.push(format!("{} more", loose.len() - MOST_NAMES));
-        }
-        let first = loose.first().map_or(0, |unknown| match *unknown {
-            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) => node,
+            Unknown::OfNode(..) => None,
         });
-        self.blame(first, Problem::Mechanism { coordinates: names.join(", ") })
+        let (hinges, names): (Vec<Place>, Vec<String>) = hinges.unzip();
+        if let Some(first) = hinges.first() {
+            return at(*first, Field::Stiffness)(Problem::Mechanism { coordinates: listed(names) });
+        }
+        let nodes = loose.iter().filter_map(|unknown| match *unknown {
+            Unknown::OfNode(node, component) => {
+                Some((node, format!("{} {}", self.node_name(node), COMPONENTS[component])))
+            }
+            Unknown::OfJoint(..) => None,
+        });
+        let (nodes, names): (Vec<usize>, Vec<String>) = nodes.unzip();
+        let first = nodes.first().copied().unwrap_or_default();
+        self.blame(first, Problem::Mechanism { coordinates: listed(names) })
     }
+
+    /// Connection whose hinge holds a node.
+    fn hinged_by(&self, node: usize) -> Option<usize> {
+        let joint = self.structure.joints.iter().position(|joint| joint.node == node)?;
+        self.hinges.get(joint).copied()
+    }
+}
+
+fn listed(mut names: Vec<String>) -> String {
+    let more = names.len().saturating_sub(MOST_NAMES);
+    names.truncate(MOST_NAMES);
+    if more > 0 {
+        names.push(format!("{more} more"));
+    }
+    names.join(", ")
 }

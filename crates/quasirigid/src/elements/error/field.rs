@@ -47,7 +47,7 @@ pub enum Field {
     Stiffness,
     /// Damping.
     Damping,
-    /// Place of a hinge.
+    /// Place of a hinge; of a connection, its axes.
     Hinge,
     /// Axes of a hinge.
     Axes,

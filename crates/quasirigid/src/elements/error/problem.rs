@@ -4,7 +4,7 @@ use crate::elements::finite::beam::BeamError;
 use crate::elements::finite::elasticity::ElasticityError;
 use crate::elements::finite::shell::ShellError;
 use crate::math::eigen::NoConvergence;
-use crate::math::mesh::MeshFault;
+use crate::math::mesh::{MeshFault, MeshNote};
 use crate::model::{InertiaError, RheologyError};
 
 /// What can be wrong with a value of an element.
@@ -57,8 +57,8 @@ pub enum Problem {
     /// An element that only goes with a carrier, on a body without.
     #[error("an ellipsoid or a surface is the whole body; this cannot stand beside it")]
     BesideWhole,
-    /// A force acts at a place of the carrier of a body that has none.
-    #[error("this body has no carrier that the force could act on")]
+    /// Something acts on the carrier of a body that has none, or hangs on it.
+    #[error("this body has no carrier")]
     NoCarrier,
     /// A body that is elastic throughout has no point that a support could hold.
     #[error("a body that is elastic throughout moves freely; no point of it can be held")]
@@ -135,6 +135,15 @@ pub enum Problem {
     /// A mesh cannot be calculated with.
     #[error("{}", all(.0))]
     Mesh(Vec<MeshFault>),
+    /// A mesh has no cells of the kind that the part is made of.
+    #[error("the mesh has no {}", if *dimension == 3 { "tetrahedra, wedges or hexahedra" } else { "triangles or quadrilaterals" })]
+    NoCells {
+        /// Dimension of those cells: 3 of a solid, 2 of a panel.
+        dimension: usize,
+    },
+    /// Nodes that no cell of the part holds, or that are at the same place as others.
+    #[error(transparent)]
+    LooseNodes(#[from] MeshNote),
     /// The constants of a material are those of none.
     #[error(transparent)]
     Elasticity(#[from] ElasticityError),
@@ -181,8 +190,8 @@ pub enum Problem {
         /// Smallest eigenvalue of the matrix.
         eigenvalue: f64,
     },
-    /// Both ends of a spring are the same.
-    #[error("both ends of the spring are the same")]
+    /// Both ends of a spring or a connection are the same.
+    #[error("both ends are the same")]
     SameEnds,
     /// There is no point with this index.
     #[error("there is no point {index}")]

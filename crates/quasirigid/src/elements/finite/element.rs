@@ -16,7 +16,7 @@ pub(in crate::elements) trait Element {
     /// Stiffness over its freedoms.
     fn stiffness(&self) -> DMatrix<f64>;
 
-    /// Mass matrix over its freedoms. (F3)
+    /// Mass matrix over its freedoms. (K3)
     fn mass(&self) -> DMatrix<f64> {
         let size = self.nodes().len() * self.freedoms();
         let add = |sum: DMatrix<f64>, grain: &Grain| sum + grain.mass * grain.shapes.tr_mul(&grain.shapes);
@@ -32,7 +32,7 @@ pub(in crate::elements) trait Element {
     fn grains(&self) -> Vec<Grain>;
 
     /// Geometric stiffness of the stress that forces per mass (N/kg, by place) produce, and the displacement that they cause;
-    /// none if the paths of its points are straight. (F6)
+    /// none if the paths of its points are straight. (K6)
     fn geometric(
         &self,
         _displacement: &DVector<f64>,

@@ -138,11 +138,18 @@ impl Member {
     }
 
     fn beam(&self, place: Place, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
-        let refuse = |field: Field| move |error: BeamError| at(place, field)(error.into());
-        let section = self.section.section(self.material.poisson).map_err(refuse(Field::Section))?;
+        let section = self.section.section(self.material.poisson);
+        let section = section.map_err(|error| at(place, Field::Section)(error.into()))?;
         let Material { young, density, .. } = self.material;
         let matter = beam::Matter { young, shear: self.material.shear(), density };
-        Beam::new(ends, self.up, section, matter).map_err(refuse(Field::Up))
+        Beam::new(ends, self.up, section, matter).map_err(|error| {
+            let field = match error {
+                BeamError::NoDirection { .. } => Field::Up,
+                BeamError::NoLength { .. } => Field::Lines,
+                _ => Field::Material,
+            };
+            at(place, field)(error.into())
+        })
     }
 }
 

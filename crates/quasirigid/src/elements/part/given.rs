@@ -8,7 +8,7 @@ use crate::elements::finite::{Element, Grain, Mass, Site, rigid_points};
 use crate::elements::structure::{Hold, Matter, Structure};
 use crate::model::{Inertia, Rheology};
 
-/// Matrices over displacements and rotations of nodes, from another program. (F9)
+/// Matrices over displacements and rotations of nodes, from another program. (K9)
 ///
 /// What the program held is taken as held on the carrier; its mass there is the carrier's.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,8 +16,9 @@ pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
 
-use super::error::ElementError;
+use super::error::{ElementError, Problem};
 use super::structure::{Hold, Node, Structure};
+use crate::math::mesh::{Mesh, MeshNote};
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +116,18 @@ impl Part {
 
 fn node(place: [f64; 3], turns: bool) -> Node {
     Node { place: Vector3::from(place), turns }
+}
+
+/// Accepts a mesh whose cells of a dimension describe a part and hold every node of it.
+fn sound(mesh: &Mesh, dimension: usize) -> Result<(), Problem> {
+    mesh.check().map_err(Problem::Mesh)?;
+    let bearing = mesh.cells.iter().filter(|cell| cell.shape.dimension() == dimension);
+    let bearing = Mesh { cells: bearing.cloned().collect(), sets: Vec::new(), ..mesh.clone() };
+    if bearing.cells.is_empty() {
+        return Err(Problem::NoCells { dimension });
+    }
+    let loose = |note: &MeshNote| matches!(note, MeshNote::Unused { .. } | MeshNote::Coincident { .. });
+    bearing.notes().into_iter().find(loose).map_or(Ok(()), |note| Err(note.into()))
 }
 
 /// The nodes farthest along each axis, each once.

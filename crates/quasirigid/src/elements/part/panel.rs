@@ -2,7 +2,8 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::Substance;
+use super::{Substance, sound};
+use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::elements::finite::{Element, Grain};
@@ -54,13 +55,18 @@ impl Panel {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
-        self.mesh.check().map_err(|faults| at(place, Field::File)(Problem::Mesh(faults)))?;
+        sound(&self.mesh, 2).map_err(at(place, Field::File))?;
+        coefficient::unit(self.reference).map_err(at(place, Field::Reference))?;
         let sections = self.sections(place, rayleigh, structure)?;
         for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
             for (matter, section) in &sections {
                 let element = self.cell(cell, first, *matter, *section);
                 element.matrix().map_err(|cause| {
-                    at(place, Field::File)(Problem::Shell { cell: Some(cell.label), cause })
+                    let field = match cause {
+                        ShellError::Reference { .. } => Field::Reference,
+                        _ => Field::File,
+                    };
+                    at(place, field)(Problem::Shell { cell: Some(cell.label), cause })
                 })?;
                 structure.elements.push(Box::new(element));
             }

@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 
-use super::Substance;
+use super::{Substance, sound};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Element, Grain, elasticity, solid};
 use crate::elements::structure::{Matter, Structure};
@@ -49,7 +49,7 @@ impl Solid {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
-        self.mesh.check().map_err(|faults| at(place, Field::File)(Problem::Mesh(faults)))?;
+        sound(&self.mesh, 3).map_err(at(place, Field::File))?;
         for region in &self.regions {
             region.substance.check(place)?;
             let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::Material))?);

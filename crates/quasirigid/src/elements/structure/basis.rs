@@ -3,7 +3,7 @@ use nalgebra::DMatrix;
 use super::discrete::{Discrete, times};
 use super::solver::Solver;
 
-/// Displacements of a structure that hold its slow manifold to an order, a row each. (F8)
+/// Displacements of a structure that hold its slow manifold to an order, a row each. (K8)
 ///
 /// Orthonormal in the stiffness.
 pub(super) struct Basis {

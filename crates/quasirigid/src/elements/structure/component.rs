@@ -12,7 +12,7 @@ use crate::math::eigen::NoConvergence;
 use crate::math::sym::Sym;
 use crate::model::{Coordinate, Pair};
 
-/// A structure with few coordinates, each of them a displacement with an rms of its value. (F8)
+/// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
 #[derive(Clone, Debug)]
 pub(in crate::elements) struct Component {
     /// Point from which the moments are taken (m), in the file's frame.

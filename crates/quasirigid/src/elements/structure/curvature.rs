@@ -4,7 +4,7 @@ use super::discrete::Discrete;
 use super::grains::{LOADS, acceleration};
 use crate::elements::finite::{Element, Grain, Turn};
 
-/// `∫ G_jk dm` and `∫ s G_jkᵀ dm` of a pair of coordinates, with `s` from the reference point. (F6)
+/// `∫ G_jk dm` and `∫ s G_jkᵀ dm` of a pair of coordinates, with `s` from the reference point. (K6)
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curvature {
     pub sum: Vector3<f64>,
@@ -15,7 +15,7 @@ impl Discrete<'_> {
     /// Curvature of the paths of all points; none if they are straight.
     ///
     /// The work of each load on the second order of a displacement is what its stress takes from the stiffness,
-    /// `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; grains on an arm turn with it besides. `statics` are the answers to the loads. (F6)
+    /// `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; grains on an arm turn with it besides. `statics` are the answers to the loads. (K6)
     pub(super) fn curvatures(
         &self,
         reference: Vector3<f64>,

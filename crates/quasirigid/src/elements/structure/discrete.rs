@@ -63,7 +63,7 @@ pub(in crate::elements) struct Discrete<'a> {
 }
 
 impl<'a> Discrete<'a> {
-    /// Adds up the elements. (F1)–(F3)
+    /// Adds up the elements. (K1)–(K3)
     pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Self {
         let ties: Vec<Tie> =
             structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();

@@ -35,7 +35,7 @@ pub(in crate::elements) enum Unknown {
     OfJoint(usize, usize),
 }
 
-/// Displacements and rotations of the nodes as combinations of unknowns. (F2)
+/// Displacements and rotations of the nodes as combinations of unknowns. (K2)
 #[derive(Clone, Debug)]
 pub(in crate::elements) struct Freedoms {
     /// First freedom of each node, and the end.

@@ -33,7 +33,7 @@ impl Discrete<'_> {
         whole
     }
 
-    /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (F4)
+    /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (K4)
     pub(super) fn loads(&self, reference: Vector3<f64>) -> DMatrix<f64> {
         let mut loads = DMatrix::zeros(LOADS, self.freedoms.unknowns().len());
         for element in &self.structure.elements {
@@ -47,7 +47,7 @@ impl Discrete<'_> {
     }
 
     /// Forces of the accelerations `E u` for every displacement `u`, a row each, and each of the nine maps `e_a e_bᵀ`:
-    /// what a spin makes of a displacement. (F5)
+    /// what a spin makes of a displacement. (K5)
     pub(super) fn turned(&self, displacements: &DMatrix<f64>) -> DMatrix<f64> {
         let count = displacements.nrows();
         let mut turned = DMatrix::zeros(9 * count, displacements.ncols());
@@ -67,7 +67,7 @@ impl Discrete<'_> {
         turned
     }
 
-    /// `∫ u vᵀ dm` for every pair of displacements: entry `(3a + b)` holds `∫ u_a v_b dm`, a row for each `u`. (F4)
+    /// `∫ u vᵀ dm` for every pair of displacements: entry `(3a + b)` holds `∫ u_a v_b dm`, a row for each `u`. (K4)
     pub(super) fn products(&self, displacements: &DMatrix<f64>) -> [DMatrix<f64>; 9] {
         let count = displacements.nrows();
         let mut products: [DMatrix<f64>; 9] = std::array::from_fn(|_| DMatrix::zeros(count, count));

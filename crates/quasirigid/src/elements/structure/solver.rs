@@ -35,7 +35,7 @@ impl Solver {
     }
 
     /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and
-    /// keeps its linear and angular momentum at zero. (F7)
+    /// keeps its linear and angular momentum at zero. (K7)
     pub fn answers(&self, mut forces: DMatrix<f64>) -> DMatrix<f64> {
         if let Some(rigid) = &self.rigid {
             rigid.balance(&mut forces);
@@ -118,7 +118,7 @@ fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
     nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / nodes.len().max(1) as f64
 }
 
-/// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (F7)
+/// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (K7)
 fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let nodes = &discrete.structure.nodes;
     let free = (0..nodes.len())

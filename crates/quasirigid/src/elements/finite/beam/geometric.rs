@@ -27,7 +27,7 @@ impl Beam {
     /// Frequencies of a cantilever that turns about its root, up to `12 √(EI/ρA)/L²`: with 10 elements within 3e-3
     /// of the exact ones when the load is taken as one on the nodes, within 3e-4 with the load between them; with 20
     /// elements within 8e-4 and 3e-5.
-    pub fn geometric_under(&self, u: &Vector12, load: [Vector3<f64>; 2]) -> Matrix12 {
+    pub(in crate::elements) fn geometric_under(&self, u: &Vector12, load: [Vector3<f64>; 2]) -> Matrix12 {
         let [axis, ..] = self.directions();
         let forces = self.forces(u, load);
         let gyration = (self.section.second_y + self.section.second_z) / self.section.area;

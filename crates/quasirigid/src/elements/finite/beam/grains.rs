@@ -6,7 +6,7 @@ use crate::elements::finite::{Grain, Site, Turn};
 
 impl Beam {
     /// Places of its nodes (m).
-    pub fn ends(&self) -> [Vector3<f64>; 2] {
+    pub(in crate::elements) fn ends(&self) -> [Vector3<f64>; 2] {
         self.ends
     }
 

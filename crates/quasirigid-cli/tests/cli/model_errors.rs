@@ -122,21 +122,20 @@ fn duplicate_name_is_refused() {
 #[test]
 fn missing_carrier_is_refused() {
     let carrier = ..MODEL.find("[[point]]").unwrap();
-    assert_snapshot!(refusal(&MODEL[carrier], ""), @r"
-    Error: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-       ╭─[ model.toml:1:1 ]
+    assert_snapshot!(refusal(&MODEL[carrier], ""), @r#"
+    Error: `to` of spring 1: this body has no carrier
+       ╭─[ model.toml:7:6 ]
        │
-     1 │ [[point]]
-       │ │ 
-       │ ╰─ no body in this file
+     7 │ to = "carrier"
+       │      ────┬────  
+       │          ╰────── no carrier
        │ 
-       │ Help: add [carrier] with mass, center_of_mass and inertia: the
-       │       rigid body that carries everything else; or [[ellipsoid]] with
-       │       semi_axes and material: a body that is elastic throughout
+       │ Help: add a [carrier], or leave this out: a body without one hangs
+       │       on nothing
     ───╯
 
     quasirigid: model.toml: 1 problem; nothing was computed
-    ");
+    "#);
 }
 
 #[test]

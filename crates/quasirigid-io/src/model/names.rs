@@ -71,8 +71,8 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`,
-    /// `surface 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`,
+    /// `ellipsoid 1`, `surface 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],

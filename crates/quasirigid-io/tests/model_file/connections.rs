@@ -85,8 +85,8 @@ fn springs_and_forces_act_at_nodes() {
     assert!(model.assembly.body().is_ok());
 }
 
-/// The panel on a hinge along its edge, which the boom carries: 1 N at an arm of 2 m turns it by 2/3 rad at 3 N m/rad, so
-/// the far edge rises by 4/3 m. Bending adds a share that goes as 1/E, which two moduli take away.
+/// The panel on a hinge along its edge, which the boom carries: 1 N at an arm of 2 m turns it by 2/3 rad at 3 N m/rad,
+/// so the far edge rises by 4/3 m. Bending adds a share that goes as 1/E, which two moduli take away.
 #[test]
 fn a_hinge_between_a_node_and_an_edge_turns_the_panel() {
     let hinge = format!("[[connection]]\n{SIDES}hinge = [0, 1, 0]\nstiffness = 3\n");
@@ -109,8 +109,8 @@ fn a_hinge_between_a_node_and_an_edge_turns_the_panel() {
     assert!(soft > stiff && stiff > 4.0 / 3.0, "{soft} {stiff}");
 }
 
-/// Two panels hinged edge to edge and a point on springs, without a carrier: joints of sets have nodes of their own, and
-/// the point is none of them.
+/// Two panels hinged edge to edge and a point on springs, without a carrier: joints of sets have nodes of their own,
+/// and the point is none of them.
 #[test]
 fn a_point_beside_a_hinge_of_sets_is_where_it_is() {
     let other = ARRAY.replace("array", "other").replace("position = [3, 0, 0]", "position = [1, 0, 0]");

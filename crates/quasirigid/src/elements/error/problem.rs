@@ -136,7 +136,10 @@ pub enum Problem {
     #[error("{}", all(.0))]
     Mesh(Vec<MeshFault>),
     /// A mesh has no cells of the kind that the part is made of.
-    #[error("the mesh has no {}", if *dimension == 3 { "tetrahedra, wedges or hexahedra" } else { "triangles or quadrilaterals" })]
+    #[error(
+        "the mesh has no {}",
+        if *dimension == 3 { "tetrahedra, wedges or hexahedra" } else { "triangles or quadrilaterals" }
+    )]
     NoCells {
         /// Dimension of those cells: 3 of a solid, 2 of a panel.
         dimension: usize,

@@ -97,14 +97,10 @@ impl<'a> PartTables<'a> {
 
 /// The rheologies of a part, one for each region, member or layer.
 pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
-    let of = |substance| match substance {
-        &mut Substance::Isotropic(ref mut material) => &mut material.rheology,
-        &mut Substance::Orthotropic(ref mut material) => &mut material.rheology,
-    };
     match &mut part.kind {
         Kind::Frame(frame) => frame.members.iter_mut().map(|member| &mut member.material.rheology).collect(),
-        Kind::Panel(panel) => panel.layers.iter_mut().map(|layer| of(&mut layer.substance)).collect(),
-        Kind::Solid(solid) => solid.regions.iter_mut().map(|region| of(&mut region.substance)).collect(),
+        Kind::Panel(panel) => panel.layers.iter_mut().map(|layer| rheology_of(&mut layer.substance)).collect(),
+        Kind::Solid(solid) => solid.regions.iter_mut().map(|region| rheology_of(&mut region.substance)).collect(),
         Kind::Matrices(given) => vec![&mut given.rheology],
         _ => Vec::new(),
     }
@@ -112,6 +108,13 @@ pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
 
 /// Two directions are one if the sine of the angle between them is below this.
 const PARALLEL: f64 = 1e-6;
+
+fn rheology_of(substance: &mut Substance) -> &mut Rheology {
+    match substance {
+        Substance::Isotropic(material) => &mut material.rheology,
+        Substance::Orthotropic(material) => &mut material.rheology,
+    }
+}
 
 const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"], later: &[] };
 

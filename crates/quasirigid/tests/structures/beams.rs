@@ -1,4 +1,4 @@
-//! A straight beam on a hub that is too heavy to feel it, with a name for every node; and what it is with straight paths.
+//! A straight beam on a hub that is too heavy to feel it, with a name for every node; and the same with straight paths.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
@@ -92,7 +92,8 @@ impl Cantilever {
         .unwrap()
     }
 
-    /// Displacement of the tip in the turned axes: along the beam, across it in the plane of the turn, along the spin.
+    /// Displacement of the tip in the turned axes: along the beam, across it in the plane of the turn, and along the
+    /// spin.
     pub fn tip(&self, body: &FlexibleBody, q: &[f64]) -> Vector3<f64> {
         let shapes = &body.markers()[self.elements].shapes;
         let displacement: Vector3<f64> = shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum();

@@ -1,7 +1,7 @@
 //! Bodies of points and springs alone, as those of N-body simulations `[@quillen2019]`: a random network that floats.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3, Vector6};
-use quasirigid::elements::{Assembly, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, End, Law, Motion, Point, Spring};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
@@ -76,8 +76,8 @@ fn moments(masses: &[f64]) -> (Vec<Vector3<f64>>, Matrix3<f64>) {
     (arms, inertia)
 }
 
-/// Compliance by another road: every coordinate of every point, loads with the inertia that they wake taken from them, and
-/// the pseudo-inverse of the stiffness.
+/// Compliance by another road: every coordinate of every point, loads less the inertia that they wake, and the
+/// pseudo-inverse of the stiffness.
 fn exact_compliance(masses: &[f64]) -> Matrix6<f64> {
     let (arms, _) = moments(masses);
     let size = 3 * arms.len();
@@ -106,12 +106,12 @@ fn exact_compliance(masses: &[f64]) -> Matrix6<f64> {
     let largest = eigen.eigenvalues.amax();
     let soft = eigen.eigenvalues.iter().filter(|value| **value < 1e-9 * largest).count();
     assert_eq!(soft, 6, "the network holds its shape");
-    let shares: DMatrix<f64> = eigen.eigenvectors.tr_mul(&balanced);
+    let shares = eigen.eigenvectors.tr_mul(&balanced);
     let mut sum = Matrix6::zeros();
     for (value, row) in
         eigen.eigenvalues.iter().zip(shares.row_iter()).filter(|(value, _)| **value > 1e-9 * largest)
     {
-        let row = row.transpose().fixed_rows::<6>(0).into_owned();
+        let row = row.transpose();
         sum += row * row.transpose() / *value;
     }
     sum
@@ -128,7 +128,7 @@ fn a_network_has_the_compliance_of_its_pseudo_inverse() {
         let turn = error(&Matrix3::from(body.inertia()), &inertia);
         let counts = [masses.len(), pairs(&points()).len(), body.coordinates().len()];
         println!("{counts:?} points, springs and coordinates: compliance {gap:.1e}, inertia {turn:.1e}");
-        assert!(gap < 1e-9 && turn < 1e-12, "{gap} {turn}");
+        assert!(gap < 1e-11 && turn < 1e-13, "{gap} {turn}");
     }
 }
 
@@ -147,8 +147,8 @@ fn a_network_floats_in_its_tisserand_frame() {
     assert!((invariants.mass / total - 1.0).abs() < 1e-14);
 }
 
-/// Dashpots in proportion to the springs, a rheology of the springs, and `τ q̇ᵀKq̇` with the exact compliance and the rate of
-/// the products by Euler's equations.
+/// Dashpots in proportion to the springs, a rheology of the springs, and `τ q̇ᵀKq̇` with the compliance of the
+/// pseudo-inverse and the rate of the products by Euler's equations.
 #[test]
 fn a_network_dissipates_in_proportion_to_its_time() {
     let masses = masses(points().len(), true);
@@ -160,7 +160,6 @@ fn a_network_dissipates_in_proportion_to_its_time() {
     let (_, inertia) = moments(&masses);
     let omega = Vector3::from(OMEGA);
     let rate = -inertia.try_inverse().unwrap() * omega.cross(&(inertia * omega));
-    let product = |(a, b): (usize, usize)| omega[a] * rate[b] + rate[a] * omega[b];
     let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
     let products: Vector6<f64> = pairs.map(|(a, b)| omega[a] * rate[b] + rate[a] * omega[b]).into();
     let exact = TIME * products.dot(&(exact_compliance(&masses) * products));

@@ -46,13 +46,20 @@ fn cells_inside_a_surface_are_the_surface_element() {
     let left = error(&compliance(&low, axes), &expected);
     let fine = refined(&coarse);
     let meshes = [coarse.clone(), fine.clone(), with_middles(&coarse), with_middles(&fine)];
-    let bodies = meshes.map(floating);
+    let bodies = meshes.clone().map(floating);
     let gaps = bodies.each_ref().map(|body| error(&compliance(body, axes), &expected));
-    println!("polynomials of degree 8 beside 10: {left:.2e}; cells beside polynomials: {gaps:.2e?}");
+    println!("compliance of polynomials of degree 8 beside 10: {left:.2e}");
+    for ((mesh, body), gap) in meshes.iter().zip(&bodies).zip(gaps) {
+        let [cells, nodes] = [mesh.cells.len(), mesh.nodes.len()];
+        println!("{cells:>5} {}, {nodes} nodes: {gap:.2e} beside polynomials", mesh.cells[0].shape);
+        assert_eq!(body.coordinates().len(), 12);
+    }
     let mass = bodies[3].invariants().mass / high.invariants().mass - 1.0;
     let J = Matrix3::from(bodies[3].inertia()) - Matrix3::from(high.inertia());
-    // The same facets: the same mass and inertia, to rounding.
-    assert!(mass.abs() < 1e-12 && J.amax() < 1e-11 * Matrix3::from(high.inertia()).amax(), "{mass} {J}");
+    let turn = J.amax() / Matrix3::from(high.inertia()).amax();
+    println!("mass {mass:.1e}, inertia {turn:.1e}");
+    // The same facets: equal but for the rounding of polynomials of degree ten.
+    assert!(mass.abs() < 1e-9 && turn < 1e-9, "{mass} {turn}");
     assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.5 * gaps[0], "{gaps:?}");
 }
 
@@ -140,35 +147,34 @@ fn a_bar_of_cells_is_a_beam() {
     }
 }
 
-/// Two cells with different losses: on few coordinates the reduced equations are those of all coordinates, which so many
+/// Halves with different losses: on few coordinates the reduced equations are those of all coordinates, which so many
 /// modes of vibration span.
 #[test]
 fn losses_of_two_materials_are_those_of_all_coordinates() {
-    let [first, second] = [0.03, 0.2].map(|time| rock(Rheology::KelvinVoigt { time }));
-    for (floating, unknowns) in [(false, 24), (true, 30)] {
-        let (mesh, clamped) = bar(Shape::Hex8, [2, 1, 1]);
-        let regions = [(vec![0], first.clone()), (vec![1], second.clone())];
+    let materials = [0.03, 0.2].map(|time| rock(Rheology::KelvinVoigt { time }));
+    // Thirty nodes, less the six that are clamped, or less six motions as a rigid body.
+    for (floating, unknowns) in [(false, 72), (true, 84)] {
+        let (mesh, clamped) = bar(Shape::Hex8, [4, 2, 1]);
+        let half = |side: usize| (0..8).filter(|cell| cell % 4 / 2 == side).collect();
+        let regions = [0, 1].map(|side| (half(side), materials[side].clone()));
         let part = solid(mesh, &regions, if floating { Vec::new() } else { clamped });
-        for order in [3, 4] {
-            let [few, all] = [0, unknowns].map(|modes| {
-                let carrier = (!floating).then(carrier);
-                let reduction = Reduction { order, modes };
-                Assembly { carrier, parts: vec![part.clone()], reduction, ..Assembly::default() }
-                    .body()
-                    .unwrap()
-            });
-            let counts = [&few, &all].map(|body| body.coordinates().len());
-            let [few, all] = [&few, &all].map(|body| reduce(body, order).unwrap());
-            let torque = vector_error(few.torque(OMEGA), all.torque(OMEGA));
-            let power = few.dissipated_power(OMEGA) / all.dissipated_power(OMEGA) - 1.0;
-            println!("order {order}, {counts:?} coordinates: torque {torque:.1e}, power {power:.1e}");
-            assert!(counts[0] < counts[1] && counts[1] == unknowns, "{counts:?}");
-            assert!(torque < 1e-8 && power.abs() < 1e-8, "{torque} {power}");
-        }
+        let [few, all] = [0, unknowns].map(|modes| {
+            let carrier = (!floating).then(carrier);
+            let reduction = Reduction { order: 3, modes };
+            let parts = vec![part.clone()];
+            Assembly { carrier, parts, reduction, ..Assembly::default() }.body().unwrap()
+        });
+        let counts = [&few, &all].map(|body| body.coordinates().len());
+        let [few, all] = [&few, &all].map(|body| reduce(body, 3).unwrap());
+        let torque = vector_error(torque(&few, 5), torque(&all, 5));
+        let power = few.dissipated_power(OMEGA) / all.dissipated_power(OMEGA) - 1.0;
+        println!("{counts:?} coordinates: torque of degree 5 {torque:.1e}, power {power:.1e}");
+        assert!(counts[0] < counts[1] && counts[1] == unknowns, "{counts:?}");
+        assert!(torque < 1e-8 && power.abs() < 1e-8, "{torque} {power}");
     }
 }
 
-/// What the second material takes is the whole difference between losses everywhere alike and those of each.
+/// The losses of two materials add up.
 #[test]
 fn power_of_losses_grows_with_their_times() {
     let power = |times: [f64; 2]| {

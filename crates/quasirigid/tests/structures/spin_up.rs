@@ -70,7 +70,8 @@ impl Observer for States {
     }
 }
 
-/// Displacement of the tip along the beam and across it at these times of the spin-up, then of the free motion after it.
+/// Displacement of the tip along the beam and across it at these times of the spin-up, at its end, and at times of the
+/// free motion after it; spins at the same times.
 fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let inertia = beam.hub + LINE_DENSITY * LENGTH.powi(3) / 3.0;
     let forces = beam.assembly(torques(inertia)).forces().unwrap();
@@ -108,8 +109,8 @@ fn reference() -> Vec<[f64; 3]> {
     REFERENCE.lines().skip(1).map(row).collect()
 }
 
-/// The lag within one per cent of the largest: displacements across the beam are of first order, and the third, `(u/L)²`
-/// of them, is left out. The stretch to the centrifugal load has a closed form.
+/// Displacements are of first order, and what is left out is `(u/L)²` of them, 3.3e-3 of the largest lag. The stretch under
+/// the steady load has a closed form.
 #[test]
 fn the_tip_lags_as_geometrically_exact_beams_say() {
     let beam = beam();
@@ -134,14 +135,14 @@ fn the_tip_lags_as_geometrically_exact_beams_say() {
         "largest lag {lowest:.5} m, reference {largest:.5}: {gap:.1e}; at any time {:.1e}",
         worst / -largest
     );
-    assert!(gap.abs() < 0.01 && worst < 0.01 * -largest, "{gap} {worst}");
+    assert!(gap.abs() < 3.3e-3 && worst < 3.3e-3 * -largest, "{gap} {worst}");
     let stretches: Vec<f64> = found[up.len()..].iter().map(|tip| tip[0]).collect();
     let stretch = stretches.iter().sum::<f64>() / stretches.len() as f64;
     let k = (LINE_DENSITY / AXIAL).sqrt() * SPIN;
     let exact = (k * LENGTH).tan() / k - LENGTH;
     println!("steady stretch {stretch:.5e} m, closed form {exact:.5e}");
-    assert!((stretch / exact - 1.0).abs() < 0.01, "{stretch} {exact}");
-    // What the beam takes of the hub's spin, and the hub of the beam's frequencies: their inertia, 4e-5.
+    assert!((stretch / exact - 1.0).abs() < 2e-3, "{stretch} {exact}");
+    // The beam has 4e-5 of the inertia: so much the hub yields to its vibrations.
     let spin = spins.last().unwrap() / (SPIN + START) - 1.0;
     println!("spin at the end {spin:+.1e} of what a hub without end has");
     assert!(spin.abs() < 4e-5, "{spin}");

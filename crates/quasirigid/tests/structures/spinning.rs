@@ -134,13 +134,14 @@ fn a_turning_beam_has_the_published_frequencies() {
         let worst = errors.into_iter().fold(0.0, f64::max);
         let [a, b, c, d] = found;
         println!("{spin:>6}  {a:8.4}  {b:8.4}  {c:8.4}  {d:8.4}   {worst:.1e}");
-        assert!(worst < 1e-3, "spin {spin}: {found:?}, published {published:?}");
+        // Twenty elements, and five digits in the table.
+        assert!(worst < 5e-5, "spin {spin}: {found:?}, published {published:?}");
     }
 }
 
-/// Straight paths lose the work of the centrifugal load on the shortening. What they leave has a closed form: flap does not
-/// know of the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam leaves its
-/// place.
+/// Straight paths lose the work of the centrifugal load on the shortening. What they leave has a closed form: flap does
+/// not know of the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam leaves
+/// its place.
 #[test]
 fn straight_paths_soften_where_the_beam_stiffens() {
     let blade = blade();
@@ -151,7 +152,7 @@ fn straight_paths_soften_where_the_beam_stiffens() {
         let error = (lag[0] - (still * still - spin * spin)) / (still * still + spin * spin);
         println!("spin {spin:>4}: flap {:.4}, square of lag {:.4}", flap[0].sqrt(), lag[0]);
         assert!(
-            (flap[0].sqrt() / still - 1.0).abs() < 2e-3 && error.abs() < 2e-3,
+            (flap[0].sqrt() / still - 1.0).abs() < 2e-4 && error.abs() < 2e-4,
             "{spin}: {flap:?} {lag:?}"
         );
         assert!(spin < 2.0 || flap[0].sqrt() < 0.9 * published[0]);

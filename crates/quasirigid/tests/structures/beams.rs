@@ -1,4 +1,4 @@
-//! A straight beam on a hub that is too heavy to feel it, with a name for every node; and the same with straight paths.
+//! A beam on a hub that is too heavy to feel it, with a name for every node; and the same with straight paths.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{

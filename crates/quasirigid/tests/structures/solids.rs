@@ -1,12 +1,12 @@
 //! Solids of cells against other roads to the same body: polynomials inside a surface, a beam, all coordinates.
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Surface,
 };
 use quasirigid::math::mesh::{Mesh, Shape};
 use quasirigid::math::surface::ClosedSurface;
-use quasirigid::model::{FlexibleBody, ReducedBody, Rheology};
+use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
 
 use crate::common::{compliance, error, turned_axes, vector_error};
@@ -60,7 +60,7 @@ fn cells_inside_a_surface_are_the_surface_element() {
     println!("mass {mass:.1e}, inertia {turn:.1e}");
     // The same facets: equal but for the rounding of polynomials of degree ten.
     assert!(mass.abs() < 1e-9 && turn < 1e-9, "{mass} {turn}");
-    assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.5 * gaps[0], "{gaps:?}");
+    assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.6 * gaps[0], "{gaps:?}");
 }
 
 /// The surface of a mesh without the nodes inside.
@@ -147,6 +147,17 @@ fn a_bar_of_cells_is_a_beam() {
     }
 }
 
+/// Displacements of the farthest nodes on the slow manifold, of one degree in the spin.
+fn displaced((reduced, body): &(ReducedBody, FlexibleBody), degree: usize) -> DVector<f64> {
+    let mut q = vec![0.0; body.coordinates().len()];
+    reduced.q.part(degree).add_value(OMEGA, &mut q);
+    let place = |marker: &Marker| -> Vector3<f64> {
+        marker.shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum()
+    };
+    let all: Vec<f64> = body.markers().iter().flat_map(|marker| <[f64; 3]>::from(place(marker))).collect();
+    DVector::from(all)
+}
+
 /// Halves with different losses: on few coordinates the reduced equations are those of all coordinates, which so many
 /// modes of vibration span.
 #[test]
@@ -165,10 +176,18 @@ fn losses_of_two_materials_are_those_of_all_coordinates() {
             Assembly { carrier, parts, reduction, ..Assembly::default() }.body().unwrap()
         });
         let counts = [&few, &all].map(|body| body.coordinates().len());
-        let [few, all] = [&few, &all].map(|body| reduce(body, 3).unwrap());
+        let [few, all] = [few, all].map(|body| (reduce(&body, 3).unwrap(), body));
+        let places = [2, 3].map(|degree| {
+            (displaced(&few, degree) - displaced(&all, degree)).amax() / displaced(&all, degree).amax()
+        });
+        let [(few, _), (all, _)] = [few, all];
         let torque = vector_error(torque(&few, 5), torque(&all, 5));
         let power = few.dissipated_power(OMEGA) / all.dissipated_power(OMEGA) - 1.0;
+        let [second, third] = places;
         println!("{counts:?} coordinates: torque of degree 5 {torque:.1e}, power {power:.1e}");
+        println!("displacements of degree 2 {second:.1e}, 3 {third:.1e}");
+        // Torque and power need no more than the answers to the loads; the lag of the shape needs what losses make of them.
+        assert!(second < 1e-8 && third < 1e-8, "{second} {third}");
         assert!(counts[0] < counts[1] && counts[1] == unknowns, "{counts:?}");
         assert!(torque < 1e-8 && power.abs() < 1e-8, "{torque} {power}");
     }

@@ -109,8 +109,8 @@ fn reference() -> Vec<[f64; 3]> {
     REFERENCE.lines().skip(1).map(row).collect()
 }
 
-/// Displacements are of first order, and what is left out is `(u/L)²` of them, 3.3e-3 of the largest lag. The stretch under
-/// the steady load has a closed form.
+/// Displacements are of first order, and what is left out is `(u/L)²` of them, 3.3e-3 of the largest lag. The stretch
+/// under the steady load has a closed form.
 #[test]
 fn the_tip_lags_as_geometrically_exact_beams_say() {
     let beam = beam();

@@ -10,6 +10,7 @@ mod whole;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::forces::Load;
 use super::{Beam, Matrix12, Matter, Section, SectionShape, Vector12};
 
 /// A straight line of elements.

@@ -186,7 +186,8 @@ fn losses_of_two_materials_are_those_of_all_coordinates() {
         let [second, third] = places;
         println!("{counts:?} coordinates: torque of degree 5 {torque:.1e}, power {power:.1e}");
         println!("displacements of degree 2 {second:.1e}, 3 {third:.1e}");
-        // Torque and power need no more than the answers to the loads; the lag of the shape needs what losses make of them.
+        // Torque and power need no more than the answers to the loads; the lag of the shape needs what losses make of
+        // them.
         assert!(second < 1e-8 && third < 1e-8, "{second} {third}");
         assert!(counts[0] < counts[1] && counts[1] == unknowns, "{counts:?}");
         assert!(torque < 1e-8 && power.abs() < 1e-8, "{torque} {power}");

@@ -70,8 +70,8 @@ impl Observer for States {
     }
 }
 
-/// Displacement of the tip along the beam and across it at these times of the spin-up, at its end, and at times of the
-/// free motion after it; spins at the same times.
+/// Displacement of the tip along the beam and across it at these times of the spin-up, at its end, and at times of
+/// the free motion after it; spins at the same times.
 fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let inertia = beam.hub + LINE_DENSITY * LENGTH.powi(3) / 3.0;
     let forces = beam.assembly(torques(inertia)).forces().unwrap();

@@ -139,9 +139,9 @@ fn a_turning_beam_has_the_published_frequencies() {
     }
 }
 
-/// Straight paths lose the work of the centrifugal load on the shortening. What they leave has a closed form: flap does
-/// not know of the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam leaves
-/// its place.
+/// Straight paths lose the work of the centrifugal load on the shortening. What they leave has a closed form: flap
+/// does not know of the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam
+/// leaves its place.
 #[test]
 fn straight_paths_soften_where_the_beam_stiffens() {
     let blade = blade();

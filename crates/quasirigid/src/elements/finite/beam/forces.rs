@@ -49,9 +49,9 @@ impl Beam {
 impl Forces<'_> {
     /// Force and moment at `x = (½ + t) L`.
     ///
-    /// The springs give those of forces at the nodes, `M = S + 2tA` and `V = −M′`. A load `p + t δ` with a moment `μ`,
-    /// along the beam and about an axis across it, adds those of a beam held at both nodes, which do no work on the
-    /// strains of the springs:
+    /// The springs give those of forces at the nodes, `M = S + 2tA` and `V = −M′`. A load `p + t δ` with a moment
+    /// `μ`, along the beam and about an axis across it, adds those of a beam held at both nodes, which do no work on
+    /// the strains of the springs:
     ///
     /// ```text
     /// N = −L [p t + δ (½ t² − 1/24)],     T = −L μ t

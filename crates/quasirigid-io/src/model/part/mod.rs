@@ -99,8 +99,12 @@ impl<'a> PartTables<'a> {
 pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
     match &mut part.kind {
         Kind::Frame(frame) => frame.members.iter_mut().map(|member| &mut member.material.rheology).collect(),
-        Kind::Panel(panel) => panel.layers.iter_mut().map(|layer| rheology_of(&mut layer.substance)).collect(),
-        Kind::Solid(solid) => solid.regions.iter_mut().map(|region| rheology_of(&mut region.substance)).collect(),
+        Kind::Panel(panel) => {
+            panel.layers.iter_mut().map(|layer| rheology_of(&mut layer.substance)).collect()
+        }
+        Kind::Solid(solid) => {
+            solid.regions.iter_mut().map(|region| rheology_of(&mut region.substance)).collect()
+        }
         Kind::Matrices(given) => vec![&mut given.rheology],
         _ => Vec::new(),
     }

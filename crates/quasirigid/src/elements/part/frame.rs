@@ -209,9 +209,8 @@ impl Element for BeamElement {
         displacement: &DVector<f64>,
         force: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
     ) -> Option<DMatrix<f64>> {
-        let load = self.beam.ends().map(|place| self.beam.mass_per_length() * force(place));
         let u = SVector::<f64, 12>::from_column_slice(displacement.as_slice());
-        let geometric = self.beam.geometric_under(&u, load);
+        let geometric = self.beam.geometric_under(&u, self.beam.load(force));
         Some(DMatrix::from_column_slice(12, 12, geometric.as_slice()))
     }
 }

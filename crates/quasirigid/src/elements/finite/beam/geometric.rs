@@ -1,12 +1,14 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 
 use super::element::Beam;
+use super::forces::Load;
 use super::interpolation::Fields;
 use super::{Matrix12, Vector12};
 
 impl Beam {
     /// Geometric stiffness matrix `G` of the internal forces that a displacement produces, in the axes of the body, under
-    /// a load per length (N/m) that runs evenly from the first node to the second.
+    /// a load per length that runs evenly from the first node to the second, as inertial loads do; with the moment that
+    /// they have on the sections.
     ///
     /// `½ qᵀGq` is the work of the force `n` and the moment `m` in the sections on the second-order part of the
     /// strains of Reissner and Simo `[@simo1985]`, and of the axial force `N` on the stretch of the fibres of a
@@ -27,7 +29,7 @@ impl Beam {
     /// Frequencies of a cantilever that turns about its root, up to `12 √(EI/ρA)/L²`: with 10 elements within 3e-3
     /// of the exact ones when the load is taken as one on the nodes, within 3e-4 with the load between them; with 20
     /// elements within 8e-4 and 3e-5.
-    pub(in crate::elements) fn geometric_under(&self, u: &Vector12, load: [Vector3<f64>; 2]) -> Matrix12 {
+    pub(in crate::elements) fn geometric_under(&self, u: &Vector12, load: Load) -> Matrix12 {
         let [axis, ..] = self.directions();
         let forces = self.forces(u, load);
         let gyration = (self.section.second_y + self.section.second_z) / self.section.area;

@@ -10,12 +10,13 @@ mod whole;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::forces::Load;
 use super::{Beam, Matrix12, Matter, Section, SectionShape, Vector12};
 
 impl Beam {
     /// Geometric stiffness under loads at the nodes alone, so that the axial force is constant.
     fn geometric(&self, u: &Vector12) -> Matrix12 {
-        self.geometric_under(u, [Vector3::zeros(); 2])
+        self.geometric_under(u, Load::default())
     }
 }
 

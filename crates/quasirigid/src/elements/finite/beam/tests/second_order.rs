@@ -9,6 +9,9 @@ const SIDES: [f64; 2] = [0.5, 0.3];
 /// Load per length (N/m) at the root and at the tip.
 const LOAD: [[f64; 3]; 2] = [[3e6, -1e6, 2e6], [-2e6, 4e6, 5e6]];
 
+/// Moment per length (N·m/m).
+const MOMENT: [f64; 3] = [0.7e6, -1.3e6, 0.9e6];
+
 fn chain(cuts: &[f64]) -> Chain {
     let section = SectionShape::Rectangle { height: SIDES[0], width: SIDES[1] }.section(0.3).unwrap();
     Chain::cut(ENDS, [0.2, -0.9, 0.4], section, ALLOY, cuts)
@@ -19,13 +22,20 @@ fn load(part: f64) -> Vector3<f64> {
     (1.0 - part) * Vector3::from(LOAD[0]) + part * Vector3::from(LOAD[1])
 }
 
-/// The load on the nodes that does the work of [`load`] on the fields of the elements.
+/// The load on an element between two fractions.
+fn between(cuts: &[f64], i: usize) -> Load {
+    Load { force: [load(cuts[i]), load(cuts[i + 1])], moment: MOMENT.into() }
+}
+
+/// The load on the nodes that does the work of force and moment on the fields of the elements.
 fn nodal(chain: &Chain, cuts: &[f64]) -> DVector<f64> {
     let mut force = DVector::zeros(chain.size());
     for (i, beam) in chain.beams.iter().enumerate() {
         let at = |t: f64| load(cuts[i] + (0.5 + t) * (cuts[i + 1] - cuts[i]));
         let mut view = force.fixed_rows_mut::<12>(6 * i);
-        view += beam.integral(|fields, t| fields.place.transpose() * at(t));
+        view += beam.integral(|fields, t| {
+            fields.place.transpose() * at(t) + fields.turn.transpose() * Vector3::from(MOMENT)
+        });
     }
     force
 }
@@ -37,14 +47,15 @@ fn internal_forces_balance_the_load_at_every_section() {
     let u = chain.clamped(&nodal(&chain, &cuts));
     let along = Vector3::from(ENDS[1]) - Vector3::from(ENDS[0]);
     for (i, beam) in chain.beams.iter().enumerate() {
-        let forces = beam.forces(&own(&u, i), [load(cuts[i]), load(cuts[i + 1])]);
+        let forces = beam.forces(&own(&u, i), between(&cuts, i));
         for t in [-0.5, -0.2, 0.1, 0.37, 0.5] {
             let part = cuts[i] + (0.5 + t) * (cuts[i + 1] - cuts[i]);
             let rest = 1.0 - part;
             // The load beyond the section is linear: its middle two thirds and one third of the ends'.
             let [near, tip] = [load(part), load(1.0)];
             let force = 0.5 * rest * along.norm() * (near + tip);
-            let moment = rest * rest * along.norm() * along.cross(&(near / 6.0 + tip / 3.0));
+            let moment = rest * rest * along.norm() * along.cross(&(near / 6.0 + tip / 3.0))
+                + rest * along.norm() * Vector3::from(MOMENT);
             let found = forces.at(t);
             assert!((found[0] - force).amax() < 1e-11 * 3e6, "{i} {t}: {} {force}", found[0]);
             assert!((found[1] - moment).amax() < 1e-11 * 3e6, "{i} {t}: {} {moment}", found[1]);
@@ -54,7 +65,7 @@ fn internal_forces_balance_the_load_at_every_section() {
 
 /// Work of the internal forces on the exact strains `Rᵀ(e + u′) − e` and `RᵀR′` of nodes moved by `q`, and on the
 /// fibres that a twist makes longer.
-fn work(beam: &Beam, u: &Vector12, load: [Vector3<f64>; 2], q: &Vector12) -> f64 {
+fn work(beam: &Beam, u: &Vector12, load: Load, q: &Vector12) -> f64 {
     let [axis, y, z] = beam.directions();
     let forces = beam.forces(u, load);
     beam.integral(|fields, t| {
@@ -81,7 +92,7 @@ fn work(beam: &Beam, u: &Vector12, load: [Vector3<f64>; 2], q: &Vector12) -> f64
 fn it_is_the_second_derivative_of_the_work_on_exact_strains() {
     let beam = &chain(&[0.0, 1.0]).beams[0];
     let u = Vector12::from_fn(|i, _| (1.7 * i as f64).sin() * 1e-2);
-    for load in [[Vector3::zeros(); 2], LOAD.map(Vector3::from)] {
+    for load in [Load::default(), between(&[0.0, 1.0], 0)] {
         let geometric = beam.geometric_under(&u, load);
         for seed in 0..6 {
             let q = Vector12::from_fn(|i, _| (0.9 + 2.1 * i as f64 + 3.3 * f64::from(seed)).sin());
@@ -136,8 +147,7 @@ fn a_beam_that_turns_under_a_load_along_it_keeps_its_length() {
     let force = nodal(&chain, &cuts);
     let u = chain.clamped(&force);
     let root = Vector3::from(ENDS[0]);
-    let geometric =
-        chain.sum_by_place(|i, beam| beam.geometric_under(&own(&u, i), [load(cuts[i]), load(cuts[i + 1])]));
+    let geometric = chain.sum_by_place(|i, beam| beam.geometric_under(&own(&u, i), between(&cuts, i)));
     let theta = Vector3::new(0.4, -0.7, 1.1);
     let q = rigid(&chain.nodes(), Vector3::zeros(), theta);
     let along = Vector3::from(ENDS[1]) - root;

@@ -15,7 +15,7 @@ fn frequencies(count: usize, spin: f64, sharp: bool) -> [Vec<f64>; 2] {
     let mass = chain.sum(Beam::mass);
     let u = chain.clamped(&(&mass * places));
     let load = |beam: &Beam| if sharp { beam.ends.map(|end| line * end) } else { [Vector3::zeros(); 2] };
-    let geometric = chain.sum_by_place(|i, beam| beam.geometric_under(&own(&u, i), load(beam)));
+    let geometric = chain.sum_by_place(|i, beam| beam.geometric_under(&own(&u, i), Load::of(load(beam))));
     let square = (spin * unit).powi(2);
     let stiff = chain.sum(Beam::stiffness) + square * geometric;
     let of = |place: usize, turn: usize, softer: f64| {

@@ -82,11 +82,14 @@ fn turning_a_beam_turns_its_matrices() {
     let mut all = Matrix12::zeros();
     (0..4).for_each(|i| all.fixed_view_mut::<3, 3>(3 * i, 3 * i).copy_from(turn.matrix()));
     let u = Vector12::from_fn(|i, _| (1.7 * i as f64).sin() * 1e-3);
-    let load = [Vector3::new(1e5, -2e5, 3e5), Vector3::new(-4e5, 1e5, 2e5)];
+    let force = [Vector3::new(1e5, -2e5, 3e5), Vector3::new(-4e5, 1e5, 2e5)];
+    let moment = Vector3::new(3e4, -2e4, 5e4);
+    let load = Load { force, moment };
+    let turned = Load { force: force.map(|p| turn * p), moment: turn * moment };
     for (matrix, other) in [
         (before.stiffness(), after.stiffness()),
         (before.mass(), after.mass()),
-        (before.geometric_under(&u, load), after.geometric_under(&(all * u), load.map(|p| turn * p))),
+        (before.geometric_under(&u, load), after.geometric_under(&(all * u), turned)),
     ] {
         assert!((all * matrix * all.transpose() - other).amax() < 1e-13 * matrix.amax());
         assert!((matrix - matrix.transpose()).amax() < 1e-15 * matrix.amax());

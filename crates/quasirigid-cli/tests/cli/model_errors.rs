@@ -122,20 +122,22 @@ fn duplicate_name_is_refused() {
 #[test]
 fn missing_carrier_is_refused() {
     let carrier = ..MODEL.find("[[point]]").unwrap();
-    assert_snapshot!(refusal(&MODEL[carrier], ""), @r#"
-    Error: `to` of spring 1: this body has no carrier
-       ╭─[ model.toml:7:6 ]
+    assert_snapshot!(refusal(&MODEL[carrier], ""), @"
+    Error: the file has no [carrier] and no part that is elastic throughout
+       ╭─[ model.toml:1:1 ]
        │
-     7 │ to = "carrier"
-       │      ────┬────  
-       │          ╰────── no carrier
+     1 │ [[point]]
+       │ │ 
+       │ ╰─ no body in this file
        │ 
-       │ Help: add a [carrier], or leave this out: a body without one hangs
-       │       on nothing
+       │ Help: add [carrier] with mass, center_of_mass and inertia: the rigid
+       │       body that carries everything else; or a body that is elastic
+       │       throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]],
+       │       [[solid]]
     ───╯
 
     quasirigid: model.toml: 1 problem; nothing was computed
-    "#);
+    ");
 }
 
 #[test]

@@ -7,12 +7,12 @@ use crate::elements::finite::{Grain, Site, Turn};
 
 impl Beam {
     /// Mass per length (kg/m).
-    pub fn mass_per_length(&self) -> f64 {
+    pub(in crate::elements) fn mass_per_length(&self) -> f64 {
         self.density * self.section.area
     }
 
     /// What a force per mass (N/kg, by place, at most linear in it) is per length of the beam.
-    pub fn load(&self, force: &dyn Fn(Vector3<f64>) -> Vector3<f64>) -> Load {
+    pub(in crate::elements) fn load(&self, force: &dyn Fn(Vector3<f64>) -> Vector3<f64>) -> Load {
         let line = self.mass_per_length();
         let center = 0.5 * (self.ends[0] + self.ends[1]);
         let around = self.arms().map(|arm| 0.5 * arm.cross(&(force(center + arm) - force(center))));
@@ -24,7 +24,7 @@ impl Beam {
 
     /// Its mass as material points: four in each section that have its area and second moments, `p = ±√(2 I/A)` along
     /// `y` and `z`, and move by `U + Θ × p`.
-    pub fn grains(&self) -> Vec<Grain> {
+    pub(in crate::elements) fn grains(&self) -> Vec<Grain> {
         let [wide, high] = self.arms();
         let slices = self.slices();
         let around = |slice: &Slice| {

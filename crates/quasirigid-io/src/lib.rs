@@ -2,6 +2,7 @@
 #![allow(non_snake_case)]
 
 pub mod export;
+pub mod matrix;
 pub mod mesh;
 pub mod model;
 mod nearest;

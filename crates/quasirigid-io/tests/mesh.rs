@@ -189,7 +189,7 @@ fn files_that_are_no_surface_are_refused() {
         error.replace(&folder.path().display().to_string(), "[folder]")
     };
     assert_snapshot!(without_folder("none.obj"), @"[folder]/none.obj: entity not found; is the name right, and may the file be read?");
-    assert_snapshot!(without_folder(""), @"[folder]/: this is a folder; give the file of the surface inside it");
+    assert_snapshot!(without_folder(""), @"[folder]/: this is a folder; give the file of the mesh inside it");
     assert_snapshot!(says("a.obj", ""), @"a.obj: the file is empty; was its download cut off?");
     assert_snapshot!(says("a.ply", "\n \n"), @"a.ply: the file is empty; was its download cut off?");
     assert_snapshot!(says("a.html", "<!doctype html><html lang=en>"), @r#"a.html: the file begins with "<!doctype html><html lan", as no surface known here does; give an OBJ, STL or PLY file, or a plate table"#);

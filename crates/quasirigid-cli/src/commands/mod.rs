@@ -9,6 +9,7 @@ mod summary;
 pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
+use quasirigid::elements::Built;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
@@ -30,14 +31,14 @@ pub struct Loaded {
 }
 
 fn load(common: &Common) -> Result<Loaded, Failure> {
-    let model = Model::read(&common.model)?;
+    let mut model = Model::read(&common.model)?;
+    let order = common.order.unwrap_or(model.run.order);
+    model.assembly.reduction.order = order;
     let errors = model.assembly.check();
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let body = model.assembly.body().map_err(|error| model.diagnose(&error))?;
-    let forces = model.assembly.forces().map_err(|error| model.diagnose(&error))?;
-    let order = common.order.unwrap_or(model.run.order);
+    let Built { body, forces } = model.assembly.build().map_err(|error| model.diagnose(&error))?;
     Ok(Loaded { model, body, forces, order })
 }
 

@@ -1,5 +1,5 @@
 //! The command line as its users meet it: what each command prints and writes, and how it ends.
-#![allow(non_snake_case, clippy::unwrap_used)]
+#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod check;
 mod derive;
@@ -15,5 +15,6 @@ mod run;
 mod run_folder;
 mod simulate;
 mod simulate_refusals;
+mod structures;
 mod support;
 mod width;

@@ -122,17 +122,18 @@ fn duplicate_name_is_refused() {
 #[test]
 fn missing_carrier_is_refused() {
     let carrier = ..MODEL.find("[[point]]").unwrap();
-    assert_snapshot!(refusal(&MODEL[carrier], ""), @r"
-    Error: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
+    assert_snapshot!(refusal(&MODEL[carrier], ""), @"
+    Error: the file has no [carrier] and no part that is elastic throughout
        ╭─[ model.toml:1:1 ]
        │
      1 │ [[point]]
        │ │ 
        │ ╰─ no body in this file
        │ 
-       │ Help: add [carrier] with mass, center_of_mass and inertia: the
-       │       rigid body that carries everything else; or [[ellipsoid]] with
-       │       semi_axes and material: a body that is elastic throughout
+       │ Help: add [carrier] with mass, center_of_mass and inertia: the rigid
+       │       body that carries everything else; or a body that is elastic
+       │       throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]],
+       │       [[solid]]
     ───╯
 
     quasirigid: model.toml: 1 problem; nothing was computed

@@ -21,6 +21,9 @@ pub const EXAMPLES: [&str; 12] = [
     "toutatis",
 ];
 
+/// Examples of finite elements and networks, which take longer; they have tests of their own.
+pub const STRUCTURES: [&str; 4] = ["apophis-shape", "quillen-network", "solar-panels", "spin-up-beam"];
+
 /// A rigid body with one mass on a spring; the tests replace parts of it.
 pub const MODEL: &str = "\
 [carrier]

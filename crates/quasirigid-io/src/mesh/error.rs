@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// A file from which no triangles can be read: where, and what is wrong there.
+use super::volume::VolumeProblem;
+
+/// A file from which no mesh can be read: where, and what is wrong there.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("{}{place}: {problem}", file.display())]
 pub struct MeshError {
@@ -49,6 +51,16 @@ pub enum Part {
     Faces,
     /// Elements of a PLY file that are neither, by their name.
     Elements(String),
+    /// Nodes of cells.
+    Nodes,
+    /// Cells.
+    Cells,
+    /// Points, curves, surfaces and volumes of a gmsh file.
+    Entities,
+    /// Names of groups in a gmsh file.
+    Names,
+    /// Values of an array, by its name.
+    Values(String),
 }
 
 impl fmt::Display for Part {
@@ -57,6 +69,11 @@ impl fmt::Display for Part {
             Self::Vertices => write!(f, "vertices"),
             Self::Faces => write!(f, "faces"),
             Self::Elements(name) => write!(f, "elements {name:?}"),
+            Self::Nodes => write!(f, "nodes"),
+            Self::Cells => write!(f, "cells"),
+            Self::Entities => write!(f, "entities"),
+            Self::Names => write!(f, "names"),
+            Self::Values(name) => write!(f, "values of {name:?}"),
         }
     }
 }
@@ -82,6 +99,32 @@ pub enum Row {
     PlateFace,
     /// An element of a PLY file.
     PlyElement,
+    /// The first line of a gmsh file.
+    GmshFormat,
+    /// The name of a group in a gmsh file.
+    GmshName,
+    /// How many follow in a section of a gmsh file.
+    GmshCount,
+    /// A point, curve, surface or volume of a gmsh file.
+    GmshEntity,
+    /// The beginning of a block of nodes or cells in a gmsh file.
+    GmshBlock,
+    /// A node of a gmsh file.
+    GmshNode,
+    /// A cell of a gmsh file.
+    GmshCell,
+    /// A line of a VTK file that announces values.
+    VtkKeyword,
+    /// A value of a VTK file.
+    VtkValue,
+    /// A node of an Abaqus file.
+    InpNode,
+    /// A cell of an Abaqus file.
+    InpCell,
+    /// A list of members in an Abaqus file.
+    InpSet,
+    /// A range of members in an Abaqus file.
+    InpRange,
 }
 
 impl fmt::Display for Row {
@@ -96,6 +139,21 @@ impl fmt::Display for Row {
             Self::PlateVertex => "a vertex is written number x y z, as often as the first line says",
             Self::PlateFace => "a face is written number a b c",
             Self::PlyElement => "the line of an element has one value for each of its properties, and lists begin with their length",
+            Self::GmshFormat => "$MeshFormat is followed by version, 0 for text or 1 for binary, 8",
+            Self::GmshName => "the name of a group is written dimension number \"name\"",
+            Self::GmshCount => {
+                "the section begins with the number of things in it, after that of the blocks in version 4"
+            }
+            Self::GmshEntity => "an entity is written number box groups, with the number of groups before them",
+            Self::GmshBlock => "a block begins with dimension and number of its entity, what is in it, and how many",
+            Self::GmshNode => "a node is written number x y z",
+            Self::GmshCell => "a cell is written number nodes, with type and tags before the nodes in version 2.2",
+            Self::VtkKeyword => "here stands a keyword, perhaps with name, type and number of the values after it",
+            Self::VtkValue => "an array has as many numbers as its line announces, of the type it announces",
+            Self::InpNode => "a node is written number, x, y, z",
+            Self::InpCell => "a cell is written number, nodes, with a comma at the end of a line that continues",
+            Self::InpSet => "a set lists numbers or names of other sets, with commas between",
+            Self::InpRange => "a range is written first, last, step",
         })
     }
 }
@@ -111,10 +169,10 @@ pub enum MeshProblem {
         kind: ErrorKind,
     },
     /// It is a folder.
-    #[error("this is a folder; give the file of the surface inside it")]
+    #[error("this is a folder; give the file of the mesh inside it")]
     Folder,
-    /// It is larger than any surface.
-    #[error("the file is larger than {} MiB, the most that is read; simplify the surface", limit / (1024 * 1024))]
+    /// It is larger than any mesh.
+    #[error("the file is larger than {} MiB, the most that is read; make the mesh coarser", limit / (1024 * 1024))]
     TooLarge {
         /// Largest size that is read (bytes).
         limit: u64,
@@ -247,4 +305,7 @@ pub enum MeshProblem {
         /// What is missing.
         part: Part,
     },
+    /// What only meshes of cells have.
+    #[error(transparent)]
+    Volume(#[from] VolumeProblem),
 }

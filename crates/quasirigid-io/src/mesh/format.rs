@@ -57,6 +57,6 @@ impl Format {
 }
 
 /// The first characters of a file.
-fn start(bytes: &[u8]) -> String {
+pub(super) fn start(bytes: &[u8]) -> String {
     String::from_utf8_lossy(&bytes[..bytes.len().min(4 * SHOWN)]).chars().take(SHOWN).collect()
 }

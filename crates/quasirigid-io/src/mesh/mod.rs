@@ -1,26 +1,26 @@
-//! Surfaces of triangles from files: OBJ, STL, PLY and plate tables.
+//! Surfaces of triangles from files: OBJ, STL, PLY and plate tables. Meshes of cells from files of gmsh, VTK and
+//! Abaqus.
 //!
 //! Numbers are taken as they are, in the unit of the file; whether the triangles bound a body is for
 //! [`ClosedSurface`](quasirigid::math::surface::ClosedSurface) to say. Polygons become fans of triangles about their
 //! first corner. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
 
 mod error;
+mod file;
 mod format;
 mod obj;
 mod plates;
 mod ply;
 mod stl;
 mod text;
+mod volume;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 pub use error::{MeshError, MeshProblem, Part, Place, Row};
+use file::bytes_of;
 use format::Format;
-
-/// Largest file that is read (bytes): twenty million triangles as binary STL.
-const LARGEST: u64 = 1024 * 1024 * 1024;
+pub use volume::{VolumeProblem, mesh_of, read_mesh};
 
 /// Triangles as a file has them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,22 +45,7 @@ pub struct TriangleMesh {
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_triangles(file: &Path) -> Result<TriangleMesh, MeshError> {
-    let refused = |problem| MeshError { file: file.to_owned(), place: Place::File, problem };
-    let unreadable = |error: std::io::Error| refused(MeshProblem::Unreadable { kind: error.kind() });
-    let metadata = std::fs::metadata(file).map_err(unreadable)?;
-    if metadata.is_dir() {
-        return Err(refused(MeshProblem::Folder));
-    }
-    let mut bytes = Vec::new();
-    if metadata.len() <= LARGEST {
-        File::open(file)
-            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
-            .map_err(unreadable)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > LARGEST {
-        return Err(refused(MeshProblem::TooLarge { limit: LARGEST }));
-    }
-    triangles_of(file, &bytes)
+    triangles_of(file, &bytes_of(file)?)
 }
 
 /// The triangles in the bytes of a file, whose name tells the format where the bytes do not.

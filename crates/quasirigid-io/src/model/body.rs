@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, Carrier, Motion, Point};
+use quasirigid::elements::{Assembly, Carrier, Motion, Part, Point, Spring};
 use quasirigid::model::{Rheology, Support};
 
 use super::Diagnostic;
@@ -10,7 +10,9 @@ use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
 use super::material::Materials;
 use super::names::Names;
+use super::part::{self, CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
 use super::rheology::Extremes;
+use super::section::Sections;
 use super::spans::Spans;
 use super::spring::{SPRING, spring};
 use super::support;
@@ -22,6 +24,9 @@ use crate::units::Dimension;
 const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], later: &[] };
 const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"], later: &[] };
 const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
+
+/// Points of a body without a carrier, at least: fewer have no inertia about some axis.
+const FEWEST_POINTS: usize = 3;
 
 /// What a file says of the body.
 pub(super) struct Body<'a> {
@@ -57,7 +62,9 @@ pub(super) fn body<'a>(
 ) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
     let absent = |key| file.get(key).is_none_or(|value| value.is_empty());
-    if file.get("carrier").is_none() && absent("ellipsoid") && absent("surface") {
+    const BODIES: [&str; 7] = ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "network"];
+    let points = file.get("point").and_then(|value| value.items()).map_or(0, |items| items.len());
+    if file.get("carrier").is_none() && points < FEWEST_POINTS && BODIES.iter().all(|key| absent(key)) {
         report_missing_body(problems);
     }
     let has_support = file.get("support").is_some();
@@ -65,18 +72,23 @@ pub(super) fn body<'a>(
     let materials = Materials::new(file);
     let ellipsoid_tables = file.tables("ellipsoid", "[[ellipsoid]]", &ELLIPSOID);
     let surface_tables = file.tables("surface", "[[surface]]", &SURFACE);
+    let sections = Sections::new(file);
+    let part_tables = PartTables::new(file);
+    let connection_tables = file.tables("connection", "[[connection]]", &CONNECTION);
+    let network_tables = file.tables("network", "[[network]]", &NETWORK);
+    let reduction = reduction(file);
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
     let hinged_tables = file.tables("hinged", "[[hinged]]", &HINGED);
     let force_tables = force::tables(file);
-    let names = Names::new(
+    let mut names = Names::new(
         &point_tables,
         &hinged_tables,
         [&ellipsoid_tables, &surface_tables],
+        &part_tables,
         &force_tables,
         problems,
     );
-    notes.extend(materials.unused(ellipsoid_tables.iter().chain(&surface_tables)));
 
     let spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
@@ -85,6 +97,8 @@ pub(super) fn body<'a>(
         hinged: hinged_tables.iter().map(Table::spans).collect(),
         ellipsoids: ellipsoid_tables.iter().map(|table| materials.spans(table)).collect(),
         surfaces: surface_tables.iter().map(|table| materials.spans(table)).collect(),
+        parts: part_tables.spans(&materials),
+        connections: connection_tables.iter().map(Table::spans).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
     };
@@ -96,7 +110,15 @@ pub(super) fn body<'a>(
     let ellipsoids = every(ellipsoids.map(|(table, name)| ellipsoid(table, name, &materials)));
     let surfaces = surface_tables.iter().zip(&names.surfaces);
     let surfaces = every(surfaces.map(|(table, name)| surface(table, name, &materials, folder)));
+    let sources = Sources { materials: &materials, sections: &sections, folder };
+    let read = part_tables.read(&names.flexible, sources);
+    names.nodes = read.iter().flatten().map(|read| read.nodes.clone()).collect();
+    let names = names;
+    let connections = every(connection_tables.iter().map(|table| connection(table, &names)));
+    notes.extend(materials.unused());
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
+    let networks = network_tables.iter().enumerate();
+    let networks = every(networks.map(|(index, table)| network(table, &names.of_network(table, index))));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let support = match support {
@@ -109,17 +131,45 @@ pub(super) fn body<'a>(
         let (surfaces, ranges_of_surfaces) = surfaces?.into_iter().unzip();
         let (springs, ranges_of_springs) = springs?.into_iter().unzip();
         let (hinged, ranges_of_hinged) = hinged?.into_iter().unzip();
-        let (carrier, points, support, forces) = (carrier?, points?, support?, forces?);
-        let assembly = Assembly { carrier, ellipsoids, surfaces, points, springs, hinged, support, forces };
-        let ranges: [Vec<Extremes>; 4] =
-            [ranges_of_ellipsoids, ranges_of_surfaces, ranges_of_springs, ranges_of_hinged];
+        let (connections, ranges_of_connections) = connections?.into_iter().unzip();
+        let (parts, ranges_of_parts): (Vec<Part>, Vec<Vec<Extremes>>) =
+            read?.into_iter().map(|read| (read.part, read.extremes)).unzip();
+        let (carrier, mut points, support, forces) = (carrier?, points?, support?, forces?);
+        let (mut springs, mut ranges_of_springs): (Vec<Spring>, Vec<Extremes>) = (springs, ranges_of_springs);
+        for (network, extremes) in networks? {
+            let (more_points, more_springs) = network.parts(points.len());
+            ranges_of_springs.extend(std::iter::repeat_n(extremes, more_springs.len()));
+            points.extend(more_points);
+            springs.extend(more_springs);
+        }
+        let assembly = Assembly {
+            carrier,
+            ellipsoids,
+            surfaces,
+            parts,
+            connections,
+            reduction: reduction?,
+            points,
+            springs,
+            hinged,
+            support,
+            forces,
+        };
+        let ranges: [Vec<Extremes>; 6] = [
+            ranges_of_ellipsoids,
+            ranges_of_surfaces,
+            ranges_of_parts.concat(),
+            ranges_of_connections,
+            ranges_of_springs,
+            ranges_of_hinged,
+        ];
         Some(Parts { extremes: extremes(&assembly, &ranges.concat()), assembly, spans })
     };
     Body { parts: parts(), names }
 }
 
 /// The body with every rheology at its least and at its greatest, if there are ranges; they are those of the
-/// ellipsoids, surfaces, springs and appendages, in this order.
+/// ellipsoids, surfaces, parts, connections, springs and appendages, in this order.
 fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2]>> {
     let at = |end: usize| {
         let mut assembly = assembly.clone();
@@ -134,11 +184,14 @@ fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2
 }
 
 fn rheologies(assembly: &mut Assembly) -> impl Iterator<Item = &mut Rheology> {
-    let Assembly { ellipsoids, surfaces, springs, hinged, .. } = assembly;
+    let Assembly { ellipsoids, surfaces, parts, connections, springs, hinged, .. } = assembly;
     let ellipsoids = ellipsoids.iter_mut().map(|ellipsoid| &mut ellipsoid.material.rheology);
-    let springs = springs.iter_mut().map(|spring| &mut spring.rheology);
     let surfaces = surfaces.iter_mut().map(|surface| &mut surface.material.rheology);
-    ellipsoids.chain(surfaces).chain(springs).chain(hinged.iter_mut().map(|hinged| &mut hinged.rheology))
+    let parts = parts.iter_mut().flat_map(part::rheologies);
+    let connections = connections.iter_mut().map(|connection| &mut connection.rheology);
+    let springs = springs.iter_mut().map(|spring| &mut spring.rheology);
+    let hinged = hinged.iter_mut().map(|hinged| &mut hinged.rheology);
+    ellipsoids.chain(surfaces).chain(parts).chain(connections).chain(springs).chain(hinged)
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.
@@ -200,8 +253,8 @@ fn every<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 }
 
 fn report_missing_body(problems: &Problems<'_>) {
-    let message = "the file has no [carrier], no [[ellipsoid]] and no [[surface]]";
+    let message = "the file has no [carrier] and no part that is elastic throughout";
     let help = "add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; \
-                or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout";
+                or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]";
     problems.report(Diagnostic::new(0..0, message, "no body in this file").help(help));
 }

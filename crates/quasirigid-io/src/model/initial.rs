@@ -87,7 +87,8 @@ pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String
     })
 }
 
-fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Option<[f64; 4]> {
+/// Reads an attitude; its norm is one but for the digits that a file prints, and what it was is noted otherwise.
+pub(super) fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Option<[f64; 4]> {
     let quaternion: [f64; 4] = value.numbers(Dimension::NUMBER)?;
     let norm = quaternion.iter().fold(0.0, |norm: f64, component| norm.hypot(*component));
     let deviation = (norm - 1.0).abs();
@@ -186,7 +187,7 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             Some(Part::Hinged(index)) => {
                 of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))
             }
-            Some(Part::Throughout) => value.refuse_at(
+            Some(Part::Throughout | Part::Flexible(_)) => value.refuse_at(
                 key,
                 format!("{:?} is elastic throughout, and its displacements have no names", value.key()),
                 "elastic throughout",

@@ -1,6 +1,7 @@
-use std::collections::{BTreeMap, HashSet};
+use std::cell::Cell;
+use std::collections::BTreeMap;
 
-use quasirigid::elements::Material;
+use quasirigid::elements::{Material, Orthotropic, Substance};
 
 use super::names::suggestion;
 use super::rheology::{Extremes, Known, Scale, rheology};
@@ -12,7 +13,7 @@ use crate::units::Dimension;
 const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"], later: &[] };
 
 /// What an element is made of, and its rheology at the ends of the range it is known to.
-pub(super) type Made = (Material, Extremes);
+pub(super) type Made = (Substance, Extremes);
 
 /// The `[material.NAME]` tables of a file.
 pub(super) struct Materials<'a> {
@@ -23,6 +24,8 @@ struct Entry {
     /// The material, if nothing is wrong with it.
     material: Option<Made>,
     spans: ElementSpans,
+    /// Whether something is made of it.
+    used: Cell<bool>,
 }
 
 impl<'a> Materials<'a> {
@@ -39,20 +42,36 @@ impl<'a> Materials<'a> {
                 return value.mismatch("a table with the name of a material", help);
             }
             let table = value.table("the material", &MATERIAL)?;
-            Some((value.key(), Entry { material: material(&table), spans: spans(&table) }))
+            Some((
+                value.key(),
+                Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) },
+            ))
         };
         Self { entries: named.filter_map(open).collect() }
     }
 
-    /// What an element is made of.
-    pub(super) fn of(&self, element: &Table<'_>) -> Option<Made> {
-        element.required("material", "material = \"rock\"").and_then(|value| self.named(&value))
+    /// What an element is made of that takes isotropic materials alone.
+    pub(super) fn of(&self, element: &Table<'_>) -> Option<(Material, Extremes)> {
+        element.required("material", "material = \"rock\"").and_then(|value| self.isotropic(&value))
+    }
+
+    /// The isotropic material with the name that a value gives.
+    pub(super) fn isotropic(&self, value: &Value<'_>) -> Option<(Material, Extremes)> {
+        match self.named(value)? {
+            (Substance::Isotropic(material), extremes) => Some((material, extremes)),
+            (Substance::Orthotropic(_), _) => value.refuse(
+                "this needs a material that is the same in every direction".to_owned(),
+                "orthotropic",
+                Some("solids and the layers of panels may be orthotropic".to_owned()),
+            ),
+        }
     }
 
     /// The material with the name that a value gives.
-    fn named(&self, value: &Value<'_>) -> Option<Made> {
+    pub(super) fn named(&self, value: &Value<'_>) -> Option<Made> {
         let name = value.text()?;
         if let Some(entry) = self.entries.get(name) {
+            entry.used.set(true);
             return entry.material.clone();
         }
         let help = match self.entries.len() {
@@ -72,18 +91,10 @@ impl<'a> Materials<'a> {
         spans
     }
 
-    /// A note on each material that none of these elements is made of.
-    pub(super) fn unused<'t>(
-        &self,
-        elements: impl Iterator<Item = &'t Table<'a>>,
-    ) -> impl Iterator<Item = String>
-    where
-        'a: 't,
-    {
-        let name = |table: &Table<'a>| table.get("material")?.words();
-        let used: HashSet<&str> = elements.filter_map(name).collect();
-        let rest = self.entries.keys().filter(move |name| !used.contains(*name));
-        rest.map(|name| format!("nothing is made of the material {name:?}"))
+    /// A note on each material that nothing is made of.
+    pub(super) fn unused(&self) -> impl Iterator<Item = String> {
+        let rest = self.entries.iter().filter(|(_, entry)| !entry.used.get());
+        rest.map(|(name, _)| format!("nothing is made of the material {name:?}"))
     }
 }
 
@@ -91,16 +102,41 @@ fn material(table: &Table<'_>) -> Option<Made> {
     let density = table
         .required("density", "density = \"2.5 g/cm^3\"")
         .and_then(|value| value.positive(Dimension::DENSITY));
+    if table.get("young").is_some_and(|value| value.is_array()) {
+        return orthotropic(table, density);
+    }
     let poisson = table
         .required("poisson", "poisson = 0.25")
         .and_then(|value| value.between(Dimension::NUMBER, [-1.0, 0.5], "between -1 and 0.5"));
     let young = young(table, poisson);
-    // the unit of the moduli does not matter where the material is refused for its own modulus
-    let scale = Scale { dimension: Dimension::PRESSURE, modulus: young.unwrap_or(1.0) };
-    let known = rheology(table, scale);
+    let known = relative_to(table, young);
     let (density, young, poisson) = (density?, young?, poisson?);
     let Known { rheology, extremes } = known?;
-    Some((Material { density, young, poisson, rheology }, extremes))
+    Some((Substance::Isotropic(Material { density, young, poisson, rheology }), extremes))
+}
+
+/// Reads the constants of a material with three planes of symmetry.
+fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
+    let moduli = |key: &'static str, example: &str| {
+        let value = table.required(key, example);
+        value.and_then(|value| value.array("moduli", |item| item.positive(Dimension::PRESSURE)))
+    };
+    let young: Option<[f64; 3]> = moduli("young", "young = [\"140 GPa\", \"9 GPa\", \"9 GPa\"]");
+    let shear: Option<[f64; 3]> =
+        moduli("shear", "shear = [\"5 GPa\", \"5 GPa\", \"3 GPa\"], for 12, 13, 23");
+    let poisson = table
+        .required("poisson", "poisson = [0.3, 0.3, 0.45], for 12, 13, 23")
+        .and_then(|value| value.vector(Dimension::NUMBER));
+    let known = relative_to(table, young.map(|young| young[0]));
+    let (density, young, poisson, shear) = (density?, young?, poisson?, shear?);
+    let Known { rheology, extremes } = known?;
+    Some((Substance::Orthotropic(Orthotropic { density, young, poisson, shear, rheology }), extremes))
+}
+
+/// Reads the rheology of a material with this modulus.
+fn relative_to(table: &Table<'_>, modulus: Option<f64>) -> Option<Known> {
+    // the unit of the moduli does not matter where the material is refused for its own modulus
+    rheology(table, Scale { dimension: Dimension::PRESSURE, modulus: modulus.unwrap_or(1.0) })
 }
 
 /// Reads Young's modulus, or the shear modulus and makes it of that: `E = 2 μ (1 + ν)`.

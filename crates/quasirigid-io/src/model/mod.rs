@@ -17,9 +17,11 @@ mod literal;
 mod material;
 mod names;
 mod orbit;
+mod part;
 mod physics;
 mod rheology;
 mod rotation;
+mod section;
 mod settings;
 mod source;
 mod spans;
@@ -52,8 +54,16 @@ const FILE: Keys = Keys {
         "body",
         "carrier",
         "material",
+        "section",
         "ellipsoid",
         "surface",
+        "beam",
+        "panel",
+        "solid",
+        "matrices",
+        "connection",
+        "network",
+        "reduction",
         "point",
         "spring",
         "hinged",
@@ -62,15 +72,7 @@ const FILE: Keys = Keys {
         "initial",
         "run",
     ],
-    later: &[
-        ("beam", "[[beam]]"),
-        ("panel", "[[panel]]"),
-        ("solid", "[[solid]]"),
-        ("matrices", "[[matrices]]"),
-        ("cavity", "[[cavity]]"),
-        ("rotor", "[[rotor]]"),
-        ("wheel", "[[wheel]]"),
-    ],
+    later: &[("cavity", "[[cavity]]"), ("rotor", "[[rotor]]"), ("wheel", "[[wheel]]")],
 };
 
 /// A model file, read.

@@ -1,12 +1,13 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::End;
+use quasirigid::elements::{End, NodeRef};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
 use super::force::ForceTable;
-use super::table::Table;
+use super::part::{Nodes, PartTables};
+use super::table::{Keys, Table};
 use super::value::Value;
 use crate::nearest::nearest;
 
@@ -15,7 +16,7 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids, surfaces and forces of a file.
+/// Names of the points, appendages, ellipsoids, surfaces, parts and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
@@ -25,6 +26,10 @@ pub(super) struct Names<'a> {
     pub(super) ellipsoids: Vec<String>,
     /// Names of the surfaces, in the order of the file.
     pub(super) surfaces: Vec<String>,
+    /// Names of the parts of finite elements, in their order.
+    pub(super) flexible: Vec<String>,
+    /// How their nodes are named, once they have been read.
+    pub(super) nodes: Vec<Nodes>,
     /// Names of the forces, in the order of the file.
     pub(super) forces: Vec<String>,
     parts: Register<'a, Part>,
@@ -35,8 +40,12 @@ pub(super) struct Names<'a> {
 pub(super) enum Part {
     Point(usize),
     Hinged(usize),
+    Flexible(usize),
     Throughout,
 }
+
+/// A node of a part, or several, where something is fixed to them.
+const NODES: Keys = Keys { known: &["part", "node", "set"], later: &[] };
 
 /// What says which point it is fixed to.
 #[derive(Clone, Copy)]
@@ -48,8 +57,8 @@ pub(super) enum Fixed {
 impl Fixed {
     fn rule(self) -> &'static str {
         match self {
-            Self::Spring => "a spring joins points and the carrier",
-            Self::Force => "a force acts on a point or on the carrier",
+            Self::Spring => "a spring joins points, nodes of parts and the carrier",
+            Self::Force => "a force acts on a point, on a node of a part or on the carrier",
         }
     }
 
@@ -62,12 +71,13 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`, `ellipsoid 1`, `surface 1`,
-    /// `force 1`.
+    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`,
+    /// `ellipsoid 1`, `surface 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],
         [ellipsoids, surfaces]: [&[Table<'_>]; 2],
+        flexible: &PartTables<'_>,
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
     ) -> Self {
@@ -88,16 +98,39 @@ impl<'a> Names<'a> {
         let surfaces = surfaces
             .map(|(index, table)| parts.enter(table, format!("surface {}", index + 1), Part::Throughout))
             .collect();
+        let flexible = flexible.iter().enumerate();
+        let flexible = flexible
+            .map(|(index, (word, number, table))| {
+                parts.enter(table, format!("{word} {number}"), Part::Flexible(index))
+            })
+            .collect();
         let mut register = Register { owners: HashMap::new(), problems };
         let forces = forces.iter().enumerate();
         let forces = forces
             .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
             .collect();
-        Self { points, hinged, ellipsoids, surfaces, forces, parts }
+        Self { points, hinged, ellipsoids, surfaces, flexible, nodes: Vec::new(), forces, parts }
+    }
+
+    /// Name of a network, which begins those of its points.
+    pub(super) fn of_network(&self, table: &Table<'_>, index: usize) -> String {
+        let given = table.get("name").and_then(|value| value.text());
+        given.map_or_else(|| format!("network {}", index + 1), str::to_owned)
     }
 
     /// What a spring or force is fixed to.
     pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
+        if value.is_table() {
+            let (part, nodes) = self.nodes(value)?;
+            return match nodes.as_slice() {
+                [node] => Some(End::Node(NodeRef { part, node: *node })),
+                several => value.refuse(
+                    format!("{} nodes are named here, but one is needed", several.len()),
+                    "several nodes",
+                    Some("name one node".to_owned()),
+                ),
+            };
+        }
         let name = value.text()?;
         if name == CARRIER {
             return Some(End::Carrier);
@@ -108,6 +141,11 @@ impl<'a> Names<'a> {
                 format!("{name:?} is a hinged appendage, but {}", what.rule()),
                 "not a point",
                 Some(what.instead_of_appendage().to_owned()),
+            ),
+            Some(Part::Flexible(_)) => value.refuse(
+                format!("{name:?} has many nodes; {}", what.rule()),
+                "which node?",
+                Some(format!("write {{ part = {name:?}, node = ... }}")),
             ),
             Some(Part::Throughout) => value.refuse(
                 format!("{name:?} is elastic throughout, but {}", what.rule()),
@@ -126,6 +164,34 @@ impl<'a> Names<'a> {
                 let help = suggestion(name, names, count);
                 value.refuse(format!("there is no point {name:?}"), "unknown point", Some(help))
             }
+        }
+    }
+
+    /// The nodes that a table such as `{ part = "boom", node = "tip" }` names, with the index of their part.
+    pub(super) fn nodes(&self, value: &Value<'_>) -> Option<(usize, Vec<usize>)> {
+        let table = value.table("the place on a part", &NODES)?;
+        let name = table.required("part", "part = \"boom\"")?;
+        let part = match self.parts.owner(name.text()?) {
+            Some(Part::Flexible(index)) => index,
+            _ => {
+                let names = || self.flexible.iter().map(String::as_str);
+                let help = match self.flexible.len() {
+                    0 => "the file has no [[beam]], [[panel]] or [[solid]]".to_owned(),
+                    count => suggestion(name.text()?, names, count),
+                };
+                let message = format!("there is no part {:?} with nodes", name.text()?);
+                return name.refuse(message, "unknown part", Some(help));
+            }
+        };
+        let nodes = self.nodes.get(part)?;
+        match (table.get("node"), table.get("set")) {
+            (Some(node), None) => nodes.single(&node).map(|node| (part, vec![node])),
+            (None, Some(set)) => nodes.named(&set).map(|nodes| (part, nodes)),
+            _ => value.refuse(
+                "a place on a part needs either a node or a set of them".to_owned(),
+                "a node or a set",
+                Some("write { part = \"boom\", node = \"tip\" }".to_owned()),
+            ),
         }
     }
 

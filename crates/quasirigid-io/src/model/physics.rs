@@ -1,4 +1,5 @@
-use quasirigid::elements::{Assembly, ElementError, Place, Problem};
+use quasirigid::elements::{Assembly, ElementError, Kind, Place, Problem};
+use quasirigid::math::mesh::MeshNote;
 use quasirigid::model::{InertiaError, RheologyError};
 
 use super::Diagnostic;
@@ -10,11 +11,13 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
     let span = spans.find(*place, *field);
     let message = match problem {
         Problem::Mechanism { .. } | Problem::NoInertia { .. } | Problem::NoBody => problem.to_string(),
-        Problem::BesideWhole => format!("{}: {problem}", described(*place, assembly)),
+        Problem::BesideWhole | Problem::NotAttached | Problem::Circle { .. } => {
+            format!("{}: {problem}", described(*place, assembly))
+        }
         _ => format!("`{field}` of {}: {problem}", described(*place, assembly)),
     };
     let diagnostic = Diagnostic::new(span, message, label(problem));
-    match advice(problem) {
+    match advice(*place, problem) {
         Some(help) => diagnostic.help(help),
         None => diagnostic,
     }
@@ -30,9 +33,27 @@ fn described(place: Place, assembly: &Assembly) -> String {
             assembly.ellipsoids.get(index).map(|part| format!("ellipsoid {:?}", part.name))
         }
         Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
-        Place::Carrier | Place::Spring(_) | Place::Support => None,
+        Place::Part(index) => {
+            assembly.parts.get(index).map(|part| format!("{} {:?}", kind(&part.kind), part.name))
+        }
+        Place::Carrier | Place::Spring(_) | Place::Connection(_) | Place::Support => None,
     };
-    named.unwrap_or_else(|| format!("{}{place}", if matches!(place, Place::Spring(_)) { "" } else { "the " }))
+    named.unwrap_or_else(|| {
+        format!(
+            "{}{place}",
+            if matches!(place, Place::Spring(_) | Place::Connection(_)) { "" } else { "the " }
+        )
+    })
+}
+
+fn kind(kind: &Kind) -> &'static str {
+    match kind {
+        Kind::Frame(_) => "beam",
+        Kind::Panel(_) => "panel",
+        Kind::Solid(_) => "solid",
+        Kind::Matrices(_) => "matrices",
+        _ => "part",
+    }
 }
 
 fn label(problem: &Problem) -> &'static str {
@@ -56,11 +77,24 @@ fn label(problem: &Problem) -> &'static str {
         Problem::BesideWhole => "beside a whole body",
         Problem::HeldWhole => "cannot be held",
         Problem::NoCarrier => "no carrier",
+        Problem::SameEnds => "the same",
+        Problem::NotAttached => "joined by nothing",
+        Problem::NoNodes => "no nodes",
+        Problem::HeldTwice { .. } => "held twice",
+        Problem::Circle { .. } => "in a circle",
+        Problem::NoArm { .. } | Problem::NoTurn { .. } => "cannot turn",
+        Problem::NoPartner { .. } => "no partner",
+        Problem::NoCells { .. } => "no such cells",
+        Problem::Mesh(_) => "not the mesh of a body",
+        Problem::LooseNodes(_) => "loose nodes",
+        Problem::Elasticity(_) => "no such material",
+        Problem::Beam(_) => "no such beam",
+        Problem::Shell { .. } => "no such panel",
         _ => "here",
     }
 }
 
-fn advice(problem: &Problem) -> Option<&'static str> {
+fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
     Some(match problem {
         Problem::NotFinite { .. } => "write a finite number",
         Problem::NotAMass { .. } => "write a positive mass, or leave the element out",
@@ -75,6 +109,9 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Indefinite { .. } => {
             "check the signs; the eigenvalues of the matrix must be zero or positive"
         }
+        Problem::SameEnds if matches!(place, Place::Connection(_)) => {
+            "a connection joins a part to the carrier, or to another part"
+        }
         Problem::SameEnds => "a spring joins two points, or a point and the carrier",
         Problem::NoLine => "move one end, or leave out axial = true",
         Problem::NoAnchor => "add anchor = [x, y, z], the place of the spring's end on the carrier",
@@ -86,23 +123,56 @@ fn advice(problem: &Problem) -> Option<&'static str> {
         Problem::Poisson { .. } => "most rocks and metals have 0.2 to 0.35",
         Problem::Rheology(RheologyError::NotPositive { .. }) => "write a positive number",
         Problem::Rheology(RheologyError::Exponent { .. }) => "most materials have 0.2 to 0.5",
-        Problem::NoBody => "add a [carrier], an [[ellipsoid]] or a [[surface]]",
+        Problem::NoBody => "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]",
         Problem::BesideWhole => "leave it out, or make the body of a [carrier] and what hangs on it",
         Problem::HeldWhole => "leave [support] out",
+        Problem::NoCarrier if !matches!(place, Place::Force(_)) => {
+            "add a [carrier], or leave this out: a body without one hangs on nothing"
+        }
         Problem::NoCarrier => {
             "on a body that is elastic throughout act gravity and torques, which need no place"
         }
         Problem::Unresolved { .. } => "choose a lower degree",
+        Problem::AxisCount { .. } if matches!(place, Place::Connection(_)) => {
+            "write one to three axes, for example hinge = [[0, 1, 0], [0, 0, 1]]"
+        }
         Problem::AxisCount { .. } => "write one to three axes, for example axes = [[0, 0, 1]]",
         Problem::DependentAxes => "no axis may be a combination of the others",
+        Problem::ValuePerAxis { .. } if matches!(place, Place::Connection(_)) => {
+            "write one number for all axes, or one per axis"
+        }
         Problem::ValuePerAxis { .. } => {
             "write one number for all axes, one per axis, or a square matrix with a row per axis"
         }
         Problem::MasslessAxis { .. } => "or give the appendage an inertia about it",
         Problem::DuplicateName { .. } => "give each element its own name",
+        Problem::Mechanism { .. } if matches!(place, Place::Connection(_)) => {
+            "give it a `stiffness`, or leave this axis out"
+        }
+        Problem::Mechanism { .. } if matches!(place, Place::Part(_)) => {
+            "attach or connect more of its nodes, three or more of a solid; or add a spring that resists it"
+        }
         Problem::Mechanism { .. } => {
             "add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }"
         }
+        Problem::NotAttached => {
+            "write attach = with one of its nodes, or a [[connection]]; springs alone do not hold a part"
+        }
+        Problem::NoNodes => "name a node, or a set of nodes",
+        Problem::HeldTwice { .. } => "leave out one of the two, or put a stiff spring in its place",
+        Problem::NoPartner { .. } => {
+            "sets are joined node by node; name one node on one side to make the set of the other side rigid"
+        }
+        Problem::NoCells { .. } => {
+            "a [[solid]] is made of cells of its volume, a [[panel]] of those of a surface"
+        }
+        Problem::LooseNodes(MeshNote::Coincident { .. }) => {
+            "cells hang together by the nodes they share; for parts that turn, write two tables and a [[connection]]"
+        }
+        Problem::LooseNodes(_) => {
+            "nothing resists their motion: delete them; the cells of a solid have a volume, those of a panel an area"
+        }
+        Problem::NoMass => "write a layer: { material = \"aluminium\", thickness = \"2 mm\" }",
         Problem::NoInertia { held: false, .. } => "check the masses and the inertia of the carrier",
         Problem::NoInertia { held: true, .. } => {
             "check the inertia of the carrier and the `point` of the support"

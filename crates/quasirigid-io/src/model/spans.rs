@@ -11,6 +11,8 @@ pub(super) struct Spans {
     pub(super) hinged: Vec<ElementSpans>,
     pub(super) ellipsoids: Vec<ElementSpans>,
     pub(super) surfaces: Vec<ElementSpans>,
+    pub(super) parts: Vec<ElementSpans>,
+    pub(super) connections: Vec<ElementSpans>,
     pub(super) support: ElementSpans,
     pub(super) forces: Vec<ElementSpans>,
 }
@@ -35,6 +37,8 @@ impl Spans {
             Place::Hinged(index) => self.hinged.get(index),
             Place::Ellipsoid(index) => self.ellipsoids.get(index),
             Place::Surface(index) => self.surfaces.get(index),
+            Place::Part(index) => self.parts.get(index),
+            Place::Connection(index) => self.connections.get(index),
             Place::Support => Some(&self.support),
             Place::Force(index) => self.forces.get(index),
         };

@@ -29,12 +29,17 @@ pub(super) fn surface(
     Some((Surface { name: name.to_owned(), surface: surface?, material, degree: degree? }, extremes))
 }
 
-/// Reads the length of one unit of the file: `"km"` or `"2.5 cm"`.
-fn unit(value: &Value<'_>) -> Option<f64> {
+/// Reads the length of one unit of a file: `"km"` or `"2.5 cm"`.
+pub(super) fn unit(value: &Value<'_>) -> Option<f64> {
+    unit_of(value, Dimension::LENGTH)
+}
+
+/// Reads what one unit of a file is.
+pub(super) fn unit_of(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
     let one = value.words().map(|text| format!("1 {text}"));
-    match one.and_then(|text| crate::units::quantity(&text, Dimension::LENGTH).ok()) {
-        Some(length) if length > 0.0 => Some(length),
-        _ => value.positive(Dimension::LENGTH),
+    match one.and_then(|text| crate::units::quantity(&text, dimension).ok()) {
+        Some(size) if size > 0.0 => Some(size),
+        _ => value.positive(dimension),
     }
 }
 

@@ -17,6 +17,12 @@ impl Dimension {
     pub const MASS: Self = Self::new("a mass", "kg", "12 lb", [1, 0, 0, 0, 0]);
     /// Length (m).
     pub const LENGTH: Self = Self::new("a length", "m", "22 in", [0, 1, 0, 0, 0]);
+    /// Area (m²).
+    pub const AREA: Self = Self::new("an area", "m^2", "4 cm^2", [0, 2, 0, 0, 0]);
+    /// Second moment of an area (m⁴).
+    pub const SECOND_MOMENT: Self = Self::new("a second moment of area", "m^4", "12 cm^4", [0, 4, 0, 0, 0]);
+    /// Rate (1/s).
+    pub const RATE: Self = Self::new("a rate", "1/s", "0.2 1/s", [0, 0, -1, 0, 0]);
     /// Time (s).
     pub const TIME: Self = Self::new("a time", "s", "2 h", [0, 0, 1, 0, 0]);
     /// Angular velocity (rad/s).

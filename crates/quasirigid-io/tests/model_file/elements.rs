@@ -13,11 +13,11 @@ fn an_unknown_name_is_refused_with_those_there_are() {
     "#);
     assert_snapshot!(refusal(&format!("{CARRIER}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 1\n")), @r#"
     model.toml:6:8: there is no point "tip"
-      the file has no [[point]]; a spring joins points and the carrier
+      the file has no [[point]]; a spring joins points, nodes of parts and the carrier
     "#);
     let spring = "[[spring]]\nfrom = \"boom\"\nto = \"tip\"\nstiffness = 1\n";
     assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n{spring}")), @r#"
-    model.toml:18:8: "boom" is a hinged appendage, but a spring joins points and the carrier
+    model.toml:18:8: "boom" is a hinged appendage, but a spring joins points, nodes of parts and the carrier
       give the hinge its own `stiffness` instead
     "#);
 }

@@ -23,12 +23,12 @@ fn verdict(rest: &str) -> String {
 #[test]
 fn a_file_without_a_body_is_refused() {
     assert_snapshot!(refusal(&format!("[material.rock]\n{ROCK}")), @"
-    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    model.toml:1:1: the file has no [carrier] and no part that is elastic throughout
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]
     ");
     assert_snapshot!(refusal("ellipsoid = []\n"), @"
-    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    model.toml:1:1: the file has no [carrier] and no part that is elastic throughout
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]
     ");
     assert_snapshot!(refusal("[ellipsoid]\nsemi_axes = [1, 2, 3]\n"), @"
     model.toml:1:1: `ellipsoid` is a list of tables, but a table stands here
@@ -92,32 +92,32 @@ fn names_are_unique_across_all_parts() {
 fn nothing_is_fixed_to_an_ellipsoid() {
     let spring = "[[spring]]\nfrom = \"ellipsoid 1\"\nto = \"tip\"\nstiffness = 1\n";
     assert_snapshot!(refusal(&with(&format!("{POINT}{spring}"))), @r#"
-    model.toml:13:8: "ellipsoid 1" is elastic throughout, but a spring joins points and the carrier
+    model.toml:13:8: "ellipsoid 1" is elastic throughout, but a spring joins points, nodes of parts and the carrier
       it is a whole body; nothing is fixed to it
     "#);
     let force = "[[force]]\nkind = \"thrust\"\non = \"ellipsoid 1\"\nforce = [0, 0, 1]\n";
     assert_snapshot!(refusal(&with(force)), @r#"
-    model.toml:10:6: "ellipsoid 1" is elastic throughout, but a force acts on a point or on the carrier
+    model.toml:10:6: "ellipsoid 1" is elastic throughout, but a force acts on a point, on a node of a part or on the carrier
       it is a whole body; nothing is fixed to it
     "#);
 }
 
 #[test]
 fn what_stands_beside_an_ellipsoid_is_refused() {
-    assert_snapshot!(verdict(CARRIER), @r#"
-    model.toml:8:1: the carrier: an element that is elastic throughout is the whole body; this cannot stand beside it
+    assert_snapshot!(verdict(CARRIER), @"
+    model.toml:8:1: the carrier: an ellipsoid or a surface is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
-    "#);
+    ");
     assert_snapshot!(verdict(POINT), @r#"
-    model.toml:9:8: point "tip": an element that is elastic throughout is the whole body; this cannot stand beside it
+    model.toml:9:8: point "tip": an ellipsoid or a surface is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n")), @r#"
-    model.toml:9:8: appendage "boom": an element that is elastic throughout is the whole body; this cannot stand beside it
+    model.toml:9:8: appendage "boom": an ellipsoid or a surface is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[[ellipsoid]]\nsemi_axes = [1, 2, 3]\nmaterial = \"rock\"\n"), @r#"
-    model.toml:8:1: ellipsoid "ellipsoid 2": an element that is elastic throughout is the whole body; this cannot stand beside it
+    model.toml:8:1: ellipsoid "ellipsoid 2": an ellipsoid or a surface is the whole body; this cannot stand beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n"), @"
@@ -125,7 +125,7 @@ fn what_stands_beside_an_ellipsoid_is_refused() {
       leave [support] out
     ");
     assert_snapshot!(verdict("[[force]]\nkind = \"thrust\"\non = \"carrier\"\nat = [0, 0, 1]\nforce = [0, 0, 1]\n"), @r#"
-    model.toml:10:6: `on` of force "force 1": this body has no carrier that the force could act on
+    model.toml:10:6: `on` of force "force 1": this body has no carrier
       on a body that is elastic throughout act gravity and torques, which need no place
     "#);
     let torque = read(&with("[[force]]\nkind = \"torque\"\ntorque = [0, 0, 1]\n"));
@@ -157,10 +157,10 @@ fn what_mechanics_says_of_an_ellipsoid_is_located() {
       write a positive number
     "#);
     model.assembly.ellipsoids.clear();
-    assert_snapshot!(model.diagnose(&model.assembly.body().expect_err("no body")), @r#"
-    model.toml:1:1: the body has no carrier, no ellipsoid and no surface
-      add a [carrier], an [[ellipsoid]] or a [[surface]]
-    "#);
+    assert_snapshot!(model.diagnose(&model.assembly.body().expect_err("no body")), @"
+    model.toml:1:1: the body has no carrier and no part that is elastic throughout
+      add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]
+    ");
 }
 
 #[test]

@@ -289,7 +289,7 @@ fn a_force_acts_on_a_point_or_the_carrier() {
     "#);
     let boom = format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n");
     assert_snapshot!(refusal_of(&format!("{boom}{}", text("drag", "on = \"boom\"\ncoefficient = 1\n"))), @r#"
-    model.toml:19:6: "boom" is a hinged appendage, but a force acts on a point or on the carrier
+    model.toml:19:6: "boom" is a hinged appendage, but a force acts on a point, on a node of a part or on the carrier
       let it act on the carrier at the hinge, or on a point
     "#);
 }

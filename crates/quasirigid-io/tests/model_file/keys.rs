@@ -10,7 +10,7 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
     model.toml:9:3: unknown key "points" in the file
-      did you mean `point`? the keys are body, carrier, material, ellipsoid, surface, point, spring, hinged, support, force, initial, run
+      did you mean `point`? the keys are body, carrier, material, section, ellipsoid, surface, beam, panel, solid, matrices, connection, network, reduction, point, spring, hinged, support, force, initial, run
     "#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]
@@ -21,8 +21,8 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
 #[test]
 fn a_missing_key_is_refused_at_its_table() {
     assert_snapshot!(refusal("[body]\nname = \"x\"\n"), @"
-    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    model.toml:1:1: the file has no [carrier] and no part that is elastic throughout
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]
     ");
     assert_snapshot!(refusal("[carrier]\n"), @r#"
     model.toml:1:1: [carrier] has no `mass`
@@ -64,8 +64,8 @@ fn a_missing_key_is_refused_at_its_table() {
 
 #[test]
 fn a_part_of_the_format_that_is_not_supported_yet_is_named() {
-    assert_snapshot!(refusal_of("[[beam]]\nlength = 3\n[[rotor]]\naxis = [0, 0, 1]\n"), @"
-    model.toml:9:3: `[[beam]]` is part of the model format, but this version of quasirigid does not support it yet
+    assert_snapshot!(refusal_of("[[cavity]]\nlength = 3\n[[rotor]]\naxis = [0, 0, 1]\n"), @"
+    model.toml:9:3: `[[cavity]]` is part of the model format, but this version of quasirigid does not support it yet
     model.toml:11:3: `[[rotor]]` is part of the model format, but this version of quasirigid does not support it yet
     ");
 }

@@ -1,5 +1,8 @@
 //! Model files: what is read from them, and how each mistake is refused.
 
+mod beams;
+mod connections;
+mod connections_refused;
 mod elements;
 mod ellipsoids;
 mod evolve;
@@ -9,18 +12,23 @@ mod guide;
 mod initial;
 mod keys;
 mod materials;
+mod orthotropic;
+mod panels;
+mod parts_refused;
 mod physics;
 mod reading;
 mod rheology;
 mod robustness;
 mod rotation;
+mod sections;
 mod settings;
+mod solids;
 mod surfaces;
 mod values;
 
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, Carrier};
+use quasirigid::elements::{Assembly, Carrier, Part};
 use quasirigid_io::model::Model;
 
 const CARRIER: &str = "[carrier]\nmass = 40.0\ncenter_of_mass = [0, 0.1, 0]\ninertia = [9.0, 13.0, 16.0]\n";
@@ -29,6 +37,12 @@ const HINGED: &str = "[[hinged]]\nname = \"boom\"\nmass = 2\ncenter_of_mass = [1
 const ELLIPSOID: &str = "[[ellipsoid]]\nsemi_axes = [2300, 1200, 950]\nmaterial = \"rock\"\n";
 /// Keys of a material.
 const ROCK: &str = "density = \"2.5 g/cm^3\"\nyoung = \"1 GPa\"\npoisson = 0.25\n";
+/// A material and a section of beams.
+const ALUMINIUM: &str = "[material.aluminium]\ndensity = 2700\nyoung = \"70 GPa\"\npoisson = 0.3\n";
+const TUBE: &str = "[section.tube]\nshape = \"tube\"\nradius = \"3 cm\"\nthickness = \"2 mm\"\n";
+/// A beam along x, to which a test adds lines.
+const BOOM: &str = "[[beam]]\nname = \"boom\"\nnodes = { root = [1, 0, 0], tip = [3, 0, 0] }\nlines = [[\"root\", \"tip\"]]\n\
+                    section = \"tube\"\nmaterial = \"aluminium\"\n";
 
 fn read(text: &str) -> Model {
     Model::parse(Path::new("model.toml"), text).unwrap_or_else(|error| panic!("{error}"))
@@ -56,4 +70,36 @@ fn refusal_of(rest: &str) -> String {
 /// How a spring between the point and the carrier with these further lines is refused; they start in line 12.
 fn refusal_of_spring(lines: &str) -> String {
     refusal_of(&format!("[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"))
+}
+
+/// How a text is refused, by its reading or by the laws of mechanics.
+fn verdict(text: &str) -> String {
+    let model = match Model::parse(Path::new("model.toml"), text) {
+        Err(error) => return error.to_string(),
+        Ok(model) => model,
+    };
+    let errors = model.assembly.check();
+    if errors.is_empty() {
+        model.diagnose(&model.assembly.body().expect_err("a refusal")).to_string()
+    } else {
+        model.diagnose_all(&errors).to_string()
+    }
+}
+
+/// The only part of a body.
+fn only_part(assembly: &Assembly) -> &Part {
+    let [part] = &assembly.parts[..] else { panic!("one part") };
+    part
+}
+
+/// A message without the folder that its files are in.
+fn located(message: &impl ToString) -> String {
+    let folder = |line: &str| {
+        let words = line.split(' ').map(|word| match word.strip_prefix('/') {
+            Some(path) => path.rsplit('/').next().unwrap_or(path),
+            None => word,
+        });
+        words.collect::<Vec<_>>().join(" ")
+    };
+    message.to_string().lines().map(folder).collect::<Vec<_>>().join("\n")
 }

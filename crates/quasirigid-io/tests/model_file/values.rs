@@ -35,14 +35,14 @@ fn a_value_of_another_kind_is_refused() {
       write [Jx, Jy, Jz] in kg m^2, or three rows of a symmetric matrix
     "#);
     assert_snapshot!(refusal(&POINT.replace("\"tip\"", "7")), @"
-    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    model.toml:1:1: the file has no [carrier] and no part that is elastic throughout
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]
     model.toml:2:8: `name`: found an integer, expected a text
       write the name in quotes
     ");
     assert_snapshot!(refusal(&POINT.replace("\"tip\"", "\"\"")), @"
-    model.toml:1:1: the file has no [carrier], no [[ellipsoid]] and no [[surface]]
-      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or [[ellipsoid]] with semi_axes and material: a body that is elastic throughout
+    model.toml:1:1: the file has no [carrier] and no part that is elastic throughout
+      add [carrier] with mass, center_of_mass and inertia: the rigid body that carries everything else; or a body that is elastic throughout: [[ellipsoid]], [[surface]], [[beam]], [[panel]], [[solid]]
     model.toml:2:8: `name` is empty
       write the name in quotes
     ");

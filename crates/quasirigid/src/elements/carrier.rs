@@ -1,9 +1,8 @@
 use nalgebra::Vector3;
 
 use super::affine::Piece;
-use super::assembly::at;
 use super::coefficient;
-use super::error::{ElementError, Field, Place};
+use super::error::{ElementError, Field, Place, at};
 use crate::model::Inertia;
 
 /// The rigid body `G` that carries everything else (paper, §1).

@@ -2,8 +2,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::assembly::at;
-use super::error::{ElementError, Field, Place};
+use super::error::{ElementError, Field, Place, at};
 use super::material::Material;
 use super::matrices::Block;
 use super::whole::Whole;

@@ -1,16 +1,15 @@
 //! What the laws of external forces may say.
 
-use super::assembly::at;
-use super::error::{ElementError, Field, Place, Problem};
-use super::{Station, coefficient};
+use super::error::{ElementError, Field, Place, Problem, at};
+use super::{Assembly, Station, coefficient};
 use crate::model::force::{Force, Law, MagneticField, Orbit, Wave};
 
-/// Accepts a force on a body with this many points.
-pub(super) fn check(index: usize, force: &Force<Station>, points: usize) -> Result<(), ElementError> {
+/// Accepts a force on a body.
+pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
     let place = Place::Force(index);
     let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
     if let Some(station) = force.law.place() {
-        station.check(place, points)?;
+        station.check(place, body)?;
     }
     match &force.law {
         Law::UniformGravity { acceleration } => finite(Field::Acceleration, acceleration),

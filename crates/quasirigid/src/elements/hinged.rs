@@ -1,9 +1,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
-use super::assembly::{Mover, at};
+use super::assembly::Mover;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place, Problem, at};
 use super::matrices::Block;
 use crate::model::{Coordinate, Inertia, Rheology};
 

@@ -1,6 +1,5 @@
-use super::assembly::at;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place, Problem, at};
 use crate::model::Rheology;
 
 /// What a solid is made of: homogeneous and isotropic.

@@ -6,6 +6,7 @@ use crate::model::{Lossy, Rheology};
 type Entries = Vec<(usize, usize, f64)>;
 
 /// Part of the symmetric matrices over some coordinates.
+#[derive(Clone, Debug)]
 pub(super) struct Block {
     pub columns: Vec<usize>,
     pub stiffness: Vec<Vec<f64>>,

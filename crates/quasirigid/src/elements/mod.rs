@@ -6,24 +6,36 @@ mod carrier;
 mod coefficient;
 mod ellipsoid;
 mod error;
+mod finite;
 mod force;
 mod hinged;
 mod material;
 mod matrices;
 mod moment;
+mod network;
+mod part;
 mod point;
 mod ritz;
 mod spring;
 mod station;
+mod structure;
 mod surface;
 mod whole;
 
-pub use assembly::Assembly;
+pub use assembly::{Assembly, Built, Reduction};
 pub use carrier::Carrier;
 pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Place, Problem};
+pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
+pub use finite::elasticity::{ElasticityError, Modulus};
+pub use finite::shell::{Constant, ShellError};
 pub use hinged::{HingeCoefficient, Hinged};
 pub use material::Material;
+pub use network::Network;
+pub use part::{
+    Anchor, Connection, Frame, FrameNode, Kind, Layer, Matrices, Member, NodeRef, Orthotropic, Panel, Part,
+    Region, Solid, Substance, TipMass,
+};
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};
 pub use station::Station;

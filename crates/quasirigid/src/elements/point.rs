@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
 use super::affine::{Field as Shape, Piece};
-use super::assembly::{Mover, at};
+use super::assembly::Mover;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place, Problem, at};
 use crate::model::Coordinate;
 
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).

@@ -1,5 +1,4 @@
-use super::assembly::at;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
 use super::whole::Whole;

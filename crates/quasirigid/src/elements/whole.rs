@@ -1,5 +1,4 @@
-use super::assembly::at;
-use super::error::{ElementError, Field, Place, Problem};
+use super::error::{ElementError, Field, Place, Problem, at};
 use super::matrices::{Block, Matrices};
 use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
 

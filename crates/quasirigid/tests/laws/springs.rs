@@ -33,10 +33,12 @@ fn by_definition(assembly: &Assembly, body: &FlexibleBody, q: &[f64]) -> [f64; 2
     let displacement = |end: End| match end {
         End::Carrier => V::zeros(),
         End::Point(i) => body.markers()[i].shapes.iter().map(|(j, H)| q[*j] * V::from(*H)).sum(),
+        End::Node(_) => unreachable!("these bodies have no parts"),
     };
     let place = |end: End, anchor: Option<[f64; 3]>| match end {
         End::Carrier => V::from(anchor.unwrap()),
         End::Point(i) => V::from(assembly.points[i].position),
+        End::Node(_) => unreachable!("these bodies have no parts"),
     };
     let mut forms = [0.0; 2];
     for spring in &assembly.springs {

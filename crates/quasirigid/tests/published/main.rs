@@ -8,3 +8,4 @@ mod elliptic;
 mod explorer_1;
 mod one_sprung_mass;
 mod quillen_2019;
+mod quillen_network;

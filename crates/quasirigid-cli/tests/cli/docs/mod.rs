@@ -2,8 +2,8 @@
 //!
 //! In a `console` block a line `$ quasirigid ...` or `$ cargo run --release -- ...` is run where the pages expect it,
 //! the root of the repository, or rather a copy that holds the examples, which the commands of one page share. What
-//! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line is
-//! `# complete` is a model.
+//! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line
+//! is `# complete` is a model; `# complete: NAME.toml` is one that the commands after it know by this name.
 
 mod page;
 #[cfg(unix)]
@@ -42,7 +42,10 @@ fn problems_of(root: &Path, page: &Path) -> Vec<String> {
         "console" => {
             commands(&block).into_iter().filter_map(|shown| wrong_output(&shown, folder.path())).collect()
         }
-        "toml" => wrong_model(&block, beside).into_iter().collect(),
+        "toml" => {
+            put_down(&block, beside, folder.path());
+            wrong_model(&block, beside).into_iter().collect()
+        }
         _ => Vec::new(),
     });
     found.map(|(line, problem)| format!("{}:{line}: {problem}", page.display())).collect()
@@ -71,11 +74,25 @@ fn wrong_output(shown: &Shown, folder: &Path) -> Option<(usize, String)> {
         .then(|| (shown.line, format!("`{command}` prints otherwise:\n{}", printed.join("\n"))))
 }
 
+/// What follows `# complete` in the first line of a model.
+fn heading(block: &Block) -> Option<&str> {
+    let rest = block.text.lines().next()?.trim().strip_prefix("# complete")?;
+    if rest.is_empty() { Some(rest) } else { rest.strip_prefix(": ") }
+}
+
+/// Writes a model with a name where commands run, with the files beside its page that it names.
+fn put_down(block: &Block, beside: &Path, folder: &Path) {
+    let Some(name) = heading(block).filter(|name| !name.is_empty()) else { return };
+    fs::write(folder.join(name), &block.text).unwrap();
+    let named = names(beside).into_iter().filter(|file| block.text.contains(&format!("\"{file}\"")));
+    for file in named {
+        fs::copy(beside.join(&file), folder.join(&file)).unwrap();
+    }
+}
+
 /// What is wrong with a complete model; the files that it names stand beside its page.
 fn wrong_model(block: &Block, beside: &Path) -> Option<(usize, String)> {
-    if block.text.lines().next().map(str::trim) != Some("# complete") {
-        return None;
-    }
+    heading(block)?;
     let refused = match Model::parse(&beside.join("model.toml"), &block.text) {
         Err(error) => error.to_string(),
         Ok(model) => match model.assembly.body() {

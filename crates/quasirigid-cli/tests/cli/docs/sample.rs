@@ -85,6 +85,17 @@ fn complete_models_are_models_and_parts_are_not_asked_to_be() {
 }
 
 #[test]
+fn commands_know_a_model_by_its_name() {
+    let lines =
+        "```console\n$ quasirigid check hub.toml\nhub: The reduced equations hold at this spin.\n...\n```\n";
+    let named = format!("```toml\n# complete: hub.toml\n{MODEL}```\n{lines}");
+    assert_eq!(found(&named), [""; 0]);
+    let other = found(&named.replacen("hub.toml", "bus.toml", 1));
+    assert_eq!(other.len(), 1, "{other:?}");
+    assert!(other[0].contains("there is no such file"), "{other:?}");
+}
+
+#[test]
 fn repository_without_pages_has_no_problems() {
     let root = TempDir::new().unwrap();
     assert_eq!(problems(root.path()), [""; 0]);

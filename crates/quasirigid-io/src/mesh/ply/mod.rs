@@ -27,7 +27,7 @@ fn elements(header: &Header, mut values: impl Values) -> Result<TriangleMesh, Fa
         match element.part {
             Part::Vertices => read_vertices(element, &mut values, &mut mesh)?,
             Part::Faces => read_faces(element, vertices, &mut values, &mut mesh)?,
-            Part::Elements(_) => {
+            _ => {
                 for _ in 0..element.count {
                     read_element(element, &mut values, |_, _, _| Ok(()))?;
                 }

@@ -1,7 +1,18 @@
 //! Meshes of cells between nodes, for finite elements.
 
+mod check;
+mod fault;
+mod functions;
+mod geometry;
+mod note;
+mod rules;
+mod samples;
 mod shape;
 
+pub use fault::MeshFault;
+pub use functions::MOST;
+pub use note::MeshNote;
+pub use samples::{Rule, Sample};
 pub use shape::Shape;
 
 /// Nodes and the cells between them, with the numbers and names that their file gave them.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::SurfaceError;
 use super::geometry::{Corners, bounds, minus, triple};
+use crate::math::parts::parts;
 use crate::math::sym::{dot, norm, scale};
 
 /// A part of the surface whose triangles hang together by their edges.
@@ -45,8 +46,10 @@ fn solid_angle([a, b, c]: Corners) -> f64 {
 /// Accepts shells that look outward where there is no body around them, and inward where there is: bodies side by side,
 /// cavities in a body, bodies in cavities. No two triangles may cross.
 pub(super) fn check(corners: &[Corners], neighbours: &[[usize; 2]]) -> Result<(), SurfaceError> {
-    let shells: Vec<Shell> =
-        parts(corners.len(), neighbours).into_iter().map(|part| Shell::new(corners, part)).collect();
+    let shells: Vec<Shell> = parts(corners.len(), neighbours.iter().copied())
+        .into_iter()
+        .map(|part| Shell::new(corners, part))
+        .collect();
     if !(shells.iter().map(|shell| shell.volume).sum::<f64>() > 0.0) {
         return Err(SurfaceError::Inward);
     }
@@ -73,33 +76,6 @@ pub(super) fn check(corners: &[Corners], neighbours: &[[usize; 2]]) -> Result<()
     }
 }
 
-/// Elements that hang together by pairs, each part ascending, parts in the order of their first elements.
-fn parts(size: usize, pairs: &[[usize; 2]]) -> Vec<Vec<usize>> {
-    let mut root: Vec<usize> = (0..size).collect();
-    let find = |root: &mut Vec<usize>, mut element: usize| {
-        while root[element] != element {
-            root[element] = root[root[element]];
-            element = root[element];
-        }
-        element
-    };
-    for [a, b] in pairs {
-        let (a, b) = (find(&mut root, *a), find(&mut root, *b));
-        root[a.max(b)] = a.min(b);
-    }
-    let mut number = vec![usize::MAX; size];
-    let mut parts: Vec<Vec<usize>> = Vec::new();
-    for element in 0..size {
-        let first = find(&mut root, element);
-        if first == element {
-            number[first] = parts.len();
-            parts.push(Vec::new());
-        }
-        parts[number[first]].push(element);
-    }
-    parts
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -109,11 +85,5 @@ mod tests {
         let octant = [[2.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 0.1]];
         assert!((solid_angle(octant) - 0.5 * PI).abs() < 1e-15);
         assert!((solid_angle([octant[1], octant[0], octant[2]]) + 0.5 * PI).abs() < 1e-15);
-    }
-
-    #[test]
-    fn parts_come_in_the_order_of_their_first_elements() {
-        let expected = [vec![0, 5], vec![1, 2, 4, 6], vec![3]];
-        assert_eq!(parts(7, &[[6, 2], [4, 1], [2, 4], [5, 0], [1, 6]]), expected);
     }
 }

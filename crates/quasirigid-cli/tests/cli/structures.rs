@@ -1,0 +1,57 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::support::{ROOT, folder_of, ran, ran_in};
+
+/// What the README of an example shows after a command, up to its first line of dots.
+fn shown(example: &str, command: &str) -> String {
+    let page = fs::read_to_string(Path::new(ROOT).join("examples").join(example).join("README.md")).unwrap();
+    let (_, rest) = page.split_once(&format!("$ quasirigid {command}\n")).expect(command);
+    let block = rest.split("```").next().unwrap().split("$ ").next().unwrap();
+    block.split("...\n").next().unwrap().to_owned()
+}
+
+fn assert_answers_as_shown(example: &str, command: &str) {
+    let line = format!("{command} examples/{example}/model.toml");
+    let answer = ran(&line);
+    let shown = shown(example, &line);
+    assert!(shown.len() > 20, "{line}");
+    assert!(answer.stdout.starts_with(&shown), "{line}:\n{}{}", answer.stdout, answer.stderr);
+}
+
+#[test]
+fn solar_panels_answer_as_their_page_shows() {
+    assert_answers_as_shown("solar-panels", "check");
+    assert_answers_as_shown("solar-panels", "evolve");
+}
+
+#[test]
+fn a_network_answers_as_its_page_shows() {
+    assert_answers_as_shown("quillen-network", "evolve");
+}
+
+#[test]
+fn a_spun_up_beam_answers_as_its_page_shows() {
+    assert_answers_as_shown("spin-up-beam", "check");
+}
+
+/// Where the radar shape is, if it is anywhere: beside the model, or beside the repository.
+fn radar_shape() -> Option<PathBuf> {
+    let root = Path::new(ROOT);
+    let beside = root.join("examples/apophis-shape/apophis-radar-shape.obj");
+    [beside, root.join("../shared/reference/apophis-radar-shape.obj")].into_iter().find(|file| file.is_file())
+}
+
+#[test]
+fn the_radar_shape_of_apophis_answers_as_its_page_shows() {
+    let Some(shape) = radar_shape() else {
+        println!("skipped: the radar shape is not here; see examples/apophis-shape/get-shape.sh");
+        return;
+    };
+    let folder = folder_of("apophis-shape");
+    fs::copy(shape, folder.path().join("apophis-radar-shape.obj")).unwrap();
+    let answer = ran_in(folder.path(), "evolve model.toml");
+    let shown = shown("apophis-shape", "evolve examples/apophis-shape/model.toml");
+    assert!(shown.len() > 20);
+    assert!(answer.stdout.starts_with(&shown), "{}{}", answer.stdout, answer.stderr);
+}

@@ -1,0 +1,494 @@
+use std::fmt;
+use std::io::ErrorKind;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::Freedom;
+
+/// A file from which no matrix, nodes or freedoms can be read: where, and what is wrong there.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{}{place}: {problem}", file.display())]
+pub struct MatrixError {
+    /// The file.
+    pub file: PathBuf,
+    /// Where in it.
+    pub place: Place,
+    /// What is wrong.
+    pub problem: MatrixProblem,
+}
+
+/// What is wrong at a place of a file that is yet to be named.
+pub(super) type Fault = (Place, MatrixProblem);
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The whole of it.
+    File,
+    /// A line of a text, from 1.
+    Line(usize),
+    /// A byte of a binary file, from 0.
+    Byte(usize),
+    /// A byte, from 0, of a file inside an archive.
+    Member {
+        /// The file inside.
+        name: String,
+        /// The byte.
+        byte: usize,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => Ok(()),
+            Self::Line(line) => write!(f, ":{line}"),
+            Self::Byte(byte) => write!(f, ": byte {byte}"),
+            Self::Member { name, byte } => write!(f, ": {name}: byte {byte}"),
+        }
+    }
+}
+
+/// A kind of line or record, whose text says how it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// The first line of a Matrix Market file.
+    MarketHeader,
+    /// The size of a Matrix Market file with coordinates.
+    MarketSizes,
+    /// The size of a Matrix Market array.
+    MarketArraySizes,
+    /// An entry of a Matrix Market file with coordinates.
+    MarketEntry,
+    /// An entry of a Matrix Market array.
+    MarketValue,
+    /// An entry of an integer matrix.
+    MarketInteger,
+    /// An entry of a CalculiX matrix.
+    CalculiX,
+    /// A line of a list of freedoms.
+    Freedom,
+    /// A line of a table of nodes.
+    Node,
+    /// A line of a `*NODE` block.
+    InputNode,
+    /// A `GRID` card.
+    Grid,
+    /// A card of NASTRAN.
+    Card,
+    /// The header card of a `DMIG` matrix.
+    DmigHeader,
+    /// A column card of a `DMIG` matrix.
+    DmigColumn,
+    /// A number of NASTRAN.
+    NastranReal,
+    /// The header of an `OUTPUT4` matrix.
+    Op4Header,
+    /// The beginning of an `OUTPUT4` column.
+    Op4Column,
+    /// The beginning of a string of an `OUTPUT4` column.
+    Op4String,
+    /// The numbers of an `OUTPUT4` column.
+    Op4Values,
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::MarketHeader => {
+                "the first line is %%MatrixMarket matrix, then coordinate or array, then real or integer, then \
+                 general, symmetric or skew-symmetric"
+            }
+            Self::MarketSizes => "the line after the comments has the numbers of rows, columns and entries",
+            Self::MarketArraySizes => "the line after the comments has the numbers of rows and columns",
+            Self::MarketEntry | Self::CalculiX => "an entry is written row column value",
+            Self::MarketValue => "an array has one value on a line, column by column",
+            Self::MarketInteger => "the first line says that the values are integers",
+            Self::Freedom => "a freedom is written node.component or node component",
+            Self::Node => "a node is written label x y z",
+            Self::InputNode => "a node is written label, x, y, z below *NODE",
+            Self::Grid => "a GRID card has its label, system, x, y and z in fields 2 to 6",
+            Self::Card => {
+                "the fields of a card are ASCII: eight of 8 columns on a line, or four of 16 if a star follows its \
+                 name, or as many between commas"
+            }
+            Self::DmigHeader => {
+                "a DMIG header has its name, 0, form, type of input and type of output in fields 2 to 6, and its \
+                 number of columns in field 9"
+            }
+            Self::DmigColumn => {
+                "a DMIG column has its name, point and component in fields 2 to 4, then from field 6 on the point, \
+                 component, value and a blank of each row"
+            }
+            Self::NastranReal => "a real number has a decimal point, such as 3. or 1.5-3",
+            Self::Op4Header => {
+                "a matrix begins with its numbers of columns and rows, form and type in 8 columns each, its name \
+                 in 8 columns and its format, such as 1P,3E23.16"
+            }
+            Self::Op4Column => {
+                "a column begins with its number, its first row or 0, and its number of words in 8 columns each, in \
+                 ascending order, up to one more than there are columns"
+            }
+            Self::Op4String => "a string begins with its length and first row, and fits its column",
+            Self::Op4Values => "values fill the lines and records as the header and the column announce",
+        })
+    }
+}
+
+/// What is wrong with a file of a matrix, of nodes or of freedoms.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum MatrixProblem {
+    /// It cannot be read at all.
+    #[error("{kind}; is the name right, and may the file be read?")]
+    Unreadable {
+        /// What the operating system says.
+        kind: ErrorKind,
+    },
+    /// It is a folder.
+    #[error("this is a folder; give the file inside it")]
+    Folder,
+    /// It is larger than any matrix that is read.
+    #[error("more than {} MiB, the most that is read; reduce the model", limit / (1024 * 1024))]
+    TooLarge {
+        /// Largest size that is read (bytes).
+        limit: u64,
+    },
+    /// It has nothing in it.
+    #[error("the file is empty; was its writing or its copy cut off?")]
+    Empty,
+    /// Neither its beginning nor its name is that of a known format.
+    #[error(
+        "the file begins with {start:?}, as no matrix known here does; give a Matrix Market, .npy or .npz file, \
+         .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
+    )]
+    NotAMatrix {
+        /// Its first characters.
+        start: String,
+    },
+    /// A byte that no text has.
+    #[error("the byte 0x{byte:02X} is not UTF-8 text; save the text as UTF-8, or is the file damaged?")]
+    NotText {
+        /// The byte.
+        byte: u8,
+    },
+    /// A word that should be a number.
+    #[error("{found:?} is not a number that can stand here; {row}")]
+    NotANumber {
+        /// The word.
+        found: String,
+        /// What the line should be.
+        row: Row,
+    },
+    /// A number that is NaN or infinite.
+    #[error("{found} is not finite; did the program that wrote it fail?")]
+    NotFinite {
+        /// The number.
+        found: String,
+    },
+    /// Too few values, or too many.
+    #[error("{found} values; {row}")]
+    Values {
+        /// How many there are.
+        found: usize,
+        /// What the line should be.
+        row: Row,
+    },
+    /// Something that has no place here.
+    #[error("{found:?} cannot stand here; {row}")]
+    Unexpected {
+        /// What stands there.
+        found: String,
+        /// What should stand there.
+        row: Row,
+    },
+    /// A row or column 0 where they count from 1.
+    #[error("a row or column 0; they count from 1 here")]
+    Zero,
+    /// A complex matrix.
+    #[error("the matrix is complex; write the real matrix of mass, damping or stiffness")]
+    Complex,
+    /// A matrix without values.
+    #[error("the file has the pattern of a matrix only; write it with its values, as real")]
+    Pattern,
+    /// A symmetric matrix that is not square.
+    #[error("{rows} rows and {columns} columns; a symmetric matrix is square")]
+    NotSquare {
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
+    /// A matrix without rows or columns.
+    #[error("a matrix of {rows} rows and {columns} columns has no entries; was the right matrix written?")]
+    Void {
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
+    /// An entry outside the matrix.
+    #[error(
+        "row {row}, column {column} lies outside a matrix of {rows} rows and {columns} columns; are its sizes right?"
+    )]
+    Outside {
+        /// Its row, from 1.
+        row: usize,
+        /// Its column, from 1.
+        column: usize,
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
+    /// Two values for one place.
+    #[error(
+        "row {row}, column {column} has a value already; give each place one value, and one triangle of a \
+         symmetric matrix"
+    )]
+    Twice {
+        /// The row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+    },
+    /// A diagonal entry of a skew-symmetric matrix.
+    #[error("row {row} has an entry on the diagonal; a skew-symmetric matrix has zeros there")]
+    SkewDiagonal {
+        /// The row, from 1.
+        row: usize,
+    },
+    /// Rows without a diagonal entry in a format that has them all.
+    #[error(
+        "{diagonals} entries on the diagonal of {size} rows; CalculiX writes all, so was the file cut off?"
+    )]
+    NoDiagonal {
+        /// Number of rows.
+        size: usize,
+        /// Number of diagonal entries.
+        diagonals: usize,
+    },
+    /// A file that ends early.
+    #[error("the file ends after {found} of {announced} entries; was it cut off, or is the number wrong?")]
+    Cut {
+        /// How many the file announces.
+        announced: u64,
+        /// How many it has.
+        found: u64,
+    },
+    /// A file that ends within a matrix.
+    #[error("the file ends within a matrix; was it cut off?")]
+    CutMatrix,
+    /// A file that goes on too long.
+    #[error("more follows the {announced} entries announced; is that number right?")]
+    Surplus {
+        /// How many the file announces.
+        announced: u64,
+    },
+    /// A name for the only matrix of a file.
+    #[error("this format has one matrix without a name; leave out the name {name:?}")]
+    Nameless {
+        /// The name that was asked for.
+        name: String,
+    },
+    /// No matrix of that name.
+    #[error("there is no matrix {name:?}; the file has {}", listed(.names))]
+    NoSuchMatrix {
+        /// The name that was asked for.
+        name: String,
+        /// Those that the file has.
+        names: Vec<String>,
+    },
+    /// Several matrices, and no name.
+    #[error("the file has {}; name one of them", listed(.names))]
+    WhichMatrix {
+        /// Those that the file has.
+        names: Vec<String>,
+    },
+    /// A name that stands twice.
+    #[error("a second matrix {name:?}; give each matrix a name of its own")]
+    SameName {
+        /// The name.
+        name: String,
+    },
+    /// A NumPy file of an unknown version.
+    #[error("version {major} of .npy is not known; write version 1 with numpy.save")]
+    NumpyVersion {
+        /// Its number before the point.
+        major: u8,
+    },
+    /// A NumPy header that cannot be understood.
+    #[error("{found:?} is no .npy header; it has descr, fortran_order and shape, as numpy.save writes them")]
+    NumpyHeader {
+        /// The header, or its beginning.
+        found: String,
+    },
+    /// A kind of number that is not read.
+    #[error("numbers of type {found}; write float64 with numpy.save, or int32 or int64 for indices")]
+    NumpyType {
+        /// The type as NumPy names it.
+        found: String,
+    },
+    /// An array of another form.
+    #[error("an array of shape {}; {wanted} is needed here", shape(.found))]
+    NumpyShape {
+        /// Its lengths.
+        found: Vec<usize>,
+        /// Which lengths it should have.
+        wanted: String,
+    },
+    /// An array with more or fewer bytes than its shape tells.
+    #[error("{found} bytes of numbers where the shape and type need {announced}; is the file damaged?")]
+    NumpyLength {
+        /// What the header needs.
+        announced: u64,
+        /// What is there.
+        found: u64,
+    },
+    /// An archive that cannot be read.
+    #[error(
+        "the archive cannot be read ({detail}); write it again with numpy.savez or scipy.sparse.save_npz"
+    )]
+    Archive {
+        /// What is wrong with it.
+        detail: String,
+    },
+    /// A sparse matrix that lacks a part.
+    #[error("the sparse matrix has no array {part:?}; write it with scipy.sparse.save_npz")]
+    SparsePart {
+        /// The array.
+        part: String,
+    },
+    /// A sparse matrix of another format.
+    #[error("the sparse format {found:?} is not read; convert the matrix with tocsr() before save_npz")]
+    SparseFormat {
+        /// The format as SciPy names it.
+        found: String,
+    },
+    /// Pointers of a sparse matrix that do not ascend from 0 to the number of entries.
+    #[error(
+        "{found} stands among the row or column pointers; they ascend from 0 to {entries}, the number of entries"
+    )]
+    SparsePointer {
+        /// The pointer.
+        found: i64,
+        /// The number of indices.
+        entries: usize,
+    },
+    /// An index that is negative.
+    #[error("the index {found} is negative; is the file damaged?")]
+    SparseIndex {
+        /// The index.
+        found: i64,
+    },
+    /// Tabs between the fields of a card.
+    #[error("a tab between the fields of a card; write columns of 8 or 16, or commas")]
+    Tab,
+    /// A matrix of an unknown form.
+    #[error(
+        "form {found} is not read; write the matrix as square (1), rectangular (2 or 9) or symmetric (6)"
+    )]
+    Form {
+        /// The form.
+        found: String,
+    },
+    /// A matrix of an unknown type of number.
+    #[error("type {found} is not known; 1 and 2 are real numbers of single and double precision")]
+    Type {
+        /// The type.
+        found: String,
+    },
+    /// Columns without a header.
+    #[error("no header DMIG {name} 0 ...; add the card that tells the form of the matrix")]
+    NoHeader {
+        /// The matrix.
+        name: String,
+    },
+    /// No `DMIG` card at all.
+    #[error("there is no DMIG card; request the matrix with EXTSEOUT(DMIGPCH), or give the file that has it")]
+    NoDmig,
+    /// Columns that do not fill a rectangular matrix.
+    #[error(
+        "{found} columns where the header of {name} announces {announced}; give a column of zeros one entry 0."
+    )]
+    DmigColumns {
+        /// The matrix.
+        name: String,
+        /// How many the header announces.
+        announced: u64,
+        /// How many have entries.
+        found: u64,
+    },
+    /// Two values for one place of a `DMIG` matrix.
+    #[error(
+        "row {row}, column {column} has a value already; give each place one value, and one triangle of a \
+         symmetric matrix"
+    )]
+    DmigTwice {
+        /// The row.
+        row: Freedom,
+        /// The column.
+        column: Freedom,
+    },
+    /// A record that does not end where it should.
+    #[error(
+        "a record announces {announced} bytes, and {found} can be here; was the file cut off, or changed as text?"
+    )]
+    Record {
+        /// Its length (bytes).
+        announced: u64,
+        /// What is possible (bytes).
+        found: u64,
+    },
+    /// Records of the 64-bit versions of NASTRAN.
+    #[error(
+        "records in words of 64 bits; write the file as text, or from NASTRAN with 32-bit words (mode=i4)"
+    )]
+    LongWords,
+    /// A component that does not exist.
+    #[error("component {found}; 1 to 3 are displacements and 4 to 6 rotations")]
+    Component {
+        /// The component.
+        found: String,
+    },
+    /// A freedom that stands twice.
+    #[error("{freedom} stands twice; a matrix has one row for each freedom")]
+    FreedomTwice {
+        /// The freedom.
+        freedom: Freedom,
+    },
+    /// A node that stands twice.
+    #[error("node {node} stands twice; give each node one place")]
+    NodeTwice {
+        /// Its label.
+        node: u64,
+    },
+    /// A node in coordinates of its own.
+    #[error(
+        "{found} places or moves nodes in a coordinate system of its own; write them in the global system"
+    )]
+    OwnSystem {
+        /// What asks for it.
+        found: String,
+    },
+    /// No nodes.
+    #[error("the file has no nodes; give a table label x y z, GRID cards or a *NODE block")]
+    NoNodes,
+}
+
+/// Names in the order of a file, at most eight.
+fn listed(names: &[String]) -> String {
+    let shown: Vec<String> = names.iter().take(8).map(|name| format!("{name:?}")).collect();
+    match names.len() {
+        0 => "none".to_owned(),
+        1..=8 => shown.join(", "),
+        more => format!("{} and {} more", shown.join(", "), more - 8),
+    }
+}
+
+/// Lengths as NumPy writes them.
+fn shape(lengths: &[usize]) -> String {
+    let lengths: Vec<String> = lengths.iter().map(usize::to_string).collect();
+    format!("({})", lengths.join(", "))
+}

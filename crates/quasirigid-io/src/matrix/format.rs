@@ -1,0 +1,96 @@
+use std::path::Path;
+
+use super::error::{Fault, MatrixProblem, Place};
+use super::op4;
+
+/// Characters of an unknown file that are shown.
+const SHOWN: usize = 24;
+
+/// How a matrix is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
+    Market,
+    Npy,
+    Npz,
+    CalculiX,
+    Dmig,
+    Op4Text,
+    Op4Binary { big_endian: bool },
+}
+
+impl Format {
+    /// The format of a file: where its beginning leaves a doubt, its name decides.
+    pub(super) fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
+        if bytes.iter().all(u8::is_ascii_whitespace) {
+            return Err((Place::File, MatrixProblem::Empty));
+        }
+        if let Some(format) = Self::by_beginning(bytes) {
+            return Ok(format);
+        }
+        match ending(file).as_deref() {
+            Some("sti" | "mas") => Ok(Self::CalculiX),
+            Some("bdf" | "dat" | "nas" | "pch" | "dmig") => Ok(Self::Dmig),
+            Some("op4") => Ok(Self::Op4Text),
+            _ => Err((Place::File, MatrixProblem::NotAMatrix { start: start(bytes) })),
+        }
+    }
+
+    fn by_beginning(bytes: &[u8]) -> Option<Self> {
+        let begins =
+            |word: &[u8]| bytes.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
+        if begins(b"%%MatrixMarket") {
+            Some(Self::Market)
+        } else if begins(b"\x93NUMPY") {
+            Some(Self::Npy)
+        } else if begins(b"PK\x03\x04") || begins(b"PK\x05\x06") {
+            Some(Self::Npz)
+        } else if let Some(big_endian) = op4::byte_order(bytes) {
+            Some(Self::Op4Binary { big_endian })
+        } else if first_line(bytes, b"$").is_some_and(|line| has_prefix(line, b"DMIG")) {
+            Some(Self::Dmig)
+        } else {
+            op4::is_text(bytes).then_some(Self::Op4Text)
+        }
+    }
+}
+
+/// How nodes are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NodeFormat {
+    Table,
+    Bulk,
+    Input,
+}
+
+impl NodeFormat {
+    /// The format of a file: its name decides, and its beginning where the name leaves a doubt.
+    pub(super) fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
+        let first = first_line(bytes, b"#").ok_or((Place::File, MatrixProblem::Empty))?;
+        Ok(match ending(file).as_deref() {
+            Some("inp") => Self::Input,
+            Some("bdf" | "nas" | "pch" | "dat") => Self::Bulk,
+            _ if first.starts_with(b"*") => Self::Input,
+            _ if [&b"$"[..], b"GRID", b"GRDSET"].iter().any(|word| has_prefix(first, word)) => Self::Bulk,
+            _ => Self::Table,
+        })
+    }
+}
+
+fn ending(file: &Path) -> Option<String> {
+    file.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase)
+}
+
+fn has_prefix(line: &[u8], word: &[u8]) -> bool {
+    line.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
+}
+
+/// The first line that is neither blank nor a comment.
+fn first_line<'a>(bytes: &'a [u8], comment: &[u8]) -> Option<&'a [u8]> {
+    let mut lines = bytes.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    lines.find(|line| !line.is_empty() && !line.starts_with(comment))
+}
+
+/// The first characters of a file.
+fn start(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(&bytes[..bytes.len().min(4 * SHOWN)]).chars().take(SHOWN).collect()
+}

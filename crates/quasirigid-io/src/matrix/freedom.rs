@@ -1,0 +1,50 @@
+use std::collections::HashSet;
+use std::fmt;
+
+use super::error::{Fault, MatrixProblem, Place, Row};
+use super::text::{lines, text, whole};
+
+/// A degree of freedom as a finite-element code names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Freedom {
+    /// Label of the node.
+    pub node: u64,
+    /// 1 to 3 for displacements along the axes, 4 to 6 for rotations about them, 0 for a point that has one freedom
+    /// only.
+    pub component: u8,
+}
+
+impl fmt::Display for Freedom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.node, self.component)
+    }
+}
+
+/// Lines `node.component` or `node component`.
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Freedom>, Fault> {
+    let (mut freedoms, mut known) = (Vec::new(), HashSet::new());
+    for (line, words) in lines(text(bytes)?) {
+        let place = Place::Line(line);
+        let freedom = freedom(words).map_err(|problem| (place.clone(), problem))?;
+        if !known.insert(freedom) {
+            return Err((place, MatrixProblem::FreedomTwice { freedom }));
+        }
+        freedoms.push(freedom);
+    }
+    if freedoms.is_empty() { Err((Place::File, MatrixProblem::Empty)) } else { Ok(freedoms) }
+}
+
+fn freedom(line: &str) -> Result<Freedom, MatrixProblem> {
+    let words: Vec<&str> = line
+        .split(|c: char| c.is_whitespace() || ".,;".contains(c))
+        .filter(|word| !word.is_empty())
+        .collect();
+    let [node, component] = words[..] else {
+        return Err(MatrixProblem::Values { found: words.len(), row: Row::Freedom });
+    };
+    let node = whole(node, Row::Freedom)?;
+    match whole(component, Row::Freedom)? {
+        component @ 1..=6 => Ok(Freedom { node, component: component as u8 }),
+        _ => Err(MatrixProblem::Component { found: component.to_owned() }),
+    }
+}

@@ -1,0 +1,147 @@
+//! Matrices from finite-element codes, with the freedoms they are about and the places of the nodes.
+//!
+//! Numbers are taken as they are, in the units of the file; whether a matrix is a mass or a stiffness is for its
+//! reader to say. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
+
+mod calculix;
+mod error;
+mod format;
+mod freedom;
+mod listed;
+mod market;
+mod nastran;
+mod nodes;
+mod numpy;
+mod op4;
+mod text;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+pub use error::{MatrixError, MatrixProblem, Place, Row};
+use format::{Format, NodeFormat};
+pub use freedom::Freedom;
+pub use nodes::{Node, NodeTable};
+
+/// Largest file that is read (bytes): a stiffness of a hundred million entries as text.
+const LARGEST: u64 = 4 * 1024 * 1024 * 1024;
+
+/// A matrix as a file has it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MatrixFile {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    /// Row and column, from 0, and value of each entry that is not zero: in both triangles, by row and then by
+    /// column, each place once, finite.
+    pub entries: Vec<(usize, usize, f64)>,
+    /// What each row is about, in ascending order, where the file says it; a square matrix has the same columns.
+    pub labels: Option<Vec<Freedom>>,
+}
+
+/// Reads a matrix; the beginning of the file tells the format, and its ending where the beginning leaves a doubt.
+///
+/// - Matrix Market (`%%MatrixMarket`): coordinate or array; real or integer; general, symmetric or skew-symmetric.
+/// - NumPy `.npy`, versions 1 to 3: one or two dimensions of `f4`, `f8`, `i4` or `i8`, of either byte order, by rows
+///   or by columns; one dimension is a column. `.npz`: several of these, or what `scipy.sparse.save_npz` writes as
+///   `csr`, `csc`, `coo` or `bsr`, whose repeated entries are added up.
+/// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the freedoms are in the `.dof`
+///   file beside it, see [`read_freedoms`].
+/// - NASTRAN bulk data with `DMIG` cards, by its beginning or an ending `.bdf`, `.dat`, `.nas`, `.pch` or `.dmig`:
+///   real, of form 1, 2, 6 or 9, in fields of 8 or 16 columns or between commas; continuations follow their card. The
+///   labels are the points and components that occur, and those of the rows alone where the form is 2 or 9.
+/// - NASTRAN `OUTPUT4`, as text or binary of either byte order in words of 32 bits: real, dense or sparse, with or
+///   without `BIGMAT`.
+///
+/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG` or `OUTPUT4` file has more than
+/// one. Upper and lower case are the same in names of NASTRAN.
+///
+/// # Errors
+/// [`MatrixError`] says what is wrong and where: by line in a text, by byte in a binary file.
+pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, MatrixError> {
+    matrix_of(file, &bytes_of(file)?, name)
+}
+
+/// The matrix in the bytes of a file, whose name tells the format where the bytes do not.
+///
+/// # Errors
+/// Those of [`read_matrix`], except that the file cannot be read.
+pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, MatrixError> {
+    let read = || match (Format::of(file, bytes)?, name) {
+        (Format::Market | Format::Npy | Format::CalculiX, Some(name)) => {
+            Err((Place::File, MatrixProblem::Nameless { name: name.to_owned() }))
+        }
+        (Format::Market, None) => market::read(bytes),
+        (Format::Npy, None) => numpy::read(bytes),
+        (Format::CalculiX, None) => calculix::read(bytes),
+        (Format::Npz, name) => numpy::read_archive(bytes, name),
+        (Format::Dmig, name) => nastran::read_dmig(bytes, name),
+        (Format::Op4Text, name) => op4::read_text(bytes, name),
+        (Format::Op4Binary { big_endian }, name) => op4::read_binary(bytes, big_endian, name),
+    };
+    read().map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
+}
+
+/// Reads the places of nodes; the ending of the file or its first line tells the format.
+///
+/// - A table of lines `label x y z`, with commas, semicolons or blanks between them, perhaps below one line of
+///   titles; lines that begin with `#` are passed over.
+/// - `GRID` cards of NASTRAN bulk data, in the basic coordinate system.
+/// - `*NODE` blocks of an Abaqus or CalculiX input (`.inp`), in the global system.
+///
+/// # Errors
+/// [`MatrixError`] says what is wrong and on which line.
+pub fn read_nodes(file: &Path) -> Result<NodeTable, MatrixError> {
+    nodes_of(file, &bytes_of(file)?)
+}
+
+/// The nodes in the bytes of a file, whose name tells the format where the bytes do not.
+///
+/// # Errors
+/// Those of [`read_nodes`], except that the file cannot be read.
+pub fn nodes_of(file: &Path, bytes: &[u8]) -> Result<NodeTable, MatrixError> {
+    let read = || match NodeFormat::of(file, bytes)? {
+        NodeFormat::Table => nodes::read_table(bytes),
+        NodeFormat::Bulk => nodes::read_grid(bytes),
+        NodeFormat::Input => nodes::read_input(bytes),
+    };
+    read().map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
+}
+
+/// Reads what the rows of a matrix are about, in their order: lines `node.component`, as in a `.dof` file of
+/// CalculiX, or `node component`.
+///
+/// # Errors
+/// [`MatrixError`] says what is wrong and on which line.
+pub fn read_freedoms(file: &Path) -> Result<Vec<Freedom>, MatrixError> {
+    freedoms_of(file, &bytes_of(file)?)
+}
+
+/// The freedoms in the bytes of a file.
+///
+/// # Errors
+/// Those of [`read_freedoms`], except that the file cannot be read.
+pub fn freedoms_of(file: &Path, bytes: &[u8]) -> Result<Vec<Freedom>, MatrixError> {
+    freedom::read(bytes).map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
+}
+
+fn bytes_of(file: &Path) -> Result<Vec<u8>, MatrixError> {
+    let refused = |problem| MatrixError { file: file.to_owned(), place: Place::File, problem };
+    let unreadable = |error: std::io::Error| refused(MatrixProblem::Unreadable { kind: error.kind() });
+    let metadata = std::fs::metadata(file).map_err(unreadable)?;
+    if metadata.is_dir() {
+        return Err(refused(MatrixProblem::Folder));
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() <= LARGEST {
+        File::open(file)
+            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
+            .map_err(unreadable)?;
+    }
+    if metadata.len().max(bytes.len() as u64) > LARGEST {
+        return Err(refused(MatrixProblem::TooLarge { limit: LARGEST }));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,16 @@
+//! Bulk data of NASTRAN: cards of fields, and the matrices among them. (MSC Nastran Quick Reference Guide, *Bulk Data
+//! Entries*, DMIG and GRID)
+
+mod bulk;
+mod dmig;
+
+pub(super) use bulk::{Card, cards, integer, real};
+
+use super::MatrixFile;
+use super::error::{Fault, Place};
+use super::text::text;
+
+/// The matrix in `DMIG` cards.
+pub(super) fn read_dmig(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
+    dmig::read(text(bytes)?, name).map_err(|(line, problem)| (Place::Line(line), problem))
+}

@@ -1,0 +1,146 @@
+use super::{Header, Records};
+use crate::matrix::error::MatrixProblem;
+use crate::matrix::listed::At;
+
+/// Fortran records: the length in bytes, so many bytes, and the length again.
+pub(super) struct Binary<'a> {
+    bytes: &'a [u8],
+    big_endian: bool,
+    /// The next byte.
+    next: usize,
+    /// Where what was read last begins.
+    at: usize,
+    /// Where the record begins and ends, without its lengths.
+    record: (usize, usize),
+    double: bool,
+}
+
+/// Bytes of a header in words of 32 bits, and of 64.
+const HEADER: u32 = 24;
+const LONG_HEADER: u32 = 48;
+
+/// Whether the highest byte comes first, if a file begins with the record of a header.
+pub(in crate::matrix) fn byte_order(bytes: &[u8]) -> Option<bool> {
+    let first = bytes.first_chunk::<4>()?;
+    [true, false].into_iter().find(|big_endian| {
+        let length = if *big_endian { u32::from_be_bytes(*first) } else { u32::from_le_bytes(*first) };
+        let again = bytes.get(4 + length as usize..).and_then(|rest| rest.first_chunk::<4>());
+        matches!(length, HEADER | LONG_HEADER) && again == Some(first)
+    })
+}
+
+impl<'a> Binary<'a> {
+    pub fn new(bytes: &'a [u8], big_endian: bool) -> Self {
+        Self { bytes, big_endian, next: 0, at: 0, record: (0, 0), double: false }
+    }
+
+    /// The next bytes before an end, the lowest first.
+    fn take<const N: usize>(&mut self, end: usize) -> Result<[u8; N], At> {
+        let rest = self.bytes.get(self.next..end).and_then(|rest| rest.first_chunk::<N>());
+        let found = end.saturating_sub(self.next) as u64;
+        let mut bytes = *rest.ok_or((self.next, MatrixProblem::Record { announced: N as u64, found }))?;
+        (self.at, self.next) = (self.next, self.next + N);
+        if self.big_endian {
+            bytes.reverse();
+        }
+        Ok(bytes)
+    }
+
+    fn integer(&mut self) -> Result<i64, At> {
+        self.take(self.record.1).map(|bytes| i32::from_le_bytes(bytes).into())
+    }
+
+    /// Begins a record.
+    fn open(&mut self) -> Result<(), At> {
+        let length = u32::from_le_bytes(self.take(self.bytes.len())?) as usize;
+        let found = (self.bytes.len() - self.next).saturating_sub(4);
+        if length > found {
+            return Err((self.at, MatrixProblem::Record { announced: length as u64, found: found as u64 }));
+        }
+        self.record = (self.next, self.next + length);
+        Ok(())
+    }
+
+    /// Ends a record at its second length.
+    fn close(&mut self) -> Result<(), At> {
+        let (start, end) = self.record;
+        let (announced, found) = ((end - start) as u64, (self.next - start) as u64);
+        if found != announced {
+            return Err((self.next, MatrixProblem::Record { announced, found }));
+        }
+        let again = u32::from_le_bytes(self.take(self.bytes.len())?).into();
+        if again != announced {
+            return Err((self.at, MatrixProblem::Record { announced, found: again }));
+        }
+        Ok(())
+    }
+}
+
+impl Records for Binary<'_> {
+    const COUNTS_NUMBERS: bool = false;
+
+    fn header(&mut self) -> Result<Option<Header>, At> {
+        if self.next == self.bytes.len() {
+            return Ok(None);
+        }
+        self.open()?;
+        let (start, end) = self.record;
+        match (end - start) as u32 {
+            HEADER => {}
+            LONG_HEADER => return Err((start, MatrixProblem::LongWords)),
+            found => {
+                let (announced, found) = (HEADER.into(), found.into());
+                return Err((start, MatrixProblem::Record { announced, found }));
+            }
+        }
+        let mut sizes = [0; 4];
+        for size in &mut sizes {
+            *size = self.integer()?;
+        }
+        let name = String::from_utf8_lossy(&self.bytes[self.next..end]).into_owned();
+        self.next = end;
+        self.close()?;
+        self.double = sizes[3] % 2 == 0;
+        Header::new(sizes, &name, start).map(Some)
+    }
+
+    fn column(&mut self) -> Result<[i64; 3], At> {
+        self.open()?;
+        self.integers()
+    }
+
+    fn integers<const N: usize>(&mut self) -> Result<[i64; N], At> {
+        let mut integers = [0; N];
+        for integer in &mut integers {
+            *integer = self.integer()?;
+        }
+        Ok(integers)
+    }
+
+    fn run(&mut self) {}
+
+    fn value(&mut self) -> Result<f64, At> {
+        let value = if self.double {
+            f64::from_le_bytes(self.take(self.record.1)?)
+        } else {
+            f32::from_le_bytes(self.take(self.record.1)?).into()
+        };
+        if value.is_finite() {
+            return Ok(value);
+        }
+        Err((self.at, MatrixProblem::NotFinite { found: value.to_string() }))
+    }
+
+    fn end(&mut self) -> Result<(), At> {
+        self.close()
+    }
+
+    fn skip(&mut self) -> Result<(), At> {
+        self.next = self.record.1;
+        self.close()
+    }
+
+    fn at(&self) -> usize {
+        self.at
+    }
+}

@@ -1,0 +1,100 @@
+use super::kinds::Kind;
+use super::sets::Filling;
+use super::{Draft, MeshProblem, Row, VolumeProblem};
+use crate::mesh::text::{number, whole};
+
+/// What data lines are for.
+pub(super) enum Block {
+    /// Nothing of the mesh.
+    Skipped,
+    Nodes {
+        set: Option<Filling>,
+    },
+    Cells(Cells),
+    Set(Filling),
+    /// The place of a part, which must be its own.
+    Instance,
+}
+
+/// Cells of a kind, and what was read of the next.
+pub(super) struct Cells {
+    kind: Kind,
+    set: Option<Filling>,
+    label: Option<u64>,
+    nodes: Vec<u64>,
+}
+
+impl Block {
+    /// Reads a data line.
+    pub(super) fn read(&mut self, line: &str, draft: &mut Draft) -> Result<(), MeshProblem> {
+        match self {
+            Self::Skipped => Ok(()),
+            Self::Nodes { set } => {
+                let (label, place) = node(line)?;
+                let node = draft.add_node(label, place)?;
+                set.map_or(Ok(()), |set| set.add(draft, &[node]))
+            }
+            Self::Cells(cells) => cells.read(line, draft),
+            Self::Set(set) => set.read(draft, line),
+            Self::Instance => {
+                Err(VolumeProblem::Assembly { found: "an *INSTANCE that is moved".into() }.into())
+            }
+        }
+    }
+
+    /// Refuses to end within a cell.
+    pub(super) fn finish(&self) -> Result<(), MeshProblem> {
+        match self {
+            Self::Cells(cells) if cells.label.is_some() => Err(cells.wrong_count(cells.nodes.len())),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Number and place of a node: coordinates left out are zero, and a normal may follow.
+fn node(line: &str) -> Result<(u64, [f64; 3]), MeshProblem> {
+    let mut fields = line.trim_end_matches([',', ' ']).split(',').map(str::trim);
+    let label = whole(fields.next().unwrap_or_default(), Row::InpNode)?;
+    let (mut place, mut found) = ([0.0; 3], 1);
+    for field in fields {
+        let value = if field.is_empty() { 0.0 } else { number(field, Row::InpNode)? };
+        if let Some(x) = place.get_mut(found - 1) {
+            *x = value;
+        }
+        found += 1;
+    }
+    if (2..=7).contains(&found) {
+        Ok((label, place))
+    } else {
+        Err(MeshProblem::Values { found, row: Row::InpNode })
+    }
+}
+
+impl Cells {
+    pub(super) fn new(kind: Kind, set: Option<Filling>) -> Self {
+        Self { kind, set, label: None, nodes: Vec::new() }
+    }
+
+    fn wrong_count(&self, found: usize) -> MeshProblem {
+        VolumeProblem::NodeCount { found: found as u64, shape: self.kind.shape.to_string() }.into()
+    }
+
+    /// Reads a line of a cell, which continues on the next one if a comma ends it before all nodes are there.
+    fn read(&mut self, line: &str, draft: &mut Draft) -> Result<(), MeshProblem> {
+        let line = line.trim_end();
+        let (line, continues) = line.strip_suffix(',').map_or((line, false), |line| (line, true));
+        for field in line.split(',') {
+            let value = whole(field.trim(), Row::InpCell)?;
+            if self.label.is_none() { self.label = Some(value) } else { self.nodes.push(value) }
+        }
+        let (found, expected) = (self.nodes.len(), self.kind.shape.nodes());
+        if found < expected && continues {
+            return Ok(());
+        }
+        let label = self.label.take().filter(|_| found == expected).ok_or_else(|| self.wrong_count(found))?;
+        let nodes: Vec<u64> = (0..expected).map(|node| self.nodes[self.kind.place(node)]).collect();
+        self.nodes.clear();
+        let cell = draft.add_cell(label, self.kind.shape, &nodes)?;
+        self.set.map_or(Ok(()), |set| set.add(draft, &[cell]))
+    }
+}

@@ -1,0 +1,110 @@
+use super::{Draft, MeshProblem, Part, Row, VolumeProblem};
+use crate::mesh::text::whole;
+
+/// A set that is being filled.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Filling {
+    /// Place among the sets.
+    place: usize,
+    /// Whether it takes cells instead of nodes.
+    of_cells: bool,
+    /// Whether lines are ranges.
+    ranges: bool,
+}
+
+impl Filling {
+    pub(super) fn new(draft: &mut Draft, name: &str, of_cells: bool, ranges: bool) -> Self {
+        Self { place: draft.sets.place(&name.to_ascii_uppercase(), name), of_cells, ranges }
+    }
+
+    fn part(self) -> Part {
+        if self.of_cells { Part::Cells } else { Part::Nodes }
+    }
+
+    fn index(self, draft: &Draft, label: u64) -> Option<usize> {
+        if self.of_cells { draft.cell(label) } else { draft.node(label) }
+    }
+
+    /// Adds nodes or cells by their indices.
+    pub(super) fn add(self, draft: &mut Draft, members: &[usize]) -> Result<(), MeshProblem> {
+        match self.of_cells {
+            true => draft.sets.add_cells(self.place, members),
+            false => draft.sets.add_nodes(self.place, members),
+        }
+    }
+
+    /// A line of the set.
+    pub(super) fn read(self, draft: &mut Draft, line: &str) -> Result<(), MeshProblem> {
+        let fields = line.trim_end_matches([',', ' ']).split(',').map(str::trim);
+        if self.ranges {
+            return self.read_range(draft, &fields.collect::<Vec<_>>());
+        }
+        for field in fields {
+            match field.parse() {
+                Ok(label) => {
+                    let index = self.index(draft, label).ok_or_else(|| self.no_such(draft, field))?;
+                    self.add(draft, &[index])?;
+                }
+                Err(_) => self.add_set(draft, field)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn no_such(self, draft: &Draft, label: &str) -> VolumeProblem {
+        let label = label.chars().take(80).collect();
+        VolumeProblem::NoSuchMember { set: draft.sets.name(self.place).to_owned(), part: self.part(), label }
+    }
+
+    /// Members of another set, by its name.
+    fn add_set(self, draft: &mut Draft, name: &str) -> Result<(), MeshProblem> {
+        let set = draft.sets.of_key(&name.trim_matches('"').to_ascii_uppercase());
+        let members = set.map(|set| if self.of_cells { set.cells.clone() } else { set.nodes.clone() });
+        let members =
+            members.filter(|members| !members.is_empty()).ok_or_else(|| self.no_such(draft, name))?;
+        self.add(draft, &members)
+    }
+
+    /// Nodes of the cells of another set.
+    pub(super) fn add_nodes_of(self, draft: &mut Draft, cells: &str) -> Result<(), MeshProblem> {
+        let set = draft.sets.of_key(&cells.to_ascii_uppercase()).filter(|set| !set.cells.is_empty());
+        let no_such = || VolumeProblem::NoSuchMember {
+            set: draft.sets.name(self.place).to_owned(),
+            part: Part::Cells,
+            label: cells.to_owned(),
+        };
+        let cells = &set.ok_or_else(no_such)?.cells;
+        let mut nodes: Vec<usize> =
+            cells.iter().flat_map(|cell| draft.cells()[*cell].nodes.iter().copied()).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        self.add(draft, &nodes)
+    }
+
+    /// First, last and step, which is one where it is left out: what exists of them.
+    fn read_range(self, draft: &mut Draft, fields: &[&str]) -> Result<(), MeshProblem> {
+        let (first, last, step) = match *fields {
+            [first, last] => (first, last, "1"),
+            [first, last, step] => (first, last, step),
+            _ => return Err(MeshProblem::Values { found: fields.len(), row: Row::InpRange }),
+        };
+        let [from, to, step] = [first, last, step].map(|word| whole(word, Row::InpRange));
+        let (from, to, step) = (from?, to?, step?);
+        if step == 0 {
+            return Err(MeshProblem::NotANumber { found: "step 0".into(), row: Row::InpRange });
+        }
+        let inside = |label: &u64| (from..=to).contains(label) && (label - from).is_multiple_of(step);
+        let all = if self.of_cells { draft.cells().len() } else { draft.node_labels().len() };
+        let members: Vec<usize> = if to.saturating_sub(from) / step < all as u64 {
+            (from..=to).step_by(step as usize).filter_map(|label| self.index(draft, label)).collect()
+        } else if self.of_cells {
+            (0..all).filter(|cell| inside(&draft.cells()[*cell].label)).collect()
+        } else {
+            (0..all).filter(|node| inside(&draft.node_labels()[*node])).collect()
+        };
+        if members.is_empty() {
+            return Err(self.no_such(draft, &format!("{first} to {last}")).into());
+        }
+        self.add(draft, &members)
+    }
+}

@@ -1,0 +1,63 @@
+use quasirigid::math::mesh::Shape;
+
+use super::{MeshProblem, VolumeProblem};
+
+/// Type of a point, which is no cell.
+pub(super) const POINT: u64 = 15;
+
+/// A kind of cell in the order of gmsh.
+#[derive(Clone, Copy)]
+pub(super) struct Kind {
+    pub(super) shape: Shape,
+    order: Order,
+}
+
+impl Kind {
+    /// Which node of gmsh is this node of [`Shape`].
+    pub(super) fn place(self, node: usize) -> usize {
+        self.order.get(node).map_or(node, |place| usize::from(*place))
+    }
+}
+
+/// For each node in the order of [`Shape`], its place in the order of gmsh; empty where the two agree.
+type Order = &'static [u8];
+
+const SAME: Order = &[];
+const TET10: Order = &[0, 1, 2, 3, 4, 5, 6, 7, 9, 8];
+const WEDGE15: Order = &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11];
+const HEX20: Order = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15];
+const HEX27: Order =
+    &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26];
+
+/// What a type of gmsh is.
+pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
+    let (shape, order) = match code {
+        1 => (Shape::Line2, SAME),
+        2 => (Shape::Triangle3, SAME),
+        3 => (Shape::Quad4, SAME),
+        4 => (Shape::Tet4, SAME),
+        5 => (Shape::Hex8, SAME),
+        6 => (Shape::Wedge6, SAME),
+        8 => (Shape::Line3, SAME),
+        9 => (Shape::Triangle6, SAME),
+        10 => (Shape::Quad9, SAME),
+        11 => (Shape::Tet10, TET10),
+        12 => (Shape::Hex27, HEX27),
+        16 => (Shape::Quad8, SAME),
+        17 => (Shape::Hex20, HEX20),
+        18 => (Shape::Wedge15, WEDGE15),
+        _ => return Err(VolumeProblem::Kind { found: name(code) }.into()),
+    };
+    Ok(Kind { shape, order })
+}
+
+fn name(code: u64) -> String {
+    match code {
+        7 => "7 (pyramid of 5 nodes)".into(),
+        13 => "13 (wedge of 18 nodes)".into(),
+        14 => "14 (pyramid of 14 nodes)".into(),
+        19 => "19 (pyramid of 13 nodes)".into(),
+        20..=28 => format!("{code} (third order or higher)"),
+        _ => code.to_string(),
+    }
+}

@@ -1,0 +1,242 @@
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::Part;
+
+/// What is wrong with a file of nodes and cells.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum VolumeProblem {
+    /// Its beginning is not that of a known format.
+    #[error(
+        "the file begins with {start:?}, as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
+         .vtu of VTK, or .inp of Abaqus or CalculiX"
+    )]
+    NotAMesh {
+        /// Its first characters.
+        start: String,
+    },
+    /// No cell in it.
+    #[error(
+        "the file has no cells; were they left out when it was written, perhaps for lack of physical groups?"
+    )]
+    NoCells,
+    /// A version of a format that is not read.
+    #[error("{found:?} is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5")]
+    Version {
+        /// The version, or what stands in its place.
+        found: String,
+    },
+    /// A cell that is none of the shapes.
+    #[error(
+        "cells of type {found} are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of \
+         first or second order are, but no wedges of 18 nodes"
+    )]
+    Kind {
+        /// Its type, as the file says it, with its name where that is known.
+        found: String,
+    },
+    /// A coordinate that is NaN or infinite.
+    #[error(
+        "the coordinate {found} of node {node} is not finite; correct it, or leave out the node and its cells"
+    )]
+    NotFinite {
+        /// The node.
+        node: u64,
+        /// The coordinate.
+        found: String,
+    },
+    /// Two nodes or cells with one number.
+    #[error("the number {label} comes twice among the {part}; renumber them")]
+    Twice {
+        /// Nodes or cells.
+        part: Part,
+        /// The number.
+        label: u64,
+    },
+    /// A cell that names a node that does not exist.
+    #[error("cell {cell} names node {node}, which is not among the nodes before it; was the node left out?")]
+    NoSuchNode {
+        /// The cell.
+        cell: u64,
+        /// The node.
+        node: u64,
+    },
+    /// A set that names a member that does not exist.
+    #[error("the set {set:?} names {label}, which is not among the {part} before it; was it left out?")]
+    NoSuchMember {
+        /// The set.
+        set: String,
+        /// Nodes or cells.
+        part: Part,
+        /// The member, a number or the name of a set.
+        label: String,
+    },
+    /// Sets with too many members.
+    #[error("the sets have more than {limit} members together; leave out those that are not needed")]
+    Members {
+        /// Most members of all sets.
+        limit: usize,
+    },
+    /// A number that is none of a node, a cell or a count.
+    #[error("{found} is no number of nodes or cells; is the file damaged?")]
+    Label {
+        /// The number.
+        found: i64,
+    },
+    /// A cell with too few or too many nodes.
+    #[error("{found} nodes for a {shape}; is the type of the cell right?")]
+    NodeCount {
+        /// How many the file has.
+        found: u64,
+        /// What the cell is.
+        shape: String,
+    },
+    /// A line that is no beginning of a gmsh section.
+    #[error(
+        "{found:?} cannot stand here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"
+    )]
+    Section {
+        /// The line.
+        found: String,
+    },
+    /// A section that does not end.
+    #[error("the section ${section} does not end; was the file cut off?")]
+    NoSectionEnd {
+        /// Its name.
+        section: String,
+    },
+    /// A section that ends early.
+    #[error("the section ends after {found} of {announced} {part}; is the number wrong?")]
+    Short {
+        /// What is missing.
+        part: Part,
+        /// How many the section announces.
+        announced: u64,
+        /// How many it has.
+        found: u64,
+    },
+    /// A mesh in parts for several computers.
+    #[error("the mesh is partitioned; save it without partitions")]
+    Partitioned,
+    /// An entity of a gmsh file that is not among its entities.
+    #[error("there is no entity {tag} of dimension {dimension} in $Entities; were they left out?")]
+    NoSuchEntity {
+        /// 0 for points to 3 for volumes.
+        dimension: i64,
+        /// Its number.
+        tag: i64,
+    },
+    /// A line that is not known in a VTK file.
+    #[error(
+        "{found:?} cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, \
+         CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"
+    )]
+    Keyword {
+        /// The line.
+        found: String,
+    },
+    /// A VTK file without something that cells need.
+    #[error("the file ends without {keyword}; was it cut off?")]
+    Missing {
+        /// The keyword.
+        keyword: String,
+    },
+    /// A type of number that is not read.
+    #[error("values of type {found:?} are not read; save them as numbers")]
+    Scalar {
+        /// The type.
+        found: String,
+    },
+    /// A file that is no XML.
+    #[error("the XML is damaged at column {column}; was the file cut off, or not written by VTK?")]
+    Xml {
+        /// Column of the line, from 1.
+        column: u32,
+    },
+    /// An element or attribute that a `.vtu` file lacks or that cannot be understood.
+    #[error(
+        "<{element}> lacks {missing}, or it cannot be understood; save an unstructured grid by a program based on VTK"
+    )]
+    Attribute {
+        /// The element.
+        element: String,
+        /// The attribute or the element within it.
+        missing: String,
+    },
+    /// An array whose text is no base64.
+    #[error("the array {array:?} is not base64 text, or it is cut off; was the file edited?")]
+    Base64 {
+        /// Its name.
+        array: String,
+    },
+    /// An array whose compressed bytes are damaged.
+    #[error("block {block} of the array {array:?} cannot be decompressed; is the file damaged?")]
+    Compressed {
+        /// Its name.
+        array: String,
+        /// The block, from 0.
+        block: u64,
+    },
+    /// A compression that is not read.
+    #[error("the compression {found:?} is not read; save with zlib or without compression")]
+    Compressor {
+        /// Its name.
+        found: String,
+    },
+    /// An array with a wrong number of values.
+    #[error("the array {array:?} has {found} values instead of {expected}; is the file damaged?")]
+    ArrayLength {
+        /// Its name.
+        array: String,
+        /// How many it has.
+        found: u64,
+        /// How many there should be.
+        expected: u64,
+    },
+    /// Offsets of cells that do not rise.
+    #[error(
+        "the nodes of cell {cell} end at {end}, of {total} and after {start}; offsets must rise up to the last"
+    )]
+    Offset {
+        /// The cell, from 0.
+        cell: u64,
+        /// Where its nodes start.
+        start: u64,
+        /// Where they end.
+        end: u64,
+        /// How many there are.
+        total: u64,
+    },
+    /// Data of an Abaqus file that make or move nodes and cells and are not read.
+    #[error(
+        "{found} is not read, and without it the mesh would be another; save a flattened file with every node and cell"
+    )]
+    Generated {
+        /// The keyword, with the parameter that matters.
+        found: String,
+    },
+    /// More than one body in an Abaqus file, or a body that is moved.
+    #[error("{found}; save a flattened file: one part, where it is, without instances")]
+    Assembly {
+        /// What there is: a second part, a second instance, an instance that is moved.
+        found: String,
+    },
+    /// A keyword of an Abaqus file without a parameter that it needs.
+    #[error("*{keyword} lacks {parameter}=; add it")]
+    Parameter {
+        /// The keyword.
+        keyword: String,
+        /// The parameter.
+        parameter: String,
+    },
+    /// Files that include each other.
+    #[error("{} is included within itself, or more than {limit} files deep", file.display())]
+    Include {
+        /// The file.
+        file: PathBuf,
+        /// The greatest depth.
+        limit: usize,
+    },
+}

@@ -1,0 +1,169 @@
+use std::collections::BTreeMap;
+
+use quasirigid::math::mesh::{Cell, Mesh, Shape};
+
+use super::array::Array;
+use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite};
+
+/// Most values of an array whose values become sets: one with more numbers the cells.
+const MOST_VALUES: usize = 1000;
+/// Type of a vertex, which is no cell.
+const VERTEX: i64 = 1;
+
+/// A piece of an unstructured grid.
+pub(super) struct Grid<'a> {
+    /// Three coordinates for each point.
+    pub(super) points: Array<'a>,
+    /// Points of the cells, one cell after the other.
+    pub(super) corners: Array<'a>,
+    /// Where the corners of each cell end.
+    pub(super) ends: Array<'a>,
+    /// Whether the number of its corners stood before those of each cell.
+    pub(super) counted: bool,
+    pub(super) types: Array<'a>,
+    /// One whole number for each cell.
+    pub(super) groups: Vec<Array<'a>>,
+}
+
+impl Grid<'_> {
+    /// Adds the grid to a mesh, in which points and cells count on; returns how many cells it has, with its vertices.
+    pub(super) fn add_to(self, mesh: &mut Mesh, sets: &mut Sets, first_cell: u64) -> Result<u64, Fault> {
+        let points = mesh.nodes.len();
+        self.check_length()?;
+        let mut indices = Vec::new(); // in the mesh; none for vertices
+        let mut start = 0;
+        for (number, (end, code)) in self.ends.whole()?.iter().zip(self.types.whole()?).enumerate() {
+            let label = first_cell + number as u64;
+            let corners = self.corners_of(number, start, *end)?;
+            start += corners.len();
+            indices.push((*code != VERTEX).then_some(mesh.cells.len()));
+            if *code != VERTEX {
+                let shape = shape(*code).map_err(|problem| (self.types.origin.place(number), problem))?;
+                let nodes = self.nodes(label, shape, corners, points);
+                let nodes = nodes.map_err(|problem| (self.place(number, start - corners.len()), problem))?;
+                mesh.cells.push(Cell { label, shape, nodes });
+            }
+        }
+        for array in &self.groups {
+            add_groups(array, &indices, sets)?;
+        }
+        self.add_points(mesh)?;
+        Ok(indices.len() as u64)
+    }
+
+    /// As many types as ends.
+    fn check_length(&self) -> Result<(), Fault> {
+        let (found, expected) = (self.types.values.len() as u64, self.ends.values.len() as u64);
+        let array = self.types.name.clone();
+        let wrong =
+            || (self.types.origin.place(0), VolumeProblem::ArrayLength { array, found, expected }.into());
+        if found == expected { Ok(()) } else { Err(wrong()) }
+    }
+
+    fn corners_of(&self, cell: usize, start: usize, end: i64) -> Result<&[i64], Fault> {
+        let corners = self.corners.whole()?;
+        usize::try_from(end).ok().and_then(|end| corners.get(start..end)).ok_or_else(|| {
+            let (start, total) = (start as u64, corners.len() as u64);
+            let problem = VolumeProblem::Offset { cell: cell as u64, start, end: end.max(0) as u64, total };
+            (self.ends.origin.place(cell), problem.into())
+        })
+    }
+
+    /// Where a cell stands whose corners start there.
+    fn place(&self, cell: usize, start: usize) -> Place {
+        self.corners.origin.place(if self.counted { start + cell } else { start })
+    }
+
+    fn nodes(
+        &self,
+        cell: u64,
+        shape: Shape,
+        corners: &[i64],
+        first: usize,
+    ) -> Result<Box<[usize]>, MeshProblem> {
+        if corners.len() != shape.nodes() {
+            let (found, shape) = (corners.len() as u64, shape.to_string());
+            return Err(VolumeProblem::NodeCount { found, shape }.into());
+        }
+        let points = self.points.values.len() / 3;
+        let index = |corner: &i64| match usize::try_from(*corner) {
+            Ok(corner) if corner < points => Ok(first + corner),
+            Ok(corner) => Err(VolumeProblem::NoSuchNode { cell, node: corner as u64 }.into()),
+            Err(_) => Err(VolumeProblem::Label { found: *corner }.into()),
+        };
+        corners.iter().map(index).collect()
+    }
+
+    fn add_points(self, mesh: &mut Mesh) -> Result<(), Fault> {
+        let origin = self.points.origin;
+        let points = self.points.values.into_reals();
+        for (number, point) in points.as_chunks::<3>().0.iter().enumerate() {
+            let label = mesh.nodes.len() as u64;
+            finite(label, *point).map_err(|problem| {
+                let axis = point.iter().position(|x| !x.is_finite()).unwrap_or(0);
+                (origin.place(3 * number + axis), problem)
+            })?;
+            mesh.node_labels.push(label);
+            mesh.nodes.push(*point);
+        }
+        Ok(())
+    }
+}
+
+/// Makes sets of the cells with equal values.
+fn add_groups(array: &Array, indices: &[Option<usize>], sets: &mut Sets) -> Result<(), Fault> {
+    let mut cells_of: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+    for (value, index) in array.whole()?.iter().zip(indices) {
+        if let Some(index) = index {
+            cells_of.entry(*value).or_default().push(*index);
+        }
+        if cells_of.len() > MOST_VALUES {
+            return Ok(());
+        }
+    }
+    for (value, cells) in cells_of {
+        let name = format!("{}={value}", array.name);
+        let set = sets.place(&name, &name);
+        sets.add_cells(set, &cells).map_err(|problem| (array.origin.place(0), problem))?;
+    }
+    Ok(())
+}
+
+fn shape(code: i64) -> Result<Shape, MeshProblem> {
+    Ok(match code {
+        3 => Shape::Line2,
+        5 => Shape::Triangle3,
+        9 => Shape::Quad4,
+        10 => Shape::Tet4,
+        12 => Shape::Hex8,
+        13 => Shape::Wedge6,
+        21 => Shape::Line3,
+        22 => Shape::Triangle6,
+        23 => Shape::Quad8,
+        24 => Shape::Tet10,
+        25 => Shape::Hex20,
+        26 => Shape::Wedge15,
+        28 => Shape::Quad9,
+        29 => Shape::Hex27,
+        _ => return Err(VolumeProblem::Kind { found: name(code) }.into()),
+    })
+}
+
+fn name(code: i64) -> String {
+    let name = match code {
+        2 => "several vertices",
+        4 => "line through several points",
+        6 => "strip of triangles",
+        7 => "polygon",
+        8 => "pixel",
+        11 => "voxel",
+        14 => "pyramid",
+        15 | 16 => "prism over a polygon",
+        27 => "pyramid of 13 nodes",
+        32 => "wedge of 18 nodes",
+        42 => "polyhedron",
+        68..=81 => "Lagrange or Bézier",
+        _ => return code.to_string(),
+    };
+    format!("{code} ({name})")
+}

@@ -1,0 +1,185 @@
+use std::borrow::Cow;
+
+use quasirigid::math::mesh::Mesh;
+use roxmltree::{Document, Node};
+
+use super::array::{Array, Origin, Scalar, Values, Words};
+use super::data::{Encoded, Layout};
+use super::grid::Grid;
+use super::{Fault, Place, Sets, VolumeProblem};
+use crate::mesh::text::text;
+
+const APPENDED: &[u8] = b"<AppendedData";
+const CLOSING: &[u8] = b"</VTKFile>";
+
+/// An unstructured grid as XML, `.vtu`.
+pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
+    let (header, appended) = split(bytes);
+    let header_text = text(&header)?;
+    let document = Document::parse(header_text).map_err(|error| {
+        let place = error.pos();
+        (Place::Line(place.row as usize), VolumeProblem::Xml { column: place.col }.into())
+    })?;
+    let file = File::new(&document, appended)?;
+    let grid = file.child(document.root_element(), "UnstructuredGrid")?;
+    let (mut mesh, mut sets, mut cells) = (Mesh::default(), Sets::default(), 0);
+    for piece in grid.children().filter(|child| child.has_tag_name("Piece")) {
+        cells += file.grid(piece)?.add_to(&mut mesh, &mut sets, cells)?;
+    }
+    mesh.sets = sets.sorted();
+    Ok(mesh)
+}
+
+/// The part of a file that is XML, and its appended bytes, which may be none.
+fn split(bytes: &[u8]) -> (Cow<'_, [u8]>, &[u8]) {
+    let tag = bytes.windows(APPENDED.len()).position(|window| window == APPENDED);
+    let end = tag.and_then(|tag| Some(tag + bytes[tag..].iter().position(|byte| *byte == b'>')?));
+    let Some(end) = end else { return (Cow::Borrowed(bytes), &[]) };
+    let mut header = bytes[..end].to_vec();
+    if !header.ends_with(b"/") {
+        header.push(b'/');
+    }
+    header.push(b'>');
+    header.extend(CLOSING);
+    let data = &bytes[end + 1..];
+    let start = data.iter().position(|byte| *byte == b'_').map_or(data.len(), |mark| mark + 1);
+    (Cow::Owned(header), &data[start..])
+}
+
+/// What holds for all arrays of a file.
+struct File<'a, 'input> {
+    document: &'a Document<'input>,
+    layout: Layout,
+    /// Appended bytes, and whether they are base64.
+    appended: &'a [u8],
+    appended_base64: bool,
+}
+
+impl<'a, 'input> File<'a, 'input> {
+    fn new(document: &'a Document<'input>, appended: &'a [u8]) -> Result<Self, Fault> {
+        let root = document.root_element();
+        let encoding = root.children().find(|child| child.has_tag_name("AppendedData"));
+        let mut file = Self {
+            document,
+            layout: Layout { big_endian: false, wide: false, compressed: false },
+            appended,
+            appended_base64: encoding.and_then(|data| data.attribute("encoding")) == Some("base64"),
+        };
+        if !root.has_tag_name("VTKFile") || root.attribute("type") != Some("UnstructuredGrid") {
+            return Err(file.lacks(root, "type=\"UnstructuredGrid\""));
+        }
+        file.layout.big_endian = match root.attribute("byte_order") {
+            None | Some("LittleEndian") => false,
+            Some("BigEndian") => true,
+            _ => return Err(file.lacks(root, "byte_order")),
+        };
+        file.layout.wide = match root.attribute("header_type") {
+            None | Some("UInt32") => false,
+            Some("UInt64") => true,
+            _ => return Err(file.lacks(root, "header_type")),
+        };
+        file.layout.compressed = match root.attribute("compressor") {
+            None | Some("") => false,
+            Some("vtkZLibDataCompressor") => true,
+            Some(found) => {
+                return Err((file.place(root), VolumeProblem::Compressor { found: found.into() }.into()));
+            }
+        };
+        Ok(file)
+    }
+
+    /// Where an element starts.
+    fn place(&self, node: Node) -> Place {
+        Place::Line(self.document.text_pos_at(node.range().start).row as usize)
+    }
+
+    fn lacks(&self, node: Node, missing: &str) -> Fault {
+        let (element, missing) = (node.tag_name().name().to_owned(), missing.to_owned());
+        (self.place(node), VolumeProblem::Attribute { element, missing }.into())
+    }
+
+    fn child(&self, node: Node<'a, 'input>, name: &str) -> Result<Node<'a, 'input>, Fault> {
+        node.children()
+            .find(|child| child.has_tag_name(name))
+            .ok_or_else(|| self.lacks(node, &format!("<{name}>")))
+    }
+
+    fn count(&self, node: Node, name: &str) -> Result<u64, Fault> {
+        let count = node.attribute(name).and_then(|count| count.trim().parse().ok());
+        count.ok_or_else(|| self.lacks(node, name))
+    }
+
+    fn grid(&self, piece: Node<'a, 'input>) -> Result<Grid<'a>, Fault> {
+        let (points, cells) = (self.count(piece, "NumberOfPoints")?, self.count(piece, "NumberOfCells")?);
+        let places = self.child(piece, "Points")?;
+        let place = self.child(places, "DataArray")?;
+        let listed = self.child(piece, "Cells")?;
+        let named = |name: &str| {
+            let mut arrays = listed.children().filter(|child| child.has_tag_name("DataArray"));
+            let array = arrays.find(|array| array.attribute("Name") == Some(name));
+            array.ok_or_else(|| self.lacks(listed, &format!("<DataArray Name={name:?}>")))
+        };
+        Ok(Grid {
+            points: self.array(place)?.has(points.saturating_mul(3))?,
+            corners: self.array(named("connectivity")?)?,
+            ends: self.array(named("offsets")?)?.has(cells)?,
+            counted: false,
+            types: self.array(named("types")?)?.has(cells)?,
+            groups: self.groups(piece, cells)?,
+        })
+    }
+
+    /// Arrays of one whole number for each cell.
+    fn groups(&self, piece: Node<'a, 'input>, cells: u64) -> Result<Vec<Array<'a>>, Fault> {
+        let data = piece.children().filter(|child| child.has_tag_name("CellData"));
+        let arrays = data.flat_map(|data| data.children()).filter(|child| child.has_tag_name("DataArray"));
+        let groups = arrays.filter(|array| {
+            let kind = array.attribute("type").map(Scalar::named);
+            let single = matches!(array.attribute("NumberOfComponents"), None | Some("1"));
+            single && matches!(kind, Some(Ok(scalar)) if scalar.is_whole())
+        });
+        groups.map(|array| self.array(array)?.has(cells)).collect()
+    }
+
+    fn array(&self, node: Node<'a, 'input>) -> Result<Array<'a>, Fault> {
+        let here = |problem| (self.place(node), problem);
+        let name = node.attribute("Name").unwrap_or("Points").to_owned();
+        let scalar = node.attribute("type").ok_or_else(|| self.lacks(node, "type"))?;
+        let scalar = Scalar::named(scalar).map_err(here)?;
+        let content = content(node).and_then(|text| text.text()).unwrap_or_default();
+        if node.attribute("format").is_none_or(|format| format == "ascii") {
+            return self.words(node, name, scalar);
+        }
+        let encoded = match node.attribute("format") {
+            Some("binary") => {
+                let characters = content.bytes().filter(|byte| !byte.is_ascii_whitespace());
+                Encoded::Base64(Cow::Owned(characters.collect()))
+            }
+            Some("appended") => {
+                let offset = usize::try_from(self.count(node, "offset")?).unwrap_or(usize::MAX);
+                let from = self.appended.get(offset..).ok_or_else(|| self.lacks(node, "offset"))?;
+                if self.appended_base64 { Encoded::Base64(Cow::Borrowed(from)) } else { Encoded::Raw(from) }
+            }
+            _ => return Err(self.lacks(node, "format")),
+        };
+        let bytes = self.layout.decoded(&encoded, &name).map_err(here)?;
+        let values = Values::from_bytes(&bytes, scalar, self.layout.big_endian);
+        Ok(Array { name, values, origin: Origin::Somewhere(self.place(node)) })
+    }
+
+    /// An array of words.
+    fn words(&self, node: Node<'a, 'input>, name: String, scalar: Scalar) -> Result<Array<'a>, Fault> {
+        let text = content(node);
+        let bytes = text.and_then(|text| text.text()).unwrap_or_default().as_bytes();
+        let first = text.map_or(node.range().start, |text| text.range().start);
+        let first_line = self.document.text_pos_at(first).row as usize;
+        let mut words = Words { bytes, at: 0, first_line };
+        let values = Values::from_words(&mut words, scalar, u64::MAX)?;
+        Ok(Array { name, values, origin: Origin::Words { bytes, start: 0, first_line } })
+    }
+}
+
+/// The text of an array, which may stand behind other elements.
+fn content<'a, 'input>(array: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
+    array.children().find(|child| child.is_text() && child.text().is_some_and(|text| !text.trim().is_empty()))
+}

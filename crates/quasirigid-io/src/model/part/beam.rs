@@ -1,0 +1,104 @@
+use std::collections::HashSet;
+
+use quasirigid::elements::{Frame, FrameNode, Kind, Member, Part, TipMass};
+
+use super::super::body::inertia;
+use super::super::settings::optional;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use super::{Nodes, Read, Sources, attached, rayleigh};
+use crate::units::Dimension;
+
+pub(super) const BEAM: Keys = Keys {
+    known: &[
+        "name", "nodes", "lines", "section", "material", "up", "elements", "masses", "attach", "rayleigh",
+    ],
+    later: &[],
+};
+const MASS: Keys = Keys { known: &["node", "mass", "inertia"], later: &[] };
+
+/// Elements of a line unless the file chooses another number: the energy of a bent cantilever is then right to 4e-6.
+const ELEMENTS: usize = 8;
+const MOST_ELEMENTS: usize = 10_000;
+
+/// Reads a `[[beam]]`.
+pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
+    let help = "nodes = { root = [0, 0, 0], tip = [2, 0, 0] }";
+    let frame_nodes = table.required("nodes", help).and_then(|value| nodes(&value));
+    let section = table
+        .required("section", "section = \"tube\", with [section.tube]")
+        .and_then(|value| sources.sections.named(&value));
+    let material = table
+        .required("material", "material = \"aluminium\"")
+        .and_then(|value| sources.materials.isotropic(&value));
+    let up = optional(table.get("up"), |value| value.vector(Dimension::NUMBER));
+    let elements = table.get("elements").map_or(Some(ELEMENTS), |value| value.integer(1..=MOST_ELEMENTS));
+    let damping = rayleigh(table);
+    let frame_nodes = frame_nodes?;
+    let nodes = Nodes::of_names(frame_nodes.iter().map(|node| node.name.clone()));
+    let lines =
+        table.required("lines", "lines = [[\"root\", \"tip\"]]").and_then(|value| lines(&value, &nodes));
+    let masses = match table.get("masses") {
+        Some(value) => value.list("an array of tables", |item| mass(&item, &nodes)),
+        None => Some(Vec::new()),
+    };
+    let attached = attached(table, &nodes);
+    let (section, (material, extremes)) = (section?, material?);
+    let (up, elements) = (up?, elements?);
+    let member = |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
+    let members: Vec<Member> = lines?.into_iter().map(member).collect();
+    let extremes = vec![extremes; members.len()];
+    let kind = Kind::Frame(Frame { nodes: frame_nodes, members, masses: masses? });
+    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    Some(Read { part, nodes, extremes })
+}
+
+/// Reads the nodes of a frame, by name, in the order of the file.
+fn nodes(value: &Value<'_>) -> Option<Vec<FrameNode>> {
+    let Some(entries) = value.entries() else {
+        return value.mismatch("a table of nodes", "write { root = [0, 0, 0], tip = [2, 0, 0] }");
+    };
+    let mut entries: Vec<_> = entries.collect();
+    entries.sort_by_key(|(span, _)| span.start);
+    let node = |(_, place): (_, Value<'_>)| {
+        let position = place.vector(Dimension::LENGTH)?;
+        Some(FrameNode { name: place.key().to_owned(), position })
+    };
+    let all: Vec<Option<FrameNode>> = entries.into_iter().map(node).collect();
+    let nodes: Vec<FrameNode> = all.into_iter().collect::<Option<_>>()?;
+    let names: HashSet<&str> = nodes.iter().map(|node| node.name.as_str()).collect();
+    debug_assert_eq!(names.len(), nodes.len(), "TOML refuses a key that stands twice");
+    Some(nodes)
+}
+
+fn lines(value: &Value<'_>, nodes: &Nodes) -> Option<Vec<[usize; 2]>> {
+    if value.is_empty() {
+        let help = Some("write lines = [[\"root\", \"tip\"]]".to_owned());
+        return value.refuse("a beam has one line or more".to_owned(), "no lines", help);
+    }
+    value.list("an array of pairs of nodes", |line| ends(&line, nodes))
+}
+
+fn ends(value: &Value<'_>, nodes: &Nodes) -> Option<[usize; 2]> {
+    let ends: [usize; 2] = value.array("nodes", |end| nodes.single(&end))?;
+    if ends[0] == ends[1] {
+        let help = "a line joins two different nodes".to_owned();
+        return value.refuse(
+            "both ends of the line are the same".to_owned(),
+            "a line of no length",
+            Some(help),
+        );
+    }
+    Some(ends)
+}
+
+fn mass(value: &Value<'_>, nodes: &Nodes) -> Option<TipMass> {
+    if !value.is_table() {
+        return value.mismatch("a table", "write { node = \"tip\", mass = 1.2 }");
+    }
+    let table = value.table("the mass", &MASS)?;
+    let node = table.required("node", "node = \"tip\"").and_then(|value| nodes.single(&value));
+    let mass = table.required("mass", "mass = 1.2").and_then(|value| value.positive(Dimension::MASS));
+    let inertia = table.get("inertia").map_or(Some([[0.0; 3]; 3]), |value| inertia(&value));
+    Some(TipMass { node: node?, mass: mass?, inertia: inertia? })
+}

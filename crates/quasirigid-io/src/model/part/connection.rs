@@ -1,0 +1,71 @@
+use quasirigid::elements::{Anchor, Connection};
+
+use super::super::names::Names;
+use super::super::rheology::{Extremes, Scale, rheology};
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use crate::units::Dimension;
+
+pub(in crate::model) const CONNECTION: Keys =
+    Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"], later: &[] };
+
+/// Axes of a ball joint.
+const BALL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Reads a `[[connection]]`: a weld, a hinge about one or two axes, or a ball.
+pub(in crate::model) fn connection(table: &Table<'_>, names: &Names<'_>) -> Option<(Connection, Extremes)> {
+    let side = |key: &'static str, example: &str| {
+        table.required(key, example).and_then(|value| names.anchor(&value))
+    };
+    let from = side("from", "from = \"carrier\"");
+    let to = side("to", "to = { part = \"boom\", node = \"root\" }");
+    let axes = axes(table)?;
+    let springs = |key: &'static str, dimension: Dimension| match table.get(key) {
+        Some(value) if value.is_array() => {
+            value.list("an array of one number per axis", |item| item.non_negative(dimension))
+        }
+        Some(value) => value.non_negative(dimension).map(|number| vec![number; axes.len()]),
+        None => Some(vec![0.0; axes.len()]),
+    };
+    let stiffness = springs("stiffness", Dimension::ROTATIONAL_STIFFNESS);
+    let damping = springs("damping", Dimension::ROTATIONAL_DAMPING);
+    let known = rheology(table, Scale::OF_SPRING);
+    let (from, to, stiffness, damping) = (from?, to?, stiffness?, damping?);
+    let known = known?;
+    Some((Connection { from, to, axes, stiffness, damping, rheology: known.rheology }, known.extremes))
+}
+
+fn axes(table: &Table<'_>) -> Option<Vec<[f64; 3]>> {
+    let ball = table.get("ball").map_or(Some(false), |value| value.boolean())?;
+    match table.get("hinge") {
+        Some(value) if ball => value.refuse(
+            "a ball joint turns about every axis".to_owned(),
+            "beside `ball`",
+            Some("leave out one of `hinge` and `ball`".to_owned()),
+        ),
+        Some(value) => match value.items() {
+            Some(items) if items.iter().any(Value::is_array) => {
+                value.list("an array of axes", |axis| axis.vector(Dimension::NUMBER))
+            }
+            _ => value.vector(Dimension::NUMBER).map(|axis| vec![axis]),
+        },
+        None if ball => Some(BALL.to_vec()),
+        None => Some(Vec::new()),
+    }
+}
+
+impl Names<'_> {
+    /// One side of a connection: the carrier, or nodes of a part.
+    fn anchor(&self, value: &Value<'_>) -> Option<Anchor> {
+        if value.is_table() {
+            let (part, nodes) = self.nodes(value)?;
+            return Some(Anchor::Nodes { part, nodes });
+        }
+        if value.is_word("carrier") {
+            return Some(Anchor::Carrier);
+        }
+        let help =
+            "write \"carrier\", { part = \"boom\", node = \"root\" } or { part = \"array\", set = \"left\" }";
+        value.mismatch("the carrier, or nodes of a part", help)
+    }
+}

@@ -1,0 +1,67 @@
+use quasirigid::elements::Network;
+
+use super::super::rheology::{Extremes, Scale, rheology};
+use super::super::table::{Keys, Table};
+use crate::units::Dimension;
+
+pub(in crate::model) const NETWORK: Keys = Keys {
+    known: &["name", "mass", "semi_axes", "center", "spacing", "reach", "stiffness", "rheology", "seed"],
+    later: &[],
+};
+
+/// Most points that a network may be expected to have.
+const MOST_POINTS: f64 = 1e5;
+/// Reach of the springs over the least distance of points, unless the file chooses another.
+const REACH: f64 = 2.3;
+/// Longest springs over the least distance of points.
+const LONGEST: f64 = 10.0;
+
+/// Reads a `[[network]]` of random points and springs.
+pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Network, Extremes)> {
+    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
+    let semi_axes: Option<[f64; 3]> = table
+        .required("semi_axes", "semi_axes = [\"230 m\", \"120 m\", \"95 m\"]")
+        .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)));
+    let center = table.vector_or_zero("center", Dimension::LENGTH);
+    let spacing =
+        table.required("spacing", "spacing = \"20 m\"").and_then(|value| value.positive(Dimension::LENGTH));
+    let reach = table.get("reach").map(|value| (value, value.positive(Dimension::LENGTH)));
+    let stiffness = table
+        .required("stiffness", "stiffness = 0.08")
+        .and_then(|value| value.positive(Dimension::STIFFNESS));
+    let seed = table.get("seed").map_or(Some(1), |value| value.integer(0..=usize::MAX >> 12));
+    let known = rheology(table, Scale::OF_SPRING);
+    let spacing = spacing?;
+    let reach = match reach {
+        None => REACH * spacing,
+        Some((value, reach)) => {
+            let reach = reach?;
+            if !(spacing..=LONGEST * spacing).contains(&reach) {
+                let message =
+                    format!("springs of {reach} m do not fit points that are {spacing} m apart or more");
+                let help =
+                    format!("write a reach of 1 to {LONGEST} times the spacing; {REACH} times is usual");
+                return value.refuse(message, "too short or too long", Some(help));
+            }
+            reach
+        }
+    };
+    let (known, mass, semi_axes, center) = (known?, mass?, semi_axes?, center?);
+    let network = Network {
+        name: name.to_owned(),
+        mass,
+        semi_axes,
+        center,
+        spacing,
+        reach,
+        stiffness: stiffness?,
+        rheology: known.rheology,
+        seed: seed? as u64,
+    };
+    if network.expected() > MOST_POINTS {
+        let message = format!("about {:.1e} points fit into this ellipsoid", network.expected());
+        let help = format!("widen the spacing: a network has {MOST_POINTS:e} points or fewer");
+        return table.get("spacing")?.refuse(message, "too many points", Some(help));
+    }
+    Some((network, known.extremes))
+}

@@ -1,0 +1,136 @@
+use std::sync::Arc;
+
+use quasirigid::elements::{Kind, Layer, Panel, Part};
+use quasirigid::math::mesh::{Cell, Mesh, Set, Shape};
+use quasirigid::math::sym::{cross, norm};
+
+use super::super::rheology::Extremes;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use super::placed::{mesh, placed};
+use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
+use crate::units::Dimension;
+
+pub(super) const PANEL: Keys = Keys {
+    known: &[
+        "name",
+        "file",
+        "unit",
+        "rectangle",
+        "position",
+        "attitude",
+        "layers",
+        "reference",
+        "offset",
+        "attach",
+        "rayleigh",
+    ],
+    later: &[],
+};
+const RECTANGLE: Keys = Keys { known: &["sides", "cells"], later: &[] };
+const LAYER: Keys = Keys { known: &["material", "thickness", "angle"], later: &[] };
+
+const MOST_CELLS: usize = 1000;
+
+/// Reads a `[[panel]]`: from a file, or a rectangle of so many cells.
+pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
+    let mesh = match table.get("rectangle") {
+        Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)),
+        None => {
+            let example =
+                "rectangle = { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }, or file = \"wing.msh\"";
+            mesh(table, sources.folder, example)
+        }
+    };
+    let layers = table
+        .required("layers", "layers = [{ material = \"aluminium\", thickness = \"2 mm\" }]")
+        .and_then(|value| value.list("an array of layers", |item| layer(&item, sources)));
+    let reference = table.get("reference").map(|value| value.vector(Dimension::NUMBER));
+    let offset = table.get("offset").map_or(Some(0.0), |value| value.quantity(Dimension::LENGTH));
+    let damping = rayleigh(table);
+    let mesh = mesh?;
+    let nodes = Nodes::of_mesh(&mesh);
+    let attached = attached(table, &nodes);
+    let reference = reference.unwrap_or_else(|| Some(first_side(&mesh)))?;
+    let (layers, extremes): (Vec<Layer>, Vec<Extremes>) = layers?.into_iter().unzip();
+    let kind = Kind::Panel(Panel { mesh: Arc::new(mesh), layers, reference, offset: offset? });
+    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    Some(Read { part, nodes, extremes })
+}
+
+fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes)> {
+    if !value.is_table() {
+        return value.mismatch("a table", "write { material = \"aluminium\", thickness = \"2 mm\" }");
+    }
+    let table = value.table("the layer", &LAYER)?;
+    let material = table
+        .required("material", "material = \"aluminium\"")
+        .and_then(|value| sources.materials.named(&value));
+    let thickness = table
+        .required("thickness", "thickness = \"2 mm\"")
+        .and_then(|value| value.positive(Dimension::LENGTH));
+    let angle = table.get("angle").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
+    let (substance, extremes) = material?;
+    Some((Layer { substance, thickness: thickness?, angle: angle? }, extremes))
+}
+
+/// Direction of the first side of the first cell.
+fn first_side(mesh: &Mesh) -> [f64; 3] {
+    let cell = mesh.cells.iter().find(|cell| cell.shape.dimension() == 2);
+    cell.map_or([1.0, 0.0, 0.0], |cell| {
+        let [a, b] = [cell.nodes[0], cell.nodes[1]].map(|node| mesh.nodes[node]);
+        [0, 1, 2].map(|axis| b[axis] - a[axis])
+    })
+}
+
+/// Accepts the sides of a rectangle if they differ in direction.
+fn span_a_plane(rectangle: &Table<'_>, sides: [[f64; 3]; 2]) -> Option<[[f64; 3]; 2]> {
+    let [first, second] = sides;
+    if norm(cross(first, second)) > PARALLEL * norm(first) * norm(second) {
+        return Some(sides);
+    }
+    let help = "write two sides at an angle, such as sides = [[2, 0, 0], [0, 1, 0]]".to_owned();
+    let message = "the sides are parallel, or one has no length".to_owned();
+    rectangle.get("sides")?.refuse(message, "no area", Some(help))
+}
+
+/// A parallelogram with a corner at the origin: its edges are the sets `left`, `right` (at the end of the first side),
+/// `bottom` and `top` (at the end of the second), its corners `left bottom` and so on.
+fn rectangle(value: &Value<'_>) -> Option<Mesh> {
+    if !value.is_table() {
+        return value.mismatch("a table", "write { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }");
+    }
+    let table = value.table("`rectangle`", &RECTANGLE)?;
+    let sides: Option<[[f64; 3]; 2]> = table
+        .required("sides", "sides = [[2, 0, 0], [0, 1, 0]]")
+        .and_then(|value| value.array("sides", |side| side.vector(Dimension::LENGTH)));
+    let cells: Option<[usize; 2]> = table
+        .required("cells", "cells = [8, 4]")
+        .and_then(|value| value.array("numbers", |count| count.integer(1..=MOST_CELLS)));
+    let ([first, second], [m, n]) = (span_a_plane(&table, sides?)?, cells?);
+    let node = |i: usize, j: usize| j * (m + 1) + i;
+    let place = |i: usize, j: usize| {
+        let (s, t) = (i as f64 / m as f64, j as f64 / n as f64);
+        [0, 1, 2].map(|axis| s * first[axis] + t * second[axis])
+    };
+    let nodes: Vec<[f64; 3]> = (0..=n).flat_map(|j| (0..=m).map(move |i| place(i, j))).collect();
+    let corners = (0..n)
+        .flat_map(|j| (0..m).map(move |i| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]));
+    let cells =
+        corners.zip(1..).map(|(nodes, label)| Cell { label, shape: Shape::Quad4, nodes: Box::new(nodes) });
+    let across = |i: usize| (0..=n).map(|j| node(i, j)).collect::<Vec<_>>();
+    let along = |j: usize| (0..=m).map(|i| node(i, j)).collect::<Vec<_>>();
+    let sets = [
+        ("left", across(0)),
+        ("right", across(m)),
+        ("bottom", along(0)),
+        ("top", along(n)),
+        ("left bottom", vec![node(0, 0)]),
+        ("right bottom", vec![node(m, 0)]),
+        ("left top", vec![node(0, n)]),
+        ("right top", vec![node(m, n)]),
+    ];
+    let sets = sets.into_iter().map(|(name, nodes)| Set { name: name.to_owned(), nodes, cells: Vec::new() });
+    let node_labels = (1..=nodes.len() as u64).collect();
+    Some(Mesh { nodes, node_labels, cells: cells.collect(), sets: sets.collect() })
+}

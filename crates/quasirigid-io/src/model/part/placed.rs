@@ -1,0 +1,68 @@
+use std::path::Path;
+
+use quasirigid::math::mesh::Mesh;
+use quasirigid::math::rotation::{ALIGNED, Attitude, to_inertial};
+
+use super::super::initial::unit_quaternion;
+use super::super::surface::unit;
+use super::super::table::Table;
+use super::super::value::Value;
+use crate::mesh::read_mesh;
+use crate::units::Dimension;
+
+/// Where a mesh stands in the file's frame.
+struct Placement {
+    position: [f64; 3],
+    /// Turns components along the axes of the mesh into those along the file's.
+    attitude: Attitude,
+}
+
+/// Reads the mesh of a part, in the file's frame; a line such as `example` is missing if it has none.
+pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Mesh> {
+    let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let placement = placement(table);
+    let mesh = table.required("file", example).and_then(|value| file(&value, folder));
+    let (length, placement, mut mesh) = (length?, placement?, mesh?);
+    for node in &mut mesh.nodes {
+        *node = placement.of(node.map(|entry| length * entry));
+    }
+    Some(mesh)
+}
+
+/// A mesh that is made here, in the file's frame.
+pub(super) fn placed(table: &Table<'_>, mut mesh: Mesh) -> Option<Mesh> {
+    let placement = placement(table)?;
+    mesh.nodes.iter_mut().for_each(|node| *node = placement.of(*node));
+    Some(mesh)
+}
+
+fn placement(table: &Table<'_>) -> Option<Placement> {
+    let position = table.vector_or_zero("position", Dimension::LENGTH);
+    let attitude = match table.get("attitude") {
+        Some(value) => unit_quaternion(&value, &mut Vec::new()),
+        None => Some(ALIGNED),
+    };
+    Some(Placement { position: position?, attitude: attitude? })
+}
+
+impl Placement {
+    fn of(&self, node: [f64; 3]) -> [f64; 3] {
+        let turned = to_inertial(self.attitude, node);
+        [0, 1, 2].map(|axis| self.position[axis] + turned[axis])
+    }
+}
+
+fn file(value: &Value<'_>, folder: &Path) -> Option<Mesh> {
+    let path = folder.join(value.text()?);
+    match read_mesh(&path) {
+        Ok(mesh) => Some(mesh),
+        Err(error) => value.refuse(
+            format!("`file`: {error}"),
+            "cannot be used",
+            Some(
+                "it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read"
+                    .to_owned(),
+            ),
+        ),
+    }
+}

@@ -1,0 +1,17 @@
+use quasirigid::elements::Reduction;
+
+use super::super::table::{Keys, Table};
+
+const REDUCTION: Keys = Keys { known: &["modes"], later: &[] };
+
+const MOST_MODES: usize = 500;
+
+/// Reads `[reduction]`: how many coordinates the parts are given beside those that the order asks for.
+pub(in crate::model) fn reduction(file: &Table<'_>) -> Option<Reduction> {
+    let default = Reduction::default();
+    let Some(table) = file.table("reduction", "[reduction]", &REDUCTION) else {
+        return file.get("reduction").is_none().then_some(default);
+    };
+    let modes = table.get("modes").map_or(Some(default.modes), |value| value.integer(0..=MOST_MODES));
+    Some(Reduction { modes: modes?, ..default })
+}

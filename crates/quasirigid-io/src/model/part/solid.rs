@@ -1,0 +1,133 @@
+use std::sync::Arc;
+
+use quasirigid::elements::{Kind, Part, Region, Solid};
+use quasirigid::math::mesh::Mesh;
+use quasirigid::math::sym::{cross, dot, norm, scale};
+
+use super::super::rheology::Extremes;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use super::placed::mesh;
+use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
+use crate::units::Dimension;
+
+pub(super) const SOLID: Keys = Keys {
+    known: &[
+        "name",
+        "file",
+        "unit",
+        "position",
+        "attitude",
+        "material",
+        "materials",
+        "axes",
+        "attach",
+        "rayleigh",
+    ],
+    later: &[],
+};
+
+/// Reads a `[[solid]]`: of one material, or of several by sets of its cells.
+pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
+    let mesh = mesh(table, sources.folder, "file = \"bracket.msh\"");
+    let axes = match table.get("axes") {
+        Some(value) => axes(&value),
+        None => Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+    };
+    let damping = rayleigh(table);
+    let mesh = mesh?;
+    let nodes = Nodes::of_mesh(&mesh);
+    let attached = attached(table, &nodes);
+    let regions = match table.get("materials") {
+        Some(value) => several(&value, table, &mesh, sources, axes?),
+        None => one(table, &mesh, sources, axes?).map(|region| vec![region]),
+    };
+    let (regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
+    let kind = Kind::Solid(Solid { mesh: Arc::new(mesh), regions });
+    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    Some(Read { part, nodes, extremes })
+}
+
+fn one(
+    table: &Table<'_>,
+    mesh: &Mesh,
+    sources: Sources<'_, '_>,
+    axes: [[f64; 3]; 3],
+) -> Option<(Region, Extremes)> {
+    let help = "material = \"aluminium\", or materials = { SET = \"aluminium\" }";
+    let (substance, extremes) =
+        table.required("material", help).and_then(|value| sources.materials.named(&value))?;
+    Some((Region { cells: solid_cells(mesh).collect(), substance, axes }, extremes))
+}
+
+/// Reads the materials of sets of cells; every solid cell is in one of them.
+fn several(
+    value: &Value<'_>,
+    table: &Table<'_>,
+    mesh: &Mesh,
+    sources: Sources<'_, '_>,
+    axes: [[f64; 3]; 3],
+) -> Option<Vec<(Region, Extremes)>> {
+    if let Some(both) = table.get("material") {
+        let help = Some("leave out one of `material` and `materials`".to_owned());
+        return both.refuse("the material is given twice".to_owned(), "given twice", help);
+    }
+    let Some(entries) = value.entries() else {
+        return value.mismatch("a table", "write { SET = \"aluminium\" }, for each set of cells in the mesh");
+    };
+    let mut owners = vec![0_usize; mesh.cells.len()];
+    let mut regions = Vec::new();
+    for (_, entry) in entries {
+        let cells = cells_of(&entry, mesh)?;
+        cells.iter().for_each(|cell| owners[*cell] += 1);
+        let (substance, extremes) = sources.materials.named(&entry)?;
+        regions.push((Region { cells, substance, axes }, extremes));
+    }
+    let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
+    let Some(first) = wrong.first() else { return Some(regions) };
+    let sets = if owners[*first] == 0 { "none" } else { "more than one" };
+    let mut message = format!("cell {} is in {sets} of these sets", mesh.cells[*first].label);
+    if wrong.len() > 1 {
+        message += &format!(", the first of {} cells that are not in one", wrong.len());
+    }
+    value.refuse(message, "each cell in one set", Some("every solid cell needs one material".to_owned()))
+}
+
+fn cells_of(entry: &Value<'_>, mesh: &Mesh) -> Option<Vec<usize>> {
+    let named = mesh.sets.iter().find(|set| set.name == entry.key());
+    let solid = |cell: &usize| mesh.cells[*cell].shape.dimension() == 3;
+    match named.map(|set| set.cells.iter().copied().filter(solid).collect::<Vec<_>>()) {
+        Some(cells) if !cells.is_empty() => Some(cells),
+        _ => {
+            let sets = mesh.sets.iter().filter(|set| set.cells.iter().any(solid));
+            let names: Vec<&str> = sets.map(|set| set.name.as_str()).collect();
+            let help = match names.as_slice() {
+                [] => "the mesh has no set of solid cells; give one `material`".to_owned(),
+                names => format!("the sets of solid cells are {}", names.join(", ")),
+            };
+            entry.refuse(
+                format!("the mesh has no solid cells in a set {:?}", entry.key()),
+                "unknown set",
+                Some(help),
+            )
+        }
+    }
+}
+
+fn solid_cells(mesh: &Mesh) -> impl Iterator<Item = usize> + '_ {
+    mesh.cells.iter().enumerate().filter(|(_, cell)| cell.shape.dimension() == 3).map(|(index, _)| index)
+}
+
+/// Reads the directions of axes 1 and 2 of a material; of the second, the part across the first counts.
+fn axes(value: &Value<'_>) -> Option<[[f64; 3]; 3]> {
+    let [first, second]: [[f64; 3]; 2] = value.array("directions", |item| item.vector(Dimension::NUMBER))?;
+    let third = cross(first, second);
+    let sine = norm(third) / (norm(first) * norm(second));
+    if !(sine > PARALLEL) {
+        let help = Some("write two directions, those of axes 1 and 2 of the material".to_owned());
+        return value.refuse("`axes` are parallel, or one has no length".to_owned(), "no axes", help);
+    }
+    let unit = |vector: [f64; 3]| scale(dot(vector, vector).sqrt().recip(), vector);
+    let (first, third) = (unit(first), unit(third));
+    Some([first, cross(third, first), third])
+}

@@ -1,0 +1,158 @@
+use std::collections::BTreeMap;
+
+use quasirigid::elements::SectionShape;
+
+use super::names::suggestion;
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+/// Keys of a section that does not say its shape: those of every shape.
+const ANY: Keys = Keys {
+    known: &[
+        "shape",
+        "height",
+        "width",
+        "radius",
+        "thickness",
+        "web",
+        "flange",
+        "area",
+        "second_y",
+        "second_z",
+        "torsion",
+        "shear_areas",
+    ],
+    later: &[],
+};
+
+type Read = fn(&Table<'_>) -> Option<SectionShape>;
+
+/// A shape of a section, chosen by the key `shape`.
+struct Shape {
+    word: &'static str,
+    title: &'static str,
+    keys: Keys,
+    read: Read,
+}
+
+/// A shape, titled by its word.
+macro_rules! shape {
+    ($word:literal, $known:expr, $read:expr) => {
+        Shape {
+            word: $word,
+            title: concat!("a section of shape \"", $word, "\""),
+            keys: Keys { known: $known, later: &[] },
+            read: $read,
+        }
+    };
+}
+
+static SHAPES: [Shape; 6] = [
+    shape!("rectangle", &["shape", "height", "width"], rectangle),
+    shape!("circle", &["shape", "radius"], circle),
+    shape!("tube", &["shape", "radius", "thickness"], tube),
+    shape!("box", &["shape", "height", "width", "thickness"], hollow),
+    shape!("I", &["shape", "height", "width", "web", "flange"], i_beam),
+    shape!("general", &["shape", "area", "second_y", "second_z", "torsion", "shear_areas"], general),
+];
+
+/// The `[section.NAME]` tables of a file.
+pub(super) struct Sections<'a> {
+    entries: BTreeMap<&'a str, Option<SectionShape>>,
+}
+
+impl<'a> Sections<'a> {
+    /// Reads every section, also those that no beam has.
+    pub(super) fn new(file: &Table<'a>) -> Self {
+        let help = "write [section.tube], and its name in place of tube, with its keys below";
+        let Some(value) = file.get("section") else { return Self { entries: BTreeMap::new() } };
+        let Some(named) = value.entries() else {
+            value.mismatch::<()>("a table for each section", help);
+            return Self { entries: BTreeMap::new() };
+        };
+        let open = |(_, value): (_, Value<'a>)| {
+            if !value.is_table() {
+                return value.mismatch("a table with the name of a section", help);
+            }
+            Some((value.key(), section(&value)))
+        };
+        Self { entries: named.filter_map(open).collect() }
+    }
+
+    /// The section with the name that a value gives.
+    pub(super) fn named(&self, value: &Value<'_>) -> Option<SectionShape> {
+        let name = value.text()?;
+        if let Some(section) = self.entries.get(name) {
+            return *section;
+        }
+        let help = match self.entries.len() {
+            0 => format!(
+                "the file has no sections; add [section.{name}] with shape = \"tube\", radius and thickness"
+            ),
+            count => suggestion(name, || self.entries.keys().copied(), count),
+        };
+        value.refuse(format!("there is no section {name:?}"), "unknown section", Some(help))
+    }
+}
+
+fn section(value: &Value<'_>) -> Option<SectionShape> {
+    let Some(word) = value.entry("shape") else {
+        value.table("the section", &ANY)?.required("shape", "shape = \"tube\"");
+        return None;
+    };
+    let choices: Vec<_> = SHAPES.iter().map(|shape| (shape.word, Some(shape))).collect();
+    let shape = word.choice(&choices)?;
+    (shape.read)(&value.table(shape.title, &shape.keys)?)
+}
+
+fn length(table: &Table<'_>, key: &'static str) -> Option<f64> {
+    table.required(key, &format!("{key} = \"20 mm\"")).and_then(|value| value.positive(Dimension::LENGTH))
+}
+
+fn rectangle(table: &Table<'_>) -> Option<SectionShape> {
+    let (height, width) = (length(table, "height"), length(table, "width"));
+    Some(SectionShape::Rectangle { height: height?, width: width? })
+}
+
+fn circle(table: &Table<'_>) -> Option<SectionShape> {
+    Some(SectionShape::Circle { radius: length(table, "radius")? })
+}
+
+fn tube(table: &Table<'_>) -> Option<SectionShape> {
+    let (radius, thickness) = (length(table, "radius"), length(table, "thickness"));
+    Some(SectionShape::Tube { radius: radius?, thickness: thickness? })
+}
+
+fn hollow(table: &Table<'_>) -> Option<SectionShape> {
+    let (height, width, thickness) =
+        (length(table, "height"), length(table, "width"), length(table, "thickness"));
+    Some(SectionShape::Box { height: height?, width: width?, thickness: thickness? })
+}
+
+fn i_beam(table: &Table<'_>) -> Option<SectionShape> {
+    let (height, width) = (length(table, "height"), length(table, "width"));
+    let (web, flange) = (length(table, "web"), length(table, "flange"));
+    Some(SectionShape::IBeam { height: height?, width: width?, web: web?, flange: flange? })
+}
+
+fn general(table: &Table<'_>) -> Option<SectionShape> {
+    let constant = |key: &'static str, dimension: Dimension, example: &str| {
+        table.required(key, example).and_then(|value| value.positive(dimension))
+    };
+    let area = constant("area", Dimension::AREA, "area = \"4 cm^2\"");
+    let second_y = constant("second_y", Dimension::SECOND_MOMENT, "second_y = \"12 cm^4\"");
+    let second_z = constant("second_z", Dimension::SECOND_MOMENT, "second_z = \"12 cm^4\"");
+    let torsion = constant("torsion", Dimension::SECOND_MOMENT, "torsion = \"3 cm^4\"");
+    let shear = match table.get("shear_areas") {
+        Some(value) => value.array("areas", |area| area.positive(Dimension::AREA)).map(Some),
+        None => Some(None),
+    };
+    Some(SectionShape::General {
+        area: area?,
+        second_y: second_y?,
+        second_z: second_z?,
+        torsion: torsion?,
+        shear: shear?,
+    })
+}

@@ -1,0 +1,230 @@
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::*;
+use crate::symmetric::Pattern;
+
+/// Springs between all nodes of a cubic grid that share a cell, three unknowns to a node, each in a unit of its own,
+/// and a foundation under every node. `held` nodes are left out.
+fn grid(nodes: usize, held: usize, foundation: f64, unit: impl Fn(usize) -> f64) -> Symmetric {
+    let count = nodes.pow(3);
+    let place = |node: usize| [node % nodes, node / nodes % nodes, node / nodes / nodes].map(|i| i as f64);
+    let first: Vec<u32> = (0..=count).map(|node| 3 * node.saturating_sub(held) as u32).collect();
+    let mut springs = Vec::new();
+    for a in 0..count {
+        for b in a + 1..count {
+            let (p, q) = (place(a), place(b));
+            let d: [f64; 3] = std::array::from_fn(|i| q[i] - p[i]);
+            if d.iter().all(|d| d.abs() < 1.5) {
+                springs.push(([a as u32, b as u32], d));
+            }
+        }
+    }
+    let pattern = Pattern::new(&first, springs.iter().map(|(nodes, _)| nodes.as_slice())).unwrap();
+    let mut matrix = Symmetric::zero(Arc::new(pattern));
+    for (nodes, d) in &springs {
+        let unknowns: Vec<Option<u32>> = nodes
+            .iter()
+            .flat_map(|node| (0..3).map(|i| (*node as usize >= held).then(|| first[*node as usize] + i)))
+            .collect();
+        let unit = |i: usize| unknowns[i].map_or(1.0, |unknown| unit(unknown as usize));
+        let square: f64 = d.iter().map(|d| d * d).sum();
+        let entry = |i: usize, j: usize| {
+            let sign = if i / 3 == j / 3 { 1.0 } else { -1.0 };
+            let soil = if i == j { foundation } else { 0.0 };
+            unit(i) * unit(j) * (sign * d[i % 3] * d[j % 3] / square + soil)
+        };
+        let element: Vec<f64> = (0..36).map(|place| entry(place / 6, place % 6)).collect();
+        matrix.add(&unknowns, &element).unwrap();
+    }
+    matrix
+}
+
+fn dense(matrix: &Symmetric) -> DMatrix<f64> {
+    let mut dense = DMatrix::zeros(matrix.size(), matrix.size());
+    for column in 0..matrix.size() {
+        for (row, entry) in matrix.column(column) {
+            dense[(row, column)] = entry;
+            dense[(column, row)] = entry;
+        }
+    }
+    dense
+}
+
+fn right(length: usize) -> Vec<f64> {
+    (0..length).map(|i| (i as f64 * 0.7).cos()).collect()
+}
+
+/// From 1e-9 to 1e9, in no order.
+fn odd_unit(unknown: usize) -> f64 {
+    10_f64.powi((unknown * 7 % 19) as i32 - 9)
+}
+
+fn method(precision: Precision, ordering: Ordering) -> Method {
+    Method { precision, ordering }
+}
+
+const AUTOMATIC: Method = Method { precision: Precision::Automatic, ordering: Ordering::Automatic };
+
+/// Largest difference of two blocks relative to the largest entry, in units of each unknown.
+fn difference(a: &[f64], b: &[f64], unit: impl Fn(usize) -> f64) -> f64 {
+    let width = 2;
+    let largest = a.iter().enumerate().fold(0.0, |most: f64, (i, a)| most.max((a * unit(i / width)).abs()));
+    let gap = a.iter().zip(b).enumerate().map(|(i, (a, b))| ((a - b) * unit(i / width)).abs());
+    gap.fold(0.0, f64::max) / largest
+}
+
+#[test]
+fn solutions_are_those_of_a_dense_solver() {
+    for precision in [Precision::Double, Precision::Single] {
+        let matrix = grid(4, 5, 0.0, odd_unit);
+        let plain = grid(4, 5, 0.0, |_| 1.0);
+        let units: Vec<f64> = (0..matrix.size()).map(odd_unit).collect();
+        let b: Vec<f64> =
+            right(2 * matrix.size()).iter().enumerate().map(|(i, b)| b * units[i / 2]).collect();
+        let factor = Factor::new(&matrix, method(precision, Ordering::Automatic)).unwrap();
+        let mut x = b;
+        assert!(factor.solve(&mut x, 2).residual < 1e-13);
+        assert_eq!(factor.work().precision, precision);
+        let columns = DMatrix::from_row_slice(matrix.size(), 2, &right(2 * matrix.size()));
+        let y = dense(&plain).lu().solve(&columns).unwrap().transpose();
+        let expected: Vec<f64> = y.iter().enumerate().map(|(i, y)| y / units[i / 2]).collect();
+        // The condition is about 1e3.
+        assert!(difference(&expected, &x, odd_unit) < 1e-12, "{precision:?}");
+    }
+}
+
+#[test]
+fn every_order_of_elimination_gives_the_same_solution() {
+    let matrix = grid(10, 1, 0.002, |_| 1.0);
+    let mut solutions = Vec::new();
+    let orderings = [
+        Ordering::MinimumDegree,
+        #[cfg(feature = "metis")]
+        Ordering::Metis,
+        Ordering::Scotch,
+    ];
+    for ordering in orderings {
+        let factor = Factor::new(&matrix, method(Precision::Double, ordering)).unwrap();
+        assert_eq!(factor.work().ordering, ordering);
+        let mut x = right(2 * matrix.size());
+        assert!(factor.solve(&mut x, 2).residual < 1e-13);
+        solutions.push(x);
+    }
+    assert!(solutions.iter().all(|x| difference(&solutions[0], x, |_| 1.0) < 1e-12));
+    let dissection = Factor::new(&matrix, AUTOMATIC).unwrap().work();
+    assert_ne!(dissection.ordering, Ordering::MinimumDegree);
+    assert_eq!(dissection.unknowns, matrix.size());
+}
+
+#[test]
+fn work_is_that_of_a_dense_factor_where_the_matrix_is_full() {
+    let matrix = grid(2, 0, 0.1, |_| 1.0);
+    let work = Factor::new(&matrix, AUTOMATIC).unwrap().work();
+    assert_eq!(work.multiplications, (1..=24).map(|length| f64::from(length * length)).sum::<f64>());
+    assert!((24 * 25 / 2..=24 * 24).contains(&work.entries));
+}
+
+#[test]
+fn the_same_matrix_gives_the_same_bits() {
+    let matrix = grid(9, 10, 0.0, odd_unit);
+    for precision in [Precision::Double, Precision::Single] {
+        let solution = || {
+            let mut x = right(2 * matrix.size());
+            let _ = Factor::new(&matrix, method(precision, Ordering::Automatic)).unwrap().solve(&mut x, 2);
+            x
+        };
+        assert!(solution().iter().zip(solution()).all(|(a, b)| a.to_bits() == b.to_bits()));
+    }
+}
+
+/// A unit diagonal and the smallest eigenvalue `softness`, in units of its own for each row.
+fn pair(softness: f64) -> Symmetric {
+    let units = [3e-6, 7e5];
+    let entry = |i: usize, j: usize| units[i] * units[j] * if i == j { 1.0 } else { softness - 1.0 };
+    let mut matrix = Symmetric::zero(Arc::new(Pattern::new(&[0, 2], [&[0][..]].into_iter()).unwrap()));
+    matrix.add(&[Some(0), Some(1)], &[entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1)]).unwrap();
+    matrix
+}
+
+#[test]
+fn a_matrix_is_singular_below_the_line_and_not_above() {
+    for precision in [Precision::Double, Precision::Single] {
+        let method = method(precision, Ordering::Automatic);
+        assert!(Factor::new(&pair(1.02e-13), method).is_ok());
+        for softness in [0.98e-13, 1e-15, 0.0, -1e-15, -1e-9, -1e-3] {
+            let direction = Factor::new(&pair(softness), method).expect_err("a singular matrix").direction;
+            assert!((direction[0] - 1.0).abs() < 1e-9, "{softness:e}: {direction:?}");
+            assert!((direction[1] / (3e-6 / 7e5) - 1.0).abs() < 1e-9, "{softness:e}: {direction:?}");
+        }
+    }
+}
+
+#[test]
+fn a_free_grid_is_singular_along_its_rigid_motions() {
+    for precision in [Precision::Double, Precision::Single] {
+        let matrix = grid(9, 0, 0.0, odd_unit);
+        let error = Factor::new(&matrix, method(precision, Ordering::Automatic)).unwrap_err();
+        let plain = grid(9, 0, 0.0, |_| 1.0);
+        let motion: Vec<f64> = error.direction.iter().enumerate().map(|(i, x)| x * odd_unit(i)).collect();
+        let most = motion.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let force = plain.times(&motion).iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        assert!(force < 1e-8 * most, "{precision:?}: {force:e} of {most:e}");
+    }
+}
+
+/// A negative stiffness far from rounding must be found, and the direction must show it.
+#[test]
+fn an_indefinite_matrix_is_refused_along_a_direction_of_negative_form() {
+    let mut matrix = grid(5, 6, 0.0, |_| 1.0);
+    let stiffness = matrix.diagonal()[101];
+    matrix.add(&[Some(101)], &[-0.8 * stiffness]).unwrap();
+    let smallest = dense(&matrix).symmetric_eigenvalues().min();
+    assert!(smallest < 0.0, "{smallest}");
+    let x = DVector::from(Factor::new(&matrix, AUTOMATIC).unwrap_err().direction);
+    let form = x.dot(&(dense(&matrix) * &x)) / x.norm_squared();
+    assert!(form < 0.0, "{form} {smallest}");
+}
+
+#[test]
+fn a_row_without_stiffness_is_named() {
+    let mut matrix = Symmetric::zero(Arc::new(Pattern::new(&[0, 3], [].into_iter()).unwrap()));
+    for (i, entry) in [2.0, 0.0, f64::NAN].iter().enumerate() {
+        matrix.add(&[Some(i as u32)], &[*entry]).unwrap();
+    }
+    assert_eq!(Factor::new(&matrix, AUTOMATIC).unwrap_err().direction, [0.0, 1.0, 1.0]);
+}
+
+/// Second differences of a clamped beam of many short pieces: a condition of 4e9, beyond 32 bits.
+#[test]
+fn a_slender_beam_falls_back_to_double_precision() {
+    let nodes = 300_u32;
+    let first: Vec<u32> = (0..=nodes).collect();
+    let elements: Vec<[u32; 3]> = (2..nodes).map(|end| [end - 2, end - 1, end]).collect();
+    let pattern = Pattern::new(&first, elements.iter().map(|nodes| nodes.as_slice())).unwrap();
+    let mut matrix = Symmetric::zero(Arc::new(pattern));
+    let bend = [1.0, -2.0, 1.0];
+    for nodes in &elements {
+        let element: Vec<f64> = (0..9).map(|place| bend[place / 3] * bend[place % 3]).collect();
+        matrix.add(&nodes.map(Some), &element).unwrap();
+    }
+    matrix.add(&[Some(0), Some(1)], &[5.0, -2.0, -2.0, 1.0]).unwrap();
+    let eigenvalues = dense(&matrix).symmetric_eigenvalues();
+    assert!(eigenvalues.max() / eigenvalues.min() > 1e9);
+    let factor = Factor::new(&matrix, method(Precision::Single, Ordering::Automatic)).unwrap();
+    assert_eq!(factor.work().precision, Precision::Double);
+    let mut x = matrix.times(&vec![1.0; 300]);
+    let _ = factor.solve(&mut x, 1);
+    // The condition times the rounding.
+    assert!(x.iter().all(|x| (x - 1.0).abs() < 1e-5));
+}
+
+#[test]
+fn nothing_to_solve_is_solved() {
+    let empty = Symmetric::zero(Arc::new(Pattern::new(&[0], [].into_iter()).unwrap()));
+    let _ = Factor::new(&empty, AUTOMATIC).unwrap().solve(&mut [], 3);
+    let mut zero = vec![0.0; 4];
+    assert_eq!(Factor::new(&pair(0.5), AUTOMATIC).unwrap().solve(&mut zero, 2).residual, 0.0);
+    assert_eq!(zero, [0.0; 4]);
+}

@@ -1,0 +1,183 @@
+//! The few largest eigenvalues of `M x = θ C x` for matrices too large for a dense solver.
+
+use super::eigen::{Dense, NoConvergence, modes};
+
+/// A pencil `M x = θ C x`, `C` symmetric positive definite, `M` symmetric positive semi-definite.
+pub struct Pencil<'a> {
+    /// Number of rows.
+    pub size: usize,
+    /// `C x`.
+    pub stiffness: &'a dyn Fn(&[f64]) -> Vec<f64>,
+    /// `C⁻¹ x`, in place.
+    pub solve: &'a dyn Fn(&mut [f64]),
+    /// `M x`.
+    pub mass: &'a dyn Fn(&[f64]) -> Vec<f64>,
+}
+
+/// Vectors beyond those asked for, so that the last one converges as fast as the first.
+const SPARE: usize = 4;
+/// Powers of `C⁻¹M` in one Krylov space.
+const DEPTH: usize = 4;
+/// Krylov spaces tried.
+const RESTARTS: usize = 60;
+/// Residual relative to the largest eigenvalue; an eigenvalue apart from others is then right to its
+/// square, one in a crowd to itself.
+const CONVERGED: f64 = 1e-4;
+/// A vector that keeps less than this share of its length was in the span of the others.
+const DEPENDENT: f64 = 1e-10;
+
+/// Vectors that are orthonormal in the inner product of `C`, with their products.
+#[derive(Default)]
+struct Basis {
+    vectors: Vec<Vec<f64>>,
+    /// `C v`.
+    forces: Vec<Vec<f64>>,
+    /// `C⁻¹ M v`.
+    images: Vec<Vec<f64>>,
+}
+
+impl Pencil<'_> {
+    /// Vectors of the `count` largest eigenvalues, largest first, each with `xᵀ C x = 1`.
+    ///
+    /// A block Krylov method with Rayleigh–Ritz restarts: blocks find repeated eigenvalues, which bodies of regular
+    /// shape have. The start is fixed, so the same pencil gives the same bits.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if the residuals do not fall.
+    pub fn largest(&self, count: usize) -> Result<Vec<Vec<f64>>, NoConvergence> {
+        let width = (count + SPARE).min(self.size);
+        let mut basis = Basis::default();
+        let mut block: Vec<Vec<f64>> = (0..width).map(|column| scattered(self.size, column)).collect();
+        for _ in 0..RESTARTS {
+            self.extend(&mut basis, block);
+            let (values, ritz) = self.ritz(&basis, width)?;
+            let wanted = count.min(values.len());
+            let worst = (0..wanted).map(|i| self.residual(&ritz, i, values[i])).fold(0.0, f64::max);
+            if worst <= CONVERGED * values.first().copied().unwrap_or(0.0) {
+                return Ok(ritz.vectors.into_iter().take(wanted).collect());
+            }
+            block = ritz.images.clone();
+            basis = ritz;
+        }
+        Err(NoConvergence { size: self.size })
+    }
+
+    /// Adds a block and its images under powers of `C⁻¹M`; a basis of Ritz vectors counts as the first power.
+    fn extend(&self, basis: &mut Basis, mut block: Vec<Vec<f64>>) {
+        let powers = if basis.vectors.is_empty() { DEPTH } else { DEPTH - 1 };
+        for _ in 0..powers {
+            let first = basis.vectors.len();
+            for vector in block {
+                self.append(basis, vector);
+            }
+            block = basis.images[first..].to_vec();
+        }
+    }
+
+    /// Adds what of a vector is not in the span yet.
+    fn append(&self, basis: &mut Basis, mut x: Vec<f64>) {
+        let mut force = (self.stiffness)(&x);
+        let length = dot(&x, &force).max(0.0).sqrt();
+        for _ in 0..2 {
+            for (v, f) in basis.vectors.iter().zip(&basis.forces) {
+                let share = dot(f, &x);
+                x.iter_mut().zip(v).for_each(|(x, v)| *x -= share * v);
+            }
+        }
+        force = (self.stiffness)(&x);
+        let left = dot(&x, &force).max(0.0).sqrt();
+        if !(left > DEPENDENT * length) {
+            return;
+        }
+        x.iter_mut().chain(&mut force).for_each(|entry| *entry /= left);
+        basis.images.push(self.image(&x));
+        basis.vectors.push(x);
+        basis.forces.push(force);
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        let mut image = (self.mass)(x);
+        (self.solve)(&mut image);
+        image
+    }
+
+    /// The largest Ritz values of a basis, and their vectors, whose products are combined from those of the basis.
+    fn ritz(&self, basis: &Basis, count: usize) -> Result<(Vec<f64>, Basis), NoConvergence> {
+        let rank = basis.vectors.len();
+        let (mut mass, mut unit) = (Dense::zero(rank), Dense::zero(rank));
+        for i in 0..rank {
+            unit.add(i, i, 1.0);
+            for j in 0..rank {
+                let entry =
+                    0.5 * (dot(&basis.forces[i], &basis.images[j]) + dot(&basis.forces[j], &basis.images[i]));
+                mass.add(i, j, entry);
+            }
+        }
+        let small = modes(&mass, &unit)?;
+        let finite = small.frequencies.iter().filter(|frequency| frequency.is_finite()).count();
+        let columns = 0..count.min(finite);
+        let values = columns.clone().map(|column| small.frequencies[column].powi(-2)).collect();
+        let combined = |vectors: &[Vec<f64>]| {
+            let combination = |column: usize| {
+                let mut x = vec![0.0; self.size];
+                for (row, vector) in vectors.iter().enumerate() {
+                    let share = small.shapes.at(row, column) / small.frequencies[column];
+                    x.iter_mut().zip(vector).for_each(|(x, v)| *x += share * v);
+                }
+                x
+            };
+            columns.clone().map(combination).collect()
+        };
+        let [vectors, forces, images] =
+            [&basis.vectors, &basis.forces, &basis.images].map(|part| combined(part));
+        Ok((values, Basis { vectors, forces, images }))
+    }
+
+    /// `|C⁻¹M x − θ x|` of a Ritz vector in the norm of `C`.
+    fn residual(&self, ritz: &Basis, index: usize, theta: f64) -> f64 {
+        let (x, image) = (&ritz.vectors[index], &ritz.images[index]);
+        let gap: Vec<f64> = image.iter().zip(x).map(|(image, x)| image - theta * x).collect();
+        dot(&gap, &(self.stiffness)(&gap)).max(0.0).sqrt()
+    }
+}
+
+/// Scalar product.
+#[must_use]
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Entries that look random and are always the same.
+fn scattered(size: usize, column: usize) -> Vec<f64> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(column as u64 + 1);
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / 2f64.powi(52) - 1.0
+    };
+    (0..size).map(|_| next()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Diagonal pencil with a repeated largest eigenvalue and a dense spectrum below.
+    #[test]
+    fn repeated_eigenvalues_are_found_with_their_multiplicity() {
+        let size = 900;
+        let theta = |i: usize| if i < 3 { 1.0 } else { 0.9 / (1.0 + 0.01 * i as f64) };
+        let scale = |i: usize| 10f64.powi((i % 7) as i32 - 3);
+        let stiffness = |x: &[f64]| x.iter().enumerate().map(|(i, x)| scale(i) * x).collect();
+        let mass =
+            |x: &[f64]| x.iter().enumerate().map(|(i, x)| theta(i) * scale(i) * x).collect::<Vec<f64>>();
+        let solve = |x: &mut [f64]| x.iter_mut().enumerate().for_each(|(i, x)| *x /= scale(i));
+        let pencil = Pencil { size, stiffness: &stiffness, solve: &solve, mass: &mass };
+        let vectors = pencil.largest(6).unwrap();
+        for (i, x) in vectors.iter().enumerate() {
+            let value = dot(x, &mass(x));
+            assert!((value - theta(i)).abs() < 1e-7, "{i}: {value} {}", theta(i));
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Linear algebra of [`quasirigid`](https://docs.rs/quasirigid): symmetric matrices, dense and sparse, their factors and
+//! lowest modes.
+//!
+//! It knows no physics. It is a crate of its own because the library beneath, `faer`, takes minutes to compile for each
+//! number format that is used; nothing of it shows in a signature.
+#![allow(non_snake_case)]
+
+pub mod cholesky;
+pub mod dynamic_stiffness;
+pub mod eigen;
+pub mod factor;
+pub mod krylov;
+pub mod span;
+pub mod sparse;
+pub mod symmetric;

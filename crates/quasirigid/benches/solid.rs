@@ -1,0 +1,239 @@
+//! Time and memory of a static solution of an elastic cube: assembly, order, factor, nine right-hand sides.
+//!
+//! `cargo bench --bench solid -- NODES [FILE] [single|double]` takes the nodes along an edge (22 if none are given)
+//! and writes the matrix to FILE for other programs, unless it is `-`.
+#![allow(missing_docs, non_snake_case, clippy::print_stdout)]
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use quasirigid::math::factor::{Factor, Method, Ordering, Precision};
+use quasirigid::math::krylov::Pencil;
+use quasirigid::math::symmetric::{Pattern, Symmetric};
+
+const WIDTH: usize = 9;
+
+/// Time that this thread has had a processor, where the system tells; else the time on the wall.
+struct Clock {
+    wall: Instant,
+    processor: Option<Duration>,
+}
+
+impl Clock {
+    fn now() -> Self {
+        Self { wall: Instant::now(), processor: Self::processor() }
+    }
+
+    fn elapsed(&self) -> Duration {
+        let processor = self.processor.zip(Self::processor()).map(|(start, end)| end - start);
+        processor.unwrap_or_else(|| self.wall.elapsed())
+    }
+
+    fn processor() -> Option<Duration> {
+        let text = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+        text.split_whitespace().next()?.parse().ok().map(Duration::from_nanos)
+    }
+}
+
+fn main() -> io::Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let nodes = arguments.first().and_then(|nodes| nodes.parse().ok()).unwrap_or(22);
+    let word = |word: &str| arguments.iter().any(|argument| argument == word);
+    let start = Clock::now();
+    let cube = Cube { nodes };
+    let (stiffness, mass) = cube.matrices(word("modes"));
+    let assembly = start.elapsed();
+    println!(
+        "{} unknowns, {} entries, assembly {:.2?}",
+        stiffness.size(),
+        stiffness.entries().len(),
+        assembly
+    );
+    if let Some(path) = arguments.get(1).filter(|path| *path != "-") {
+        write(path, &stiffness)?;
+    }
+    let precision = match (word("single"), word("double")) {
+        (true, _) => Precision::Single,
+        (_, true) => Precision::Double,
+        _ => Precision::Automatic,
+    };
+    let ordering = if word("scotch") { Ordering::Scotch } else { Ordering::Automatic };
+    let start = Clock::now();
+    let factor = Factor::new(&stiffness, Method { precision, ordering }).expect("the cube is held");
+    println!("order and factor {:.2?}, {:?}", start.elapsed(), factor.work());
+    for width in [1, WIDTH] {
+        let start = Clock::now();
+        let mut x: Vec<f64> = (0..width * stiffness.size()).map(|i| (i as f64 * 0.7).cos()).collect();
+        let refinement = factor.solve(&mut x, width);
+        println!("{width} right-hand sides {:.2?}, {refinement:?}", start.elapsed());
+    }
+    if word("modes") {
+        modes(&stiffness, &mass, &factor);
+    }
+    println!("peak memory {}", peak());
+    Ok(())
+}
+
+/// The 20 lowest modes.
+fn modes(stiffness: &Symmetric, mass: &Symmetric, factor: &Factor) {
+    let solves = std::cell::Cell::new(0);
+    let start = Clock::now();
+    let pencil = Pencil {
+        size: stiffness.size(),
+        stiffness: &|x| stiffness.times(x),
+        solve: &|x| {
+            solves.set(solves.get() + 1);
+            factor.solve(x, 1);
+        },
+        mass: &|x| mass.times(x),
+    };
+    let vectors = pencil.largest(20).expect("the modes of a cube converge");
+    println!("20 modes {:.2?}, {} solves", start.elapsed(), solves.get());
+    for x in &vectors {
+        println!("  {:.12e}", quasirigid::math::krylov::dot(x, &mass.times(x)).recip());
+    }
+}
+
+/// Starts, rows and entries of the lower triangle by columns, little-endian, after the number of columns and places.
+fn write(path: &str, matrix: &Symmetric) -> io::Result<()> {
+    let mut file = BufWriter::new(File::create(path)?);
+    let mut start = 0_u64;
+    file.write_all(&(matrix.size() as u64).to_le_bytes())?;
+    file.write_all(&(matrix.entries().len() as u64).to_le_bytes())?;
+    file.write_all(&start.to_le_bytes())?;
+    for column in 0..matrix.size() {
+        start += matrix.column(column).count() as u64;
+        file.write_all(&start.to_le_bytes())?;
+    }
+    for column in 0..matrix.size() {
+        matrix.column(column).try_for_each(|(row, _)| file.write_all(&(row as u32).to_le_bytes()))?;
+    }
+    matrix.entries().iter().try_for_each(|entry| file.write_all(&entry.to_le_bytes()))
+}
+
+/// Largest memory of this process so far, where the system tells.
+fn peak() -> String {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap_or("unknown").trim().to_owned()
+}
+
+/// Unit cube of trilinear hexahedra, smoothly distorted, `E = 1`, `ν = 0.3`, held at six unknowns.
+struct Cube {
+    nodes: usize,
+}
+
+type Place = [f64; 3];
+
+impl Cube {
+    fn node(&self, i: usize, j: usize, k: usize) -> usize {
+        i + self.nodes * (j + self.nodes * k)
+    }
+
+    fn place(&self, node: usize) -> Place {
+        let grid = [node % self.nodes, node / self.nodes % self.nodes, node / self.nodes / self.nodes];
+        let [x, y, z] = grid.map(|index| index as f64 / (self.nodes - 1) as f64);
+        let bend = |a: f64, b: f64| 0.05 * (std::f64::consts::TAU * a).sin() * (3.0 * b).cos();
+        [x + bend(y, z), y + bend(z, x), z + bend(x, y)]
+    }
+
+    /// Elements as lists of eight nodes.
+    fn elements(&self) -> Vec<[u32; 8]> {
+        let cells = self.nodes - 1;
+        let corner = |cell: usize, c: usize| {
+            let (i, j, k) = (cell % cells, cell / cells % cells, cell / cells / cells);
+            self.node(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)) as u32
+        };
+        (0..cells.pow(3)).map(|cell| std::array::from_fn(|c| corner(cell, c))).collect()
+    }
+
+    /// Statically determinate: one corner, two unknowns of the next, one of a third.
+    fn held(&self, node: usize, axis: usize) -> bool {
+        let second = self.node(self.nodes - 1, 0, 0);
+        let third = self.node(0, self.nodes - 1, 0);
+        node == 0 || node == second && axis > 0 || node == third && axis == 2
+    }
+
+    /// Stiffness, and mass if it is asked for.
+    fn matrices(&self, massive: bool) -> (Symmetric, Symmetric) {
+        let count = self.nodes.pow(3);
+        let mut first = vec![0_u32];
+        let mut unknowns = vec![None; 3 * count];
+        let mut next = 0;
+        for (index, unknown) in unknowns.iter_mut().enumerate() {
+            if !self.held(index / 3, index % 3) {
+                *unknown = Some(next);
+                next += 1;
+            }
+            if index % 3 == 2 {
+                first.push(next);
+            }
+        }
+        let elements = self.elements();
+        let pattern = Pattern::new(&first, elements.iter().map(|nodes| nodes.as_slice()));
+        let mut stiffness = Symmetric::zero(Arc::new(pattern.expect("elements join nodes of the cube")));
+        let mut mass = stiffness.clone();
+        for nodes in &elements {
+            let own: Vec<Option<u32>> = nodes
+                .iter()
+                .flat_map(|node| (0..3).map(|axis| unknowns[3 * *node as usize + axis]))
+                .collect();
+            let (K, M) = hexahedron(&nodes.map(|node| self.place(node as usize)));
+            stiffness.add(&own, &K).expect("the pattern has all elements");
+            if massive {
+                mass.add(&own, &M).expect("the pattern has all elements");
+            }
+        }
+        (stiffness, mass)
+    }
+}
+
+/// Stiffness and mass of a trilinear hexahedron, by 2 × 2 × 2 Gauss points; density 1.
+fn hexahedron(places: &[Place; 8]) -> (Vec<f64>, Vec<f64>) {
+    let (mut K, mut M) = (vec![0.0; 576], vec![0.0; 576]);
+    let (lambda, mu) = (0.3 / (1.3 * 0.4), 1.0 / 2.6);
+    for point in 0..8 {
+        let (shapes, gradients, volume) = shape(places, point);
+        for a in 0..8 {
+            for b in 0..8 {
+                let (g, h) = (gradients[a], gradients[b]);
+                let dot: f64 = (0..3).map(|i| g[i] * h[i]).sum();
+                for i in 0..3 {
+                    for j in 0..3 {
+                        let same = f64::from(u8::from(i == j));
+                        let entry = lambda * g[i] * h[j] + mu * (g[j] * h[i] + same * dot);
+                        K[(3 * a + i) * 24 + 3 * b + j] += volume * entry;
+                    }
+                    M[(3 * a + i) * 24 + 3 * b + i] += volume * shapes[a] * shapes[b];
+                }
+            }
+        }
+    }
+    (K, M)
+}
+
+/// Shape functions at a Gauss point, their gradients in space, and the volume of the point.
+fn shape(places: &[Place; 8], point: usize) -> ([f64; 8], [Place; 8], f64) {
+    let sign = |corner: usize, axis: usize| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 };
+    let xi: Place = std::array::from_fn(|axis| sign(point, axis) / 3f64.sqrt());
+    let factor = |corner, axis: usize| 0.5 * (1.0 + sign(corner, axis) * xi[axis]);
+    let shapes = std::array::from_fn(|c| (0..3).map(|axis| factor(c, axis)).product());
+    let local: [Place; 8] = std::array::from_fn(|c| {
+        std::array::from_fn(|d| {
+            (0..3).map(|axis| if axis == d { 0.5 * sign(c, axis) } else { factor(c, axis) }).product()
+        })
+    });
+    // J[i][d] = ∂x_i/∂ξ_d
+    let J: [Place; 3] =
+        std::array::from_fn(|i| std::array::from_fn(|d| (0..8).map(|c| places[c][i] * local[c][d]).sum()));
+    let cofactor = |i: usize, d: usize| {
+        let (i1, i2, d1, d2) = ((i + 1) % 3, (i + 2) % 3, (d + 1) % 3, (d + 2) % 3);
+        J[i1][d1] * J[i2][d2] - J[i1][d2] * J[i2][d1]
+    };
+    let volume: f64 = (0..3).map(|d| J[0][d] * cofactor(0, d)).sum();
+    let gradients = local.map(|local| {
+        std::array::from_fn(|i| (0..3).map(|d| cofactor(i, d) * local[d]).sum::<f64>() / volume)
+    });
+    (shapes, gradients, volume)
+}

@@ -1,0 +1,210 @@
+use std::collections::HashMap;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::net::Net;
+use super::{Assembly, Built, Mover};
+use crate::elements::affine::{Field as Shape, Piece};
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::matrices::Matrices;
+use crate::elements::part::NodeRef;
+use crate::elements::spring::{Ends, Pulled};
+use crate::elements::structure::Component;
+use crate::elements::{End, Station};
+use crate::math::sparse::SparseRows;
+use crate::math::sym::Sym;
+use crate::model::force::Force;
+use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
+
+/// A carrier with everything on it: rigid pieces that move, then the coordinates of the parts.
+struct Carried {
+    carrier: Piece,
+    /// Centre of mass of the carrier (m), in the file's frame.
+    center: Vector3<f64>,
+    movers: Vec<Mover>,
+    /// First coordinate of each mover, and the end.
+    starts: Vec<usize>,
+    component: Option<Component>,
+}
+
+impl Assembly {
+    /// A body with a carrier.
+    pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
+        let carrier =
+            self.carrier.as_ref().ok_or_else(|| at(Place::Carrier, Field::Mass)(Problem::NoBody))?;
+        let movers = self.movers()?;
+        let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
+        let component = net.as_ref().map(|net| net.component(false)).transpose()?;
+        let (piece, center) = (carrier.piece()?, carrier.position());
+        let whole = Carried { carrier: piece, center, starts: starts(&movers), movers, component };
+        let (mass, center_of_mass) = whole.mass_center();
+        let pole = self.held_point()?.unwrap_or(center_of_mass);
+        let invariants = whole.invariants(pole, mass);
+        self.has_inertia(&invariants)?;
+        let pulled = whole.pulled(net.as_ref());
+        let Matrices { stiffness, damping, lossy } = self.matrices(&whole, &pulled)?;
+        let markers = whole.markers(net.as_ref(), pole);
+        let marker = |end: End| match end {
+            End::Carrier => None,
+            End::Point(index) => markers.get(index).cloned(),
+            End::Node(node) => pulled.get(&node).map(|pulled| pulled.marker(pole)),
+        };
+        let forces = self.placed_forces(forces, pole, marker)?;
+        let body = FlexibleBody::new(Parts {
+            support: self.support.clone(),
+            pole: pole.into(),
+            center_of_mass: center_of_mass.into(),
+            invariants,
+            damping,
+            stiffness,
+            lossy,
+            coordinates: whole.coordinates(),
+            markers,
+        });
+        Ok(Built { body: body.map_err(|error| self.blame(error))?, forces })
+    }
+
+    fn movers(&self) -> Result<Vec<Mover>, ElementError> {
+        let points = self.points.iter().enumerate().map(|(i, point)| point.mover(i));
+        let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| hinged.mover(i));
+        points.chain(hinged).collect()
+    }
+
+    fn has_inertia(&self, invariants: &Invariants) -> Result<(), ElementError> {
+        let [xx, yy, zz, yz, zx, xy] = invariants.J;
+        let mut moments: [f64; 3] =
+            Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigenvalues().into();
+        moments.sort_by(f64::total_cmp);
+        if moments[0] > f64::EPSILON.sqrt() * moments[2] {
+            return Ok(());
+        }
+        let problem = Problem::NoInertia { moments, held: self.support != Support::Free };
+        Err(at(Place::Carrier, Field::Inertia)(problem))
+    }
+
+    /// Stiffness and damping matrices (I9), coordinates numbered points first, then appendages, then parts.
+    fn matrices(&self, whole: &Carried, pulled: &HashMap<NodeRef, Pulled>) -> Result<Matrices, ElementError> {
+        let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled };
+        let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
+        let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
+        let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
+        let start = whole.flexible();
+        let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
+        Matrices::sum(whole.size(), springs.chain(hinges).chain(parts))
+    }
+
+    /// Lays a mechanism at the door of the first element it moves.
+    fn blame(&self, error: FlexibleError) -> ElementError {
+        let FlexibleError::Mechanism { coordinates } = error;
+        let moves = |name: &str| coordinates.starts_with(&format!("\"{name}\""));
+        let place = self
+            .points
+            .iter()
+            .position(|point| moves(&point.name))
+            .map(Place::Point)
+            .or_else(|| self.hinged.iter().position(|hinged| moves(&hinged.name)).map(Place::Hinged))
+            .unwrap_or(Place::Carrier);
+        at(place, Field::Stiffness)(Problem::Mechanism { coordinates })
+    }
+}
+
+impl Carried {
+    /// First coordinate of the parts.
+    fn flexible(&self) -> usize {
+        self.starts.last().copied().unwrap_or_default()
+    }
+
+    fn size(&self) -> usize {
+        self.flexible() + self.component.as_ref().map_or(0, Component::size)
+    }
+
+    fn mass_center(&self) -> (f64, Vector3<f64>) {
+        let mut mass = self.carrier.mass;
+        let mut first = self.carrier.mass * self.center;
+        for mover in &self.movers {
+            mass += mover.piece.mass;
+            first += mover.piece.mass * mover.base + mover.piece.first;
+        }
+        if let Some(component) = &self.component {
+            mass += component.mass();
+            first += component.mass() * component.center();
+        }
+        (mass, first / mass)
+    }
+
+    /// Inertia invariants about the pole (I1)–(I6).
+    fn invariants(&self, pole: Vector3<f64>, mass: f64) -> Invariants {
+        let rho = Shape::position(self.center - pole);
+        let mut J = half(self.carrier.inertia(&rho, &rho));
+        let (mut S, mut h, mut J1) = (Vec::new(), Vec::new(), Vec::new());
+        let mut pairs: Vec<(usize, usize, Pair)> = Vec::new();
+        for (mover, start) in self.movers.iter().zip(&self.starts) {
+            let rho = mover.position(pole);
+            add(&mut J, half(mover.piece.inertia(&rho, &rho)));
+            for H in &mover.shapes {
+                S.push(mover.piece.sum(H));
+                h.push(mover.piece.cross(&rho, H));
+                J1.push(mover.piece.inertia(&rho, H));
+            }
+            pairs.extend(mover.pairs(pole, *start));
+        }
+        if let Some(component) = &self.component {
+            add(&mut J, component.inertia(pole));
+            for j in 0..component.size() {
+                let (S_j, h_j, J_j) = component.coordinate(j, pole);
+                S.push(S_j);
+                h.push(h_j);
+                J1.push(J_j);
+            }
+            pairs.extend(component.pairs(pole, self.flexible()));
+        }
+        let pairs = SparseRows::sum(S.len(), pairs);
+        Invariants { mass, J, S, h, J1, pairs }
+    }
+
+    /// Nodes at which springs and forces pull, with what moves them.
+    fn pulled(&self, net: Option<&Net<'_>>) -> HashMap<NodeRef, Pulled> {
+        let Some((net, component)) = net.zip(self.component.as_ref()) else { return HashMap::new() };
+        let stations = net.stations().iter().enumerate();
+        stations
+            .map(|(number, node)| {
+                let index = net.index(*node);
+                let shapes = component.shapes(number, self.flexible());
+                let place = net.structure.nodes[index].place;
+                (*node, Pulled { name: net.node_name(index), place, shapes })
+            })
+            .collect()
+    }
+
+    /// Places whose displacement is watched: points, appendages, nodes of parts.
+    fn markers(&self, net: Option<&Net<'_>>, pole: Vector3<f64>) -> Vec<Marker> {
+        let movers = self.movers.iter().zip(&self.starts).map(|(mover, start)| mover.watched(pole, *start));
+        let mut markers: Vec<Marker> = movers.collect();
+        if let Some((net, component)) = net.zip(self.component.as_ref()) {
+            markers.extend(net.markers(component, self.flexible(), pole));
+        }
+        markers
+    }
+
+    fn coordinates(&self) -> Vec<Coordinate> {
+        let movers = self.movers.iter().flat_map(|mover| mover.coordinates.iter().cloned());
+        movers.chain(self.component.iter().flat_map(Component::coordinates)).collect()
+    }
+}
+
+fn starts(movers: &[Mover]) -> Vec<usize> {
+    let mut starts = vec![0];
+    starts.extend(movers.iter().scan(0, |next, mover| {
+        *next += mover.shapes.len();
+        Some(*next)
+    }));
+    starts
+}
+
+fn half(matrix: Sym) -> Sym {
+    matrix.map(|entry| 0.5 * entry)
+}
+
+fn add(sum: &mut Sym, part: Sym) {
+    sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+}

@@ -1,0 +1,83 @@
+use nalgebra::Vector3;
+
+use super::net::Net;
+use super::{Assembly, Built};
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::matrices::Matrices;
+use crate::elements::part::NodeRef;
+use crate::elements::structure::Component;
+use crate::elements::{End, Station};
+use crate::math::sparse::SparseRows;
+use crate::model::force::Force;
+use crate::model::{FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
+
+impl Assembly {
+    /// A body without a carrier: parts, points and springs, in their Tisserand frame.
+    pub(super) fn floating(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
+        if self.parts.is_empty() && self.points.len() < 3 {
+            return Err(at(Place::Carrier, Field::Mass)(Problem::NoBody));
+        }
+        self.free()?;
+        if !self.hinged.is_empty() {
+            return Err(at(Place::Hinged(0), Field::Hinge)(Problem::NoCarrier));
+        }
+        let net = Net::of_everything(self)?;
+        let component = net.component(true)?;
+        let center = component.center();
+        let size = component.size();
+        let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;
+        let markers = net.markers(&component, 0, center);
+        let stations = net.stations().iter().zip(&markers);
+        let of_node = |node: NodeRef| {
+            stations.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone())
+        };
+        let marker = |end: End| match end {
+            End::Carrier => None,
+            End::Node(node) => of_node(node),
+            End::Point(node) => of_node(NodeRef { part: self.parts.len(), node }),
+        };
+        let forces = self.placed_forces(forces, center, marker)?;
+        let body = FlexibleBody::new(Parts {
+            support: Support::Free,
+            pole: center.into(),
+            center_of_mass: center.into(),
+            invariants: invariants(&component, center),
+            damping,
+            stiffness,
+            lossy,
+            coordinates: component.coordinates(),
+            markers,
+        });
+        let body = body.map_err(|FlexibleError::Mechanism { coordinates }| {
+            at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates })
+        })?;
+        Ok(Built { body, forces })
+    }
+}
+
+fn invariants(component: &Component, pole: Vector3<f64>) -> Invariants {
+    let each: Vec<_> = (0..component.size()).map(|j| component.coordinate(j, pole)).collect();
+    Invariants {
+        mass: component.mass(),
+        J: component.inertia(pole),
+        S: each.iter().map(|(S, _, _)| *S).collect(),
+        h: each.iter().map(|(_, h, _)| *h).collect(),
+        J1: each.iter().map(|(_, _, J1)| *J1).collect(),
+        pairs: SparseRows::sum(component.size(), component.pairs(pole, 0).collect()),
+    }
+}
+
+impl Net<'_> {
+    /// The watched nodes, from a pole, with coordinates numbered from `start`.
+    pub(super) fn markers(&self, component: &Component, start: usize, pole: Vector3<f64>) -> Vec<Marker> {
+        let marker = |(number, node): (usize, &NodeRef)| {
+            let index = self.index(*node);
+            Marker {
+                name: self.node_name(index),
+                position: (self.structure.nodes[index].place - pole).into(),
+                shapes: component.shapes(number, start),
+            }
+        };
+        self.stations().iter().enumerate().map(marker).collect()
+    }
+}

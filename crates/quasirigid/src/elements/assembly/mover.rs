@@ -1,0 +1,49 @@
+use nalgebra::Vector3;
+
+use crate::elements::affine::{Field as Shape, Piece};
+use crate::model::{Coordinate, Marker, Pair};
+
+/// A rigid piece placed on the body, with the coordinates that move it.
+pub(in crate::elements) struct Mover {
+    /// Mass and moments about the base.
+    pub piece: Piece,
+    /// Where the base is (m), in the file's frame.
+    pub base: Vector3<f64>,
+    /// One shape per coordinate, outermost first.
+    pub shapes: Vec<Shape>,
+    /// Curvature of the path of each pair of coordinates, `G_jk`.
+    pub curvature: Vec<Vec<Shape>>,
+    /// Name and unit of each coordinate.
+    pub coordinates: Vec<Coordinate>,
+    /// Place watched on the piece: its name, and where it is from the base.
+    pub marker: (String, Vector3<f64>),
+}
+
+impl Mover {
+    /// Position field of its piece from a pole.
+    pub fn position(&self, pole: Vector3<f64>) -> Shape {
+        Shape::position(self.base - pole)
+    }
+
+    /// Invariants of its coordinates with each other, numbered from `start`. (I4)–(I6)
+    pub fn pairs(&self, pole: Vector3<f64>, start: usize) -> impl Iterator<Item = (usize, usize, Pair)> + '_ {
+        let rho = self.position(pole);
+        let count = self.shapes.len();
+        (0..count * count).map(move |entry| {
+            let (j, k) = (entry / count, entry % count);
+            let pair = self.piece.pair(&rho, &self.shapes[j], &self.shapes[k], &self.curvature[j][k]);
+            (start + j, start + k, pair)
+        })
+    }
+
+    /// The place watched on it, from a pole, with its coordinates numbered from `start`.
+    pub fn watched(&self, pole: Vector3<f64>, start: usize) -> Marker {
+        let (name, s) = &self.marker;
+        let shapes = self.shapes.iter().enumerate();
+        Marker {
+            name: name.clone(),
+            position: (self.base + s - pole).into(),
+            shapes: shapes.map(|(j, H)| (start + j, (H.constant + H.linear * s).into())).collect(),
+        }
+    }
+}

@@ -1,0 +1,278 @@
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Assembly;
+use super::held::holds;
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::finite::{Link, Mass};
+use crate::elements::part::{NodeRef, extremes};
+use crate::elements::structure::{
+    Component, Fault, Freedoms, Hold, Joint, Matter, Node, Purpose, Structure, Unknown,
+};
+use crate::elements::{End, Motion, coefficient};
+use crate::model::Rheology;
+
+/// The parts of a body as one structure; without a carrier also its points and springs.
+pub(super) struct Net<'a> {
+    assembly: &'a Assembly,
+    pub structure: Structure,
+    /// First node of each part, of the points, and of the joints.
+    pub firsts: Vec<usize>,
+    /// Connection of each node that is a joint.
+    joints: Vec<usize>,
+    /// Connection of each spring about the axes of a joint.
+    hinges: Vec<usize>,
+    /// Nodes whose displacements are wanted, and what they are in the structure.
+    stations: Vec<NodeRef>,
+    /// Those of them at which springs or forces pull.
+    pulled: Vec<usize>,
+}
+
+/// Order above which the space of a structure does not grow: its strains are complete up to there.
+const HIGHEST: usize = 5;
+/// Most unknowns named in a message.
+const MOST_NAMES: usize = 6;
+
+impl<'a> Net<'a> {
+    /// The structure of the parts of a body.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first part or connection that cannot be.
+    pub fn of_parts(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        Self::new(assembly, false)
+    }
+
+    /// The same with the points and springs of a body without a carrier.
+    ///
+    /// # Errors
+    /// [`ElementError`] for the first element that cannot be.
+    pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
+        for (index, point) in assembly.points.iter().enumerate() {
+            let place = Place::Point(index);
+            coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
+            coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
+            if point.motion != Motion::Free {
+                return Err(at(place, Field::Motion)(Problem::NoGuide));
+            }
+        }
+        let mut net = Self::new(assembly, true)?;
+        for index in 0..assembly.springs.len() {
+            net.spring(index)?;
+        }
+        Ok(net)
+    }
+
+    fn new(assembly: &'a Assembly, floating: bool) -> Result<Self, ElementError> {
+        let mut structure = Structure::default();
+        let mut firsts = Vec::new();
+        for (index, part) in assembly.parts.iter().enumerate() {
+            firsts.push(structure.nodes.len());
+            structure.nodes.extend(part.nodes());
+            structure.holds.extend(part.holds());
+            part.furnish(index, firsts[index], &mut structure)?;
+        }
+        firsts.push(structure.nodes.len());
+        let (joints, hinges) = (Vec::new(), Vec::new());
+        let mut net =
+            Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), pulled: Vec::new() };
+        for point in assembly.points.iter().filter(|_| floating) {
+            net.point(point.mass, point.position.into());
+        }
+        net.firsts.push(net.structure.nodes.len());
+        holds(assembly, &mut net)?;
+        net.station_all(floating)?;
+        Ok(net)
+    }
+
+    /// The structure with few coordinates.
+    ///
+    /// # Errors
+    /// [`ElementError`] for nodes that hold each other, and for a mechanism.
+    pub fn component(&self, floating: bool) -> Result<Component, ElementError> {
+        let freedoms = Freedoms::new(&self.structure.nodes, &self.structure.holds).map_err(|circle| {
+            self.blame(circle.node, Problem::Circle { node: self.node_name(circle.node) })
+        })?;
+        let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
+        let purpose = Purpose {
+            order: self.assembly.reduction.order.min(HIGHEST),
+            modes: self.assembly.reduction.modes,
+            floating,
+            stations: &stations,
+            pulled: &self.pulled,
+        };
+        self.structure.component(freedoms, &purpose).map_err(|fault| self.refusal(fault))
+    }
+
+    /// Number of a node in the structure.
+    pub fn index(&self, node: NodeRef) -> usize {
+        self.firsts[node.part] + node.node
+    }
+
+    /// Nodes whose displacements the component has, in the order of its stations.
+    pub fn stations(&self) -> &[NodeRef] {
+        &self.stations
+    }
+
+    /// Name of a node of the structure.
+    pub fn node_name(&self, node: usize) -> String {
+        let (place, inner) = self.owner(node);
+        match place {
+            Place::Part(part) => {
+                let owner = &self.assembly.parts[part];
+                format!("{:?} {}", owner.name, owner.node_name(inner))
+            }
+            Place::Point(point) => format!("{:?}", self.assembly.points[point].name),
+            joint => joint.to_string(),
+        }
+    }
+
+    /// What a node belongs to, and its index there.
+    fn owner(&self, node: usize) -> (Place, usize) {
+        let group = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
+        let (inner, parts) = (node - self.firsts[group], self.assembly.parts.len());
+        let place = match group {
+            part if part < parts => Place::Part(part),
+            points if points == parts => Place::Point(inner),
+            _ => Place::Connection(self.joints[inner]),
+        };
+        (place, inner)
+    }
+
+    /// Adds a node of a connection, which belongs to no part.
+    pub fn joint_node(&mut self, place: Vector3<f64>, connection: usize) -> usize {
+        self.joints.push(connection);
+        self.structure.nodes.push(Node { place, turns: true });
+        self.structure.holds.push(Hold::Free);
+        self.structure.nodes.len() - 1
+    }
+
+    /// Adds the springs about the axes of a connection.
+    pub fn hinge(&mut self, joint: Joint, connection: usize) {
+        self.structure.joints.push(joint);
+        self.hinges.push(connection);
+    }
+
+    /// Number of the matter without damping of its own that answers periodic strain like this.
+    pub fn matter(&mut self, rheology: &Rheology) -> usize {
+        let matter = Matter { rheology: rheology.clone(), per_mass: 0.0, per_stiffness: 0.0 };
+        self.structure.matter(matter)
+    }
+
+    /// An element blamed for what is wrong with a node.
+    pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
+        match self.owner(node).0 {
+            part @ Place::Part(_) => at(part, Field::Attach)(problem),
+            other => at(other, Field::Stiffness)(problem),
+        }
+    }
+
+    fn point(&mut self, mass: f64, place: Vector3<f64>) {
+        let node = self.structure.nodes.len();
+        let matter = self.matter(&Rheology::Elastic);
+        self.structure.nodes.push(Node { place, turns: false });
+        self.structure.holds.push(Hold::Free);
+        let points = vec![(mass, Vector3::zeros())];
+        self.structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
+    }
+
+    fn spring(&mut self, index: usize) -> Result<(), ElementError> {
+        let spring = &self.assembly.springs[index];
+        let place = Place::Spring(index);
+        if spring.from == spring.to {
+            return Err(at(place, Field::To)(Problem::SameEnds));
+        }
+        let node = |end: End, field: Field| match end {
+            End::Carrier => Err(at(place, field)(Problem::NoCarrier)),
+            End::Point(point) if point < self.assembly.points.len() => {
+                Ok(self.firsts[self.assembly.parts.len()] + point)
+            }
+            End::Point(index) => Err(at(place, field)(Problem::NoSuchPoint { index })),
+            End::Node(node) => Ok(self.index(node)),
+        };
+        let nodes = [node(spring.from, Field::From)?, node(spring.to, Field::To)?];
+        let places = nodes.map(|node| self.structure.nodes[node].place);
+        let (stiffness, damping): (Matrix3<f64>, Matrix3<f64>) = spring.matrices(place, places)?;
+        let matter = self.matter(&spring.rheology);
+        self.structure.elements.push(Box::new(Link { nodes, matter, stiffness, damping }));
+        Ok(())
+    }
+
+    /// Notes the nodes that are watched, and those at which springs and forces pull; of a body without a carrier also
+    /// points, which count as one more part.
+    fn station_all(&mut self, floating: bool) -> Result<(), ElementError> {
+        let points = self.assembly.parts.len();
+        let mut stations = BTreeMap::new();
+        for (part, description) in self.assembly.parts.iter().enumerate() {
+            stations.extend(description.watched().into_iter().map(|node| (NodeRef { part, node }, false)));
+        }
+        if floating {
+            let places: Vec<[f64; 3]> = self.assembly.points.iter().map(|point| point.position).collect();
+            stations
+                .extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
+        }
+        for (place, field, end) in self.assembly.ends() {
+            let spring = matches!(place, Place::Spring(_));
+            match end {
+                End::Node(node) => {
+                    self.assembly.has(node).map_err(at(place, field))?;
+                    *stations.entry(node).or_default() |= !(floating && spring);
+                }
+                End::Point(node) if floating && !spring => {
+                    stations.insert(NodeRef { part: points, node }, true);
+                }
+                End::Point(_) | End::Carrier => {}
+            }
+        }
+        self.pulled = stations.values().enumerate().filter(|(_, pulled)| **pulled).map(|(i, _)| i).collect();
+        self.stations = stations.into_keys().collect();
+        Ok(())
+    }
+
+    fn refusal(&self, fault: Fault) -> ElementError {
+        match fault {
+            Fault::Loose(unknowns) => self.mechanism(&unknowns),
+            Fault::NoConvergence(cause) => at(Place::Part(0), Field::Modes)(Problem::NoModes { cause }),
+        }
+    }
+
+    /// Lays a mechanism at the door of the hinges that turn freely, else of the nodes that move.
+    fn mechanism(&self, loose: &[Unknown]) -> ElementError {
+        const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
+        let hinges = loose.iter().filter_map(|unknown| match *unknown {
+            Unknown::OfJoint(node, axis) => {
+                let hinge = Place::Connection(self.hinged_by(node)?);
+                Some((hinge, format!("{hinge} about its axis {}", axis + 1)))
+            }
+            Unknown::OfNode(..) => None,
+        });
+        let (hinges, names): (Vec<Place>, Vec<String>) = hinges.unzip();
+        if let Some(first) = hinges.first() {
+            return at(*first, Field::Stiffness)(Problem::Mechanism { coordinates: listed(names) });
+        }
+        let nodes = loose.iter().filter_map(|unknown| match *unknown {
+            Unknown::OfNode(node, component) => {
+                Some((node, format!("{} {}", self.node_name(node), COMPONENTS[component])))
+            }
+            Unknown::OfJoint(..) => None,
+        });
+        let (nodes, names): (Vec<usize>, Vec<String>) = nodes.unzip();
+        let first = nodes.first().copied().unwrap_or_default();
+        self.blame(first, Problem::Mechanism { coordinates: listed(names) })
+    }
+
+    /// Connection whose hinge holds a node.
+    fn hinged_by(&self, node: usize) -> Option<usize> {
+        let joint = self.structure.joints.iter().position(|joint| joint.node == node)?;
+        self.hinges.get(joint).copied()
+    }
+}
+
+fn listed(mut names: Vec<String>) -> String {
+    let more = names.len().saturating_sub(MOST_NAMES);
+    names.truncate(MOST_NAMES);
+    if more > 0 {
+        names.push(format!("{more} more"));
+    }
+    names.join(", ")
+}

@@ -1,0 +1,295 @@
+use thiserror::Error;
+
+use crate::elements::finite::beam::BeamError;
+use crate::elements::finite::elasticity::ElasticityError;
+use crate::elements::finite::shell::ShellError;
+use crate::math::eigen::NoConvergence;
+use crate::math::mesh::{MeshFault, MeshNote};
+use crate::model::{InertiaError, RheologyError};
+
+/// What can be wrong with a value of an element.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Problem {
+    /// A number is NaN or infinite.
+    #[error("{value} is not a finite number")]
+    NotFinite {
+        /// The number.
+        value: f64,
+    },
+    /// A mass is zero or negative.
+    #[error("{value} kg is not a mass; it must be positive")]
+    NotAMass {
+        /// The number (kg).
+        value: f64,
+    },
+    /// No mass distribution has this inertia tensor.
+    #[error(transparent)]
+    Inertia(#[from] InertiaError),
+    /// No isotropic material has this Poisson's ratio, or it is incompressible.
+    #[error(
+        "no elastic material that can be compressed has the Poisson's ratio {value}; it lies between -1 and 0.5"
+    )]
+    Poisson {
+        /// The ratio.
+        value: f64,
+    },
+    /// No material answers a strain like this.
+    #[error(transparent)]
+    Rheology(#[from] RheologyError),
+    /// Polynomials that rounding, or the shape, cannot tell apart.
+    #[error("polynomials of degree {degree} cannot be told apart on this body")]
+    Unresolved {
+        /// Their degree.
+        degree: usize,
+    },
+    /// A degree that is not offered.
+    #[error("polynomials of degree {degree} are not offered; choose 1 to {most}")]
+    Degree {
+        /// Degree asked for.
+        degree: usize,
+        /// Highest one offered.
+        most: usize,
+    },
+    /// The body has neither a carrier nor a part that is elastic throughout.
+    #[error("the body has no carrier and no part that is elastic throughout")]
+    NoBody,
+    /// An element that only goes with a carrier, on a body without.
+    #[error("an ellipsoid or a surface is the whole body; this cannot stand beside it")]
+    BesideWhole,
+    /// Something acts on the carrier of a body that has none, or hangs on it.
+    #[error("this body has no carrier")]
+    NoCarrier,
+    /// A body that is elastic throughout has no point that a support could hold.
+    #[error("a body that is elastic throughout moves freely; no point of it can be held")]
+    HeldWhole,
+    /// A part hangs in the air: the body has a carrier and nothing joins the part to it.
+    #[error("nothing joins this part to the carrier; attach some of its nodes, or connect it")]
+    NotAttached,
+    /// Something names a part that there is not.
+    #[error("there is no part number {index}")]
+    NoSuchPart {
+        /// Index of the part.
+        index: usize,
+    },
+    /// Something names a node that there is not.
+    #[error("the part has no node number {index}; it has {count}")]
+    NoSuchNode {
+        /// Index of the node.
+        index: usize,
+        /// Number of nodes.
+        count: usize,
+    },
+    /// An entry of a matrix is about a row that there is not.
+    #[error("an entry is about row {index}, but there are {count} freedoms")]
+    NoSuchRow {
+        /// Index of the row.
+        index: usize,
+        /// Number of rows.
+        count: usize,
+    },
+    /// A side of a connection or an attachment has no nodes.
+    #[error("no nodes are named here")]
+    NoNodes,
+    /// Both sides of a connection are held already.
+    #[error("{node} is held already, by a connection or the carrier; a node can be held once")]
+    HeldTwice {
+        /// The node, by name.
+        node: String,
+    },
+    /// Connections run in a circle.
+    #[error("the connections at {node} run in a circle; replace one of them by a stiff spring")]
+    Circle {
+        /// A node of the circle, by name.
+        node: String,
+    },
+    /// A joint is away from the node that carries it, which does not turn.
+    #[error(
+        "{base} has no rotations to carry {node}, {distance} m away; join nodes at the same place, or a whole face"
+    )]
+    NoArm {
+        /// The node that would carry.
+        base: String,
+        /// The node that would be carried.
+        node: String,
+        /// Distance between them (m).
+        distance: f64,
+    },
+    /// A hinge or ball joins a node that does not turn.
+    #[error("{node} has no rotations, so it can have no hinge; name a face, or three nodes or more")]
+    NoTurn {
+        /// The node, by name.
+        node: String,
+    },
+    /// Two sides of many nodes each do not match.
+    #[error("{node} has no partner at its place on the other side; the nearest is {distance} m away")]
+    NoPartner {
+        /// The node, by name.
+        node: String,
+        /// Distance to the nearest node of the other side (m).
+        distance: f64,
+    },
+    /// A beam or its section cannot be.
+    #[error(transparent)]
+    Beam(#[from] BeamError),
+    /// A mesh cannot be calculated with.
+    #[error("{}", all(.0))]
+    Mesh(Vec<MeshFault>),
+    /// A mesh has no cells of the kind that the part is made of.
+    #[error(
+        "the mesh has no {}",
+        if *dimension == 3 { "tetrahedra, wedges or hexahedra" } else { "triangles or quadrilaterals" }
+    )]
+    NoCells {
+        /// Dimension of those cells: 3 of a solid, 2 of a panel.
+        dimension: usize,
+    },
+    /// Nodes that no cell of the part holds, or that are at the same place as others.
+    #[error(transparent)]
+    LooseNodes(#[from] MeshNote),
+    /// The constants of a material are those of none.
+    #[error(transparent)]
+    Elasticity(#[from] ElasticityError),
+    /// A cell of a panel or its layers cannot be.
+    #[error("{}{cause}", cell.map(|cell| format!("cell {cell}: ")).unwrap_or_default())]
+    Shell {
+        /// Number of the cell in its file; none where the layers are wrong.
+        cell: Option<u64>,
+        /// What is wrong.
+        cause: ShellError,
+    },
+    /// The lowest modes of the parts are not found.
+    #[error("its lowest modes are not found: {cause}")]
+    NoModes {
+        /// Why.
+        cause: NoConvergence,
+    },
+    /// A part has no mass, or too little of it to turn.
+    #[error("this has no mass")]
+    NoMass,
+    /// A point on a line or in a plane, on a body without a carrier to hold the line or the plane.
+    #[error("a body without a carrier has nothing that could hold a line or a plane")]
+    NoGuide,
+    /// A direction has no length.
+    #[error("a direction of zero length")]
+    ZeroDirection,
+    /// A matrix is not symmetric.
+    #[error(
+        "the matrix is not symmetric: entries [{row}][{column}] = {upper} and [{column}][{row}] = {lower} differ"
+    )]
+    NotSymmetric {
+        /// Row of the first entry, from 0.
+        row: usize,
+        /// Column of the first entry, from 0.
+        column: usize,
+        /// The entry at (row, column).
+        upper: f64,
+        /// The entry at (column, row).
+        lower: f64,
+    },
+    /// A stiffness or damping gives energy instead of taking it.
+    #[error("the smallest eigenvalue is {eigenvalue:e}; a spring or dashpot must not give energy")]
+    Indefinite {
+        /// Smallest eigenvalue of the matrix.
+        eigenvalue: f64,
+    },
+    /// Both ends of a spring or a connection are the same.
+    #[error("both ends are the same")]
+    SameEnds,
+    /// There is no point with this index.
+    #[error("there is no point {index}")]
+    NoSuchPoint {
+        /// Index asked for, from 0.
+        index: usize,
+    },
+    /// The ends of an axial spring coincide, so they have no joining line.
+    #[error("the ends of the axial spring are at the same place, so no line joins them")]
+    NoLine,
+    /// An axial spring to the carrier does not say where its end is.
+    #[error("an axial spring to the carrier needs the place of its end on the carrier")]
+    NoAnchor,
+    /// A hinge has no axis, or more than three.
+    #[error("a hinge has one, two or three axes, not {count}")]
+    AxisCount {
+        /// Number of axes given.
+        count: usize,
+    },
+    /// The axes of a hinge do not turn the appendage independently.
+    #[error("the axes are not independent, so two hinge angles would be the same motion")]
+    DependentAxes,
+    /// A hinge coefficient does not have one value or row per axis.
+    #[error("there are {axes} axes but {values} values")]
+    ValuePerAxis {
+        /// Number of axes.
+        axes: usize,
+        /// Number of values or rows.
+        values: usize,
+    },
+    /// An axis turns the appendage without moving any of its mass.
+    #[error("turning about axis {axis} moves no mass; leave that axis out")]
+    MasslessAxis {
+        /// Number of the axis, from 1.
+        axis: usize,
+    },
+    /// A force on the carrier does not say where it acts.
+    #[error("a force on the carrier needs the place where it acts")]
+    NoStation,
+    /// A force on a point says where on the carrier it acts.
+    #[error("a force on a point acts at the point itself")]
+    StationOnPoint,
+    /// A drag gives energy instead of taking it.
+    #[error("the coefficient {value} is negative; a drag must not give energy")]
+    Driving {
+        /// The coefficient.
+        value: f64,
+    },
+    /// A quantity is zero or negative.
+    #[error("{value} is not positive")]
+    NotPositive {
+        /// The number.
+        value: f64,
+    },
+    /// An eccentricity is not that of an ellipse.
+    #[error("no ellipse has the eccentricity {value}; it is at least 0 and below 1")]
+    NotElliptic {
+        /// The eccentricity.
+        value: f64,
+    },
+    /// A point is displaced where its constraints do not let it go.
+    #[error("its constraints leave only the part {left:?} of this motion")]
+    Barred {
+        /// The part they leave (m or m/s), file's axes.
+        left: [f64; 3],
+    },
+    /// Two elements share a name.
+    #[error("the name \"{name}\" is used twice")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// No spring resists a displacement.
+    #[error("a mechanism: no spring resists some motion of {coordinates}")]
+    Mechanism {
+        /// The coordinates that move, by name.
+        coordinates: String,
+    },
+    /// The frozen body has no inertia about some axis, so it cannot be told how it turns.
+    #[error("the whole body has no inertia about some axis (principal moments {moments:?} kg m^2)")]
+    NoInertia {
+        /// Principal moments of inertia about the pole (kg·m²), ascending.
+        moments: [f64; 3],
+        /// Whether the pole is a point that is fixed or driven, not the centre of mass.
+        held: bool,
+    },
+}
+
+/// Faults listed in one message.
+const MOST_FAULTS: usize = 5;
+
+fn all(faults: &[MeshFault]) -> String {
+    let mut listed: Vec<String> = faults.iter().take(MOST_FAULTS).map(MeshFault::to_string).collect();
+    if faults.len() > MOST_FAULTS {
+        listed.push(format!("and {} more faults", faults.len() - MOST_FAULTS));
+    }
+    listed.join("; ")
+}

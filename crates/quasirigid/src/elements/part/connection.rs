@@ -1,0 +1,44 @@
+use crate::model::Rheology;
+
+/// A node of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeRef {
+    /// Index of the part in [`Assembly::parts`](crate::elements::Assembly::parts).
+    pub part: usize,
+    /// Index of the node in it.
+    pub node: usize,
+}
+
+/// A joint between parts, or between a part and the carrier.
+///
+/// What it joins moves as one rigid piece, but for rotations about its axes: none for a weld, one for a hinge, three for a
+/// ball.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Connection {
+    /// One side.
+    pub from: Anchor,
+    /// The other side.
+    pub to: Anchor,
+    /// Axes of relative rotation, in the file's frame; of any length but zero.
+    pub axes: Vec<[f64; 3]>,
+    /// Stiffness about each axis (N·m/rad).
+    pub stiffness: Vec<f64>,
+    /// Damping about each axis (N·m·s/rad).
+    pub damping: Vec<f64>,
+    /// How its springs answer periodic strain, beside the damping.
+    pub rheology: Rheology,
+}
+
+/// One side of a connection.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Anchor {
+    /// The carrier.
+    Carrier,
+    /// Nodes of a part, one or more.
+    Nodes {
+        /// Index of the part.
+        part: usize,
+        /// Indices of the nodes in it.
+        nodes: Vec<usize>,
+    },
+}

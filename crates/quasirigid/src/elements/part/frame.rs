@@ -1,0 +1,216 @@
+use nalgebra::{DMatrix, DVector, SVector, Vector3};
+
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
+use crate::elements::finite::{Element, Grain, Mass, rigid_points};
+use crate::elements::structure::{Matter, Structure};
+use crate::elements::{Material, coefficient};
+use crate::model::{Inertia, Rheology};
+
+/// Straight beams between nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Ends of the beams.
+    pub nodes: Vec<FrameNode>,
+    /// The beams.
+    pub members: Vec<Member>,
+    /// Rigid bodies at nodes.
+    pub masses: Vec<TipMass>,
+}
+
+/// A node of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameNode {
+    /// Its name.
+    pub name: String,
+    /// Where it is (m), in the file's frame.
+    pub position: [f64; 3],
+}
+
+/// A straight beam of one section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Member {
+    /// Indices of its nodes.
+    pub ends: [usize; 2],
+    /// Its section.
+    pub section: SectionShape,
+    /// Direction of the `y` axis of the section, of which the part across the beam counts; none for the axis of the file's
+    /// frame that is the least parallel to the beam.
+    pub up: Option<[f64; 3]>,
+    /// What it is made of.
+    pub material: Material,
+    /// Number of elements, one or more.
+    pub elements: usize,
+}
+
+/// A rigid body at a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TipMass {
+    /// Index of the node.
+    pub node: usize,
+    /// Mass (kg).
+    pub mass: f64,
+    /// Inertia tensor (kg·m²) about its centre of mass, which is at the node, in the file's axes.
+    pub inertia: [[f64; 3]; 3],
+}
+
+/// A beam element of a member.
+#[derive(Debug)]
+struct BeamElement {
+    nodes: [usize; 2],
+    matter: usize,
+    beam: Beam,
+}
+
+impl Frame {
+    /// Places of its nodes: those with a name, then those inside the members, one after the other.
+    pub(super) fn places(&self) -> Vec<[f64; 3]> {
+        let named = self.nodes.iter().map(|node| node.position);
+        let inner = self.members.iter().flat_map(|member| {
+            let [a, b] = member.ends.map(|end| self.nodes[end].position);
+            (1..member.elements).map(move |step| {
+                let share = step as f64 / member.elements as f64;
+                [0, 1, 2].map(|axis| a[axis] + share * (b[axis] - a[axis]))
+            })
+        });
+        named.chain(inner).collect()
+    }
+
+    /// Name of a node.
+    pub(super) fn node_name(&self, node: usize) -> String {
+        if let Some(named) = self.nodes.get(node) {
+            return named.name.clone();
+        }
+        let mut first = self.nodes.len();
+        for member in &self.members {
+            let inner = member.elements.saturating_sub(1);
+            if node < first + inner {
+                let [a, b] = member.ends.map(|end| &self.nodes[end].name);
+                return format!("between {a} and {b}, {} of {}", node + 1 - first, member.elements);
+            }
+            first += inner;
+        }
+        format!("node {node}")
+    }
+
+    /// Adds its elements to a structure that has its nodes.
+    pub(super) fn furnish(
+        &self,
+        index: usize,
+        first: usize,
+        rayleigh: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let place = Place::Part(index);
+        let places = self.places();
+        let mut inner = first + self.nodes.len();
+        for member in &self.members {
+            member.check(place, self.nodes.len())?;
+            let [start, end] = member.ends.map(|end| first + end);
+            let steps = member.elements;
+            let chain: Vec<usize> =
+                std::iter::once(start).chain(inner..inner + steps - 1).chain([end]).collect();
+            inner += steps - 1;
+            let [per_mass, per_stiffness] = rayleigh;
+            let rheology = member.material.rheology.clone();
+            let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            for pair in chain.windows(2) {
+                let nodes = [pair[0], pair[1]];
+                let beam = member.beam(place, nodes.map(|node| places[node - first]))?;
+                structure.elements.push(Box::new(BeamElement { nodes, matter, beam }));
+            }
+        }
+        self.masses.iter().try_for_each(|mass| mass.furnish(place, first, self, structure))
+    }
+}
+
+impl Member {
+    fn check(&self, place: Place, nodes: usize) -> Result<(), ElementError> {
+        self.material.check(place)?;
+        let refuse = at(place, Field::Lines);
+        if self.elements == 0 {
+            return Err(refuse(Problem::NotPositive { value: 0.0 }));
+        }
+        match self.ends.iter().find(|end| **end >= nodes) {
+            Some(end) => Err(refuse(Problem::NoSuchNode { index: *end, count: nodes })),
+            None => Ok(()),
+        }
+    }
+
+    fn beam(&self, place: Place, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
+        let section = self.section.section(self.material.poisson);
+        let section = section.map_err(|error| at(place, Field::Section)(error.into()))?;
+        let Material { young, density, .. } = self.material;
+        let matter = beam::Matter { young, shear: self.material.shear(), density };
+        Beam::new(ends, self.up, section, matter).map_err(|error| {
+            let field = match error {
+                BeamError::NoDirection { .. } => Field::Up,
+                BeamError::NoLength { .. } => Field::Lines,
+                _ => Field::Material,
+            };
+            at(place, field)(error.into())
+        })
+    }
+}
+
+impl TipMass {
+    fn furnish(
+        &self,
+        place: Place,
+        first: usize,
+        frame: &Frame,
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let refuse = at(place, Field::Masses);
+        coefficient::mass(self.mass).map_err(&refuse)?;
+        let inertia = Inertia::new(self.inertia).map_err(|error| refuse(error.into()))?;
+        let count = frame.nodes.len();
+        let node = frame.nodes.get(self.node).ok_or(Problem::NoSuchNode { index: self.node, count });
+        let matter =
+            structure.matter(Matter { rheology: Rheology::Elastic, per_mass: 0.0, per_stiffness: 0.0 });
+        structure.elements.push(Box::new(Mass {
+            node: first + self.node,
+            freedoms: 6,
+            matter,
+            points: rigid_points(self.mass, &inertia),
+            place: node.map_err(&refuse)?.position.into(),
+        }));
+        Ok(())
+    }
+}
+
+impl Element for BeamElement {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn freedoms(&self) -> usize {
+        6
+    }
+
+    fn matter(&self) -> usize {
+        self.matter
+    }
+
+    fn stiffness(&self) -> DMatrix<f64> {
+        DMatrix::from_column_slice(12, 12, self.beam.stiffness().as_slice())
+    }
+
+    fn mass(&self) -> DMatrix<f64> {
+        DMatrix::from_column_slice(12, 12, self.beam.mass().as_slice())
+    }
+
+    fn grains(&self) -> Vec<Grain> {
+        self.beam.grains()
+    }
+
+    fn geometric(
+        &self,
+        displacement: &DVector<f64>,
+        force: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
+    ) -> Option<DMatrix<f64>> {
+        let u = SVector::<f64, 12>::from_column_slice(displacement.as_slice());
+        let geometric = self.beam.geometric_under(&u, self.beam.load(force));
+        Some(DMatrix::from_column_slice(12, 12, geometric.as_slice()))
+    }
+}

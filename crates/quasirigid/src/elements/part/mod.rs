@@ -1,0 +1,144 @@
+//! Parts that are elastic throughout, as a user describes them; finite elements are made of them.
+
+mod connection;
+mod frame;
+mod given;
+mod panel;
+mod solid;
+mod substance;
+
+use nalgebra::Vector3;
+
+pub use connection::{Anchor, Connection, NodeRef};
+pub use frame::{Frame, FrameNode, Member, TipMass};
+pub use given::Matrices;
+pub use panel::{Layer, Panel};
+pub use solid::{Region, Solid};
+pub use substance::{Orthotropic, Substance};
+
+use super::error::{ElementError, Problem};
+use super::structure::{Hold, Node, Structure};
+use crate::math::mesh::{Mesh, MeshNote};
+
+/// A part of a body that is elastic throughout.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Unique name.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Nodes that are clamped on the carrier.
+    pub attached: Vec<usize>,
+    /// Damping in proportion to mass (1/s) and to stiffness (s), beside that of its materials.
+    pub rayleigh: [f64; 2],
+}
+
+/// Kind of a part.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// A solid of cells.
+    Solid(Solid),
+    /// Straight beams between nodes.
+    Frame(Frame),
+    /// A thin plate or shell.
+    Panel(Panel),
+    /// Matrices from another program.
+    Matrices(Matrices),
+}
+
+impl Part {
+    /// Its nodes, in their order.
+    pub(super) fn nodes(&self) -> Vec<Node> {
+        match &self.kind {
+            Kind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
+            Kind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
+            Kind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
+            Kind::Matrices(given) => given.nodes.iter().map(|place| node(*place, given.turns())).collect(),
+        }
+    }
+
+    /// Number of its nodes.
+    pub(super) fn count(&self) -> usize {
+        match &self.kind {
+            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
+            Kind::Frame(frame) => frame.places().len(),
+            Kind::Matrices(given) => given.nodes.len(),
+        }
+    }
+
+    /// Name of a node within the part.
+    pub(super) fn node_name(&self, node: usize) -> String {
+        match &self.kind {
+            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => {
+                format!("node {}", mesh.node_labels[node])
+            }
+            Kind::Frame(frame) => frame.node_name(node),
+            Kind::Matrices(given) => format!("node {}", given.node_labels[node]),
+        }
+    }
+
+    /// Nodes whose displacement is watched: those with a name, else the farthest along each axis, both ways.
+    pub(super) fn watched(&self) -> Vec<usize> {
+        match &self.kind {
+            Kind::Frame(frame) => (0..frame.nodes.len()).collect(),
+            Kind::Matrices(given) => extremes(&given.nodes),
+            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => extremes(&mesh.nodes),
+        }
+    }
+
+    /// Adds its elements to a structure that has its nodes, the first of them at `first`.
+    ///
+    /// # Errors
+    /// [`ElementError`] for a value that no part can have.
+    pub(super) fn furnish(
+        &self,
+        index: usize,
+        first: usize,
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        match &self.kind {
+            Kind::Solid(solid) => solid.furnish(index, first, self.rayleigh, structure),
+            Kind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
+            Kind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
+            Kind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
+        }
+    }
+
+    /// How its nodes are held before anything is attached or connected.
+    pub(super) fn holds(&self) -> Vec<Hold> {
+        match &self.kind {
+            Kind::Matrices(given) => given.holds(),
+            _ => vec![Hold::Free; self.count()],
+        }
+    }
+}
+
+fn node(place: [f64; 3], turns: bool) -> Node {
+    Node { place: Vector3::from(place), turns }
+}
+
+/// Accepts a mesh whose cells of a dimension describe a part and hold every node of it.
+fn sound(mesh: &Mesh, dimension: usize) -> Result<(), Problem> {
+    mesh.check().map_err(Problem::Mesh)?;
+    let bearing = mesh.cells.iter().filter(|cell| cell.shape.dimension() == dimension);
+    let bearing = Mesh { cells: bearing.cloned().collect(), sets: Vec::new(), ..mesh.clone() };
+    if bearing.cells.is_empty() {
+        return Err(Problem::NoCells { dimension });
+    }
+    let loose = |note: &MeshNote| matches!(note, MeshNote::Unused { .. } | MeshNote::Coincident { .. });
+    bearing.notes().into_iter().find(loose).map_or(Ok(()), |note| Err(note.into()))
+}
+
+/// The nodes farthest along each axis, each once.
+pub(super) fn extremes(nodes: &[[f64; 3]]) -> Vec<usize> {
+    let farthest = |axis: usize, sign: f64| {
+        let along = |node: &usize| sign * nodes[*node][axis];
+        (0..nodes.len()).max_by(|a, b| along(a).total_cmp(&along(b)))
+    };
+    let ends = (0..3).flat_map(|axis| [farthest(axis, 1.0), farthest(axis, -1.0)]);
+    let mut found: Vec<usize> = ends.flatten().collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}

@@ -1,0 +1,175 @@
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::{Substance, sound};
+use crate::elements::coefficient;
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
+use crate::elements::finite::{Element, Grain};
+use crate::elements::structure::{Matter, Structure};
+use crate::math::mesh::{Cell, Mesh, Shape};
+
+/// A thin plate or shell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Nodes and cells: triangles and quadrilaterals without nodes on their edges.
+    pub mesh: Arc<Mesh>,
+    /// Layers from the lowest to the highest; the nodes of a cell run counter-clockwise seen from above.
+    pub layers: Vec<Layer>,
+    /// Direction whose projection is the angle zero of the layers, in the file's frame.
+    pub reference: [f64; 3],
+    /// Height of the middle of the layers above the nodes (m).
+    pub offset: f64,
+}
+
+/// A layer of a panel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// What it is made of; its axis 3 is the normal.
+    pub substance: Substance,
+    /// Thickness (m).
+    pub thickness: f64,
+    /// Angle (rad) from the reference direction to its axis 1, counter-clockwise seen from above.
+    pub angle: f64,
+}
+
+/// A cell with the layers of one matter.
+#[derive(Debug)]
+struct ShellCell {
+    shape: Shape,
+    nodes: Vec<usize>,
+    places: Vec<Vector3<f64>>,
+    matter: usize,
+    reference: Vector3<f64>,
+    section: ShellSection,
+}
+
+impl Panel {
+    /// Adds its elements to a structure that has its nodes: for each cell one of every matter in its layers.
+    pub(super) fn furnish(
+        &self,
+        index: usize,
+        first: usize,
+        rayleigh: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let place = Place::Part(index);
+        sound(&self.mesh, 2).map_err(at(place, Field::File))?;
+        coefficient::unit(self.reference).map_err(at(place, Field::Reference))?;
+        let sections = self.sections(place, rayleigh, structure)?;
+        for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
+            for (matter, section) in &sections {
+                let element = self.cell(cell, first, *matter, *section);
+                element.matrix().map_err(|cause| {
+                    let field = match cause {
+                        ShellError::Reference { .. } => Field::Reference,
+                        _ => Field::File,
+                    };
+                    at(place, field)(Problem::Shell { cell: Some(cell.label), cause })
+                })?;
+                structure.elements.push(Box::new(element));
+            }
+        }
+        Ok(())
+    }
+
+    /// The section of the layers of each matter.
+    fn sections(
+        &self,
+        place: Place,
+        [per_mass, per_stiffness]: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<Vec<(usize, ShellSection)>, ElementError> {
+        let refuse = at(place, Field::Layers);
+        self.layers.iter().try_for_each(|layer| layer.substance.check(place))?;
+        let plies: Vec<Ply> = self.layers.iter().map(Layer::ply).collect();
+        let layers = ShellSection::layers(&plies, self.offset)
+            .map_err(|cause| refuse(Problem::Shell { cell: None, cause }))?;
+        let mut sections: Vec<(usize, ShellSection)> = Vec::new();
+        for (layer, section) in self.layers.iter().zip(layers) {
+            let rheology = layer.substance.rheology().clone();
+            let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            match sections.iter_mut().find(|(known, _)| *known == matter) {
+                Some((_, sum)) => *sum = *sum + section,
+                None => sections.push((matter, section)),
+            }
+        }
+        if sections.is_empty() { Err(refuse(Problem::NoMass)) } else { Ok(sections) }
+    }
+
+    fn cell(&self, cell: &Cell, first: usize, matter: usize, section: ShellSection) -> ShellCell {
+        ShellCell {
+            shape: cell.shape,
+            nodes: cell.nodes.iter().map(|node| first + node).collect(),
+            places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
+            matter,
+            reference: self.reference.into(),
+            section,
+        }
+    }
+}
+
+impl Layer {
+    fn ply(&self) -> Ply {
+        let (thickness, angle) = (self.thickness, self.angle);
+        match &self.substance {
+            Substance::Isotropic(material) => Ply {
+                young: [material.young; 2],
+                poisson: material.poisson,
+                shear: [material.shear(); 3],
+                density: material.density,
+                thickness,
+                angle,
+            },
+            Substance::Orthotropic(material) => Ply {
+                young: [material.young[0], material.young[1]],
+                poisson: material.poisson[0],
+                shear: material.shear,
+                density: material.density,
+                thickness,
+                angle,
+            },
+        }
+    }
+}
+
+impl ShellCell {
+    fn matrix(&self) -> Result<DMatrix<f64>, ShellError> {
+        shell::stiffness(self.shape, &self.places, self.reference, &self.section)
+    }
+}
+
+impl Element for ShellCell {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn freedoms(&self) -> usize {
+        6
+    }
+
+    fn matter(&self) -> usize {
+        self.matter
+    }
+
+    fn stiffness(&self) -> DMatrix<f64> {
+        self.matrix().expect("the panel has tried the cell")
+    }
+
+    fn mass(&self) -> DMatrix<f64> {
+        shell::mass(self.shape, &self.places, &self.section).expect("the panel has tried the cell")
+    }
+
+    fn grains(&self) -> Vec<Grain> {
+        shell::grains(self.shape, &self.places, &self.section)
+    }
+
+    fn geometric(
+        &self,
+        displacement: &DVector<f64>,
+        _: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
+    ) -> Option<DMatrix<f64>> {
+        shell::geometric(self.shape, &self.places, self.reference, &self.section, displacement).ok()
+    }
+}

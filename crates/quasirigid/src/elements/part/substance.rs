@@ -1,0 +1,58 @@
+use crate::elements::error::{ElementError, Field, Place, at};
+use crate::elements::{Material, coefficient};
+use crate::model::Rheology;
+
+/// What a part is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Substance {
+    /// The same in every direction.
+    Isotropic(Material),
+    /// With three planes of symmetry.
+    Orthotropic(Orthotropic),
+}
+
+/// A material with three planes of symmetry: wood, a ply of fibres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Orthotropic {
+    /// Density (kg/m³).
+    pub density: f64,
+    /// Young's moduli along its axes 1, 2, 3 (Pa).
+    pub young: [f64; 3],
+    /// Poisson's ratios `ν₁₂, ν₁₃, ν₂₃`: strain along the second axis for a stress along the first.
+    pub poisson: [f64; 3],
+    /// Shear moduli `G₁₂, G₁₃, G₂₃` (Pa).
+    pub shear: [f64; 3],
+    /// How it answers periodic strain.
+    pub rheology: Rheology,
+}
+
+impl Substance {
+    /// Accepts the substance of a part; its moduli are for the part to judge.
+    pub(super) fn check(&self, place: Place) -> Result<(), ElementError> {
+        match self {
+            Self::Isotropic(material) => material.check(place),
+            Self::Orthotropic(material) => {
+                coefficient::positive(material.density).map_err(at(place, Field::Density))?;
+                material.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+            }
+        }
+    }
+
+    /// Density (kg/m³).
+    #[must_use]
+    pub fn density(&self) -> f64 {
+        match self {
+            Self::Isotropic(material) => material.density,
+            Self::Orthotropic(material) => material.density,
+        }
+    }
+
+    /// How it answers periodic strain.
+    #[must_use]
+    pub fn rheology(&self) -> &Rheology {
+        match self {
+            Self::Isotropic(material) => &material.rheology,
+            Self::Orthotropic(material) => &material.rheology,
+        }
+    }
+}

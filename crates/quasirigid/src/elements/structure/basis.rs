@@ -1,0 +1,101 @@
+use nalgebra::DMatrix;
+
+use super::discrete::{Discrete, times};
+use super::solver::Solver;
+
+/// Displacements of a structure that hold its slow manifold to an order, a row each. (K8)
+///
+/// Orthonormal in the stiffness.
+pub(super) struct Basis {
+    rows: Vec<Vec<f64>>,
+    /// Forces that hold each of them.
+    forces: Vec<Vec<f64>>,
+}
+
+/// A displacement that keeps less than this share of its energy is a combination of the others.
+const DEPENDENT: f64 = 1e-10;
+/// A static answer with less than this share of the energy of the largest is rounding.
+const NOTHING: f64 = 1e-24;
+
+impl Basis {
+    /// The space of the answers to loads, and of the answers to what inertia, spin and damping make of them.
+    ///
+    /// A factor of the damping raises the degree in the spin by one, one of the inertia by two; the answers to the loads are of
+    /// degree two.
+    pub fn new(discrete: &Discrete<'_>, solver: &Solver, statics: &DMatrix<f64>, order: usize) -> Self {
+        let mut basis = Self { rows: Vec::new(), forces: Vec::new() };
+        let budget = order.max(3) - 2;
+        let losses = discrete.losses();
+        let mut found = vec![basis.append(discrete, statics)];
+        for cost in 1..=budget {
+            let mut images = Vec::new();
+            images.extend(losses.iter().map(|loss| solver.answers(times(loss, &found[cost - 1]))));
+            if let Some(before) = cost.checked_sub(2) {
+                images.push(solver.answers(discrete.turned(&found[before])));
+            }
+            let added =
+                images.iter().flat_map(|image| basis.append_rows(discrete, image)).collect::<Vec<_>>();
+            found.push(stacked(&added, statics.ncols()));
+        }
+        if budget < 2 {
+            let image = solver.answers(times(&discrete.mass, &found[0]));
+            basis.append(discrete, &image);
+        }
+        basis
+    }
+
+    /// The displacements, a row each.
+    pub fn displacements(&self, size: usize) -> DMatrix<f64> {
+        stacked(&self.rows, size)
+    }
+
+    /// Adds what of some displacements is not in the space yet; that alone, a row each.
+    pub fn append(&mut self, discrete: &Discrete<'_>, displacements: &DMatrix<f64>) -> DMatrix<f64> {
+        let added = self.append_rows(discrete, displacements);
+        stacked(&added, displacements.ncols())
+    }
+
+    fn append_rows(&mut self, discrete: &Discrete<'_>, displacements: &DMatrix<f64>) -> Vec<Vec<f64>> {
+        let energy = |x: &[f64]| dot(x, &discrete.total.times(x));
+        let candidates: Vec<Vec<f64>> =
+            displacements.row_iter().map(|row| row.iter().copied().collect()).collect();
+        let energies: Vec<f64> = candidates.iter().map(|x| energy(x)).collect();
+        let largest = energies.iter().copied().fold(0.0, f64::max);
+        let first = self.rows.len();
+        for (mut x, whole) in candidates.into_iter().zip(energies) {
+            if whole > NOTHING * largest {
+                self.orthogonal(&mut x);
+                self.keep(discrete, x, whole);
+            }
+        }
+        self.rows[first..].to_vec()
+    }
+
+    fn orthogonal(&self, x: &mut [f64]) {
+        for _ in 0..2 {
+            for (y, force) in self.rows.iter().zip(&self.forces) {
+                let share = dot(force, x);
+                x.iter_mut().zip(y).for_each(|(x, y)| *x -= share * y);
+            }
+        }
+    }
+
+    fn keep(&mut self, discrete: &Discrete<'_>, mut x: Vec<f64>, whole: f64) {
+        let mut force = discrete.total.times(&x);
+        let rest = dot(&x, &force);
+        if rest > DEPENDENT * whole {
+            let length = rest.sqrt();
+            x.iter_mut().chain(&mut force).for_each(|entry| *entry /= length);
+            self.rows.push(x);
+            self.forces.push(force);
+        }
+    }
+}
+
+fn stacked(rows: &[Vec<f64>], size: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), size, |row, column| rows[row][column])
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

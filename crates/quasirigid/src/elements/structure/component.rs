@@ -1,0 +1,259 @@
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+use super::basis::Basis;
+use super::curvature::Curvature;
+use super::discrete::{Discrete, Structure, times};
+use super::freedoms::{Freedoms, Unknown};
+use super::grains::Whole;
+use super::solver::Solver;
+use crate::elements::matrices::Block;
+use crate::elements::moment;
+use crate::math::eigen::NoConvergence;
+use crate::math::sym::Sym;
+use crate::model::{Coordinate, Pair};
+
+/// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
+#[derive(Clone, Debug)]
+pub(in crate::elements) struct Component {
+    /// Point from which the moments are taken (m), in the file's frame.
+    reference: Vector3<f64>,
+    /// Mass and moments.
+    whole: Whole,
+    /// `∫ u_j dm`.
+    sums: Vec<Vector3<f64>>,
+    /// `∫ s u_jᵀ dm`.
+    moments: Vec<Matrix3<f64>>,
+    /// `∫ u_j u_kᵀ dm`.
+    products: Vec<Vec<Matrix3<f64>>>,
+    /// Mass matrix: the traces of the products, and the inertia of freedoms that have no displacement.
+    masses: DMatrix<f64>,
+    /// Curvature of the paths of each pair; none if they are straight.
+    curvatures: Option<Vec<Vec<Curvature>>>,
+    /// Stiffness, damping and rheology by matter.
+    blocks: Vec<Block>,
+    /// Displacement of each station per unit of each coordinate.
+    stations: Vec<Vec<[f64; 3]>>,
+}
+
+/// Why a structure cannot be given few coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::elements) enum Fault {
+    /// A motion of these unknowns, largest first, meets no stiffness.
+    Loose(Vec<Unknown>),
+    /// Its lowest modes are not found.
+    NoConvergence(NoConvergence),
+}
+
+/// What a structure is reduced for.
+#[derive(Clone, Debug)]
+pub(in crate::elements) struct Purpose<'a> {
+    /// Order to which the slow manifold is kept.
+    pub order: usize,
+    /// Lowest modes of vibration that are kept beside it.
+    pub modes: usize,
+    /// Whether the structure floats; else it is on its carrier.
+    pub floating: bool,
+    /// Nodes whose displacements are wanted.
+    pub stations: &'a [usize],
+    /// Nodes, among the stations by index, at which other parts pull.
+    pub pulled: &'a [usize],
+}
+
+/// Unknowns with less than this share of the largest take no part in a motion.
+const PART: f64 = 0.1;
+
+impl Structure {
+    /// The structure with few coordinates.
+    ///
+    /// # Errors
+    /// [`Fault`] if some motion meets no stiffness, or modes are not found.
+    pub fn component(&self, freedoms: Freedoms, purpose: &Purpose<'_>) -> Result<Component, Fault> {
+        let discrete = Discrete::new(self, freedoms);
+        let solver = Solver::new(&discrete, purpose.floating)
+            .map_err(|singular| loose(&discrete.freedoms, &singular.direction))?;
+        let centered = discrete.whole(Vector3::zeros());
+        let reference = centered.first / centered.mass;
+        let loads = discrete.loads(reference);
+        let statics = solver.answers(if purpose.floating { stretching(&loads) } else { loads.clone() });
+        let pulls = solver.answers(pulls(&discrete, purpose));
+        let wanted = stacked(&statics, &pulls);
+        let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
+        basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
+        let fields = scaled(&discrete, basis.displacements(loads.ncols()), centered.mass);
+        let curvatures =
+            (!purpose.floating).then(|| discrete.curvatures(reference, &statics, &fields)).flatten();
+        Ok(Component {
+            reference,
+            whole: discrete.whole(reference),
+            sums: (0..fields.nrows())
+                .map(|j| Vector3::from_fn(|a, _| loads.row(a).dot(&fields.row(j))))
+                .collect(),
+            moments: (0..fields.nrows())
+                .map(|j| Matrix3::from_fn(|b, a| loads.row(3 + 3 * b + a).dot(&fields.row(j))))
+                .collect(),
+            products: by_pair(&discrete.products(&fields)),
+            masses: &fields * times(&discrete.mass, &fields).transpose(),
+            curvatures,
+            blocks: blocks(&discrete, &fields),
+            stations: stations(&discrete, &fields, purpose.stations),
+        })
+    }
+}
+
+impl Component {
+    /// Number of coordinates.
+    pub fn size(&self) -> usize {
+        self.sums.len()
+    }
+
+    /// Mass (kg).
+    pub fn mass(&self) -> f64 {
+        self.whole.mass
+    }
+
+    /// Centre of mass (m), in the file's frame.
+    pub fn center(&self) -> Vector3<f64> {
+        self.reference + self.whole.first / self.whole.mass
+    }
+
+    /// Inertia tensor about a pole, which is at `−arm` from the reference.
+    pub fn inertia(&self, pole: Vector3<f64>) -> Sym {
+        let arm = self.reference - pole;
+        let Whole { mass, first, second } = &self.whole;
+        let second =
+            second + arm * first.transpose() + first * arm.transpose() + *mass * arm * arm.transpose();
+        moment::inertia(&second).map(|entry| 0.5 * entry)
+    }
+
+    /// `S_j`, `h_j` and `J_j` about a pole. (I2), (I3)
+    pub fn coordinate(&self, j: usize, pole: Vector3<f64>) -> ([f64; 3], [f64; 3], Sym) {
+        let W = self.moments[j] + (self.reference - pole) * self.sums[j].transpose();
+        (self.sums[j].into(), moment::cross(&W), moment::inertia(&W))
+    }
+
+    /// Invariants of two coordinates about a pole. (I4)–(I6)
+    pub fn pair(&self, j: usize, k: usize, pole: Vector3<f64>) -> Pair {
+        let straight = Pair { A: self.masses[(j, k)], ..moment::straight_pair(&self.products[j][k]) };
+        let Some(curvatures) = &self.curvatures else { return straight };
+        let Curvature { sum, moment } = curvatures[j][k];
+        let G = moment + (self.reference - pole) * sum.transpose();
+        let (curved, turned) = (moment::inertia(&G), moment::cross(&G));
+        Pair {
+            J2: std::array::from_fn(|i| straight.J2[i] + 0.5 * curved[i]),
+            Z: std::array::from_fn(|i| straight.Z[i] + turned[i]),
+            S2: sum.into(),
+            ..straight
+        }
+    }
+
+    /// Invariants of all pairs about a pole, for coordinates numbered from `start`.
+    pub fn pairs(&self, pole: Vector3<f64>, start: usize) -> impl Iterator<Item = (usize, usize, Pair)> + '_ {
+        let size = self.size();
+        (0..size * size).map(move |entry| {
+            let (j, k) = (entry / size, entry % size);
+            (start + j, start + k, self.pair(j, k, pole))
+        })
+    }
+
+    /// Its coordinates, by name.
+    pub fn coordinates(&self) -> Vec<Coordinate> {
+        (1..=self.size()).map(|number| Coordinate { name: format!("shape {number}"), unit: "m" }).collect()
+    }
+
+    /// Stiffness, damping and rheology, for coordinates numbered from `start`.
+    pub fn blocks(&self, start: usize) -> impl Iterator<Item = Block> + '_ {
+        self.blocks.iter().map(move |block| Block {
+            columns: block.columns.iter().map(|column| start + column).collect(),
+            stiffness: block.stiffness.clone(),
+            damping: block.damping.clone(),
+            rheology: block.rheology.clone(),
+        })
+    }
+
+    /// Displacement of a station per unit of each coordinate, numbered from `start`.
+    pub fn shapes(&self, station: usize, start: usize) -> Vec<(usize, [f64; 3])> {
+        self.stations[station].iter().enumerate().map(|(j, shape)| (start + j, *shape)).collect()
+    }
+}
+
+/// Forces of the accelerations `B s` with `B` symmetric; those with `B` skew are inertia, which a floating structure
+/// balances itself.
+fn stretching(loads: &DMatrix<f64>) -> DMatrix<f64> {
+    let load = |b: usize, a: usize| loads.row(3 + 3 * b + a).into_owned();
+    let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+    DMatrix::from_rows(&pairs.map(|(b, a)| 0.5 * (load(b, a) + load(a, b))))
+}
+
+/// Unit forces along each axis at the nodes where other parts pull.
+fn pulls(discrete: &Discrete<'_>, purpose: &Purpose<'_>) -> DMatrix<f64> {
+    let mut pulls = DMatrix::zeros(3 * purpose.pulled.len(), discrete.freedoms.unknowns().len());
+    for (number, station) in purpose.pulled.iter().enumerate() {
+        for axis in 0..3 {
+            for (unknown, share) in discrete.freedoms.row(purpose.stations[*station], axis) {
+                pulls[(3 * number + axis, *unknown)] += share;
+            }
+        }
+    }
+    pulls
+}
+
+fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(above.nrows() + below.nrows(), above.ncols());
+    all.rows_mut(0, above.nrows()).copy_from(above);
+    all.rows_mut(above.nrows(), below.nrows()).copy_from(below);
+    all
+}
+
+/// Displacements with an rms of one, over the mass of the structure.
+fn scaled(discrete: &Discrete<'_>, mut fields: DMatrix<f64>, mass: f64) -> DMatrix<f64> {
+    let forces = times(&discrete.mass, &fields);
+    for j in 0..fields.nrows() {
+        let rms = (fields.row(j).dot(&forces.row(j)) / mass).sqrt();
+        fields.row_mut(j).scale_mut(rms.recip());
+    }
+    fields
+}
+
+fn by_pair(products: &[DMatrix<f64>; 9]) -> Vec<Vec<Matrix3<f64>>> {
+    let count = products[0].nrows();
+    let pair = |j: usize, k: usize| Matrix3::from_fn(|a, b| products[3 * a + b][(j, k)]);
+    (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect()
+}
+
+/// Stiffness of each matter and all dashpots, between the fields.
+fn blocks(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<Block> {
+    let columns: Vec<usize> = (0..fields.nrows()).collect();
+    let between = |matrix| {
+        let form = fields * times(matrix, fields).transpose();
+        columns.iter().map(|j| columns.iter().map(|k| form[(*j, *k)]).collect()).collect()
+    };
+    let matters = discrete.structure.matters.iter().zip(&discrete.stiffness);
+    let mut blocks: Vec<Block> = matters
+        .map(|(matter, stiffness)| Block {
+            columns: columns.clone(),
+            stiffness: between(stiffness),
+            damping: Vec::new(),
+            rheology: matter.rheology.clone(),
+        })
+        .collect();
+    if let Some((first, damping)) = blocks.first_mut().zip(discrete.damping.as_ref()) {
+        first.damping = between(damping);
+    }
+    blocks
+}
+
+fn stations(discrete: &Discrete<'_>, fields: &DMatrix<f64>, nodes: &[usize]) -> Vec<Vec<[f64; 3]>> {
+    let displacement = |node: usize, j: usize| {
+        [0, 1, 2].map(|axis| {
+            let row = discrete.freedoms.row(node, axis).iter();
+            row.map(|(unknown, share)| share * fields[(j, *unknown)]).sum()
+        })
+    };
+    nodes.iter().map(|node| (0..fields.nrows()).map(|j| displacement(*node, j)).collect()).collect()
+}
+
+fn loose(freedoms: &Freedoms, direction: &[f64]) -> Fault {
+    let mut moving: Vec<usize> = (0..direction.len()).filter(|i| direction[*i].abs() > PART).collect();
+    moving.sort_by(|a, b| direction[*b].abs().total_cmp(&direction[*a].abs()));
+    Fault::Loose(moving.into_iter().map(|i| freedoms.unknowns()[i]).collect())
+}

@@ -1,0 +1,121 @@
+use nalgebra::DMatrix;
+
+use super::freedoms::{Freedoms, Hold, Node, Unknown};
+use super::sum::{Tie, pattern};
+use crate::elements::finite::Element;
+use crate::math::symmetric::Symmetric;
+use crate::model::Rheology;
+
+/// Finite elements between nodes, as the parts of a body give them.
+#[derive(Default)]
+pub(in crate::elements) struct Structure {
+    pub nodes: Vec<Node>,
+    /// How each node is held.
+    pub holds: Vec<Hold>,
+    pub elements: Vec<Box<dyn Element>>,
+    pub joints: Vec<Joint>,
+    pub matters: Vec<Matter>,
+}
+
+impl Structure {
+    /// Number of a matter, which it gets if it is new.
+    pub fn matter(&mut self, matter: Matter) -> usize {
+        self.matters.iter().position(|known| *known == matter).unwrap_or_else(|| {
+            self.matters.push(matter);
+            self.matters.len() - 1
+        })
+    }
+}
+
+/// How a kind of matter dissipates.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::elements) struct Matter {
+    pub rheology: Rheology,
+    /// Damping per mass (1/s).
+    pub per_mass: f64,
+    /// Damping per stiffness (s).
+    pub per_stiffness: f64,
+}
+
+/// Springs and dashpots about the axes of a joint.
+#[derive(Clone, Debug)]
+pub(in crate::elements) struct Joint {
+    /// The node that is held by it.
+    pub node: usize,
+    /// Stiffness about each axis (N·m/rad).
+    pub stiffness: Vec<f64>,
+    /// Damping about each axis (N·m·s/rad).
+    pub damping: Vec<f64>,
+    pub matter: usize,
+}
+
+/// A structure as matrices over its unknowns.
+pub(in crate::elements) struct Discrete<'a> {
+    pub structure: &'a Structure,
+    pub freedoms: Freedoms,
+    /// Stiffness of each matter.
+    pub stiffness: Vec<Symmetric>,
+    /// Dashpots, and damping in proportion to mass or stiffness; none if there are none.
+    pub damping: Option<Symmetric>,
+    pub mass: Symmetric,
+    /// Stiffness of the whole.
+    pub total: Symmetric,
+}
+
+impl<'a> Discrete<'a> {
+    /// Adds up the elements. (K1)–(K3)
+    pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Self {
+        let ties: Vec<Tie> =
+            structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();
+        let zero = Symmetric::zero(pattern(&freedoms, &ties));
+        let mut stiffness = vec![zero.clone(); structure.matters.len()];
+        let (mut damping, mut mass) = (zero.clone(), zero.clone());
+        for (element, tie) in structure.elements.iter().zip(&ties) {
+            let matter = &structure.matters[element.matter()];
+            let (K, M) = (element.stiffness(), element.mass());
+            tie.add(&K, 1.0, &mut stiffness[element.matter()]);
+            tie.add(&M, 1.0, &mut mass);
+            tie.add(&K, matter.per_stiffness, &mut damping);
+            tie.add(&M, matter.per_mass, &mut damping);
+            if let Some(dashpots) = element.damping() {
+                tie.add(&dashpots, 1.0, &mut damping);
+            }
+        }
+        for joint in &structure.joints {
+            for (axis, unknown) in joint_unknowns(&freedoms, joint) {
+                diagonal(unknown, joint.stiffness[axis], &mut stiffness[joint.matter]);
+                diagonal(unknown, joint.damping[axis], &mut damping);
+            }
+        }
+        let total = stiffness.iter().skip(1).fold(stiffness[0].clone(), |sum, part| {
+            sum.plus(1.0, part).expect("all matters are on one pattern")
+        });
+        let damping = damping.entries().iter().any(|entry| *entry != 0.0).then_some(damping);
+        Self { structure, freedoms, stiffness, damping, mass, total }
+    }
+
+    /// What takes energy from a motion, as matrices; nothing that is a multiple of the stiffness.
+    pub fn losses(&self) -> Vec<&Symmetric> {
+        let matters = self.structure.matters.iter().zip(&self.stiffness);
+        let lossy = matters.filter(|(matter, _)| matter.rheology != Rheology::Elastic);
+        let several = if self.structure.matters.len() > 1 { usize::MAX } else { 0 };
+        self.damping.iter().chain(lossy.map(|(_, stiffness)| stiffness).take(several)).collect()
+    }
+}
+
+/// Product of a symmetric matrix with vectors, a row each.
+pub(super) fn times(matrix: &Symmetric, vectors: &DMatrix<f64>) -> DMatrix<f64> {
+    let product = matrix.times_block(vectors.as_slice(), vectors.nrows());
+    DMatrix::from_vec(vectors.nrows(), vectors.ncols(), product)
+}
+
+fn diagonal(unknown: usize, value: f64, sum: &mut Symmetric) {
+    sum.add(&[Some(unknown as u32)], &[value]).expect("every pattern has its diagonal");
+}
+
+fn joint_unknowns<'f>(freedoms: &'f Freedoms, joint: &'f Joint) -> impl Iterator<Item = (usize, usize)> + 'f {
+    freedoms.unknowns().iter().enumerate().filter_map(move |(index, unknown)| match unknown {
+        Unknown::OfJoint(node, axis) if *node == joint.node => Some((*axis, index)),
+        _ => None,
+    })
+}

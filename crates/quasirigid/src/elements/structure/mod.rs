@@ -1,0 +1,17 @@
+//! Structures of finite elements, and the few coordinates that say all about their slow motion.
+
+mod basis;
+mod component;
+mod curvature;
+mod discrete;
+mod freedoms;
+mod grains;
+mod solver;
+mod sum;
+
+pub(super) use component::{Component, Fault, Purpose};
+pub(super) use discrete::{Joint, Matter, Structure};
+pub(super) use freedoms::{Freedoms, Hold, Node, Unknown};
+
+#[cfg(test)]
+mod tests;

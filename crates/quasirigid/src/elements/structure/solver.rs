@@ -1,0 +1,149 @@
+use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
+
+use super::discrete::{Discrete, times};
+use super::freedoms::{Hold, Unknown};
+use crate::math::eigen::NoConvergence;
+use crate::math::factor::{Factor, Method, NotPositive};
+use crate::math::krylov::Pencil;
+use crate::math::symmetric::Symmetric;
+
+/// Answers of a structure to static loads: on its carrier, or floating in the Tisserand frame.
+pub(super) struct Solver {
+    factor: Factor,
+    /// Motions as a rigid body, of a structure that floats.
+    rigid: Option<Rigid>,
+}
+
+/// The six motions of a structure as a rigid body, a row each, and their forces of inertia.
+struct Rigid {
+    fields: DMatrix<f64>,
+    forces: DMatrix<f64>,
+    inverse: Matrix6<f64>,
+}
+
+impl Solver {
+    /// The solver of a structure, floating or held.
+    ///
+    /// # Errors
+    /// [`NotPositive`] holds a motion that meets no stiffness.
+    pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, NotPositive> {
+        if !floating {
+            return Ok(Self { factor: Factor::new(&discrete.total, Method::default())?, rigid: None });
+        }
+        let rigid = Rigid::new(discrete);
+        Ok(Self { factor: Factor::new(&pinned(discrete), Method::default())?, rigid: Some(rigid) })
+    }
+
+    /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and
+    /// keeps its linear and angular momentum at zero. (K7)
+    pub fn answers(&self, mut forces: DMatrix<f64>) -> DMatrix<f64> {
+        if let Some(rigid) = &self.rigid {
+            rigid.balance(&mut forces);
+        }
+        let width = forces.nrows();
+        if width == 0 {
+            return forces;
+        }
+        self.factor.solve(forces.as_mut_slice(), width);
+        if let Some(rigid) = &self.rigid {
+            rigid.settle(&mut forces);
+        }
+        forces
+    }
+}
+
+impl Solver {
+    /// The lowest modes of vibration, a row each.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if they are not found.
+    pub fn modes(&self, discrete: &Discrete<'_>, count: usize) -> Result<DMatrix<f64>, NoConvergence> {
+        let size = discrete.freedoms.unknowns().len();
+        let answer = |x: &mut [f64]| {
+            let found = self.answers(DMatrix::from_row_slice(1, size, x));
+            x.copy_from_slice(found.as_slice());
+        };
+        let stiffness = |x: &[f64]| discrete.total.times(x);
+        let mass = |x: &[f64]| discrete.mass.times(x);
+        let pencil = Pencil { size, stiffness: &stiffness, solve: &answer, mass: &mass };
+        let found = if count == 0 { Vec::new() } else { pencil.largest(count)? };
+        let mut modes = DMatrix::from_fn(found.len(), size, |row, column| found[row][column]);
+        if let Some(rigid) = &self.rigid {
+            rigid.settle(&mut modes);
+        }
+        Ok(modes)
+    }
+}
+
+impl Rigid {
+    fn new(discrete: &Discrete<'_>) -> Self {
+        let center = center(discrete);
+        let nodes = &discrete.structure.nodes;
+        let unknowns = discrete.freedoms.unknowns();
+        let mut fields = DMatrix::zeros(6, unknowns.len());
+        for (column, unknown) in unknowns.iter().enumerate() {
+            if let Unknown::OfNode(node, component) = *unknown {
+                let motion = motions(nodes[node].place - center);
+                fields.column_mut(column).copy_from(&motion.column(component));
+            }
+        }
+        let forces = times(&discrete.mass, &fields);
+        let matrix = Matrix6::from_fn(|i, j| fields.row(i).dot(&forces.row(j)));
+        let inverse = matrix.try_inverse().unwrap_or_else(Matrix6::zeros);
+        Self { fields, forces, inverse }
+    }
+
+    /// Takes from the forces those of the rigid acceleration that they cause.
+    fn balance(&self, forces: &mut DMatrix<f64>) {
+        let shares = &*forces * self.fields.transpose() * self.inverse;
+        forces.gemm(-1.0, &shares, &self.forces, 1.0);
+    }
+
+    /// Takes from the displacements their part as a rigid body.
+    fn settle(&self, displacements: &mut DMatrix<f64>) {
+        let shares = &*displacements * self.forces.transpose() * self.inverse;
+        displacements.gemm(-1.0, &shares, &self.fields, 1.0);
+    }
+}
+
+/// Displacement and rotation of a place `s` from the centre in each of the six motions, a row each.
+fn motions(s: Vector3<f64>) -> SMatrix<f64, 6, 6> {
+    let mut motions = SMatrix::<f64, 6, 6>::identity();
+    motions.fixed_view_mut::<3, 3>(3, 0).copy_from(&s.cross_matrix());
+    motions
+}
+
+fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
+    let nodes = &discrete.structure.nodes;
+    nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / nodes.len().max(1) as f64
+}
+
+/// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (K7)
+fn pinned(discrete: &Discrete<'_>) -> Symmetric {
+    let nodes = &discrete.structure.nodes;
+    let free = (0..nodes.len())
+        .filter(|node| matches!(discrete.structure.holds[*node], Hold::Free | Hold::Partly(_)));
+    let free: Vec<usize> = free.collect();
+    let diagonal = discrete.total.diagonal();
+    let firm = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
+    let farthest = |measure: &dyn Fn(Vector3<f64>) -> f64| {
+        let far = |a: &&usize, b: &&usize| measure(nodes[**a].place).total_cmp(&measure(nodes[**b].place));
+        free.iter().max_by(far).copied().unwrap_or_default()
+    };
+    let center = center(discrete);
+    let a = farthest(&|place| (place - center).norm());
+    let start = nodes[a].place;
+    let b = farthest(&|place| (place - start).norm());
+    let line = (nodes[b].place - start).try_normalize(0.0).unwrap_or_else(Vector3::x);
+    let c = farthest(&|place| (place - start).cross(&line).norm());
+    let normal = line.cross(&(nodes[c].place - start)).try_normalize(0.0).unwrap_or_else(Vector3::y);
+    let whole = Matrix3::identity();
+    let pins = [(a, whole), (b, whole - line * line.transpose()), (c, normal * normal.transpose())];
+    let mut pinned = discrete.total.clone();
+    for (node, matrix) in pins {
+        let unknown = |axis| discrete.freedoms.row(node, axis).first().map(|(unknown, _)| *unknown as u32);
+        let block = firm * matrix;
+        pinned.add(&[0, 1, 2].map(unknown), block.as_slice()).expect("a node joins its own unknowns");
+    }
+    pinned
+}

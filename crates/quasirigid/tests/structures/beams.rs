@@ -1,0 +1,107 @@
+//! A beam on a hub that is too heavy to feel it, with a name for every node; and the same with straight paths.
+
+use nalgebra::{Matrix3, Vector3};
+use quasirigid::elements::{
+    Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Station,
+};
+use quasirigid::math::sparse::SparseRows;
+use quasirigid::model::force::Force;
+use quasirigid::model::{FlexibleBody, Invariants, Pair, Parts};
+
+use crate::common::turned_axes;
+
+/// A beam from the centre of a hub outwards, along the first of the turned axes.
+#[derive(Clone)]
+pub struct Cantilever {
+    pub length: f64,
+    /// Even number of elements.
+    pub elements: usize,
+    pub section: SectionShape,
+    pub material: Material,
+    /// Inertia of the hub, the same about each axis.
+    pub hub: f64,
+    pub reduction: Reduction,
+}
+
+/// Where the beam is clamped.
+const ROOT: [f64; 3] = [0.4, -1.1, 0.7];
+
+impl Cantilever {
+    /// The hub with the beam, and forces on it.
+    pub fn assembly(&self, forces: Vec<Force<Station>>) -> Assembly {
+        let along = turned_axes() * Vector3::x();
+        let places = (0..=self.elements).map(|node| self.length * node as f64 / self.elements as f64);
+        let places = places.map(|x| Vector3::from(ROOT) + x * along);
+        let nodes =
+            places.enumerate().map(|(i, place)| FrameNode { name: format!("{i}"), position: place.into() });
+        let member = |node: usize| Member {
+            ends: [node, node + 1],
+            section: self.section,
+            up: Some((turned_axes() * Vector3::y()).into()),
+            material: self.material.clone(),
+            elements: 1,
+        };
+        let members = (0..self.elements).map(member).collect();
+        let kind = Kind::Frame(Frame { nodes: nodes.collect(), members, masses: Vec::new() });
+        let part = Part { name: "beam".to_owned(), kind, attached: vec![0], rayleigh: [0.0; 2] };
+        let carrier = Carrier {
+            mass: self.hub / (self.length * self.length),
+            center_of_mass: ROOT,
+            inertia: (self.hub * Matrix3::identity()).into(),
+        };
+        let reduction = self.reduction;
+        Assembly { carrier: Some(carrier), parts: vec![part], forces, reduction, ..Assembly::default() }
+    }
+
+    /// The body with paths made straight: linear kinematics, which lose the work of loads on the second order.
+    ///
+    /// Products of displacements are integrals along the beam by Simpson's rule over the nodes.
+    pub fn straightened(&self, body: &FlexibleBody) -> FlexibleBody {
+        let size = body.coordinates().len();
+        let mut shapes = vec![vec![Vector3::zeros(); size]; self.elements + 1];
+        for (node, marker) in shapes.iter_mut().zip(body.markers()) {
+            marker.shapes.iter().for_each(|(j, shape)| node[*j] = Vector3::from(*shape));
+        }
+        let step = self.line_density() * self.length / self.elements as f64 / 3.0;
+        let weight = |node: usize| match node {
+            0 => step,
+            node if node == self.elements => step,
+            node => step * if node % 2 == 1 { 4.0 } else { 2.0 },
+        };
+        let pair = |j: usize, k: usize, A: f64| {
+            let products = shapes.iter().enumerate();
+            let W: Matrix3<f64> = products.map(|(node, u)| weight(node) * u[j] * u[k].transpose()).sum();
+            let turned = W.trace() * Matrix3::identity() - 0.5 * (W + W.transpose());
+            let Z = [W[(1, 2)] - W[(2, 1)], W[(2, 0)] - W[(0, 2)], W[(0, 1)] - W[(1, 0)]];
+            let entries = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+            (j, k, Pair { A, J2: entries.map(|entry| turned[entry]), Z, S2: [0.0; 3] })
+        };
+        let straight = body.invariants().pairs.iter().map(|(j, k, curved)| pair(j, k, curved.A)).collect();
+        let pairs = SparseRows::sum(size, straight);
+        FlexibleBody::new(Parts {
+            support: body.support().clone(),
+            pole: body.pole(),
+            center_of_mass: body.center_of_mass(),
+            invariants: Invariants { pairs, ..body.invariants().clone() },
+            damping: body.damping().clone(),
+            stiffness: body.stiffness().clone(),
+            lossy: body.lossy().to_vec(),
+            coordinates: body.coordinates().to_vec(),
+            markers: body.markers().to_vec(),
+        })
+        .unwrap()
+    }
+
+    /// Displacement of the tip in the turned axes: along the beam, across it in the plane of the turn, and along the
+    /// spin.
+    pub fn tip(&self, body: &FlexibleBody, q: &[f64]) -> Vector3<f64> {
+        let shapes = &body.markers()[self.elements].shapes;
+        let displacement: Vector3<f64> = shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum();
+        turned_axes().inverse() * displacement
+    }
+
+    fn line_density(&self) -> f64 {
+        let SectionShape::General { area, .. } = self.section else { panic!("a section by its constants") };
+        self.material.density * area
+    }
+}

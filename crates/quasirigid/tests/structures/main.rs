@@ -1,0 +1,12 @@
+//! Structures of finite elements: what they become on a carrier or floating, against other roads to the same body.
+#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
+
+mod beams;
+mod common;
+mod ellipsoids;
+mod frames;
+mod meshes;
+mod networks;
+mod solids;
+mod spin_up;
+mod spinning;

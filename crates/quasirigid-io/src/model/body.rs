@@ -62,7 +62,8 @@ pub(super) fn body<'a>(
 ) -> Body<'a> {
     let carrier_table = file.table("carrier", "[carrier]", &CARRIER);
     let absent = |key| file.get(key).is_none_or(|value| value.is_empty());
-    const BODIES: [&str; 7] = ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "network"];
+    const BODIES: [&str; 8] =
+        ["ellipsoid", "surface", "beam", "panel", "solid", "matrices", "modes", "network"];
     let points = file.get("point").and_then(|value| value.items()).map_or(0, |items| items.len());
     if file.get("carrier").is_none() && points < FEWEST_POINTS && BODIES.iter().all(|key| absent(key)) {
         report_missing_body(problems);

@@ -61,6 +61,7 @@ const FILE: Keys = Keys {
         "panel",
         "solid",
         "matrices",
+        "modes",
         "connection",
         "network",
         "reduction",

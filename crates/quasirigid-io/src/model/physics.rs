@@ -52,6 +52,7 @@ fn kind(kind: &Kind) -> &'static str {
         Kind::Panel(_) => "panel",
         Kind::Solid(_) => "solid",
         Kind::Matrices(_) => "matrices",
+        Kind::Modes(_) => "modes",
         _ => "part",
     }
 }
@@ -81,6 +82,13 @@ fn label(problem: &Problem) -> &'static str {
         Problem::NotAttached => "joined by nothing",
         Problem::NoNodes => "no nodes",
         Problem::HeldTwice { .. } => "held twice",
+        Problem::NotInterface { .. } => "not of the interface",
+        Problem::ShapeRows { .. }
+        | Problem::ShapeColumns { .. }
+        | Problem::NotUnit { .. }
+        | Problem::EmptyMode { .. }
+        | Problem::CoupledModes { .. } => "not its shapes",
+        Problem::ValuePerMode { .. } => "one for each mode",
         Problem::Circle { .. } => "in a circle",
         Problem::NoArm { .. } | Problem::NoTurn { .. } => "cannot turn",
         Problem::NoPartner { .. } => "no partner",

@@ -19,6 +19,11 @@ pub(super) fn positive(value: f64) -> Result<(), Problem> {
     if value > 0.0 { Ok(()) } else { Err(Problem::NotPositive { value }) }
 }
 
+pub(super) fn non_negative(value: f64) -> Result<(), Problem> {
+    finite(&[value])?;
+    if value >= 0.0 { Ok(()) } else { Err(Problem::Indefinite { eigenvalue: value }) }
+}
+
 pub(super) fn mass(value: f64) -> Result<(), Problem> {
     finite(&[value])?;
     if value > 0.0 { Ok(()) } else { Err(Problem::NotAMass { value }) }

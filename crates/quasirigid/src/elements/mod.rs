@@ -33,8 +33,8 @@ pub use hinged::{HingeCoefficient, Hinged};
 pub use material::Material;
 pub use network::Network;
 pub use part::{
-    Anchor, Connection, Frame, FrameNode, Kind, Layer, Matrices, Member, NodeRef, Orthotropic, Panel, Part,
-    Region, Solid, Substance, TipMass,
+    Anchor, Connection, Frame, FrameNode, Kind, Layer, Matrices, Member, Modes, NodalMass, NodeRef,
+    Orthotropic, Panel, Part, Region, Solid, Spectrum, Substance, TipMass,
 };
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};

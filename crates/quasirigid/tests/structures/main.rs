@@ -4,8 +4,10 @@
 mod beams;
 mod common;
 mod ellipsoids;
+mod floating;
 mod frames;
 mod meshes;
+mod modes;
 mod networks;
 mod solids;
 mod spin_up;

@@ -52,7 +52,7 @@ fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
 }
 
 /// The steady state at a spin: the load is linear in the coordinates, and the springs balance it.
-fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
+pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     let n = body.coordinates().len();
     let still = vec![0.0; n];
     let load = |q: &[f64]| DVector::from(body.load(Motion { omega, q, rate: &still }));
@@ -70,7 +70,7 @@ fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
 
 /// Derivative of the rates by central differences, which are exact to rounding: the rates hardly curve within a
 /// thousandth of the sizes.
-fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
+pub fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
     let mut matrix = Dense::zero(state.len());
     for column in 0..state.len() {
         let h = 1e-3 * sizes[column];

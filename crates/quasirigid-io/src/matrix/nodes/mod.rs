@@ -4,7 +4,7 @@ mod grid;
 mod input;
 mod table;
 
-use std::collections::BTreeMap;
+use std::collections::HashSet;
 
 pub(super) use grid::read as read_grid;
 pub(super) use input::read as read_input;
@@ -22,7 +22,7 @@ pub struct Node {
     pub place: [f64; 3],
 }
 
-/// Nodes in ascending order of their labels.
+/// Nodes in the order of their file, each label once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NodeTable {
     nodes: Vec<Node>,
@@ -33,31 +33,29 @@ impl NodeTable {
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
-
-    /// Where the node of a label is, if there is one.
-    pub fn place(&self, label: u64) -> Option<[f64; 3]> {
-        let index = self.nodes.binary_search_by_key(&label, |node| node.label).ok()?;
-        Some(self.nodes[index].place)
-    }
 }
 
 /// Nodes as they come up in a file.
 #[derive(Default)]
-struct Found(BTreeMap<u64, [f64; 3]>);
+struct Found {
+    nodes: Vec<Node>,
+    labels: HashSet<u64>,
+}
 
 impl Found {
     /// Adds a node that stands on a line.
     fn add(&mut self, label: u64, place: [f64; 3], line: usize) -> Result<(), At> {
-        match self.0.insert(label, place) {
-            None => Ok(()),
-            Some(_) => Err((line, MatrixProblem::NodeTwice { node: label })),
+        if !self.labels.insert(label) {
+            return Err((line, MatrixProblem::NodeTwice { node: label }));
         }
+        self.nodes.push(Node { label, place });
+        Ok(())
     }
 
     fn table(self) -> Result<NodeTable, Fault> {
-        if self.0.is_empty() {
+        if self.nodes.is_empty() {
             return Err((Place::File, MatrixProblem::NoNodes));
         }
-        Ok(NodeTable { nodes: self.0.into_iter().map(|(label, place)| Node { label, place }).collect() })
+        Ok(NodeTable { nodes: self.nodes })
     }
 }

@@ -1,9 +1,11 @@
-//! Parts of finite elements: beams, panels, solids and matrices, how they are held, and how a file names their nodes.
+//! Parts of finite elements: beams, panels, solids, matrices and modes, how they are held, and how a file names their nodes.
 
 mod beam;
 mod connection;
 mod matrices;
+mod modes;
 mod network;
+mod nodal;
 mod nodes;
 mod panel;
 mod placed;
@@ -33,6 +35,7 @@ pub(super) struct PartTables<'a> {
     panels: Vec<Table<'a>>,
     solids: Vec<Table<'a>>,
     matrices: Vec<Table<'a>>,
+    modes: Vec<Table<'a>>,
 }
 
 /// A part, how its nodes are named, and the ranges of its rheologies in the order of [`rheologies`].
@@ -58,13 +61,15 @@ impl<'a> PartTables<'a> {
             panels: file.tables("panel", "[[panel]]", &panel::PANEL),
             solids: file.tables("solid", "[[solid]]", &solid::SOLID),
             matrices: file.tables("matrices", "[[matrices]]", &matrices::MATRICES),
+            modes: file.tables("modes", "[[modes]]", &modes::MODES),
         }
     }
 
     /// Tables with the word for their kind and their number within it, in the order of the parts.
     pub(super) fn iter(&self) -> impl Iterator<Item = (&'static str, usize, &Table<'a>)> {
-        let Self { beams, panels, solids, matrices } = self;
-        let kinds = [("beam", beams), ("panel", panels), ("solid", solids), ("matrices", matrices)];
+        let Self { beams, panels, solids, matrices, modes } = self;
+        let kinds =
+            [("beam", beams), ("panel", panels), ("solid", solids), ("matrices", matrices), ("modes", modes)];
         kinds
             .into_iter()
             .flat_map(|(word, tables)| (1..).zip(tables).map(move |(number, table)| (word, number, table)))
@@ -84,13 +89,16 @@ impl<'a> PartTables<'a> {
     pub(super) fn read(&self, names: &[String], sources: Sources<'_, 'a>) -> Option<Vec<Read>> {
         let (beams, rest) = names.split_at(self.beams.len());
         let (panels, rest) = rest.split_at(self.panels.len());
-        let (solids, matrices) = rest.split_at(self.solids.len());
+        let (solids, rest) = rest.split_at(self.solids.len());
+        let (matrices, modes) = rest.split_at(self.matrices.len());
         let beams = self.beams.iter().zip(beams).map(|(table, name)| beam::beam(table, name, sources));
         let panels = self.panels.iter().zip(panels).map(|(table, name)| panel::panel(table, name, sources));
         let solids = self.solids.iter().zip(solids).map(|(table, name)| solid::solid(table, name, sources));
         let matrices = self.matrices.iter().zip(matrices);
         let matrices = matrices.map(|(table, name)| matrices::matrices(table, name, sources));
-        let read: Vec<Option<Read>> = beams.chain(panels).chain(solids).chain(matrices).collect();
+        let modes = self.modes.iter().zip(modes).map(|(table, name)| modes::modes(table, name, sources));
+        let read: Vec<Option<Read>> =
+            beams.chain(panels).chain(solids).chain(matrices).chain(modes).collect();
         read.into_iter().collect()
     }
 }
@@ -106,6 +114,7 @@ pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
             solid.regions.iter_mut().map(|region| rheology_of(&mut region.substance)).collect()
         }
         Kind::Matrices(given) => vec![&mut given.rheology],
+        Kind::Modes(modes) => vec![&mut modes.rheology],
         _ => Vec::new(),
     }
 }

@@ -4,7 +4,7 @@ use super::net::Net;
 use super::{Assembly, Built};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::matrices::Matrices;
-use crate::elements::part::NodeRef;
+use crate::elements::part::{NodeRef, Part};
 use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
@@ -12,7 +12,7 @@ use crate::model::force::Force;
 use crate::model::{FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
 
 impl Assembly {
-    /// A body without a carrier: parts, points and springs, in their Tisserand frame.
+    /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
     pub(super) fn floating(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
             return Err(at(Place::Carrier, Field::Mass)(Problem::NoBody));
@@ -22,7 +22,7 @@ impl Assembly {
             return Err(at(Place::Hinged(0), Field::Hinge)(Problem::NoCarrier));
         }
         let net = Net::of_everything(self)?;
-        let component = net.component(true)?;
+        let component = net.component(!self.parts.iter().any(Part::is_frame))?;
         let center = component.center();
         let size = component.size();
         let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;

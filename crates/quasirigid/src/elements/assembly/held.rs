@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use nalgebra::Vector3;
 
 use super::Assembly;
@@ -20,9 +22,10 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
         if assembly.carrier.is_none() && !part.attached.is_empty() {
             return Err(refuse(Problem::NoCarrier));
         }
-        for node in &part.attached {
-            assembly.has(NodeRef { part: index, node: *node }).map_err(&refuse)?;
-            net.structure.holds[net.firsts[index] + node] = Hold::On { base: None, axes: Vec::new() };
+        for node in part.attached.iter().collect::<BTreeSet<_>>() {
+            let node = NodeRef { part: index, node: *node };
+            assembly.has(node).map_err(&refuse)?;
+            net.hold(net.index(node), None, Vec::new()).map_err(&refuse)?;
         }
     }
     for (index, connection) in assembly.connections.iter().enumerate() {
@@ -33,7 +36,8 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
 
 /// Accepts parts that attachments and connections join to the carrier, directly or through others.
 fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
-    let mut joined: Vec<bool> = assembly.parts.iter().map(|part| !part.attached.is_empty()).collect();
+    let mut joined: Vec<bool> =
+        assembly.parts.iter().map(|part| part.stands() || !part.attached.is_empty()).collect();
     let part = |anchor: &Anchor| match anchor {
         Anchor::Carrier => None,
         Anchor::Nodes { part, .. } => Some(*part),
@@ -149,6 +153,9 @@ impl Net<'_> {
 
     /// Holds a node that nothing holds yet.
     fn hold(&mut self, node: usize, base: Option<usize>, axes: Vec<Vector3<f64>>) -> Result<(), Problem> {
+        if matches!(self.structure.holds[node], Hold::Shaped { .. }) {
+            return Err(Problem::NotInterface { node: self.node_name(node) });
+        }
         if !self.is_free(node) {
             return Err(Problem::HeldTwice { node: self.node_name(node) });
         }

@@ -6,7 +6,7 @@ use super::Assembly;
 use super::held::holds;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Link, Mass};
-use crate::elements::part::{NodeRef, extremes};
+use crate::elements::part::{Kind, NodeRef, Part, extremes};
 use crate::elements::structure::{
     Component, Fault, Freedoms, Hold, Joint, Matter, Node, Purpose, Structure, Unknown,
 };
@@ -69,7 +69,7 @@ impl<'a> Net<'a> {
         for (index, part) in assembly.parts.iter().enumerate() {
             firsts.push(structure.nodes.len());
             structure.nodes.extend(part.nodes());
-            structure.holds.extend(part.holds());
+            structure.holds.extend(part.holds(firsts[index]));
             part.furnish(index, firsts[index], &mut structure)?;
         }
         firsts.push(structure.nodes.len());
@@ -124,6 +124,21 @@ impl<'a> Net<'a> {
             }
             Place::Point(point) => format!("{:?}", self.assembly.points[point].name),
             joint => joint.to_string(),
+        }
+    }
+
+    /// Name of a generalised coordinate that a node of the structure keeps as a component.
+    fn coordinate_name(&self, node: usize, component: usize) -> String {
+        let (place, inner) = self.owner(node);
+        let modes = |part: &'a Part| match &part.kind {
+            Kind::Modes(modes) => {
+                Some(format!("{:?} {}", part.name, modes.coordinate_name(inner, component)))
+            }
+            _ => None,
+        };
+        match place {
+            Place::Part(part) => self.assembly.parts.get(part).and_then(modes).unwrap_or_default(),
+            other => other.to_string(),
         }
     }
 
@@ -244,7 +259,7 @@ impl<'a> Net<'a> {
                 let hinge = Place::Connection(self.hinged_by(node)?);
                 Some((hinge, format!("{hinge} about its axis {}", axis + 1)))
             }
-            Unknown::OfNode(..) => None,
+            Unknown::OfNode(..) | Unknown::OfCoordinate(..) => None,
         });
         let (hinges, names): (Vec<Place>, Vec<String>) = hinges.unzip();
         if let Some(first) = hinges.first() {
@@ -254,6 +269,7 @@ impl<'a> Net<'a> {
             Unknown::OfNode(node, component) => {
                 Some((node, format!("{} {}", self.node_name(node), COMPONENTS[component])))
             }
+            Unknown::OfCoordinate(node, component) => Some((node, self.coordinate_name(node, component))),
             Unknown::OfJoint(..) => None,
         });
         let (nodes, names): (Vec<usize>, Vec<String>) = nodes.unzip();

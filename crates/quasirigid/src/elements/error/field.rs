@@ -41,6 +41,14 @@ pub enum Field {
     Rayleigh,
     /// Number of modes that are kept.
     Modes,
+    /// Shapes of modes.
+    Shapes,
+    /// Frequencies of modes.
+    Frequencies,
+    /// Damping ratios of modes.
+    DampingRatios,
+    /// Nodes whose displacements are coordinates.
+    Interface,
     /// Shear moduli of a material.
     Shear,
     /// Stiffness.
@@ -130,6 +138,10 @@ impl std::fmt::Display for Field {
             Self::Reference => "reference",
             Self::Rayleigh => "rayleigh",
             Self::Modes => "modes",
+            Self::Shapes => "shapes",
+            Self::Frequencies => "frequencies",
+            Self::DampingRatios => "damping_ratios",
+            Self::Interface => "interface",
             Self::Shear => "shear",
             Self::Stiffness => "stiffness",
             Self::Damping => "damping",

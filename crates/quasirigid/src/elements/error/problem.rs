@@ -88,6 +88,78 @@ pub enum Problem {
         /// Number of rows.
         count: usize,
     },
+    /// Shapes are not over the rows of the mass matrix.
+    #[error(
+        "there are {rows} rows of shapes and {freedoms} rows of the mass; each row of one is a row of the other"
+    )]
+    ShapeRows {
+        /// Rows of the shapes.
+        rows: usize,
+        /// Rows of the mass matrix.
+        freedoms: usize,
+    },
+    /// There are fewer shapes than displacements of the interface.
+    #[error(
+        "there are {columns} shapes, and the interface alone has {interface} displacements and rotations"
+    )]
+    ShapeColumns {
+        /// Number of shapes.
+        columns: usize,
+        /// Displacements and rotations of the interface.
+        interface: usize,
+    },
+    /// A shape is not a unit displacement of the interface, or moves it where it should not.
+    #[error(
+        "shape {} moves component {} of node {node} by {share}; the first shapes are unit displacements of the interface, \
+         node by node, and the others leave it at rest",
+        column + 1,
+        component + 1
+    )]
+    NotUnit {
+        /// Number of the node in its file.
+        node: u64,
+        /// Component, from 0.
+        component: usize,
+        /// The shape, from 0.
+        column: usize,
+        /// What it moves.
+        share: f64,
+    },
+    /// Not one value for each mode.
+    #[error("there are {modes} shapes and {values} values; give one for each")]
+    ValuePerMode {
+        /// Number of shapes.
+        modes: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// A mode moves no mass.
+    #[error("mode {} moves no mass", mode + 1)]
+    EmptyMode {
+        /// The mode, from 0.
+        mode: usize,
+    },
+    /// Shapes are no modes of a mass.
+    #[error(
+        "the mass couples modes {} and {} by {share:.2} of their own, so they are not modes of this mass; is the mass at the \
+         nodes complete, and are the rows in their order?",
+        modes[0] + 1,
+        modes[1] + 1
+    )]
+    CoupledModes {
+        /// The modes, from 0.
+        modes: [usize; 2],
+        /// Their coupling over the geometric mean of their masses.
+        share: f64,
+    },
+    /// A node whose motion modes say is held.
+    #[error(
+        "the shapes of its modes say how {node} moves; only nodes of the `interface` can be held or carried"
+    )]
+    NotInterface {
+        /// The node, by name.
+        node: String,
+    },
     /// A side of a connection or an attachment has no nodes.
     #[error("no nodes are named here")]
     NoNodes,

@@ -1,27 +1,16 @@
-use std::collections::BTreeMap;
-
-use nalgebra::{DMatrix, Matrix3, Matrix3xX, Vector3};
-
-use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
-use crate::elements::finite::{Element, Grain, Mass, Site, rigid_points};
+use super::nodal::NodalMass;
+use crate::elements::error::{ElementError, Field, Place, at};
 use crate::elements::structure::{Hold, Matter, Structure};
-use crate::model::{Inertia, Rheology};
+use crate::model::Rheology;
 
 /// Matrices over displacements and rotations of nodes, from another program. (K9)
 ///
 /// What the program held is taken as held on the carrier; its mass there is the carrier's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrices {
-    /// Places of the nodes (m), in the file's frame.
-    pub nodes: Vec<[f64; 3]>,
-    /// Number of each node in its file.
-    pub node_labels: Vec<u64>,
-    /// What each row is about: the index of a node, and a component from 0 to 5.
-    pub freedoms: Vec<(usize, usize)>,
-    /// Mass matrix: rows, columns and entries, both triangles.
-    pub mass: Vec<(usize, usize, f64)>,
-    /// Stiffness matrix.
+    /// The nodes, and the mass matrix.
+    pub mass: NodalMass,
+    /// Stiffness matrix over the same rows: rows, columns and entries, both triangles.
     pub stiffness: Vec<(usize, usize, f64)>,
     /// Damping matrix.
     pub damping: Vec<(usize, usize, f64)>,
@@ -29,31 +18,8 @@ pub struct Matrices {
     pub rheology: Rheology,
 }
 
-/// Blocks of the matrices between two nodes, or of one with itself.
-#[derive(Debug)]
-struct Block {
-    nodes: Vec<usize>,
-    freedoms: usize,
-    matter: usize,
-    stiffness: DMatrix<f64>,
-    damping: DMatrix<f64>,
-    mass: DMatrix<f64>,
-    grains: Vec<Grain>,
-}
-
-/// Mass, damping and stiffness between two nodes, 6×6 each.
-type Blocks = [nalgebra::Matrix6<f64>; 3];
-
-/// Entries that should agree may differ by this much relative to the larger diagonal.
-const SYMMETRIC: f64 = 1e-9;
-
 impl Matrices {
-    /// Whether some node turns.
-    pub(super) fn turns(&self) -> bool {
-        self.freedoms.iter().any(|(_, component)| *component >= 3)
-    }
-
-    /// Adds its blocks to a structure that has its nodes, and holds the components that have no row.
+    /// Adds its blocks to a structure that has its nodes.
     pub(super) fn furnish(
         &self,
         index: usize,
@@ -63,155 +29,23 @@ impl Matrices {
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
         self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
-        let blocks = self.blocks(place)?;
+        let matrices = [
+            (Field::Mass, self.mass.entries.as_slice()),
+            (Field::Damping, &self.damping),
+            (Field::Stiffness, &self.stiffness),
+        ];
+        let blocks = self.mass.blocks(place, matrices)?;
+        let sums = self.mass.sums(blocks.iter().map(|(pair, [mass, ..])| (*pair, mass)));
         let rheology = self.rheology.clone();
         let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
-        let freedoms = if self.turns() { 6 } else { 3 };
-        let sums = self.sums(&blocks);
-        for ((i, j), [mass, damping, stiffness]) in &blocks {
-            let own = i == j;
-            let spread = |block: &nalgebra::Matrix6<f64>| spread(block, freedoms, own);
-            let grains =
-                if own { self.lump(*i, freedoms, &sums[*i]) } else { self.between([*i, *j], freedoms, mass) };
-            structure.elements.push(Box::new(Block {
-                nodes: if own { vec![first + i] } else { vec![first + i, first + j] },
-                freedoms,
-                matter,
-                stiffness: spread(stiffness),
-                damping: spread(damping),
-                mass: spread(mass),
-                grains,
-            }));
+        for (pair, matrices) in &blocks {
+            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &sums)));
         }
         Ok(())
     }
 
     /// How each node is held where its components have no row.
     pub(super) fn holds(&self) -> Vec<Hold> {
-        let mut moves = vec![[false; 6]; self.nodes.len()];
-        for (node, component) in &self.freedoms {
-            moves[*node][*component] = true;
-        }
-        moves.into_iter().map(Hold::Partly).collect()
-    }
-
-    /// The matrices by pairs of nodes, the smaller first.
-    fn blocks(&self, place: Place) -> Result<BTreeMap<(usize, usize), Blocks>, ElementError> {
-        let mut blocks: BTreeMap<(usize, usize), Blocks> = BTreeMap::new();
-        let matrices =
-            [(Field::Mass, &self.mass), (Field::Damping, &self.damping), (Field::Stiffness, &self.stiffness)];
-        for (which, (field, entries)) in matrices.into_iter().enumerate() {
-            let refuse = at(place, field);
-            symmetric(entries, self.freedoms.len()).map_err(&refuse)?;
-            for (row, column, value) in entries {
-                coefficient::finite(&[*value]).map_err(&refuse)?;
-                let ((i, a), (j, b)) = (self.freedoms[*row], self.freedoms[*column]);
-                if i <= j {
-                    blocks.entry((i, j)).or_default()[which][(a, b)] += value;
-                }
-            }
-        }
-        Ok(blocks)
-    }
-
-    /// What the mass of each node is to all nodes together: its rows summed over the nodes.
-    fn sums(&self, blocks: &BTreeMap<(usize, usize), Blocks>) -> Vec<nalgebra::Matrix6<f64>> {
-        let mut sums = vec![nalgebra::Matrix6::zeros(); self.nodes.len()];
-        for ((i, j), [mass, ..]) in blocks {
-            sums[*i] += mass;
-            if i != j {
-                sums[*j] += mass.transpose();
-            }
-        }
-        sums
-    }
-
-    /// The lumped mass of a node with its rotary inertia, where it is that of a rigid piece.
-    fn lump(&self, node: usize, freedoms: usize, sum: &nalgebra::Matrix6<f64>) -> Vec<Grain> {
-        let mass = scalar(sum);
-        let rotary: Matrix3<f64> = sum.fixed_view::<3, 3>(3, 3).into_owned();
-        let inertia = Inertia::new(std::array::from_fn(|i| std::array::from_fn(|j| rotary[(i, j)])));
-        let points = match inertia {
-            Ok(inertia) if freedoms == 6 && mass > 0.0 => rigid_points(mass, &inertia),
-            _ => vec![(mass, Vector3::zeros())],
-        };
-        let place = Vector3::from(self.nodes[node]);
-        Mass { node, freedoms, matter: 0, points, place }.grains()
-    }
-
-    /// The mass between two nodes: `M_ij (u_i v_j + u_j v_i)` is the lumped mass less `M_ij (u_i − u_j)(v_i − v_j)`.
-    fn between(&self, [i, j]: [usize; 2], freedoms: usize, mass: &nalgebra::Matrix6<f64>) -> Vec<Grain> {
-        let mut shapes = Matrix3xX::zeros(2 * freedoms);
-        shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
-        shapes.columns_mut(freedoms, 3).copy_from(&-Matrix3::identity());
-        let distance = Vector3::from(self.nodes[i]) - Vector3::from(self.nodes[j]);
-        vec![Grain { mass: -scalar(mass), site: Site::Between(distance), shapes, turn: None }]
-    }
-}
-
-/// The mass of a block for one component of the displacement, the mean of those it has.
-fn scalar(mass: &nalgebra::Matrix6<f64>) -> f64 {
-    mass.diagonal().rows(0, 3).mean()
-}
-
-/// A block over the freedoms of an element of one node, or of two.
-fn spread(block: &nalgebra::Matrix6<f64>, freedoms: usize, own: bool) -> DMatrix<f64> {
-    let part = block.view((0, 0), (freedoms, freedoms));
-    if own {
-        return part.into_owned();
-    }
-    let mut matrix = DMatrix::zeros(2 * freedoms, 2 * freedoms);
-    matrix.view_mut((0, freedoms), (freedoms, freedoms)).copy_from(&part);
-    matrix.view_mut((freedoms, 0), (freedoms, freedoms)).copy_from(&part.transpose());
-    matrix
-}
-
-/// Accepts the entries of a symmetric matrix of this size.
-fn symmetric(entries: &[(usize, usize, f64)], size: usize) -> Result<(), Problem> {
-    let mut found: BTreeMap<(usize, usize), f64> = BTreeMap::new();
-    for (row, column, value) in entries {
-        if *row.max(column) >= size {
-            return Err(Problem::NoSuchRow { index: *row.max(column), count: size });
-        }
-        *found.entry((*row, *column)).or_default() += value;
-    }
-    let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default().abs();
-    for ((row, column), upper) in &found {
-        let lower = found.get(&(*column, *row)).copied().unwrap_or_default();
-        let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(upper.abs());
-        if !((upper - lower).abs() <= SYMMETRIC * scale) {
-            return Err(Problem::NotSymmetric { row: *row, column: *column, upper: *upper, lower });
-        }
-    }
-    Ok(())
-}
-
-impl Element for Block {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn freedoms(&self) -> usize {
-        self.freedoms
-    }
-
-    fn matter(&self) -> usize {
-        self.matter
-    }
-
-    fn stiffness(&self) -> DMatrix<f64> {
-        self.stiffness.clone()
-    }
-
-    fn damping(&self) -> Option<DMatrix<f64>> {
-        Some(self.damping.clone())
-    }
-
-    fn mass(&self) -> DMatrix<f64> {
-        self.mass.clone()
-    }
-
-    fn grains(&self) -> Vec<Grain> {
-        self.grains.clone()
+        self.mass.moves().into_iter().map(Hold::Partly).collect()
     }
 }

@@ -3,6 +3,8 @@
 mod connection;
 mod frame;
 mod given;
+mod modes;
+mod nodal;
 mod panel;
 mod solid;
 mod substance;
@@ -12,6 +14,8 @@ use nalgebra::Vector3;
 pub use connection::{Anchor, Connection, NodeRef};
 pub use frame::{Frame, FrameNode, Member, TipMass};
 pub use given::Matrices;
+pub use modes::{Modes, Spectrum};
+pub use nodal::NodalMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
@@ -45,6 +49,8 @@ pub enum Kind {
     Panel(Panel),
     /// Matrices from another program.
     Matrices(Matrices),
+    /// Modes from another program.
+    Modes(Modes),
 }
 
 impl Part {
@@ -54,16 +60,17 @@ impl Part {
             Kind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
             Kind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
             Kind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
-            Kind::Matrices(given) => given.nodes.iter().map(|place| node(*place, given.turns())).collect(),
+            Kind::Matrices(given) => given.mass.structure_nodes().collect(),
+            Kind::Modes(modes) => modes.structure_nodes(),
         }
     }
 
-    /// Number of its nodes.
+    /// Number of its nodes that are places.
     pub(super) fn count(&self) -> usize {
         match &self.kind {
             Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
             Kind::Frame(frame) => frame.places().len(),
-            Kind::Matrices(given) => given.nodes.len(),
+            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => mass.nodes.len(),
         }
     }
 
@@ -74,7 +81,9 @@ impl Part {
                 format!("node {}", mesh.node_labels[node])
             }
             Kind::Frame(frame) => frame.node_name(node),
-            Kind::Matrices(given) => format!("node {}", given.node_labels[node]),
+            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => {
+                format!("node {}", mass.node_labels[node])
+            }
         }
     }
 
@@ -82,9 +91,19 @@ impl Part {
     pub(super) fn watched(&self) -> Vec<usize> {
         match &self.kind {
             Kind::Frame(frame) => (0..frame.nodes.len()).collect(),
-            Kind::Matrices(given) => extremes(&given.nodes),
+            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => extremes(&mass.nodes),
             Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => extremes(&mesh.nodes),
         }
+    }
+
+    /// Whether the program that it comes from may have held it; what holds nothing is found as a mechanism.
+    pub(super) fn stands(&self) -> bool {
+        matches!(self.kind, Kind::Matrices(_)) || self.is_frame()
+    }
+
+    /// Whether it moves as seen from a frame that is rigid in the body.
+    pub(super) fn is_frame(&self) -> bool {
+        matches!(&self.kind, Kind::Modes(modes) if modes.interface.is_empty())
     }
 
     /// Adds its elements to a structure that has its nodes, the first of them at `first`.
@@ -102,13 +121,15 @@ impl Part {
             Kind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
             Kind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
             Kind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
+            Kind::Modes(modes) => modes.furnish(index, first, self.rayleigh, structure),
         }
     }
 
-    /// How its nodes are held before anything is attached or connected.
-    pub(super) fn holds(&self) -> Vec<Hold> {
+    /// How its nodes are held before anything is attached or connected; the first of them is `first` in the structure.
+    pub(super) fn holds(&self, first: usize) -> Vec<Hold> {
         match &self.kind {
             Kind::Matrices(given) => given.holds(),
+            Kind::Modes(modes) => modes.holds(first),
             _ => vec![Hold::Free; self.count()],
         }
     }

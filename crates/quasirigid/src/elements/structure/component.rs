@@ -5,6 +5,7 @@ use super::curvature::Curvature;
 use super::discrete::{Discrete, Structure, times};
 use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
+use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::solver::Solver;
 use crate::elements::matrices::Block;
 use crate::elements::moment;
@@ -73,27 +74,29 @@ impl Structure {
             .map_err(|singular| loose(&discrete.freedoms, &singular.direction))?;
         let centered = discrete.whole(Vector3::zeros());
         let reference = centered.first / centered.mass;
-        let loads = discrete.loads(reference);
-        let statics = solver.answers(if purpose.floating { stretching(&loads) } else { loads.clone() });
+        let whole = discrete.whole(reference);
+        let forces = discrete.loads(reference);
+        let (loads, statics) = if purpose.floating {
+            (balanced(&whole), solver.answers(stretching(&forces)))
+        } else {
+            ((0..LOADS).map(Acceleration::of_load).collect(), solver.answers(forces.clone()))
+        };
         let pulls = solver.answers(pulls(&discrete, purpose));
         let wanted = stacked(&statics, &pulls);
         let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
-        let fields = scaled(&discrete, basis.displacements(loads.ncols()), centered.mass);
-        let curvatures =
-            (!purpose.floating).then(|| discrete.curvatures(reference, &statics, &fields)).flatten();
+        let fields = scaled(&discrete, basis.displacements(forces.ncols()), whole.mass);
+        let works = &fields * forces.transpose();
+        let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
+        let (sums, moments) = first.unzip();
         Ok(Component {
             reference,
-            whole: discrete.whole(reference),
-            sums: (0..fields.nrows())
-                .map(|j| Vector3::from_fn(|a, _| loads.row(a).dot(&fields.row(j))))
-                .collect(),
-            moments: (0..fields.nrows())
-                .map(|j| Matrix3::from_fn(|b, a| loads.row(3 + 3 * b + a).dot(&fields.row(j))))
-                .collect(),
+            whole,
+            sums,
+            moments,
             products: by_pair(&discrete.products(&fields)),
             masses: &fields * times(&discrete.mass, &fields).transpose(),
-            curvatures,
+            curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
         })
@@ -174,14 +177,6 @@ impl Component {
     pub fn shapes(&self, station: usize, start: usize) -> Vec<(usize, [f64; 3])> {
         self.stations[station].iter().enumerate().map(|(j, shape)| (start + j, *shape)).collect()
     }
-}
-
-/// Forces of the accelerations `B s` with `B` symmetric; those with `B` skew are inertia, which a floating structure
-/// balances itself.
-fn stretching(loads: &DMatrix<f64>) -> DMatrix<f64> {
-    let load = |b: usize, a: usize| loads.row(3 + 3 * b + a).into_owned();
-    let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
-    DMatrix::from_rows(&pairs.map(|(b, a)| 0.5 * (load(b, a) + load(a, b))))
 }
 
 /// Unit forces along each axis at the nodes where other parts pull.

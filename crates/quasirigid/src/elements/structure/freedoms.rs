@@ -1,4 +1,8 @@
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, Vector3};
+
+use super::rows::{Circle, Rows};
 
 /// Where a node is and whether it turns.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +28,15 @@ pub(in crate::elements) enum Hold {
         /// Axes of relative rotation, unit vectors.
         axes: Vec<Vector3<f64>>,
     },
+    /// As shapes say: each component moves by shares of components of other nodes, columns of the shares.
+    Shaped {
+        /// Nodes and components that move it.
+        columns: Arc<[(usize, usize)]>,
+        /// Shares, a row per component.
+        shares: DMatrix<f64>,
+    },
+    /// By nothing: it is no place, and its first components are so many generalised coordinates.
+    Coordinates(usize),
 }
 
 /// An unknown of the structure.
@@ -33,6 +46,8 @@ pub(in crate::elements) enum Unknown {
     OfNode(usize, usize),
     /// Rotation of a held node about one of its axes.
     OfJoint(usize, usize),
+    /// Generalised coordinate that a node keeps as one of its components.
+    OfCoordinate(usize, usize),
 }
 
 /// Displacements and rotations of the nodes as combinations of unknowns. (K2)
@@ -47,32 +62,15 @@ pub(in crate::elements) struct Freedoms {
     unknowns: Vec<Unknown>,
 }
 
-/// Unknowns that move one freedom, and their shares.
-type Row = Vec<(usize, f64)>;
-
-/// Nodes that hold each other in a circle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::elements) struct Circle {
-    /// One of them.
-    pub node: usize,
-}
-
 impl Freedoms {
     /// The freedoms of nodes that are held like this.
     ///
     /// # Errors
     /// [`Circle`] if nodes hold each other.
     pub fn new(nodes: &[Node], holds: &[Hold]) -> Result<Self, Circle> {
-        let mut rows: Vec<Option<Vec<Row>>> = vec![None; nodes.len()];
-        let mut unknowns = Vec::new();
-        for node in 0..nodes.len() {
-            for held in chain(holds, &rows, node)?.into_iter().rev() {
-                let made = held_rows(nodes, &holds[held], &rows, held, &mut unknowns);
-                rows[held] = Some(made);
-            }
-        }
+        let Rows { made, unknowns, .. } = Rows::new(nodes, holds)?;
         let mut freedoms = Self { first: vec![0], starts: vec![0], terms: Vec::new(), unknowns };
-        for row in rows.into_iter().flatten() {
+        for row in made {
             for terms in row {
                 freedoms.terms.extend(terms);
                 freedoms.starts.push(freedoms.terms.len());
@@ -90,7 +88,7 @@ impl Freedoms {
     /// First unknown of each group of unknowns of one node, and the end.
     pub fn groups(&self) -> Vec<u32> {
         let owner = |unknown: &Unknown| match *unknown {
-            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) => node,
+            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) | Unknown::OfCoordinate(node, _) => node,
         };
         let starts = (1..self.unknowns.len())
             .filter(|index| owner(&self.unknowns[*index]) != owner(&self.unknowns[index - 1]));
@@ -133,74 +131,4 @@ impl Freedoms {
             }
         }
     }
-}
-
-/// A node and the nodes that hold it, as far as their rows are still to be made, from the node on.
-fn chain(holds: &[Hold], rows: &[Option<Vec<Row>>], node: usize) -> Result<Vec<usize>, Circle> {
-    let mut chain = Vec::new();
-    let mut next = Some(node);
-    while let Some(held) = next.filter(|held| rows[*held].is_none()) {
-        if chain.len() > 1 && chain.contains(&held) || chain.len() == 1 && chain[0] == held {
-            return Err(Circle { node: held });
-        }
-        chain.push(held);
-        next = match &holds[held] {
-            Hold::Free | Hold::Partly(_) => None,
-            Hold::On { base, .. } => *base,
-        };
-    }
-    Ok(chain)
-}
-
-/// Rows of a node whose base has its rows.
-fn held_rows(
-    nodes: &[Node],
-    hold: &Hold,
-    rows: &[Option<Vec<Row>>],
-    node: usize,
-    unknowns: &mut Vec<Unknown>,
-) -> Vec<Row> {
-    let mut own = |unknown: Unknown| {
-        unknowns.push(unknown);
-        vec![(unknowns.len() - 1, 1.0)]
-    };
-    let count = if nodes[node].turns { 6 } else { 3 };
-    let (base, axes) = match hold {
-        Hold::Free => return (0..count).map(|component| own(Unknown::OfNode(node, component))).collect(),
-        Hold::Partly(moves) => {
-            let one = |component: usize| {
-                if moves[component] { own(Unknown::OfNode(node, component)) } else { Vec::new() }
-            };
-            return (0..count).map(one).collect();
-        }
-        Hold::On { base, axes } => (base, axes),
-    };
-    let still = vec![Vec::new(); 6];
-    let held = base.and_then(|base| rows[base].as_ref()).unwrap_or(&still);
-    let arm = base.map_or_else(Vector3::zeros, |base| nodes[node].place - nodes[base].place);
-    let mut made: Vec<Row> = (0..3).map(|axis| carried(held, arm, axis)).collect();
-    if count == 6 && held.len() == 6 {
-        made.extend_from_slice(&held[3..]);
-        for (number, axis) in axes.iter().enumerate() {
-            let turn = own(Unknown::OfJoint(node, number));
-            for component in 0..3 {
-                made[3 + component].extend(turn.iter().map(|(unknown, _)| (*unknown, axis[component])));
-            }
-        }
-    } else if count == 6 {
-        made.extend((3..6).map(|component| own(Unknown::OfNode(node, component))));
-    }
-    made
-}
-
-/// A displacement at the end of an arm: `u + θ × arm`.
-fn carried(base: &[Row], arm: Vector3<f64>, axis: usize) -> Row {
-    let mut row = base[axis].clone();
-    if base.len() == 6 {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-        row.extend(base[3 + next].iter().map(|(unknown, share)| (*unknown, share * arm[last])));
-        row.extend(base[3 + last].iter().map(|(unknown, share)| (*unknown, -share * arm[next])));
-    }
-    row.retain(|(_, share)| *share != 0.0);
-    row
 }

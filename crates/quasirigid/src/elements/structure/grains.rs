@@ -1,10 +1,8 @@
 use nalgebra::{DMatrix, Matrix3, MatrixXx3, SMatrix, Vector3};
 
 use super::discrete::Discrete;
+use super::loads::{Acceleration, LOADS};
 use crate::elements::finite::Grain;
-
-/// Loads that an acceleration linear in the place puts on a structure: `e_a` for each axis, then `ρ_b e_a`, `b` outermost.
-pub(super) const LOADS: usize = 12;
 
 /// Material points taken together in one product of matrices.
 const BATCH: usize = 512;
@@ -86,16 +84,10 @@ impl Discrete<'_> {
     }
 }
 
-/// Acceleration of a load at `s`, where a field that is one everywhere has the value `one`.
-pub(super) fn acceleration(load: usize, s: Vector3<f64>, one: f64) -> Vector3<f64> {
-    let along = Vector3::ith(load % 3, 1.0);
-    if load < 3 { one * along } else { s[load / 3 - 1] * along }
-}
-
 /// Rows: the acceleration of each load at a grain.
 fn accelerations(grain: &Grain, reference: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
     let s = grain.place_from(reference);
-    SMatrix::from_fn(|load, axis| acceleration(load, s, grain.one())[axis])
+    SMatrix::from_fn(|load, axis| Acceleration::of_load(load).at(s, grain.one())[axis])
 }
 
 /// Displacements of a few material points by axis, and the same times their masses.

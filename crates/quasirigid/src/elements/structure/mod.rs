@@ -6,6 +6,8 @@ mod curvature;
 mod discrete;
 mod freedoms;
 mod grains;
+mod loads;
+mod rows;
 mod solver;
 mod sum;
 

@@ -118,14 +118,30 @@ fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
     nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / nodes.len().max(1) as f64
 }
 
-/// The stiffness with six pins at three nodes: enough to hold a rigid body, and too few to strain one. (K7)
+/// The stiffness with six pins: enough to hold a rigid body, and too few to strain one. (K7)
 fn pinned(discrete: &Discrete<'_>) -> Symmetric {
-    let nodes = &discrete.structure.nodes;
-    let free = (0..nodes.len())
-        .filter(|node| matches!(discrete.structure.holds[*node], Hold::Free | Hold::Partly(_)));
-    let free: Vec<usize> = free.collect();
     let diagonal = discrete.total.diagonal();
     let firm = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
+    let unknown =
+        |node, component| discrete.freedoms.row(node, component).first().map(|(unknown, _)| *unknown as u32);
+    let mut pinned = discrete.total.clone();
+    for (node, pins) in pins(discrete) {
+        let unknowns: Vec<Option<u32>> =
+            (0..pins.nrows()).map(|component| unknown(node, component)).collect();
+        pinned.add(&unknowns, (firm * pins).as_slice()).expect("a node joins its own unknowns");
+    }
+    pinned
+}
+
+/// Nodes that are pinned, and the components of their motion: three nodes, or one that turns where there are no three.
+fn pins(discrete: &Discrete<'_>) -> Vec<(usize, DMatrix<f64>)> {
+    let nodes = &discrete.structure.nodes;
+    let free: Vec<usize> = (0..nodes.len())
+        .filter(|node| matches!(discrete.structure.holds[*node], Hold::Free | Hold::Partly(_)))
+        .collect();
+    if let (true, Some(node)) = (free.len() < 3, free.iter().find(|node| nodes[**node].turns)) {
+        return vec![(*node, DMatrix::identity(6, 6))];
+    }
     let farthest = |measure: &dyn Fn(Vector3<f64>) -> f64| {
         let far = |a: &&usize, b: &&usize| measure(nodes[**a].place).total_cmp(&measure(nodes[**b].place));
         free.iter().max_by(far).copied().unwrap_or_default()
@@ -139,11 +155,5 @@ fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let normal = line.cross(&(nodes[c].place - start)).try_normalize(0.0).unwrap_or_else(Vector3::y);
     let whole = Matrix3::identity();
     let pins = [(a, whole), (b, whole - line * line.transpose()), (c, normal * normal.transpose())];
-    let mut pinned = discrete.total.clone();
-    for (node, matrix) in pins {
-        let unknown = |axis| discrete.freedoms.row(node, axis).first().map(|(unknown, _)| *unknown as u32);
-        let block = firm * matrix;
-        pinned.add(&[0, 1, 2].map(unknown), block.as_slice()).expect("a node joins its own unknowns");
-    }
-    pinned
+    pins.map(|(node, block)| (node, DMatrix::from_column_slice(3, 3, block.as_slice()))).to_vec()
 }

@@ -1,0 +1,202 @@
+use std::path::Path;
+
+use quasirigid::elements::{Kind, Modes, NodalMass, Part, Spectrum};
+
+use super::super::rheology::{Scale, rheology};
+use super::super::surface::unit_of;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use super::nodal::{Given, Rows, Units, freedom_list, node_table};
+use super::{Nodes, Read, Sources, attached, rayleigh};
+use crate::matrix::MatrixFile;
+use crate::units::Dimension;
+
+pub(super) const MODES: Keys = Keys {
+    known: &[
+        "name",
+        "nodes",
+        "freedoms",
+        "mass",
+        "masses",
+        "shapes",
+        "interface",
+        "frequencies",
+        "damping_ratios",
+        "stiffness",
+        "damping",
+        "length_unit",
+        "mass_unit",
+        "rheology",
+        "attach",
+        "rayleigh",
+    ],
+    later: &[],
+};
+
+const NUMBERS: Keys = Keys { known: &["file", "name", "unit"], later: &[] };
+
+/// Reads `[[modes]]`: shapes over the nodes of a table, the mass there, and what resists the shapes.
+pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
+    let folder = sources.folder;
+    let (units, nodes, listed) = (Units::new(table), node_table(table, folder), freedom_list(table, folder));
+    let shapes = Given::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
+    let (mass, lumped) = (Given::optional(table, "mass", folder), Given::optional(table, "masses", folder));
+    let stiffness = Given::optional(table, "stiffness", folder);
+    let damping = Given::optional(table, "damping", folder);
+    let rayleigh = rayleigh(table);
+    let known = rheology(table, Scale::OF_SPRING);
+    let (units, nodes, listed, shapes) = (units?, nodes?, listed?, shapes?);
+    let (mass, lumped, stiffness, damping) = (mass?, lumped?, stiffness?, damping?);
+    one_of(table, ["mass", "masses"], "masses = \"wing-masses.npy\"")?;
+    one_of(table, ["frequencies", "stiffness"], "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
+    mass.iter().try_for_each(Given::square)?;
+    let files: Vec<&Given<'_>> = [&shapes].into_iter().chain(&mass).collect();
+    let rows = Rows::new(&files, listed.as_deref(), &nodes)?;
+    let empty = rows.nodal(&units);
+    let labels = Nodes::of_labels(&empty.node_labels);
+    let interface = interface(table, &labels)?;
+    let entries = match (&mass, &lumped) {
+        (Some(mass), _) => rows.entries(mass, &units)?,
+        (None, lumped) => masses(lumped.as_ref()?, &empty, &units)?,
+    };
+    let mass = NodalMass { entries, ..empty };
+    let coordinates = Coordinates::new(&mass, &interface, shapes.matrix.columns, &units);
+    let spectrum = match stiffness {
+        Some(stiffness) => Spectrum::Matrices {
+            stiffness: coordinates.entries(&stiffness)?,
+            damping: damping.map_or(Some(Vec::new()), |damping| coordinates.entries(&damping))?,
+        },
+        None => spectrum(table, coordinates.scales.len(), folder)?,
+    };
+    let shapes = coordinates.shapes(&shapes, &rows, mass.freedoms.len())?;
+    let given = Modes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
+    let attached = attached(table, &labels)?;
+    let part = Part { name: name.to_owned(), kind: Kind::Modes(given), attached, rayleigh: rayleigh? };
+    Some(Read { part, nodes: labels, extremes: vec![known?.extremes] })
+}
+
+/// Accepts a table that has one of two keys.
+fn one_of(table: &Table<'_>, keys: [&'static str; 2], example: &str) -> Option<()> {
+    match keys.map(|key| table.get(key)) {
+        [None, None] => table.required(keys[0], example).map(drop),
+        [Some(_), Some(second)] => {
+            let message = format!("`{}` and `{}` say the same", keys[0], keys[1]);
+            second.refuse(message, "one too many", Some("leave one of them out".to_owned()))
+        }
+        _ => Some(()),
+    }
+}
+
+/// Reads the nodes of the interface, in their order.
+fn interface(table: &Table<'_>, labels: &Nodes) -> Option<Vec<usize>> {
+    let Some(value) = table.get("interface") else { return Some(Vec::new()) };
+    value.list("a list of nodes", |node| labels.single(&node))
+}
+
+/// Reads the mass at each node, and says it of the displacements of the node that have a row.
+fn masses(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
+    let masses = column(given, nodal.nodes.len(), "node")?;
+    let of_row = |(row, (node, component)): (usize, &(usize, usize))| {
+        (*component < 3).then_some((row, row, units.mass * masses[*node]))
+    };
+    Some(nodal.freedoms.iter().enumerate().filter_map(of_row).collect())
+}
+
+/// The numbers of a file that has one for each of something.
+fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
+    let MatrixFile { rows, columns, .. } = given.matrix;
+    if (rows, columns) != (count, 1) && (rows, columns) != (1, count) {
+        let key = given.value.key();
+        let message = format!("`{key}` has {rows} rows and {columns} columns, and there are {count} {of}s");
+        return given.value.refuse(
+            message,
+            "of another size",
+            Some(format!("give one number for each {of}")),
+        );
+    }
+    let mut numbers = vec![0.0; count];
+    given.matrix.entries.iter().for_each(|(row, column, entry)| numbers[*row.max(column)] = *entry);
+    Some(numbers)
+}
+
+/// Reads the frequencies and damping ratios of modes.
+fn spectrum(table: &Table<'_>, modes: usize, folder: &Path) -> Option<Spectrum> {
+    if let Some(value) = table.get("damping") {
+        let help = "write damping_ratios = 0.01, or `stiffness` in the place of `frequencies`";
+        return value.refuse(
+            "`damping` is a matrix beside `stiffness`".to_owned(),
+            "beside frequencies",
+            Some(help.to_owned()),
+        );
+    }
+    let value = table.required("frequencies", "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
+    let frequencies = numbers(&value, Dimension::FREQUENCY, modes, folder);
+    let damping_ratios = match table.get("damping_ratios") {
+        Some(value) if value.is_number() => {
+            value.non_negative(Dimension::NUMBER).map(|ratio| vec![ratio; modes])
+        }
+        Some(value) => numbers(&value, Dimension::NUMBER, modes, folder),
+        None => Some(vec![0.0; modes]),
+    };
+    Some(Spectrum::Modes { frequencies: frequencies?, damping_ratios: damping_ratios? })
+}
+
+/// Reads one quantity for each mode: a list of them, or `{ file, name, unit }`.
+fn numbers(value: &Value<'_>, dimension: Dimension, modes: usize, folder: &Path) -> Option<Vec<f64>> {
+    if !value.is_table() {
+        return value.list("a list with a number for each mode", |item| item.quantity(dimension));
+    }
+    let table = value.table("the numbers", &NUMBERS)?;
+    let unit = table.get("unit").map_or(Some(1.0), |unit| unit_of(&unit, dimension))?;
+    let given = Given::in_table(*value, &table, folder)?;
+    Some(column(&given, modes, "mode")?.into_iter().map(|number| unit * number).collect())
+}
+
+/// Generalised coordinates, and what the unit of a file makes of them.
+struct Coordinates<'u> {
+    units: &'u Units,
+    /// SI units in one unit of each: metres for displacements of the interface, one for the others.
+    scales: Vec<f64>,
+}
+
+impl<'u> Coordinates<'u> {
+    fn new(mass: &NodalMass, interface: &[usize], count: usize, units: &'u Units) -> Self {
+        let of_node = |node: &usize| {
+            let node = *node;
+            (0..6).filter(move |component| mass.freedoms.contains(&(node, *component)))
+        };
+        let of_interface = interface.iter().flat_map(of_node);
+        let scale = |component: usize| if component < 3 { units.length } else { 1.0 };
+        let scales = of_interface.map(scale).chain(std::iter::repeat(1.0)).take(count).collect();
+        Self { units, scales }
+    }
+
+    /// Entries of a square matrix between the coordinates, in SI units.
+    fn entries(&self, given: &Given<'_>) -> Option<Vec<(usize, usize, f64)>> {
+        given.square()?;
+        let (size, count) = (given.matrix.rows, self.scales.len());
+        if size != count {
+            let key = given.value.key();
+            let message = format!("`{key}` has {size} rows, and there are {count} shapes");
+            let help = "it is between the shapes: a row and a column for each, in their order";
+            return given.value.refuse(message, "of another size", Some(help.to_owned()));
+        }
+        let energy = self.units.mass * self.units.length.powi(2);
+        let entry = |(row, column, entry): &(usize, usize, f64)| {
+            (*row, *column, energy * entry / (self.scales[*row] * self.scales[*column]))
+        };
+        Some(given.matrix.entries.iter().map(entry).collect())
+    }
+
+    /// The shapes in SI units, a row for each of so many freedoms.
+    fn shapes(&self, given: &Given<'_>, rows: &Rows<'_>, freedoms: usize) -> Option<Vec<Vec<f64>>> {
+        let numbers = rows.numbers_of(given)?;
+        let mut shapes = vec![vec![0.0; self.scales.len()]; freedoms];
+        for (row, column, share) in &given.matrix.entries {
+            let row = numbers[*row];
+            let unit = self.units.length.powi(1 - rows.turns(row)) / self.scales[*column];
+            shapes[row][*column] = unit * share;
+        }
+        Some(shapes)
+    }
+}

@@ -1,0 +1,210 @@
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use quasirigid::elements::NodalMass;
+
+use super::super::surface::unit_of;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use crate::matrix::{Freedom, MatrixFile, NodeTable, read_freedoms, read_matrix, read_nodes};
+use crate::units::Dimension;
+
+const FILE: Keys = Keys { known: &["file", "name"], later: &[] };
+
+/// Units of the numbers in the files of another program; the second is that of time.
+pub(super) struct Units {
+    pub length: f64,
+    pub mass: f64,
+}
+
+impl Units {
+    pub(super) fn new(table: &Table<'_>) -> Option<Self> {
+        let unit = |key: &'static str, dimension: Dimension| match table.get(key) {
+            Some(value) => unit_of(&value, dimension),
+            None => Some(1.0),
+        };
+        let (length, mass) = (unit("length_unit", Dimension::LENGTH), unit("mass_unit", Dimension::MASS));
+        Some(Self { length: length?, mass: mass? })
+    }
+}
+
+/// A matrix of a file, and the value that names it.
+pub(super) struct Given<'a> {
+    pub value: Value<'a>,
+    pub matrix: MatrixFile,
+}
+
+impl<'a> Given<'a> {
+    /// Reads the matrix in a file that a value names, looked for beside the model: `"file"` or `{ file, name }`.
+    pub(super) fn read(value: Value<'a>, folder: &Path) -> Option<Self> {
+        if value.is_table() {
+            Self::in_table(value, &value.table("the matrix", &FILE)?, folder)
+        } else {
+            Self::named(value, value, None, folder)
+        }
+    }
+
+    /// Reads the matrix that the keys `file` and `name` of a table are about.
+    pub(super) fn in_table(value: Value<'a>, table: &Table<'a>, folder: &Path) -> Option<Self> {
+        let name = match table.get("name") {
+            Some(name) => Some(name.text()?),
+            None => None,
+        };
+        Self::named(value, table.required("file", "file = \"model.op4\"")?, name, folder)
+    }
+
+    fn named(value: Value<'a>, file: Value<'a>, name: Option<&str>, folder: &Path) -> Option<Self> {
+        let matrix = opened(&file, folder, |path| read_matrix(path, name))?;
+        Some(Self { value, matrix })
+    }
+
+    /// Reads a matrix that has to be there.
+    pub(super) fn required(
+        table: &Table<'a>,
+        key: &'static str,
+        example: &str,
+        folder: &Path,
+    ) -> Option<Self> {
+        table.required(key, example).and_then(|value| Self::read(value, folder))
+    }
+
+    /// Reads a matrix that may be left out.
+    pub(super) fn optional(table: &Table<'a>, key: &'static str, folder: &Path) -> Option<Option<Self>> {
+        table.get(key).map_or(Some(None), |value| Self::read(value, folder).map(Some))
+    }
+
+    /// Refuses a matrix that is not square.
+    pub(super) fn square(&self) -> Option<()> {
+        let MatrixFile { rows, columns, .. } = self.matrix;
+        if rows == columns {
+            return Some(());
+        }
+        let message = format!("the matrix has {rows} rows and {columns} columns");
+        let help = "mass, damping and stiffness are square";
+        self.value.refuse(message, "not square", Some(help.to_owned()))
+    }
+}
+
+/// Reads the table `nodes`.
+pub(super) fn node_table(table: &Table<'_>, folder: &Path) -> Option<NodeTable> {
+    let value = table.required("nodes", "nodes = \"bracket.inp\"")?;
+    opened(&value, folder, read_nodes)
+}
+
+/// Reads the list `freedoms` of what rows are about, if there is one.
+pub(super) fn freedom_list(table: &Table<'_>, folder: &Path) -> Option<Option<Vec<Freedom>>> {
+    table.get("freedoms").map_or(Some(None), |value| opened(&value, folder, read_freedoms).map(Some))
+}
+
+/// Reads a file that a value names, looked for beside the model.
+fn opened<T, E: std::fmt::Display>(
+    value: &Value<'_>,
+    folder: &Path,
+    read: impl Fn(&Path) -> Result<T, E>,
+) -> Option<T> {
+    let path = folder.join(value.text()?);
+    let help = "it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and \
+                node tables as CSV, GRID cards or *NODE";
+    let refuse = |error: E| {
+        value.refuse(format!("`{}`: {error}", value.key()), "cannot be used", Some(help.to_owned()))
+    };
+    read(&path).map_or_else(refuse, Some)
+}
+
+/// Rows of the matrices of a part, one for each freedom.
+pub(super) struct Rows<'f> {
+    nodes: &'f NodeTable,
+    /// Freedoms of the rows where a matrix does not say them itself.
+    listed: Option<&'f [Freedom]>,
+    /// Number of each freedom among those of all matrices.
+    numbers: BTreeMap<Freedom, usize>,
+    /// Index of the node of each freedom, and its component from 0.
+    places: Vec<(usize, usize)>,
+}
+
+impl<'f> Rows<'f> {
+    /// The rows of all these matrices.
+    pub(super) fn new(
+        files: &[&Given<'_>],
+        listed: Option<&'f [Freedom]>,
+        nodes: &'f NodeTable,
+    ) -> Option<Self> {
+        let mut rows = Self { nodes, listed, numbers: BTreeMap::new(), places: Vec::new() };
+        let mut all = BTreeSet::new();
+        for file in files {
+            all.extend(rows.of(file)?);
+        }
+        let indices: BTreeMap<u64, usize> =
+            nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
+        for freedom in &all {
+            let index = indices.get(&freedom.node).copied();
+            let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
+            let Some(place) = index.zip(component) else {
+                let help =
+                    "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
+                let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
+                return files[0].value.refuse(message, "a row without a node", Some(help.to_owned()));
+            };
+            rows.places.push(place);
+        }
+        rows.numbers = all.into_iter().enumerate().map(|(number, freedom)| (freedom, number)).collect();
+        Some(rows)
+    }
+
+    /// The nodes in SI units, with what each row is about and no mass.
+    pub(super) fn nodal(&self, units: &Units) -> NodalMass {
+        let nodes = self.nodes.nodes();
+        NodalMass {
+            nodes: nodes.iter().map(|node| node.place.map(|entry| units.length * entry)).collect(),
+            node_labels: nodes.iter().map(|node| node.label).collect(),
+            freedoms: self.places.clone(),
+            entries: Vec::new(),
+        }
+    }
+
+    /// Entries of a square matrix in SI units, by the numbers of their freedoms.
+    pub(super) fn entries(&self, given: &Given<'_>, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
+        let numbers = self.numbers_of(given)?;
+        let entry = |(row, column, entry): &(usize, usize, f64)| {
+            let (row, column) = (numbers[*row], numbers[*column]);
+            let unit = units.mass * units.length.powi(self.turns(row) + self.turns(column));
+            (row, column, unit * entry)
+        };
+        Some(given.matrix.entries.iter().map(entry).collect())
+    }
+
+    /// Number of the freedom of each row of a matrix.
+    pub(super) fn numbers_of(&self, given: &Given<'_>) -> Option<Vec<usize>> {
+        Some(self.of(given)?.iter().map(|freedom| self.numbers[freedom]).collect())
+    }
+
+    /// 1 for a row that is about a rotation, 0 for a displacement.
+    pub(super) fn turns(&self, row: usize) -> i32 {
+        i32::from(self.places[row].1 >= 3)
+    }
+
+    /// What the rows of a matrix are about: as it says itself, as a list says, or all components of every node.
+    fn of(&self, given: &Given<'_>) -> Option<Vec<Freedom>> {
+        let MatrixFile { rows, labels, .. } = &given.matrix;
+        if let Some(labels) = labels {
+            return Some(labels.clone());
+        }
+        let nodes = self.nodes.nodes();
+        let per_node = if *rows == 6 * nodes.len() { 6 } else { 3 };
+        let freedoms = match self.listed {
+            Some(listed) => listed.to_vec(),
+            None => {
+                let of_node =
+                    |label: u64| (1..=per_node).map(move |component| Freedom { node: label, component });
+                nodes.iter().flat_map(|node| of_node(node.label)).collect()
+            }
+        };
+        if freedoms.len() == *rows {
+            return Some(freedoms);
+        }
+        let message = format!("the matrix has {rows} rows, but {} freedoms are known", freedoms.len());
+        let help = "say what each row is about: freedoms = \"bracket.dof\", with lines node.component; without it the rows \
+                    are the three or six components of each node in the order of the table";
+        given.value.refuse(message, "rows without freedoms", Some(help.to_owned()))
+    }
+}

@@ -1,0 +1,276 @@
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, Matrix6};
+
+use super::nodal::{NodalMass, symmetric};
+use crate::elements::coefficient;
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::finite::Block;
+use crate::elements::structure::{Hold, Matter, Node, Structure};
+use crate::model::Rheology;
+
+/// Shapes of generalised coordinates over the nodes of another program's model: its modes of vibration, or those of Craig and
+/// Bampton. (K10)
+///
+/// Without an interface the nodes move as seen from the carrier, or, in a body that has none, from a frame of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// The nodes, and where their mass is.
+    pub mass: NodalMass,
+    /// What a unit of each coordinate (columns) is to each row of the mass matrix: m/m, rad/m for displacements of the
+    /// interface, m/rad, rad/rad for rotations of it, m and rad for the others.
+    pub shapes: Vec<Vec<f64>>,
+    /// Nodes whose displacements and rotations are the first coordinates, node by node.
+    pub interface: Vec<usize>,
+    /// What resists the coordinates.
+    pub spectrum: Spectrum,
+    /// How what has this stiffness answers periodic strain.
+    pub rheology: Rheology,
+}
+
+/// What resists generalised coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spectrum {
+    /// They are modes of vibration.
+    Modes {
+        /// Natural frequency of each (rad/s).
+        frequencies: Vec<f64>,
+        /// Damping of each as a share of the critical one.
+        damping_ratios: Vec<f64>,
+    },
+    /// Matrices between them: rows, columns and entries, both triangles.
+    Matrices {
+        /// Stiffness.
+        stiffness: Vec<(usize, usize, f64)>,
+        /// Damping.
+        damping: Vec<(usize, usize, f64)>,
+    },
+}
+
+/// Shapes of an interface may differ from unit displacements by this much.
+const UNIT: f64 = 1e-6;
+/// The mass may couple modes by this share of their own.
+const COUPLED: f64 = 0.1;
+
+impl Modes {
+    /// The nodes, and then as many as it takes to keep the coordinates beyond the interface as components.
+    pub(super) fn structure_nodes(&self) -> Vec<Node> {
+        let mut nodes: Vec<Node> = self.mass.structure_nodes().collect();
+        let keeper = nodes.first().copied();
+        nodes.extend(keeper.into_iter().flat_map(|keeper| std::iter::repeat_n(keeper, self.keepers())));
+        nodes
+    }
+
+    /// How its nodes are held, the first of them being `first` in the structure.
+    pub(super) fn holds(&self, first: usize) -> Vec<Hold> {
+        let columns: Arc<[(usize, usize)]> =
+            self.columns().into_iter().map(|(node, component)| (first + node, component)).collect();
+        let per_node = self.mass.per_node();
+        let mut shares = vec![DMatrix::zeros(per_node, columns.len()); self.mass.nodes.len()];
+        for ((node, component), row) in self.mass.freedoms.iter().zip(&self.shapes) {
+            for (entry, share) in shares[*node].row_mut(*component).iter_mut().zip(row) {
+                *entry = *share;
+            }
+        }
+        let moves = self.mass.moves();
+        let hold = |(node, shares)| {
+            if self.interface.contains(&node) {
+                Hold::Partly(moves[node])
+            } else {
+                Hold::Shaped { columns: columns.clone(), shares }
+            }
+        };
+        let kept = self.size().saturating_sub(self.interface_columns().len());
+        let keeper = |number: usize| Hold::Coordinates((kept - number * per_node).min(per_node));
+        shares.into_iter().enumerate().map(hold).chain((0..self.keepers()).map(keeper)).collect()
+    }
+
+    /// Name of a generalised coordinate that a node keeps as a component.
+    pub(in crate::elements) fn coordinate_name(&self, node: usize, component: usize) -> String {
+        let before = (node - self.mass.nodes.len()) * self.mass.per_node();
+        format!("coordinate {}", self.interface_columns().len() + before + component + 1)
+    }
+
+    /// Adds its elements to a structure that has its nodes.
+    pub(super) fn furnish(
+        &self,
+        index: usize,
+        first: usize,
+        [per_mass, per_stiffness]: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let place = Place::Part(index);
+        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
+        self.check_shapes().map_err(at(place, Field::Shapes))?;
+        let blocks = self.mass.blocks(place, [(Field::Mass, self.mass.entries.as_slice())])?;
+        let resistance = self.spectrum.matrices(self.size(), place, || self.couplings())?;
+        let rheology = self.rheology.clone();
+        let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+        structure.elements.push(Box::new(self.resistance(first, matter, &resistance)));
+        let sums = self.mass.sums(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
+        for (pair, [mass]) in &blocks {
+            let inertia = [*mass, Matrix6::zeros(), Matrix6::zeros()];
+            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, &inertia, &sums)));
+        }
+        Ok(())
+    }
+
+    /// Number of coordinates.
+    fn size(&self) -> usize {
+        self.shapes.first().map_or(0, Vec::len)
+    }
+
+    /// Nodes that keep the coordinates beyond the interface.
+    fn keepers(&self) -> usize {
+        self.size().saturating_sub(self.interface_columns().len()).div_ceil(self.mass.per_node())
+    }
+
+    /// Node and component of the coordinates of the interface.
+    fn interface_columns(&self) -> Vec<(usize, usize)> {
+        let moves = self.mass.moves();
+        let of = |node: &usize| {
+            let (node, moves) = (*node, moves[*node]);
+            (0..6).filter(move |component| moves[*component]).map(move |component| (node, component))
+        };
+        self.interface.iter().flat_map(of).collect()
+    }
+
+    /// Node and component that keep each coordinate.
+    fn columns(&self) -> Vec<(usize, usize)> {
+        let (nodes, per_node) = (self.mass.nodes.len(), self.mass.per_node());
+        let mut columns = self.interface_columns();
+        let kept = self.size().saturating_sub(columns.len());
+        columns.extend((0..kept).map(|number| (nodes + number / per_node, number % per_node)));
+        columns
+    }
+
+    /// Accepts shapes of the right size that are finite and, at the interface, unit displacements.
+    fn check_shapes(&self) -> Result<(), Problem> {
+        let (size, rows) = (self.size(), self.mass.freedoms.len());
+        let interface = self.interface_columns();
+        if self.shapes.len() != rows || self.shapes.iter().any(|row| row.len() != size) {
+            return Err(Problem::ShapeRows { rows: self.shapes.len(), freedoms: rows });
+        }
+        if size == 0 || size < interface.len() {
+            return Err(Problem::ShapeColumns { columns: size, interface: interface.len() });
+        }
+        for ((node, component), row) in self.mass.freedoms.iter().zip(&self.shapes) {
+            coefficient::finite(row)?;
+            if !self.interface.contains(node) {
+                continue;
+            }
+            let one = interface.iter().position(|column| column == &(*node, *component));
+            let wrong = |(column, share): &(usize, &f64)| {
+                !((**share - f64::from(u8::from(one == Some(*column)))).abs() < UNIT)
+            };
+            if let Some((column, share)) = row.iter().enumerate().find(wrong) {
+                let node = self.mass.node_labels[*node];
+                return Err(Problem::NotUnit { node, component: *component, column, share: *share });
+            }
+        }
+        Ok(())
+    }
+
+    /// The mass matrix between the coordinates.
+    fn couplings(&self) -> DMatrix<f64> {
+        let shapes = DMatrix::from_fn(self.shapes.len(), self.size(), |row, column| self.shapes[row][column]);
+        let mut forces = DMatrix::zeros(shapes.nrows(), shapes.ncols());
+        for (row, column, mass) in &self.mass.entries {
+            let share = *mass * shapes.row(*column);
+            let mut force = forces.row_mut(*row);
+            force += share;
+        }
+        shapes.tr_mul(&forces)
+    }
+
+    /// Stiffness and damping between the coordinates as an element.
+    fn resistance(&self, first: usize, matter: usize, [stiffness, damping]: &[DMatrix<f64>; 2]) -> Block {
+        let (freedoms, columns) = (self.mass.per_node(), self.columns());
+        let mut nodes: Vec<usize> = columns.iter().map(|(node, _)| *node).collect();
+        nodes.dedup();
+        let place = |(node, component): &(usize, usize)| {
+            let number = nodes.iter().position(|known| known == node).unwrap_or_default();
+            freedoms * number + component
+        };
+        let places: Vec<usize> = columns.iter().map(place).collect();
+        let size = nodes.len() * freedoms;
+        let spread = |matrix: &DMatrix<f64>| {
+            let mut spread = DMatrix::zeros(size, size);
+            for (j, row) in places.iter().enumerate() {
+                for (k, column) in places.iter().enumerate() {
+                    spread[(*row, *column)] = matrix[(j, k)];
+                }
+            }
+            spread
+        };
+        Block {
+            freedoms,
+            matter,
+            stiffness: spread(stiffness),
+            damping: spread(damping),
+            mass: DMatrix::zeros(size, size),
+            grains: Vec::new(),
+            nodes: nodes.into_iter().map(|node| first + node).collect(),
+        }
+    }
+}
+
+impl Spectrum {
+    /// Stiffness and damping between so many coordinates.
+    fn matrices(
+        &self,
+        size: usize,
+        place: Place,
+        couplings: impl Fn() -> DMatrix<f64>,
+    ) -> Result<[DMatrix<f64>; 2], ElementError> {
+        match self {
+            Self::Matrices { stiffness, damping } => {
+                let dense = |field: Field, entries: &[(usize, usize, f64)]| {
+                    symmetric(entries, size).map_err(at(place, field))?;
+                    let mut dense = DMatrix::zeros(size, size);
+                    entries.iter().for_each(|(row, column, value)| dense[(*row, *column)] += value);
+                    Ok(dense)
+                };
+                Ok([dense(Field::Stiffness, stiffness)?, dense(Field::Damping, damping)?])
+            }
+            Self::Modes { frequencies, damping_ratios } => {
+                let value = |field: Field, values: &[f64], check: fn(f64) -> Result<(), Problem>| {
+                    if values.len() != size {
+                        return Err(at(place, field)(Problem::ValuePerMode {
+                            modes: size,
+                            values: values.len(),
+                        }));
+                    }
+                    values.iter().try_for_each(|value| check(*value)).map_err(at(place, field))
+                };
+                value(Field::Frequencies, frequencies, coefficient::positive)?;
+                value(Field::DampingRatios, damping_ratios, coefficient::non_negative)?;
+                let masses = modal_masses(&couplings()).map_err(at(place, Field::Shapes))?;
+                let diagonal = |of: &dyn Fn(usize) -> f64| {
+                    DMatrix::from_diagonal(&DVector::from_fn(size, |j, _| masses[j] * of(j)))
+                };
+                Ok([
+                    diagonal(&|j| frequencies[j] * frequencies[j]),
+                    diagonal(&|j| 2.0 * damping_ratios[j] * frequencies[j]),
+                ])
+            }
+        }
+    }
+}
+
+/// Mass of each mode, of shapes that the mass does not couple.
+fn modal_masses(couplings: &DMatrix<f64>) -> Result<DVector<f64>, Problem> {
+    let masses = couplings.diagonal();
+    if let Some(mode) = masses.iter().position(|mass| !(*mass > 0.0)) {
+        return Err(Problem::EmptyMode { mode });
+    }
+    for k in 0..masses.len() {
+        for j in 0..k {
+            let share = couplings[(j, k)].abs() / (masses[j] * masses[k]).sqrt();
+            if !(share < COUPLED) {
+                return Err(Problem::CoupledModes { modes: [j, k], share });
+            }
+        }
+    }
+    Ok(masses)
+}

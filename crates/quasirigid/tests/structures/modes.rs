@@ -1,0 +1,294 @@
+//! Modes from another program: all of them together are the body whose matrices they come from.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use quasirigid::elements::{
+    Anchor, Assembly, Carrier, Connection, ElementError, Kind, Matrices, Modes, NodalMass, Part, Problem,
+    Reduction, Spectrum,
+};
+use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid::reduction::reduce;
+
+use crate::common::{Numbers, vector_error};
+
+/// Matrices of a body with rotations at its nodes.
+struct Body {
+    mass: NodalMass,
+    M: DMatrix<f64>,
+    K: DMatrix<f64>,
+}
+
+const NODES: usize = 5;
+const RATIO: f64 = 0.03;
+
+impl Body {
+    /// Nodes that are small rigid bodies, with any stiffness between them; one that resists no motion of the whole if it
+    /// floats.
+    fn new(seed: u64, floats: bool) -> Self {
+        let mut numbers = Numbers(seed);
+        let mut next = || numbers.next();
+        let nodes: Vec<[f64; 3]> = (0..NODES).map(|_| [2.0 + next(), next() - 1.0, 0.5 * next()]).collect();
+        let size = 6 * NODES;
+        let mut M = DMatrix::zeros(size, size);
+        for node in 0..NODES {
+            let mass = 1.5 + next();
+            let half = Matrix3::from_fn(|_, _| 0.2 * next());
+            let second = half * half.transpose();
+            let inertia = second.trace() * Matrix3::identity() - second;
+            M.view_mut((6 * node, 6 * node), (3, 3)).copy_from(&(mass * Matrix3::identity()));
+            M.view_mut((6 * node + 3, 6 * node + 3), (3, 3)).copy_from(&inertia);
+        }
+        let root = DMatrix::from_fn(size, size, |_, _| 6.0 * next());
+        let mut K = &root * root.transpose() + 40.0 * DMatrix::identity(size, size);
+        if floats {
+            let rigid = rigid(&nodes);
+            let inverse = rigid.tr_mul(&rigid).try_inverse().unwrap();
+            let strained = DMatrix::identity(size, size) - &rigid * inverse * rigid.transpose();
+            K = &strained * K * &strained;
+        }
+        let freedoms = (0..size).map(|row| (row / 6, row % 6)).collect();
+        let node_labels = (1..=NODES as u64).map(|node| 10 * node).collect();
+        let mass = NodalMass { nodes, node_labels, freedoms, entries: entries(&M) };
+        Self { mass, M, K }
+    }
+
+    /// As matrices, with the damping ratio [`RATIO`] in the modes that leave the first nodes at rest.
+    fn matrices(&self, still: usize) -> Kind {
+        let fixed = self.modes(still);
+        let weights = DMatrix::from_diagonal(&fixed.frequencies.map(|frequency| 2.0 * RATIO * frequency));
+        let mut bent = DMatrix::identity(6 * NODES, 6 * NODES);
+        let mut carried = bent.columns_mut(0, 6 * still);
+        carried -= self.constraint_modes(still);
+        let modal = fixed.shapes.tr_mul(&self.M) * bent;
+        Kind::Matrices(Matrices {
+            mass: self.mass.clone(),
+            stiffness: entries(&self.K),
+            damping: entries(&(modal.tr_mul(&weights) * &modal)),
+            rheology: Rheology::Elastic,
+        })
+    }
+
+    /// Modes in which the first nodes stay at rest, of modal mass one.
+    fn modes(&self, still: usize) -> Found {
+        let (first, rest) = (6 * still, 6 * (NODES - still));
+        let part = |matrix: &DMatrix<f64>| matrix.view((first, first), (rest, rest)).into_owned();
+        let inverse = part(&self.M).cholesky().unwrap().l().try_inverse().unwrap();
+        let eigen = (&inverse * part(&self.K) * inverse.transpose()).symmetric_eigen();
+        let mut shapes = DMatrix::zeros(6 * NODES, rest);
+        shapes.rows_mut(first, rest).copy_from(&inverse.tr_mul(&eigen.eigenvectors));
+        Found { shapes, frequencies: eigen.eigenvalues.map(|value| value.max(0.0).sqrt()) }
+    }
+
+    /// Answers of the nodes beyond the first to displacements of these: constraint modes.
+    fn constraint_modes(&self, still: usize) -> DMatrix<f64> {
+        let (first, rest) = (6 * still, 6 * (NODES - still));
+        if still == 0 {
+            return DMatrix::zeros(6 * NODES, 0);
+        }
+        let inner = self.K.view((first, first), (rest, rest)).into_owned();
+        let coupling = self.K.view((first, 0), (rest, first)).into_owned();
+        let mut shapes = DMatrix::identity(6 * NODES, first);
+        shapes.rows_mut(first, rest).copy_from(&-inner.cholesky().unwrap().solve(&coupling));
+        shapes
+    }
+}
+
+struct Found {
+    shapes: DMatrix<f64>,
+    frequencies: DVector<f64>,
+}
+
+/// The six motions as a rigid body.
+fn rigid(nodes: &[[f64; 3]]) -> DMatrix<f64> {
+    let mut rigid = DMatrix::zeros(6 * nodes.len(), 6);
+    for (node, place) in nodes.iter().enumerate() {
+        let mut rows = rigid.view_mut((6 * node, 0), (6, 6));
+        rows.fill_with_identity();
+        rows.view_mut((0, 3), (3, 3)).copy_from(&-Vector3::from(*place).cross_matrix());
+    }
+    rigid
+}
+
+fn entries(matrix: &DMatrix<f64>) -> Vec<(usize, usize, f64)> {
+    let size = matrix.ncols();
+    (0..matrix.nrows() * size)
+        .map(|entry| {
+            (
+                entry / size,
+                entry % size,
+                0.5 * (matrix[(entry / size, entry % size)] + matrix[(entry % size, entry / size)]),
+            )
+        })
+        .filter(|(.., value)| *value != 0.0)
+        .collect()
+}
+
+fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+}
+
+fn carrier() -> Carrier {
+    Carrier {
+        mass: 40.0,
+        center_of_mass: [0.1, -0.05, 0.02],
+        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
+    }
+}
+
+fn build(
+    kind: Kind,
+    carrier: Option<Carrier>,
+    connections: Vec<Connection>,
+    order: usize,
+) -> Result<FlexibleBody, ElementError> {
+    let part = Part { name: "wing".to_owned(), kind, attached: Vec::new(), rayleigh: [0.02, 1e-3] };
+    Assembly {
+        carrier,
+        parts: vec![part],
+        connections,
+        reduction: Reduction { order, modes: 0 },
+        ..Assembly::default()
+    }
+    .body()
+}
+
+/// Two bodies have the same mass, inertia and reduced equations.
+fn assert_same(found: &FlexibleBody, expected: &FlexibleBody, order: usize) {
+    assert!((found.invariants().mass / expected.invariants().mass - 1.0).abs() < 1e-14);
+    let vectors = |body: &FlexibleBody| body.inertia();
+    for (found, expected) in vectors(found).into_iter().zip(vectors(expected)) {
+        assert!(vector_error(found, expected) < 1e-12);
+    }
+    let (found, expected) = (reduce(found, order).unwrap(), reduce(expected, order).unwrap());
+    for omega in [[0.9, 0.4, -0.3], [0.2, -1.1, 0.7]] {
+        let error = vector_error(found.torque(omega), expected.torque(omega));
+        assert!(error < 1e-9, "order {order}: {error:e}");
+    }
+}
+
+/// The scale of a shape is nobody's business.
+fn of_modes(body: &Body, found: &Found, kept: impl Fn(usize) -> bool) -> Kind {
+    let kept: Vec<usize> = (0..found.frequencies.len()).filter(|mode| kept(*mode)).collect();
+    let shapes = found.shapes.select_columns(&kept);
+    let scaled = DMatrix::from_fn(shapes.nrows(), shapes.ncols(), |row, mode| {
+        shapes[(row, mode)] * (0.3 + mode as f64) * if mode % 2 == 0 { 1.0 } else { -1.0 }
+    });
+    Kind::Modes(Modes {
+        mass: body.mass.clone(),
+        shapes: rows(&scaled),
+        interface: Vec::new(),
+        spectrum: Spectrum::Modes {
+            frequencies: kept.iter().map(|mode| found.frequencies[*mode]).collect(),
+            damping_ratios: vec![RATIO; kept.len()],
+        },
+        rheology: Rheology::Elastic,
+    })
+}
+
+#[test]
+fn all_modes_are_the_body_on_a_carrier() {
+    let body = Body::new(7, false);
+    for order in [3, 4, 5] {
+        let matrices = build(body.matrices(0), Some(carrier()), Vec::new(), order).unwrap();
+        let modes = of_modes(&body, &body.modes(0), |_| true);
+        assert_same(&build(modes, Some(carrier()), Vec::new(), order).unwrap(), &matrices, order);
+    }
+}
+
+#[test]
+fn all_free_modes_are_the_body_without_a_carrier() {
+    let body = Body::new(8, true);
+    let found = body.modes(0);
+    let elastic = |mode: usize| found.frequencies[mode] > 1e-3;
+    assert_eq!((0..6 * NODES).filter(|mode| elastic(*mode)).count(), 6 * NODES - 6);
+    // At order 4 the torque tells their frames apart, which differ by a rotation of the second degree in the coordinates.
+    let matrices = build(body.matrices(0), None, Vec::new(), 3).unwrap();
+    let modes = build(of_modes(&body, &found, elastic), None, Vec::new(), 3).unwrap();
+    assert_same(&modes, &matrices, 3);
+}
+
+/// Modes of Craig and Bampton: unit displacements of the first nodes, then modes that leave them at rest.
+fn craig_bampton(body: &Body, still: usize) -> Modes {
+    let (constraint, fixed) = (body.constraint_modes(still), body.modes(still));
+    let (first, rest) = (constraint.ncols(), fixed.shapes.ncols());
+    let mut shapes = DMatrix::zeros(6 * NODES, first + rest);
+    shapes.columns_mut(0, first).copy_from(&constraint);
+    shapes.columns_mut(first, rest).copy_from(&fixed.shapes);
+    let stiffness = shapes.tr_mul(&body.K) * &shapes;
+    let mut damping = DMatrix::zeros(first + rest, first + rest);
+    damping
+        .view_mut((first, first), (rest, rest))
+        .copy_from(&DMatrix::from_diagonal(&fixed.frequencies.map(|frequency| 2.0 * RATIO * frequency)));
+    Modes {
+        mass: body.mass.clone(),
+        shapes: rows(&shapes),
+        interface: (0..still).collect(),
+        spectrum: Spectrum::Matrices { stiffness: entries(&stiffness), damping: entries(&damping) },
+        rheology: Rheology::Elastic,
+    }
+}
+
+fn hinge(node: usize) -> Connection {
+    Connection {
+        from: Anchor::Carrier,
+        to: Anchor::Nodes { part: 0, nodes: vec![node] },
+        axes: vec![[0.3, -0.5, 0.8]],
+        stiffness: vec![70.0],
+        damping: vec![2.0],
+        rheology: Rheology::Elastic,
+    }
+}
+
+#[test]
+fn an_interface_is_held_as_nodes_are() {
+    let body = Body::new(9, true);
+    for still in [1, 2] {
+        let expected = build(body.matrices(still), Some(carrier()), vec![hinge(0)], 4).unwrap();
+        let modes = Kind::Modes(craig_bampton(&body, still));
+        assert_same(&build(modes, Some(carrier()), vec![hinge(0)], 4).unwrap(), &expected, 4);
+    }
+}
+
+#[test]
+fn an_interface_of_any_number_of_nodes_floats() {
+    let body = Body::new(10, true);
+    for still in [1, 2, 4] {
+        let expected = build(body.matrices(still), None, Vec::new(), 3).unwrap();
+        let modes = Kind::Modes(craig_bampton(&body, still));
+        assert_same(&build(modes, None, Vec::new(), 3).unwrap(), &expected, 3);
+    }
+}
+
+#[test]
+fn what_is_no_mode_is_refused() {
+    let body = Body::new(11, true);
+    let problem = |modes: Modes, connections: Vec<Connection>| {
+        build(Kind::Modes(modes), Some(carrier()), connections, 3).unwrap_err().problem
+    };
+    let good = || craig_bampton(&body, 1);
+    let inner = problem(good(), vec![hinge(0), hinge(3)]);
+    assert_eq!(inner, Problem::NotInterface { node: "\"wing\" node 40".to_owned() });
+    let missing = Modes { shapes: good().shapes[1..].to_vec(), ..good() };
+    assert_eq!(problem(missing, vec![hinge(0)]), Problem::ShapeRows { rows: 29, freedoms: 30 });
+    let narrow = good().shapes.iter().map(|row| row[..5].to_vec()).collect();
+    let narrow = Modes { shapes: narrow, ..good() };
+    assert_eq!(problem(narrow, vec![hinge(0)]), Problem::ShapeColumns { columns: 5, interface: 6 });
+    let mut moved = good();
+    moved.shapes[2][7] = 0.4;
+    let expected = Problem::NotUnit { node: 10, component: 2, column: 7, share: 0.4 };
+    assert_eq!(problem(moved, vec![hinge(0)]), expected);
+    let Kind::Modes(all) = of_modes(&body, &body.modes(0), |mode| mode > 5) else { panic!("modes") };
+    let with = |frequencies: Vec<f64>, damping_ratios: Vec<f64>| Modes {
+        spectrum: Spectrum::Modes { frequencies, damping_ratios },
+        ..all.clone()
+    };
+    let few = problem(with(vec![1.0; 3], vec![0.0; 24]), Vec::new());
+    assert_eq!(few, Problem::ValuePerMode { modes: 24, values: 3 });
+    let still = problem(with(vec![0.0; 24], vec![0.0; 24]), Vec::new());
+    assert_eq!(still, Problem::NotPositive { value: 0.0 });
+    let mut coupled = with(vec![1.0; 24], vec![0.0; 24]);
+    coupled.mass.entries.iter_mut().filter(|(row, ..)| *row < 3).for_each(|entry| entry.2 *= 20.0);
+    assert!(matches!(problem(coupled, Vec::new()), Problem::CoupledModes { .. }));
+    let mut massless = with(vec![1.0; 24], vec![0.0; 24]);
+    massless.shapes.iter_mut().for_each(|row| row[3] = 0.0);
+    assert_eq!(problem(massless, Vec::new()), Problem::EmptyMode { mode: 3 });
+}

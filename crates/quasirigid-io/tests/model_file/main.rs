@@ -1,6 +1,7 @@
 //! Model files: what is read from them, and how each mistake is refused.
 
 mod beams;
+mod bodies;
 mod connections;
 mod connections_refused;
 mod elements;

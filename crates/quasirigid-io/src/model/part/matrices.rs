@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use quasirigid::elements::{Kind, Matrices, Part};
@@ -57,17 +57,22 @@ pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) 
     let rayleigh = rayleigh(table);
     let known = rheology(table, Scale::OF_SPRING);
     let (units, nodes, listed) = (units?, table_of_nodes?, listed?);
+    let labelled = |(value, file)| Labelled::new(value, file, listed.as_deref(), &nodes);
+    let (stiffness, mass) = (labelled(stiffness?), labelled(mass?));
+    let damping = match damping? {
+        Some(damping) => labelled(damping).map(Some),
+        None => Some(None),
+    };
     let (stiffness, mass, damping) = (stiffness?, mass?, damping?);
-    let files: Vec<&(Value<'_>, MatrixFile)> = [&stiffness, &mass].into_iter().chain(&damping).collect();
-    let rows = Rows::new(&files, listed.as_deref(), &nodes)?;
-    let entries = |(value, file): &(Value<'_>, MatrixFile)| rows.entries(value, file, &units);
+    let files: Vec<&Labelled<'_>> = [&stiffness, &mass].into_iter().chain(&damping).collect();
+    let rows = Rows::new(&files, &nodes)?;
     let given = Matrices {
         nodes: nodes.nodes().iter().map(|node| node.place.map(|entry| units.length * entry)).collect(),
         node_labels: nodes.nodes().iter().map(|node| node.label).collect(),
-        freedoms: rows.freedoms(),
-        mass: entries(&mass)?,
-        stiffness: entries(&stiffness)?,
-        damping: damping.as_ref().map_or(Some(Vec::new()), entries)?,
+        mass: rows.entries(&mass, &units),
+        stiffness: rows.entries(&stiffness, &units),
+        damping: damping.map_or_else(Vec::new, |damping| rows.entries(&damping, &units)),
+        freedoms: rows.places,
         rheology: known.as_ref()?.rheology.clone(),
     };
     let labels = Nodes::of_labels(&given.node_labels);
@@ -115,69 +120,66 @@ fn refuse_file(value: &Value<'_>, error: &str) {
     value.refuse::<()>(format!("`{}`: {error}", value.key()), "cannot be used", Some(help.to_owned()));
 }
 
-/// Freedoms of the rows, and where they stand among the nodes.
+/// A matrix with what each of its rows is about.
+struct Labelled<'a> {
+    value: Value<'a>,
+    file: MatrixFile,
+    freedoms: Vec<Freedom>,
+}
+
+impl<'a> Labelled<'a> {
+    fn new(
+        value: Value<'a>,
+        file: MatrixFile,
+        listed: Option<&[Freedom]>,
+        nodes: &NodeTable,
+    ) -> Option<Self> {
+        let freedoms = freedoms_of(&value, &file, listed, nodes)?;
+        Some(Self { value, file, freedoms })
+    }
+}
+
+/// Freedoms of all matrices, and where they stand among the nodes.
 struct Rows {
-    /// Freedoms of the rows where a matrix does not say them itself.
-    listed: Option<Vec<Freedom>>,
-    /// Number of each freedom among those of all matrices.
+    /// Number of each freedom.
     numbers: BTreeMap<Freedom, usize>,
     /// Index of the node of each freedom, and its component from 0.
     places: Vec<(usize, usize)>,
 }
 
 impl Rows {
-    fn new(
-        files: &[&(Value<'_>, MatrixFile)],
-        listed: Option<&[Freedom]>,
-        nodes: &NodeTable,
-    ) -> Option<Self> {
-        let mut all = BTreeSet::new();
-        for (value, file) in files {
-            all.extend(freedoms_of(value, file, listed, nodes)?);
-        }
+    fn new(files: &[&Labelled<'_>], nodes: &NodeTable) -> Option<Self> {
         let indices: BTreeMap<u64, usize> =
             nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
-        let mut places = Vec::with_capacity(all.len());
-        for freedom in &all {
-            let index = indices.get(&freedom.node).copied();
-            let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
-            let Some(place) = index.zip(component) else {
-                let (value, _) = files[0];
-                let help =
-                    "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
-                let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
-                return value.refuse(message, "a row without a node", Some(help.to_owned()));
-            };
-            places.push(place);
+        let mut found = BTreeMap::new();
+        for Labelled { value, freedoms, .. } in files {
+            for freedom in freedoms {
+                let index = indices.get(&freedom.node).copied();
+                let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
+                let Some(place) = index.zip(component) else {
+                    let help =
+                        "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
+                    let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
+                    return value.refuse(message, "a row without a node", Some(help.to_owned()));
+                };
+                found.insert(*freedom, place);
+            }
         }
-        let numbers = all.into_iter().enumerate().map(|(number, freedom)| (freedom, number)).collect();
-        Some(Self { listed: listed.map(<[Freedom]>::to_vec), numbers, places })
-    }
-
-    fn freedoms(&self) -> Vec<(usize, usize)> {
-        self.places.clone()
+        let places = found.values().copied().collect();
+        let numbers = found.into_keys().enumerate().map(|(number, freedom)| (freedom, number)).collect();
+        Some(Self { numbers, places })
     }
 
     /// Entries of a matrix in SI units, by the numbers of their freedoms.
-    fn entries(
-        &self,
-        value: &Value<'_>,
-        file: &MatrixFile,
-        units: &Units,
-    ) -> Option<Vec<(usize, usize, f64)>> {
-        let own = file.labels.as_deref().or(self.listed.as_deref());
-        let number = |row: usize| match own {
-            Some(labels) => labels.get(row).and_then(|freedom| self.numbers.get(freedom)).copied(),
-            None => Some(row),
-        };
+    fn entries(&self, Labelled { file, freedoms, .. }: &Labelled<'_>, units: &Units) -> Vec<(usize, usize, f64)> {
+        let number = |row: usize| self.numbers[&freedoms[row]];
         let turns = |number: usize| i32::from(self.places[number].1 >= 3);
         let entry = |(row, column, entry): &(usize, usize, f64)| {
-            let (row, column) = (number(*row)?, number(*column)?);
+            let (row, column) = (number(*row), number(*column));
             let unit = units.mass * units.length.powi(turns(row) + turns(column));
-            Some((row, column, unit * entry))
+            (row, column, unit * entry)
         };
-        let entries: Option<Vec<_>> = file.entries.iter().map(entry).collect();
-        entries.or_else(|| value.refuse("a row has no freedom".to_owned(), "a row without a freedom", None))
+        file.entries.iter().map(entry).collect()
     }
 }
 

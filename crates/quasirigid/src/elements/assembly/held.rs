@@ -4,7 +4,7 @@ use super::Assembly;
 use super::net::Net;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
-use crate::elements::part::{Anchor, Connection, NodeRef};
+use crate::elements::part::{Anchor, Connection, NodeRef, Part};
 use crate::elements::structure::{Hold, Joint};
 
 /// Nodes of two sides are at the same place if they are closer than this share of the size of the structure.
@@ -20,6 +20,9 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
         if assembly.carrier.is_none() && !part.attached.is_empty() {
             return Err(refuse(Problem::NoCarrier));
         }
+        if let Some(node) = part.held().filter(|_| assembly.carrier.is_none()) {
+            return Err(at(Place::Part(index), Field::Stiffness)(Problem::HeldByMatrices { node }));
+        }
         for node in &part.attached {
             assembly.has(NodeRef { part: index, node: *node }).map_err(&refuse)?;
             net.structure.holds[net.firsts[index] + node] = Hold::On { base: None, axes: Vec::new() };
@@ -33,7 +36,8 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
 
 /// Accepts parts that attachments and connections join to the carrier, directly or through others.
 fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
-    let mut joined: Vec<bool> = assembly.parts.iter().map(|part| !part.attached.is_empty()).collect();
+    let held = |part: &Part| !part.attached.is_empty() || part.held().is_some();
+    let mut joined: Vec<bool> = assembly.parts.iter().map(held).collect();
     let part = |anchor: &Anchor| match anchor {
         Anchor::Carrier => None,
         Anchor::Nodes { part, .. } => Some(*part),

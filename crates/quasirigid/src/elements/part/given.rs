@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use nalgebra::{DMatrix, Matrix3, Matrix3xX, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
@@ -42,7 +42,15 @@ struct Block {
 }
 
 /// Mass, damping and stiffness between two nodes, 6×6 each.
-type Blocks = [nalgebra::Matrix6<f64>; 3];
+type Blocks = [Matrix6<f64>; 3];
+
+/// The mass of a node to all nodes together: its rows summed over the nodes.
+#[derive(Clone, Debug, Default)]
+struct Lump {
+    mass: f64,
+    /// What its rotations have (kg·m²).
+    rotary: Matrix3<f64>,
+}
 
 /// Entries that should agree may differ by this much relative to the larger diagonal.
 const SYMMETRIC: f64 = 1e-9;
@@ -67,12 +75,19 @@ impl Matrices {
         let rheology = self.rheology.clone();
         let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
         let freedoms = if self.turns() { 6 } else { 3 };
-        let sums = self.sums(&blocks);
+        let moves = self.moves();
+        let between = |nodes: [usize; 2], mass: &Matrix6<f64>| scalar(mass, nodes.map(|node| moves[node]));
+        let lumps = self.lumps(&blocks, between);
+        let total: f64 = lumps.iter().map(|lump| lump.mass).sum();
+        coefficient::mass(total).map_err(at(place, Field::Mass))?;
         for ((i, j), [mass, damping, stiffness]) in &blocks {
             let own = i == j;
-            let spread = |block: &nalgebra::Matrix6<f64>| spread(block, freedoms, own);
-            let grains =
-                if own { self.lump(*i, freedoms, &sums[*i]) } else { self.between([*i, *j], freedoms, mass) };
+            let spread = |block: &Matrix6<f64>| spread(block, freedoms, own);
+            let grains = if own {
+                self.lumped(*i, freedoms, &lumps[*i])
+            } else {
+                self.between([*i, *j], freedoms, between([*i, *j], mass))
+            };
             structure.elements.push(Box::new(Block {
                 nodes: if own { vec![first + i] } else { vec![first + i, first + j] },
                 freedoms,
@@ -88,11 +103,21 @@ impl Matrices {
 
     /// How each node is held where its components have no row.
     pub(super) fn holds(&self) -> Vec<Hold> {
+        self.moves().into_iter().map(Hold::Partly).collect()
+    }
+
+    /// A node without a row for some displacement: the other program held it.
+    pub(super) fn held(&self) -> Option<usize> {
+        self.moves().iter().position(|moves| moves[..3].contains(&false))
+    }
+
+    /// Which components of each node have a row.
+    fn moves(&self) -> Vec<[bool; 6]> {
         let mut moves = vec![[false; 6]; self.nodes.len()];
         for (node, component) in &self.freedoms {
             moves[*node][*component] = true;
         }
-        moves.into_iter().map(Hold::Partly).collect()
+        moves
     }
 
     /// The matrices by pairs of nodes, the smaller first.
@@ -102,9 +127,8 @@ impl Matrices {
             [(Field::Mass, &self.mass), (Field::Damping, &self.damping), (Field::Stiffness, &self.stiffness)];
         for (which, (field, entries)) in matrices.into_iter().enumerate() {
             let refuse = at(place, field);
-            symmetric(entries, self.freedoms.len()).map_err(&refuse)?;
+            self.symmetric(entries).map_err(&refuse)?;
             for (row, column, value) in entries {
-                coefficient::finite(&[*value]).map_err(&refuse)?;
                 let ((i, a), (j, b)) = (self.freedoms[*row], self.freedoms[*column]);
                 if i <= j {
                     blocks.entry((i, j)).or_default()[which][(a, b)] += value;
@@ -114,48 +138,88 @@ impl Matrices {
         Ok(blocks)
     }
 
-    /// What the mass of each node is to all nodes together: its rows summed over the nodes.
-    fn sums(&self, blocks: &BTreeMap<(usize, usize), Blocks>) -> Vec<nalgebra::Matrix6<f64>> {
-        let mut sums = vec![nalgebra::Matrix6::zeros(); self.nodes.len()];
+    fn lumps(
+        &self,
+        blocks: &BTreeMap<(usize, usize), Blocks>,
+        between: impl Fn([usize; 2], &Matrix6<f64>) -> f64,
+    ) -> Vec<Lump> {
+        let mut lumps = vec![Lump::default(); self.nodes.len()];
         for ((i, j), [mass, ..]) in blocks {
-            sums[*i] += mass;
-            if i != j {
-                sums[*j] += mass.transpose();
+            let rotary: Matrix3<f64> = mass.fixed_view::<3, 3>(3, 3).into_owned();
+            let both = [(*i, rotary), (*j, rotary.transpose())];
+            for (node, rotary) in both.into_iter().take(if i == j { 1 } else { 2 }) {
+                lumps[node].mass += between([*i, *j], mass);
+                lumps[node].rotary += rotary;
             }
         }
-        sums
+        lumps
     }
 
     /// The lumped mass of a node with its rotary inertia, where it is that of a rigid piece.
-    fn lump(&self, node: usize, freedoms: usize, sum: &nalgebra::Matrix6<f64>) -> Vec<Grain> {
-        let mass = scalar(sum);
-        let rotary: Matrix3<f64> = sum.fixed_view::<3, 3>(3, 3).into_owned();
+    fn lumped(&self, node: usize, freedoms: usize, lump: &Lump) -> Vec<Grain> {
+        let Lump { mass, rotary } = lump;
         let inertia = Inertia::new(std::array::from_fn(|i| std::array::from_fn(|j| rotary[(i, j)])));
         let points = match inertia {
-            Ok(inertia) if freedoms == 6 && mass > 0.0 => rigid_points(mass, &inertia),
-            _ => vec![(mass, Vector3::zeros())],
+            Ok(inertia) if freedoms == 6 && *mass > 0.0 => rigid_points(*mass, &inertia),
+            _ => vec![(*mass, Vector3::zeros())],
         };
         let place = Vector3::from(self.nodes[node]);
         Mass { node, freedoms, matter: 0, points, place }.grains()
     }
 
     /// The mass between two nodes: `M_ij (u_i v_j + u_j v_i)` is the lumped mass less `M_ij (u_i − u_j)(v_i − v_j)`.
-    fn between(&self, [i, j]: [usize; 2], freedoms: usize, mass: &nalgebra::Matrix6<f64>) -> Vec<Grain> {
+    fn between(&self, [i, j]: [usize; 2], freedoms: usize, mass: f64) -> Vec<Grain> {
         let mut shapes = Matrix3xX::zeros(2 * freedoms);
         shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
         shapes.columns_mut(freedoms, 3).copy_from(&-Matrix3::identity());
         let distance = Vector3::from(self.nodes[i]) - Vector3::from(self.nodes[j]);
-        vec![Grain { mass: -scalar(mass), site: Site::Between(distance), shapes, turn: None }]
+        vec![Grain { mass: -mass, site: Site::Between(distance), shapes, turn: None }]
+    }
+
+    /// Accepts the entries of a symmetric matrix that gives no motion of a single freedom energy.
+    fn symmetric(&self, entries: &[(usize, usize, f64)]) -> Result<(), Problem> {
+        let count = self.freedoms.len();
+        let mut found: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+        for (row, column, value) in entries {
+            coefficient::finite(&[*value])?;
+            if *row.max(column) >= count {
+                return Err(Problem::NoSuchRow { index: *row.max(column), count });
+            }
+            *found.entry((*row, *column)).or_default() += value;
+        }
+        let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default();
+        if let Some(row) = (0..count).find(|row| diagonal(*row) < 0.0) {
+            return Err(Problem::NegativeDiagonal { freedom: self.name(row), value: diagonal(row) });
+        }
+        for ((row, column), value) in &found {
+            let other = found.get(&(*column, *row)).copied().unwrap_or_default();
+            let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(value.abs());
+            if !((value - other).abs() <= SYMMETRIC * scale) {
+                let freedoms = [self.name(*row), self.name(*column)];
+                return Err(Problem::Lopsided { freedoms, values: [*value, other] });
+            }
+        }
+        Ok(())
+    }
+
+    /// A freedom as other programs name it.
+    fn name(&self, row: usize) -> String {
+        let (node, component) = self.freedoms[row];
+        format!("{}.{}", self.node_labels[node], component + 1)
     }
 }
 
-/// The mass of a block for one component of the displacement, the mean of those it has.
-fn scalar(mass: &nalgebra::Matrix6<f64>) -> f64 {
-    mass.diagonal().rows(0, 3).mean()
+/// The mass between two nodes for one component of the displacement, the mean of those for which both have rows.
+fn scalar(mass: &Matrix6<f64>, moves: [[bool; 6]; 2]) -> f64 {
+    let common: Vec<usize> = (0..3).filter(|axis| moves.iter().all(|moves| moves[*axis])).collect();
+    if common.is_empty() {
+        return 0.0;
+    }
+    common.iter().map(|axis| mass[(*axis, *axis)]).sum::<f64>() / common.len() as f64
 }
 
 /// A block over the freedoms of an element of one node, or of two.
-fn spread(block: &nalgebra::Matrix6<f64>, freedoms: usize, own: bool) -> DMatrix<f64> {
+fn spread(block: &Matrix6<f64>, freedoms: usize, own: bool) -> DMatrix<f64> {
     let part = block.view((0, 0), (freedoms, freedoms));
     if own {
         return part.into_owned();
@@ -164,26 +228,6 @@ fn spread(block: &nalgebra::Matrix6<f64>, freedoms: usize, own: bool) -> DMatrix
     matrix.view_mut((0, freedoms), (freedoms, freedoms)).copy_from(&part);
     matrix.view_mut((freedoms, 0), (freedoms, freedoms)).copy_from(&part.transpose());
     matrix
-}
-
-/// Accepts the entries of a symmetric matrix of this size.
-fn symmetric(entries: &[(usize, usize, f64)], size: usize) -> Result<(), Problem> {
-    let mut found: BTreeMap<(usize, usize), f64> = BTreeMap::new();
-    for (row, column, value) in entries {
-        if *row.max(column) >= size {
-            return Err(Problem::NoSuchRow { index: *row.max(column), count: size });
-        }
-        *found.entry((*row, *column)).or_default() += value;
-    }
-    let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default().abs();
-    for ((row, column), upper) in &found {
-        let lower = found.get(&(*column, *row)).copied().unwrap_or_default();
-        let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(upper.abs());
-        if !((upper - lower).abs() <= SYMMETRIC * scale) {
-            return Err(Problem::NotSymmetric { row: *row, column: *column, upper: *upper, lower });
-        }
-    }
-    Ok(())
 }
 
 impl Element for Block {
@@ -215,3 +259,6 @@ impl Element for Block {
         self.grains.clone()
     }
 }
+
+#[cfg(test)]
+mod tests;

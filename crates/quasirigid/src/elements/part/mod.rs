@@ -112,6 +112,14 @@ impl Part {
             _ => vec![Hold::Free; self.count()],
         }
     }
+
+    /// Number of a node that its own matrices hold on the carrier.
+    pub(super) fn held(&self) -> Option<u64> {
+        match &self.kind {
+            Kind::Matrices(given) => given.held().map(|node| given.node_labels[node]),
+            _ => None,
+        }
+    }
 }
 
 fn node(place: [f64; 3], turns: bool) -> Node {

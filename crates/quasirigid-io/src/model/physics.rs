@@ -113,7 +113,9 @@ fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
             "a mass, damping or stiffness is symmetric; was one triangle written, or the matrix of another step?"
         }
         Problem::NegativeDiagonal { .. } => "check the sign, and that this is the matrix it should be",
-        Problem::HeldByMatrices { .. } => "add a [carrier], or export the matrices of the body that nothing holds",
+        Problem::HeldByMatrices { .. } => {
+            "add a [carrier], or export the matrices of the body that nothing holds"
+        }
         Problem::ZeroDirection => "write a direction such as [0, 0, 1]; its length does not matter",
         Problem::Indefinite { .. } => {
             "check the signs; the eigenvalues of the matrix must be zero or positive"

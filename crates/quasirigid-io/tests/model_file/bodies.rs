@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use quasirigid::math::polynomial::{Homogeneous, Series};
-use quasirigid::model::{FlexibleBody, ReducedBody};
-use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Model;
+
+use super::same::{assert_same, differences};
 
 /// Files that gmsh and CalculiX wrote, see the page beside them.
 const BODIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/bodies/model.toml");
@@ -18,57 +17,8 @@ const PLASTIC: &str = "[material.nylon]\ndensity = \"1.15 g/cm^3\"\nyoung = \"2.
 const METAL: &str = "[material.titanium]\ndensity = \"4.43 g/cm^3\"\nyoung = \"113.8 GPa\"\npoisson = 0.342\n\
                      rheology = { kind = \"kelvin-voigt\", time = \"2 ms\" }\n";
 
-/// A body on the hub, and its reduced equations.
-fn bodies(parts: &str) -> (FlexibleBody, ReducedBody) {
-    let model = Model::parse(Path::new(BODIES), &format!("{HUB}{parts}"));
-    let model = model.unwrap_or_else(|error| panic!("{error}"));
-    let body =
-        model.assembly.body().unwrap_or_else(|error| panic!("{}", model.diagnose(&error)));
-    let reduced = reduce(&body, 3).expect("a reduced body");
-    (body, reduced)
-}
-
-/// Largest difference of two lists over the largest entry of the second.
-fn difference(found: &[f64], expected: &[f64]) -> f64 {
-    assert_eq!(found.len(), expected.len());
-    let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let off = found.iter().zip(expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-    if size > 0.0 { off / size } else { off }
-}
-
-fn all(part: &Homogeneous) -> Vec<f64> {
-    part.terms().flat_map(|(_, coefficients)| coefficients).collect()
-}
-
-/// What of two bodies does not depend on their coordinates, with the relative difference of each.
-fn differences(found: &str, expected: &str) -> Vec<(String, f64)> {
-    let [(body, reduced), (other_body, other)] = [found, expected].map(bodies);
-    let mut differences = vec![
-        ("mass".to_owned(), difference(&[reduced.mass], &[other.mass])),
-        ("centre of mass".to_owned(), difference(&body.center_of_mass(), &other_body.center_of_mass())),
-        ("inertia".to_owned(), difference(&reduced.J, &other.J)),
-    ];
-    let lowest = |body| frequencies(body).expect("frequencies")[..6].to_vec();
-    differences.push(("frequencies".to_owned(), difference(&lowest(&body), &lowest(&other_body))));
-    let mut add = |name: &str, found: &Series, expected: &Series, from: usize| {
-        for degree in from..=expected.degree() {
-            let error = difference(&all(found.part(degree)), &all(expected.part(degree)));
-            differences.push((format!("{name} of degree {degree}"), error));
-        }
-    };
-    add("spin rate", &reduced.f, &other.f, 2);
-    add("momentum", &reduced.K, &other.K, 1);
-    add("energy", &reduced.energy, &other.energy, 2);
-    add("power", &reduced.power, &other.power, 6);
-    differences
-}
-
-fn assert_same(found: &str, expected: &str, tolerance: f64) {
-    let differences = differences(found, expected);
-    println!("{differences:#?}");
-    for (name, difference) in differences {
-        assert!(difference <= tolerance, "{name}: {difference:e}");
-    }
+fn on_hub(parts: &str) -> Model {
+    Model::parse(Path::new(BODIES), &format!("{HUB}{parts}")).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn solid(file: &str, rest: &str) -> String {
@@ -83,7 +33,7 @@ fn both_files_of_gmsh_are_one_body() {
         let materials = "materials = { RING = \"nylon\", BLOCK = \"titanium\" }\n";
         solid(file, &format!("unit = \"mm\"\n{materials}attach = \"ROOT\"\n")).replace(PLASTIC, &plastic)
     };
-    assert_same(&hook("hook.inp"), &hook("hook.msh"), 1e-8);
+    assert_same(&on_hub(&hook("hook.inp")), &on_hub(&hook("hook.msh")), 1e-8);
 }
 
 const SPUR: &str = "unit = \"mm\"\nmaterials = { STEM = \"nylon\", TIP = \"titanium\" }\nattach = \"ROOT\"\n";
@@ -97,16 +47,17 @@ fn spur(mass: &str) -> String {
     )
 }
 
-/// The mass is integrated by `write.py`.
+/// The mass is integrated by `write.py`. Stiffnesses of the spur span six decades, and CalculiX writes 14 digits.
 #[test]
 fn stiffness_of_calculix_with_the_exact_mass_is_our_solid() {
-    assert_same(&spur("spur-mass.npz"), &solid("spur.msh", SPUR), 1e-8);
+    assert_same(&on_hub(&spur("spur-mass.npz")), &on_hub(&solid("spur.msh", SPUR)), 1e-8);
 }
 
-/// Only its stiffness has the displacements that our cells have of their own; in inches and pounds of force.
+/// Hexahedra with displacements of their own, whose mass CalculiX has and we have not; in inches and pounds of force.
 #[test]
 fn stiffness_and_mass_of_calculix_are_our_hexahedra() {
-    let aluminium = "[material.aluminium]\ndensity = \"2.588e-4 lbf s^2/in^4\"\nyoung = \"10.3e6 psi\"\npoisson = 0.33\n";
+    let aluminium =
+        "[material.aluminium]\ndensity = \"2.588e-4 lbf s^2/in^4\"\nyoung = \"10.3e6 psi\"\npoisson = 0.33\n";
     let rayleigh = "rayleigh = { mass = 40, stiffness = \"0.1 ms\" }\n";
     let solid = format!(
         "{aluminium}[[solid]]\nfile = \"brick.inp\"\nunit = \"in\"\nmaterial = \"aluminium\"\nattach = \"ROOT\"\n{rayleigh}"
@@ -116,13 +67,21 @@ fn stiffness_and_mass_of_calculix_are_our_hexahedra() {
          mass = \"brick.mas\"\nlength_unit = \"in\"\nmass_unit = \"lbf s^2/in\"\n\
          attach = [11, 13, 15, 17, 19, 21]\n{rayleigh}"
     );
-    assert_same(&matrices, &solid, 1e-8);
+    assert_same(&on_hub(&matrices), &on_hub(&solid), 1e-8);
 }
 
-/// CalculiX integrates the mass of quadratic tetrahedra with four points, which is exact to the second degree: mass,
-/// centre and inertia are right, and loads in proportion to the place are not.
+/// CalculiX integrates the mass of quadratic tetrahedra with four points, which is exact to the second degree: where
+/// edges are straight, mass, centre and inertia are right, and loads in proportion to the place are not. On the twelve
+/// cells of the spur that is a thousandth; the page beside the files says how it falls on finer meshes.
 #[test]
 fn mass_of_calculix_is_short_of_points() {
-    let differences = differences(&spur("spur.mas"), &solid("spur.msh", SPUR));
-    println!("{differences:#?}");
+    for (name, difference) in differences(&on_hub(&spur("spur.mas")), &on_hub(&solid("spur.msh", SPUR))) {
+        let frozen = name.ends_with("mass") || name == "inertia" || name.ends_with("momentum of degree 1");
+        let expected = match name.as_str() {
+            "power of degree 6" | "spin rate of degree 4" | "spin rate of degree 5" => 8e-4..1.2e-3,
+            _ if frozen => 0.0..1e-14,
+            _ => continue,
+        };
+        assert!(expected.contains(&difference), "{name}: {difference:e}");
+    }
 }

@@ -155,10 +155,10 @@ impl Rows {
         for Labelled { value, freedoms, .. } in files {
             for freedom in freedoms {
                 let index = indices.get(&freedom.node).copied();
-                let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
+                let component =
+                    usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
                 let Some(place) = index.zip(component) else {
-                    let help =
-                        "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
+                    let help = "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
                     let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
                     return value.refuse(message, "a row without a node", Some(help.to_owned()));
                 };
@@ -171,7 +171,11 @@ impl Rows {
     }
 
     /// Entries of a matrix in SI units, by the numbers of their freedoms.
-    fn entries(&self, Labelled { file, freedoms, .. }: &Labelled<'_>, units: &Units) -> Vec<(usize, usize, f64)> {
+    fn entries(
+        &self,
+        Labelled { file, freedoms, .. }: &Labelled<'_>,
+        units: &Units,
+    ) -> Vec<(usize, usize, f64)> {
         let number = |row: usize| self.numbers[&freedoms[row]];
         let turns = |number: usize| i32::from(self.places[number].1 >= 3);
         let entry = |(row, column, entry): &(usize, usize, f64)| {

@@ -13,8 +13,7 @@ import scipy.sparse as sp
 
 HERE = pathlib.Path(__file__).parent
 
-# Places are whole numbers of 10⁻⁶, so that the 14 digits of gmsh's .inp and the 20 characters that CalculiX reads of a
-# number are all there is.
+# Places are whole numbers of 10⁻⁶: the 14 digits of gmsh's .inp and the 20 characters that CalculiX reads hold them.
 PLACES = 6
 
 
@@ -78,8 +77,9 @@ def spur():
     for tag, first in (1, 0), (2, 1):
         cells = []
         for order in itertools.permutations(range(3)):
-            path = np.array([first, 0, 0]) + np.vstack([np.zeros(3, int), np.cumsum(np.eye(3, dtype=int)[list(order)], 0)])
-            odd = np.linalg.det(np.eye(3)[list(order)]) < 0
+            steps = np.eye(3, dtype=int)[list(order)]
+            path = np.array([first, 0, 0]) + np.vstack([np.zeros(3, int), np.cumsum(steps, 0)])
+            odd = np.linalg.det(steps) < 0
             cells += [label(path[i]) for i in ([0, 2, 1, 3] if odd else [0, 1, 2, 3])]
         gmsh.model.mesh.addElementsByType(tag, 4, [], cells)
     root = [(0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 0, 0), (0, 1, 1), (0, 1, 0)]

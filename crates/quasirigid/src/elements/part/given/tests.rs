@@ -37,8 +37,7 @@ fn solid() -> Kind {
         mesh.cells.push(Cell { label, shape: Shape::Tet10, nodes: nodes.into() });
     }
     mesh.node_labels = (1..=mesh.nodes.len() as u64).collect();
-    let material =
-        Material { density: 2.5, young: 3.0, poisson: 0.3, rheology: Rheology::Elastic };
+    let material = Material { density: 2.5, young: 3.0, poisson: 0.3, rheology: Rheology::Elastic };
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let region = Region { cells: vec![0, 1], substance: Substance::Isotropic(material), axes };
     Kind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
@@ -169,7 +168,12 @@ fn a_turning_node_has_its_rotary_inertia() {
 fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
     let mut given = exported(&structure(solid()));
     change(&mut given);
-    let part = Part { name: "part".to_owned(), kind: Kind::Matrices(given), attached: Vec::new(), rayleigh: [0.0; 2] };
+    let part = Part {
+        name: "part".to_owned(),
+        kind: Kind::Matrices(given),
+        attached: Vec::new(),
+        rayleigh: [0.0; 2],
+    };
     let error = part.furnish(0, 0, &mut Structure::default()).expect_err("a refusal");
     (error.field, error.problem)
 }
@@ -181,7 +185,10 @@ fn matrices_of_no_body_are_refused() {
     assert!(matches!(problem, Problem::Lopsided { freedoms: [ref row, _], .. } if row == "1.2"), "{problem}");
     let (field, problem) = refusal(|given| given.mass.push((4, 4, -10.0)));
     assert_eq!(field, Field::Mass);
-    assert!(matches!(problem, Problem::NegativeDiagonal { ref freedom, .. } if freedom == "2.2"), "{problem}");
+    assert!(
+        matches!(problem, Problem::NegativeDiagonal { ref freedom, .. } if freedom == "2.2"),
+        "{problem}"
+    );
     let (field, problem) = refusal(|given| given.mass.clear());
     assert_eq!((field, problem), (Field::Mass, Problem::NotAMass { value: 0.0 }));
     let (field, problem) = refusal(|given| given.damping.push((0, 0, f64::NAN)));

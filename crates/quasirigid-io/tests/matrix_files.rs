@@ -178,8 +178,8 @@ fn skew_and_rectangular_matrices_keep_signs_and_sides() {
 fn nodes_are_the_same_in_tables_cards_and_blocks() {
     let beam = read_nodes(&data("beam.inp")).unwrap();
     assert_eq!(beam.nodes().len(), 8);
-    assert_eq!(beam.place(15), Some([0.45, 0.3, 1.1]));
-    assert_eq!(beam.place(3), None);
+    let tip = beam.nodes().iter().find(|node| node.label == 15);
+    assert_eq!(tip.map(|node| node.place), Some([0.45, 0.3, 1.1]));
     let written = |line: &dyn Fn(u64, [f64; 3]) -> String| -> String {
         beam.nodes().iter().rev().map(|node| line(node.label, node.place)).collect()
     };
@@ -201,11 +201,13 @@ fn nodes_are_the_same_in_tables_cards_and_blocks() {
         ("a.bdf", written(&|label, [x, y, z]| format!("GRID*,{label},,{x:?},{y:?}\n*,{z:?}\n"))),
     ];
     for (name, text) in tables {
-        assert_eq!(
-            nodes_of(Path::new(name), text.as_bytes()).unwrap_or_else(|e| panic!("{e}")),
-            beam,
-            "{text}"
-        );
+        let found = nodes_of(Path::new(name), text.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
+        let mut nodes = found.nodes().to_vec();
+        // A table keeps its order; cards are sorted.
+        if matches!(name, "a.csv" | "a.txt") {
+            nodes.reverse();
+        }
+        assert_eq!(nodes, beam.nodes(), "{text}");
     }
 }
 

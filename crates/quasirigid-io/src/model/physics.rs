@@ -62,7 +62,11 @@ fn label(problem: &Problem) -> &'static str {
         Problem::NotFinite { .. } => "not finite",
         Problem::NotAMass { .. } => "must be positive",
         Problem::Inertia(InertiaError::Impossible { .. }) => "no body has this inertia",
-        Problem::Inertia(InertiaError::NotSymmetric { .. }) | Problem::NotSymmetric { .. } => "not symmetric",
+        Problem::Inertia(InertiaError::NotSymmetric { .. })
+        | Problem::NotSymmetric { .. }
+        | Problem::Lopsided { .. } => "not symmetric",
+        Problem::NegativeDiagonal { .. } => "negative energy",
+        Problem::HeldByMatrices { .. } => "held by nothing",
         Problem::Indefinite { .. } => "gives energy",
         Problem::Mechanism { .. } => "held by no spring",
         Problem::NoSuchPoint { .. } => "no such point",
@@ -112,6 +116,13 @@ fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
         }
         Problem::Inertia(InertiaError::Impossible { .. }) => {
             "check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass"
+        }
+        Problem::Lopsided { .. } => {
+            "a mass, damping or stiffness is symmetric; was one triangle written, or the matrix of another step?"
+        }
+        Problem::NegativeDiagonal { .. } => "check the sign, and that this is the matrix it should be",
+        Problem::HeldByMatrices { .. } => {
+            "add a [carrier], or export the matrices of the body that nothing holds"
         }
         Problem::ZeroDirection => "write a direction such as [0, 0, 1]; its length does not matter",
         Problem::Indefinite { .. } => {

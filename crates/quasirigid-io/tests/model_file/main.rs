@@ -1,6 +1,7 @@
 //! Model files: what is read from them, and how each mistake is refused.
 
 mod beams;
+mod bodies;
 mod connections;
 mod connections_refused;
 mod elements;
@@ -12,6 +13,10 @@ mod guide;
 mod initial;
 mod keys;
 mod materials;
+mod matrices;
+mod matrices_refused;
+mod modes;
+mod networks;
 mod orthotropic;
 mod panels;
 mod parts_refused;
@@ -20,6 +25,7 @@ mod reading;
 mod rheology;
 mod robustness;
 mod rotation;
+mod same;
 mod sections;
 mod settings;
 mod solids;

@@ -6,7 +6,7 @@ use crate::matrix::text::text;
 
 /// `GRID` cards in the basic coordinate system.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.table()
+    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
 fn nodes(text: &str) -> Result<Found, At> {

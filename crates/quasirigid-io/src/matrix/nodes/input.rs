@@ -5,7 +5,7 @@ use crate::matrix::text::{lines, number, text, whole};
 
 /// `*NODE` blocks.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.table()
+    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
 fn nodes(text: &str) -> Result<Found, At> {

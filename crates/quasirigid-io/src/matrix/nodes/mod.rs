@@ -22,7 +22,7 @@ pub struct Node {
     pub place: [f64; 3],
 }
 
-/// Nodes in the order of their file, each label once.
+/// Nodes, each label once: in the order of a table, of cards and blocks in ascending order of their labels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NodeTable {
     nodes: Vec<Node>,
@@ -52,6 +52,13 @@ impl Found {
         Ok(())
     }
 
+    /// The nodes in ascending order of their labels, as programs that read cards sort them.
+    fn sorted(mut self) -> Result<NodeTable, Fault> {
+        self.nodes.sort_unstable_by_key(|node| node.label);
+        self.table()
+    }
+
+    /// The nodes as they came up.
     fn table(self) -> Result<NodeTable, Fault> {
         if self.nodes.is_empty() {
             return Err((Place::File, MatrixProblem::NoNodes));

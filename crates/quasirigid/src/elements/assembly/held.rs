@@ -6,7 +6,7 @@ use super::Assembly;
 use super::net::Net;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
-use crate::elements::part::{Anchor, Connection, NodeRef};
+use crate::elements::part::{Anchor, Connection, NodeRef, Part};
 use crate::elements::structure::{Hold, Joint};
 
 /// Nodes of two sides are at the same place if they are closer than this share of the size of the structure.
@@ -22,6 +22,9 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
         if assembly.carrier.is_none() && !part.attached.is_empty() {
             return Err(refuse(Problem::NoCarrier));
         }
+        if let Some(node) = part.held().filter(|_| assembly.carrier.is_none()) {
+            return Err(at(Place::Part(index), Field::Stiffness)(Problem::HeldByMatrices { node }));
+        }
         for node in part.attached.iter().collect::<BTreeSet<_>>() {
             let node = NodeRef { part: index, node: *node };
             assembly.has(node).map_err(&refuse)?;
@@ -36,8 +39,8 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
 
 /// Accepts parts that attachments and connections join to the carrier, directly or through others.
 fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
-    let mut joined: Vec<bool> =
-        assembly.parts.iter().map(|part| part.stands() || !part.attached.is_empty()).collect();
+    let held = |part: &Part| !part.attached.is_empty() || part.held().is_some() || part.is_frame();
+    let mut joined: Vec<bool> = assembly.parts.iter().map(held).collect();
     let part = |anchor: &Anchor| match anchor {
         Anchor::Carrier => None,
         Anchor::Nodes { part, .. } => Some(*part),

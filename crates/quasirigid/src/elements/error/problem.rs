@@ -110,7 +110,7 @@ pub enum Problem {
     },
     /// A shape is not a unit displacement of the interface, or moves it where it should not.
     #[error(
-        "shape {} moves component {} of node {node} by {share}; the first shapes are unit displacements of the interface, \
+        "shape {} moves component {} of node {node} by {share:.4}; the first shapes are unit displacements of the interface, \
          node by node, and the others leave it at rest",
         column + 1,
         component + 1
@@ -258,6 +258,31 @@ pub enum Problem {
         upper: f64,
         /// The entry at (column, row).
         lower: f64,
+    },
+    /// A matrix of a part is not symmetric.
+    #[error(
+        "the matrix is not symmetric: it has {} at row {}, column {}, and {} at row {}, column {}",
+        values[0], freedoms[0], freedoms[1], values[1], freedoms[1], freedoms[0]
+    )]
+    Lopsided {
+        /// Two freedoms, as node.component.
+        freedoms: [String; 2],
+        /// The entry in the row of the first, and that in the row of the second.
+        values: [f64; 2],
+    },
+    /// A matrix of a part has a negative number on its diagonal.
+    #[error("the matrix has {value} on its diagonal at {freedom}; no motion has less than no energy")]
+    NegativeDiagonal {
+        /// The freedom, as node.component.
+        freedom: String,
+        /// The number.
+        value: f64,
+    },
+    /// Matrices hold nodes of a body that floats.
+    #[error("node {node} has not all its rows, so it is held, and this body has no carrier to hold it")]
+    HeldByMatrices {
+        /// Number of the node.
+        node: u64,
     },
     /// A stiffness or damping gives energy instead of taking it.
     #[error("the smallest eigenvalue is {eigenvalue:e}; a spring or dashpot must not give energy")]

@@ -35,13 +35,20 @@ impl Matrices {
             (Field::Stiffness, &self.stiffness),
         ];
         let blocks = self.mass.blocks(place, matrices)?;
-        let sums = self.mass.sums(blocks.iter().map(|(pair, [mass, ..])| (*pair, mass)));
+        let masses = blocks.iter().map(|(pair, [mass, ..])| (*pair, mass));
+        let lumps = self.mass.lumps(masses).map_err(at(place, Field::Mass))?;
         let rheology = self.rheology.clone();
         let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
         for (pair, matrices) in &blocks {
-            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &sums)));
+            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &lumps)));
         }
         Ok(())
+    }
+
+    /// Number of a node without a row for some displacement: the other program held it.
+    pub(super) fn held(&self) -> Option<u64> {
+        let held = self.mass.moves().iter().position(|moves| moves[..3].contains(&false))?;
+        Some(self.mass.node_labels[held])
     }
 
     /// How each node is held where its components have no row.
@@ -49,3 +56,6 @@ impl Matrices {
         self.mass.moves().into_iter().map(Hold::Partly).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -96,11 +96,6 @@ impl Part {
         }
     }
 
-    /// Whether the program that it comes from may have held it; what holds nothing is found as a mechanism.
-    pub(super) fn stands(&self) -> bool {
-        matches!(self.kind, Kind::Matrices(_)) || self.is_frame()
-    }
-
     /// Whether it moves as seen from a frame that is rigid in the body.
     pub(super) fn is_frame(&self) -> bool {
         matches!(&self.kind, Kind::Modes(modes) if modes.interface.is_empty())
@@ -131,6 +126,14 @@ impl Part {
             Kind::Matrices(given) => given.holds(),
             Kind::Modes(modes) => modes.holds(first),
             _ => vec![Hold::Free; self.count()],
+        }
+    }
+
+    /// Number of a node that its own matrices hold on the carrier.
+    pub(super) fn held(&self) -> Option<u64> {
+        match &self.kind {
+            Kind::Matrices(given) => given.held(),
+            _ => None,
         }
     }
 }

@@ -107,10 +107,11 @@ impl Modes {
         let rheology = self.rheology.clone();
         let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
         structure.elements.push(Box::new(self.resistance(first, matter, &resistance)));
-        let sums = self.mass.sums(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
+        let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
+        let lumps = lumps.map_err(at(place, Field::Mass))?;
         for (pair, [mass]) in &blocks {
             let inertia = [*mass, Matrix6::zeros(), Matrix6::zeros()];
-            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, &inertia, &sums)));
+            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, &inertia, &lumps)));
         }
         Ok(())
     }
@@ -226,7 +227,8 @@ impl Spectrum {
         match self {
             Self::Matrices { stiffness, damping } => {
                 let dense = |field: Field, entries: &[(usize, usize, f64)]| {
-                    symmetric(entries, size).map_err(at(place, field))?;
+                    symmetric(entries, size, |row| format!("coordinate {}", row + 1))
+                        .map_err(at(place, field))?;
                     let mut dense = DMatrix::zeros(size, size);
                     entries.iter().for_each(|(row, column, value)| dense[(*row, *column)] += value);
                     Ok(dense)

@@ -51,7 +51,7 @@ impl NodalMass {
     /// Symmetric matrices over the rows as blocks between nodes.
     ///
     /// # Errors
-    /// [`ElementError`] for a matrix that is not finite, not symmetric, or of another size.
+    /// [`ElementError`] for a matrix that no body has.
     pub(super) fn blocks<const N: usize>(
         &self,
         place: Place,
@@ -60,8 +60,7 @@ impl NodalMass {
         let zero = [Matrix6::zeros(); N];
         let mut blocks = Blocks::new();
         for (which, (field, entries)) in matrices.into_iter().enumerate() {
-            let refuse = at(place, field);
-            symmetric(entries, self.freedoms.len()).map_err(&refuse)?;
+            symmetric(entries, self.freedoms.len(), |row| self.name(row)).map_err(at(place, field))?;
             for (row, column, value) in entries {
                 let ((i, a), (j, b)) = (self.freedoms[*row], self.freedoms[*column]);
                 if i <= j {
@@ -72,19 +71,33 @@ impl NodalMass {
         Ok(blocks)
     }
 
-    /// What the mass of each node is to all nodes together: its rows summed over the nodes.
-    pub(super) fn sums<'m>(
+    /// A freedom as other programs name it.
+    fn name(&self, row: usize) -> String {
+        let (node, component) = self.freedoms[row];
+        format!("{}.{}", self.node_labels[node], component + 1)
+    }
+
+    /// The mass of each node to all nodes together.
+    ///
+    /// # Errors
+    /// [`Problem`] if they have none.
+    pub(super) fn lumps<'m>(
         &self,
         masses: impl IntoIterator<Item = ((usize, usize), &'m Matrix6<f64>)>,
-    ) -> Vec<Matrix6<f64>> {
-        let mut sums = vec![Matrix6::zeros(); self.nodes.len()];
+    ) -> Result<Vec<Lump>, Problem> {
+        let mut lumps: Vec<Lump> =
+            self.moves().into_iter().map(|moves| Lump { moves, ..Lump::default() }).collect();
         for ((i, j), mass) in masses {
-            sums[i] += mass;
-            if i != j {
-                sums[j] += mass.transpose();
+            let scalar = scalar(mass, [&lumps[i], &lumps[j]]);
+            let rotary: Matrix3<f64> = mass.fixed_view::<3, 3>(3, 3).into_owned();
+            let both = [(i, rotary), (j, rotary.transpose())];
+            for (node, rotary) in both.into_iter().take(if i == j { 1 } else { 2 }) {
+                lumps[node].mass += scalar;
+                lumps[node].rotary += rotary;
             }
         }
-        sums
+        coefficient::mass(lumps.iter().map(|lump| lump.mass).sum())?;
+        Ok(lumps)
     }
 
     /// Mass, damping and stiffness of one node, or between two, as an element; the first node is `first` in the structure.
@@ -94,9 +107,14 @@ impl NodalMass {
         first: usize,
         matter: usize,
         [mass, damping, stiffness]: &[Matrix6<f64>; 3],
-        sums: &[Matrix6<f64>],
+        lumps: &[Lump],
     ) -> Block {
         let (own, freedoms) = (i == j, self.per_node());
+        let grains = if own {
+            self.lumped(i, &lumps[i])
+        } else {
+            self.between([i, j], scalar(mass, [&lumps[i], &lumps[j]]))
+        };
         Block {
             nodes: if own { vec![first + i] } else { vec![first + i, first + j] },
             freedoms,
@@ -104,56 +122,76 @@ impl NodalMass {
             stiffness: Block::spread(stiffness, freedoms, own),
             damping: Block::spread(damping, freedoms, own),
             mass: Block::spread(mass, freedoms, own),
-            grains: if own { self.lump(i, &sums[i]) } else { self.between([i, j], mass) },
+            grains,
         }
     }
 
     /// The lumped mass of a node with its rotary inertia, where it is that of a rigid piece.
-    fn lump(&self, node: usize, sum: &Matrix6<f64>) -> Vec<Grain> {
-        let (mass, freedoms) = (scalar(sum), self.per_node());
-        let rotary: Matrix3<f64> = sum.fixed_view::<3, 3>(3, 3).into_owned();
+    fn lumped(&self, node: usize, lump: &Lump) -> Vec<Grain> {
+        let (Lump { mass, rotary, .. }, freedoms) = (lump, self.per_node());
         let inertia = Inertia::new(std::array::from_fn(|i| std::array::from_fn(|j| rotary[(i, j)])));
         let points = match inertia {
-            Ok(inertia) if freedoms == 6 && mass > 0.0 => rigid_points(mass, &inertia),
-            _ => vec![(mass, Vector3::zeros())],
+            Ok(inertia) if freedoms == 6 && *mass > 0.0 => rigid_points(*mass, &inertia),
+            _ => vec![(*mass, Vector3::zeros())],
         };
         let place = Vector3::from(self.nodes[node]);
         Mass { node, freedoms, matter: 0, points, place }.grains()
     }
 
     /// The mass between two nodes: `M_ij (u_i v_j + u_j v_i)` is the lumped mass less `M_ij (u_i − u_j)(v_i − v_j)`.
-    fn between(&self, [i, j]: [usize; 2], mass: &Matrix6<f64>) -> Vec<Grain> {
+    fn between(&self, [i, j]: [usize; 2], mass: f64) -> Vec<Grain> {
         let freedoms = self.per_node();
         let mut shapes = Matrix3xX::zeros(2 * freedoms);
         shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
         shapes.columns_mut(freedoms, 3).copy_from(&-Matrix3::identity());
         let distance = Vector3::from(self.nodes[i]) - Vector3::from(self.nodes[j]);
-        vec![Grain { mass: -scalar(mass), site: Site::Between(distance), shapes, turn: None }]
+        vec![Grain { mass: -mass, site: Site::Between(distance), shapes, turn: None }]
     }
 }
 
-/// The mass of a block for one component of the displacement, the mean of those it has.
-pub(super) fn scalar(mass: &Matrix6<f64>) -> f64 {
-    let known: Vec<f64> = (0..3).map(|axis| mass[(axis, axis)]).filter(|mass| *mass != 0.0).collect();
-    known.iter().sum::<f64>() / known.len().max(1) as f64
+/// The mass of a node to all nodes together: its rows summed over the nodes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lump {
+    /// Mass (kg).
+    pub mass: f64,
+    /// What its rotations have (kg·m²).
+    rotary: Matrix3<f64>,
+    /// Components of the node that have a row.
+    moves: [bool; 6],
 }
 
-/// Accepts the entries of a finite symmetric matrix of this size.
-pub(super) fn symmetric(entries: &[(usize, usize, f64)], size: usize) -> Result<(), Problem> {
+/// The mass between two nodes for one component of the displacement, the mean of those for which both have rows.
+fn scalar(mass: &Matrix6<f64>, lumps: [&Lump; 2]) -> f64 {
+    let common: Vec<usize> = (0..3).filter(|axis| lumps.iter().all(|lump| lump.moves[*axis])).collect();
+    if common.is_empty() {
+        return 0.0;
+    }
+    common.iter().map(|axis| mass[(*axis, *axis)]).sum::<f64>() / common.len() as f64
+}
+
+/// Accepts the entries of a symmetric matrix that gives no motion of a single freedom energy; `name` is that of a row.
+pub(super) fn symmetric(
+    entries: &[(usize, usize, f64)],
+    count: usize,
+    name: impl Fn(usize) -> String,
+) -> Result<(), Problem> {
     let mut found: BTreeMap<(usize, usize), f64> = BTreeMap::new();
     for (row, column, value) in entries {
-        if *row.max(column) >= size {
-            return Err(Problem::NoSuchRow { index: *row.max(column), count: size });
-        }
         coefficient::finite(&[*value])?;
+        if *row.max(column) >= count {
+            return Err(Problem::NoSuchRow { index: *row.max(column), count });
+        }
         *found.entry((*row, *column)).or_default() += value;
     }
-    let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default().abs();
-    for ((row, column), upper) in &found {
-        let lower = found.get(&(*column, *row)).copied().unwrap_or_default();
-        let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(upper.abs());
-        if !((upper - lower).abs() <= SYMMETRIC * scale) {
-            return Err(Problem::NotSymmetric { row: *row, column: *column, upper: *upper, lower });
+    let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default();
+    if let Some(row) = (0..count).find(|row| diagonal(*row) < 0.0) {
+        return Err(Problem::NegativeDiagonal { freedom: name(row), value: diagonal(row) });
+    }
+    for ((row, column), value) in &found {
+        let other = found.get(&(*column, *row)).copied().unwrap_or_default();
+        let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(value.abs());
+        if !((value - other).abs() <= SYMMETRIC * scale) {
+            return Err(Problem::Lopsided { freedoms: [name(*row), name(*column)], values: [*value, other] });
         }
     }
     Ok(())

@@ -1,7 +1,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{SteadySpin, steady_spins};
-use quasirigid::elements::{Ellipsoid, Resolution, Surface};
+use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
@@ -20,13 +20,13 @@ const LISTED: usize = 9;
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
-    let Loaded { model, body, order, .. } = load(&arguments.common)?;
+    let Loaded { model, body, condensation, order, .. } = load(&arguments.common)?;
     notes(&model, &arguments.common);
     let omega = initial(&model, &body, order, &arguments.common.model)?.omega;
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
     let text = if arguments.common.json {
-        object(&model.name, order, &validity)
+        object(&model.name, order, &validity, condensation)
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
@@ -35,13 +35,15 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         }
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
+        condensation.iter().for_each(|known| text.push_str(&condensed(known)));
+        model.assembly.parts.iter().for_each(|part| text.push_str(&truncation(part, body.pole())));
         text
     };
     output::print(&text)?;
     Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
 }
 
-fn object(name: &str, order: usize, validity: &Validity) -> String {
+fn object(name: &str, order: usize, validity: &Validity, condensation: Option<Condensation>) -> String {
     let criteria: Vec<_> = validity
         .criteria
         .iter()
@@ -68,6 +70,9 @@ fn object(name: &str, order: usize, validity: &Validity) -> String {
         "degrees": validity.degrees.iter()
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
+        "condensation": condensation.map(|known| json!({
+            "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
+        })),
     });
     format!("{object:#}\n")
 }
@@ -181,6 +186,28 @@ fn resolution(surface: &Surface) -> String {
     let text = format!(
         "{:?}: polynomials of degree {degree}; the last two degrees brought {} % of the compliance.",
         surface.name,
+        significant(100.0 * missing, 2)
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// How few coordinates hold the slow motion of the parts.
+fn condensed(known: &Condensation) -> String {
+    let Condensation { unknowns, coordinates, left_out } = known;
+    let text = format!(
+        "The parts have {unknowns} unknowns, and {coordinates} coordinates hold their slow motion; they leave out {} of the energy of an answer to the spin, or less.",
+        significant(*left_out, 1)
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// What modes that another program did not export could add.
+fn truncation(part: &Part, pole: [f64; 3]) -> String {
+    let Kind::Modes(modes) = &part.kind else { return String::new() };
+    let Some(missing) = modes.missing(pole) else { return String::new() };
+    let text = format!(
+        "{:?}: modes beyond the last could add {} % to the energy of its answer to the spin, or less.",
+        part.name,
         significant(100.0 * missing, 2)
     );
     format!("\n{}\n", paragraph(&text, "", "  "))

@@ -9,7 +9,7 @@ mod summary;
 pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
-use quasirigid::elements::Built;
+use quasirigid::elements::{Built, Condensation};
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
@@ -27,6 +27,7 @@ pub struct Loaded {
     pub model: Model,
     pub body: FlexibleBody,
     pub forces: Vec<Force<Marker>>,
+    pub condensation: Option<Condensation>,
     pub order: usize,
 }
 
@@ -38,8 +39,9 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let Built { body, forces } = model.assembly.build().map_err(|error| model.diagnose(&error))?;
-    Ok(Loaded { model, body, forces, order })
+    let Built { body, forces, condensation } =
+        model.assembly.build().map_err(|error| model.diagnose(&error))?;
+    Ok(Loaded { model, body, forces, condensation, order })
 }
 
 /// Says what is suspect in the model, on standard error.

@@ -60,14 +60,7 @@ impl Piece {
     /// equilibrium position is the field `rho`. (I4)–(I6)
     pub fn pair(&self, rho: &Field, H_j: &Field, H_k: &Field, G_jk: &Field) -> Pair {
         let straight = moment::straight_pair(&self.moment(H_j, H_k));
-        let curved = self.inertia(rho, G_jk);
-        let turned = self.cross(rho, G_jk);
-        Pair {
-            J2: std::array::from_fn(|i| straight.J2[i] + 0.5 * curved[i]),
-            Z: std::array::from_fn(|i| straight.Z[i] + turned[i]),
-            S2: self.sum(G_jk),
-            ..straight
-        }
+        moment::curved_pair(straight, self.sum(G_jk), &self.moment(rho, G_jk))
     }
 
     /// `∫ u vᵀ dm`.

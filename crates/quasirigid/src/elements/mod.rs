@@ -39,4 +39,5 @@ pub use part::{
 pub use point::{Motion, Point};
 pub use spring::{Coefficient, End, Law, Spring};
 pub use station::Station;
+pub use structure::Condensation;
 pub use surface::{Resolution, Surface};

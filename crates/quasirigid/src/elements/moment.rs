@@ -20,3 +20,14 @@ pub(super) fn inertia(W: &Matrix3<f64>) -> Sym {
 pub(super) fn straight_pair(W: &Matrix3<f64>) -> Pair {
     Pair { A: W.trace(), J2: inertia(W).map(|entry| 0.5 * entry), Z: cross(W), S2: [0.0; 3] }
 }
+
+/// The same with curved paths, `sum` = `∫ G_jk dm` and `G` = `∫ ρ G_jkᵀ dm`. (I6)
+pub(super) fn curved_pair(straight: Pair, sum: [f64; 3], G: &Matrix3<f64>) -> Pair {
+    let (bent, turned) = (inertia(G), cross(G));
+    Pair {
+        J2: std::array::from_fn(|i| straight.J2[i] + 0.5 * bent[i]),
+        Z: std::array::from_fn(|i| straight.Z[i] + turned[i]),
+        S2: sum,
+        ..straight
+    }
+}

@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -72,7 +72,7 @@ pub(super) struct Ends<'a> {
     pub points: &'a [Point],
     /// First coordinate of each point.
     pub starts: &'a [usize],
-    pub nodes: &'a HashMap<NodeRef, Pulled>,
+    pub nodes: &'a BTreeMap<NodeRef, Pulled>,
 }
 
 /// A node at which something pulls.

@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -41,9 +41,11 @@ impl Assembly {
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
         self.has_inertia(&invariants)?;
-        let pulled = whole.pulled(net.as_ref());
+        let start = whole.flexible();
+        let nodes = net.as_ref().zip(whole.component.as_ref());
+        let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
         let Matrices { stiffness, damping, lossy } = self.matrices(&whole, &pulled)?;
-        let markers = whole.markers(net.as_ref(), pole);
+        let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
             End::Carrier => None,
             End::Point(index) => markers.get(index).cloned(),
@@ -61,7 +63,8 @@ impl Assembly {
             coordinates: whole.coordinates(),
             markers,
         });
-        Ok(Built { body: body.map_err(|error| self.blame(error))?, forces })
+        let condensation = whole.component.as_ref().map(Component::condensation);
+        Ok(Built { body: body.map_err(|error| self.blame(error))?, forces, condensation })
     }
 
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {
@@ -83,7 +86,11 @@ impl Assembly {
     }
 
     /// Stiffness and damping matrices (I9), coordinates numbered points first, then appendages, then parts.
-    fn matrices(&self, whole: &Carried, pulled: &HashMap<NodeRef, Pulled>) -> Result<Matrices, ElementError> {
+    fn matrices(
+        &self,
+        whole: &Carried,
+        pulled: &BTreeMap<NodeRef, Pulled>,
+    ) -> Result<Matrices, ElementError> {
         let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled };
         let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
@@ -162,28 +169,10 @@ impl Carried {
         Invariants { mass, J, S, h, J1, pairs }
     }
 
-    /// Nodes at which springs and forces pull, with what moves them.
-    fn pulled(&self, net: Option<&Net<'_>>) -> HashMap<NodeRef, Pulled> {
-        let Some((net, component)) = net.zip(self.component.as_ref()) else { return HashMap::new() };
-        let stations = net.stations().iter().enumerate();
-        stations
-            .map(|(number, node)| {
-                let index = net.index(*node);
-                let shapes = component.shapes(number, self.flexible());
-                let place = net.structure.nodes[index].place;
-                (*node, Pulled { name: net.node_name(index), place, shapes })
-            })
-            .collect()
-    }
-
-    /// Places whose displacement is watched: points, appendages, nodes of parts.
-    fn markers(&self, net: Option<&Net<'_>>, pole: Vector3<f64>) -> Vec<Marker> {
+    /// Places whose displacement is watched: points and appendages, then nodes of parts.
+    fn markers(&self, pulled: &BTreeMap<NodeRef, Pulled>, pole: Vector3<f64>) -> Vec<Marker> {
         let movers = self.movers.iter().zip(&self.starts).map(|(mover, start)| mover.watched(pole, *start));
-        let mut markers: Vec<Marker> = movers.collect();
-        if let Some((net, component)) = net.zip(self.component.as_ref()) {
-            markers.extend(net.markers(component, self.flexible(), pole));
-        }
-        markers
+        movers.chain(pulled.values().map(|pulled| pulled.marker(pole))).collect()
     }
 
     fn coordinates(&self) -> Vec<Coordinate> {

@@ -9,7 +9,7 @@ use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::model::force::Force;
-use crate::model::{FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
+use crate::model::{FlexibleBody, FlexibleError, Invariants, Parts, Support};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
@@ -26,11 +26,8 @@ impl Assembly {
         let center = component.center();
         let size = component.size();
         let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;
-        let markers = net.markers(&component, 0, center);
-        let stations = net.stations().iter().zip(&markers);
-        let of_node = |node: NodeRef| {
-            stations.clone().find(|(known, _)| **known == node).map(|(_, marker)| marker.clone())
-        };
+        let pulled = net.pulled(&component, 0);
+        let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
             End::Carrier => None,
             End::Node(node) => of_node(node),
@@ -46,12 +43,12 @@ impl Assembly {
             stiffness,
             lossy,
             coordinates: component.coordinates(),
-            markers,
+            markers: pulled.values().map(|pulled| pulled.marker(center)).collect(),
         });
         let body = body.map_err(|FlexibleError::Mechanism { coordinates }| {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates })
         })?;
-        Ok(Built { body, forces })
+        Ok(Built { body, forces, condensation: Some(component.condensation()) })
     }
 }
 
@@ -64,20 +61,5 @@ fn invariants(component: &Component, pole: Vector3<f64>) -> Invariants {
         h: each.iter().map(|(_, h, _)| *h).collect(),
         J1: each.iter().map(|(_, _, J1)| *J1).collect(),
         pairs: SparseRows::sum(component.size(), component.pairs(pole, 0).collect()),
-    }
-}
-
-impl Net<'_> {
-    /// The watched nodes, from a pole, with coordinates numbered from `start`.
-    pub(super) fn markers(&self, component: &Component, start: usize, pole: Vector3<f64>) -> Vec<Marker> {
-        let marker = |(number, node): (usize, &NodeRef)| {
-            let index = self.index(*node);
-            Marker {
-                name: self.node_name(index),
-                position: (self.structure.nodes[index].place - pole).into(),
-                shapes: component.shapes(number, start),
-            }
-        };
-        self.stations().iter().enumerate().map(marker).collect()
     }
 }

@@ -12,7 +12,9 @@ pub(super) use mover::Mover;
 
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
-use super::{Carrier, Ellipsoid, End, Hinged, Point, Spring, Station, Surface, coefficient, force};
+use super::{
+    Carrier, Condensation, Ellipsoid, End, Hinged, Point, Spring, Station, Surface, coefficient, force,
+};
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 use net::Net;
@@ -61,6 +63,8 @@ pub struct Built {
     pub body: FlexibleBody,
     /// External forces with the places they act at, from its pole.
     pub forces: Vec<Force<Marker>>,
+    /// How its parts of finite elements got few coordinates; none if it has no such parts.
+    pub condensation: Option<Condensation>,
 }
 
 /// An element that is a whole body, elastic throughout.
@@ -143,7 +147,7 @@ impl Assembly {
             None => return self.floating(forces),
         };
         let pole = body.pole().into();
-        Ok(Built { forces: self.placed_forces(forces, pole, |_| None)?, body })
+        Ok(Built { forces: self.placed_forces(forces, pole, |_| None)?, body, condensation: None })
     }
 
     /// Whether there is such a node.

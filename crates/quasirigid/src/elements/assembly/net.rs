@@ -7,6 +7,7 @@ use super::held::holds;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Link, Mass};
 use crate::elements::part::{Kind, NodeRef, Part, extremes};
+use crate::elements::spring::Pulled;
 use crate::elements::structure::{
     Component, Fault, Freedoms, Hold, Joint, Matter, Node, Purpose, Structure, Unknown,
 };
@@ -109,9 +110,14 @@ impl<'a> Net<'a> {
         self.firsts[node.part] + node.node
     }
 
-    /// Nodes whose displacements the component has, in the order of its stations.
-    pub fn stations(&self) -> &[NodeRef] {
-        &self.stations
+    /// Nodes whose displacements the component has, with what moves them: its coordinates, numbered from `start`.
+    pub fn pulled(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Pulled> {
+        let pulled = |(number, node): (usize, &NodeRef)| {
+            let index = self.index(*node);
+            let (name, place) = (self.node_name(index), self.structure.nodes[index].place);
+            (*node, Pulled { name, place, shapes: component.shapes(number, start) })
+        };
+        self.stations.iter().enumerate().map(pulled).collect()
     }
 
     /// Name of a node of the structure.

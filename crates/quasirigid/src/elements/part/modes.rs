@@ -53,6 +53,35 @@ const UNIT: f64 = 1e-6;
 const COUPLED: f64 = 0.1;
 
 impl Modes {
+    /// What modes beyond the last can add to the answers to a spin about a pole, at most, as a share of the largest answer
+    /// in energy; none for coordinates that are no modes, or no part of a body. (K11)
+    #[must_use]
+    pub fn missing(&self, pole: [f64; 3]) -> Option<f64> {
+        let Spectrum::Modes { frequencies, .. } = &self.spectrum else { return None };
+        let blocks = self.mass.blocks(Place::Part(0), [(Field::Mass, &self.mass.entries)]).ok()?;
+        let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass))).ok()?;
+        let masses = modal_masses(&self.couplings()).ok()?;
+        let highest = frequencies.iter().copied().fold(0.0, f64::max);
+        let (mut rest, mut largest) = (0.0_f64, 0.0_f64);
+        for (a, b) in (0..9).map(|load| (load % 3, load / 3)) {
+            let (mut whole, mut forces) = (0.0, DVector::<f64>::zeros(masses.len()));
+            let rows = self.mass.freedoms.iter().zip(&self.shapes);
+            for ((node, _), row) in rows.filter(|((_, component), _)| *component == a) {
+                if row.iter().all(|share| *share == 0.0) {
+                    continue;
+                }
+                let (mass, s) = (lumps[*node].mass, self.mass.nodes[*node][b] - pole[b]);
+                whole += mass * s * s;
+                row.iter().zip(forces.iter_mut()).for_each(|(share, force)| *force += mass * s * share);
+            }
+            let held: f64 = (0..masses.len()).map(|j| forces[j] * forces[j] / masses[j]).sum();
+            let answer = |j: usize| (forces[j] / frequencies[j]).powi(2) / masses[j];
+            rest = rest.max((whole - held) / highest.powi(2));
+            largest = largest.max((0..masses.len()).map(answer).sum());
+        }
+        Some(rest / largest)
+    }
+
     /// The nodes, and then as many as it takes to keep the coordinates beyond the interface as components.
     pub(super) fn structure_nodes(&self) -> Vec<Node> {
         let mut nodes: Vec<Node> = self.mass.structure_nodes().collect();

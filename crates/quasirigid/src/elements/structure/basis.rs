@@ -10,6 +10,8 @@ pub(super) struct Basis {
     rows: Vec<Vec<f64>>,
     /// Forces that hold each of them.
     forces: Vec<Vec<f64>>,
+    /// Largest share of the energy of an answer that it does not hold.
+    pub left_out: f64,
 }
 
 /// A displacement that keeps less than this share of its energy is a combination of the others.
@@ -23,7 +25,7 @@ impl Basis {
     /// A factor of the damping raises the degree in the spin by one, one of the inertia by two; the answers to the loads are of
     /// degree two.
     pub fn new(discrete: &Discrete<'_>, solver: &Solver, statics: &DMatrix<f64>, order: usize) -> Self {
-        let mut basis = Self { rows: Vec::new(), forces: Vec::new() };
+        let mut basis = Self { rows: Vec::new(), forces: Vec::new(), left_out: 0.0 };
         let budget = order.max(3) - 2;
         let losses = discrete.losses();
         let mut found = vec![basis.append(discrete, statics)];
@@ -88,6 +90,8 @@ impl Basis {
             x.iter_mut().chain(&mut force).for_each(|entry| *entry /= length);
             self.rows.push(x);
             self.forces.push(force);
+        } else {
+            self.left_out = self.left_out.max(rest / whole);
         }
     }
 }

@@ -9,6 +9,7 @@ use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::solver::Solver;
 use crate::elements::matrices::Block;
 use crate::elements::moment;
+use crate::elements::structure::Condensation;
 use crate::math::eigen::NoConvergence;
 use crate::math::sym::Sym;
 use crate::model::{Coordinate, Pair};
@@ -16,13 +17,11 @@ use crate::model::{Coordinate, Pair};
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
 #[derive(Clone, Debug)]
 pub(in crate::elements) struct Component {
-    /// Point from which the moments are taken (m), in the file's frame.
-    reference: Vector3<f64>,
-    /// Mass and moments.
+    /// Mass and second moments.
     whole: Whole,
     /// `∫ u_j dm`.
     sums: Vec<Vector3<f64>>,
-    /// `∫ s u_jᵀ dm`.
+    /// `∫ s u_jᵀ dm`, with `s` from the centre of mass.
     moments: Vec<Matrix3<f64>>,
     /// `∫ u_j u_kᵀ dm`.
     products: Vec<Vec<Matrix3<f64>>>,
@@ -34,6 +33,10 @@ pub(in crate::elements) struct Component {
     blocks: Vec<Block>,
     /// Displacement of each station per unit of each coordinate.
     stations: Vec<Vec<[f64; 3]>>,
+    /// Unknowns that its coordinates stand for.
+    unknowns: usize,
+    /// Largest share of the energy of an answer that they do not hold.
+    left_out: f64,
 }
 
 /// Why a structure cannot be given few coordinates.
@@ -72,9 +75,8 @@ impl Structure {
         let discrete = Discrete::new(self, freedoms);
         let solver = Solver::new(&discrete, purpose.floating)
             .map_err(|singular| loose(&discrete.freedoms, &singular.direction))?;
-        let centered = discrete.whole(Vector3::zeros());
-        let reference = centered.first / centered.mass;
-        let whole = discrete.whole(reference);
+        let whole = discrete.whole();
+        let reference = whole.center;
         let forces = discrete.loads(reference);
         let (loads, statics) = if purpose.floating {
             (balanced(&whole), solver.answers(stretching(&forces)))
@@ -90,7 +92,6 @@ impl Structure {
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
         Ok(Component {
-            reference,
             whole,
             sums,
             moments,
@@ -99,6 +100,8 @@ impl Structure {
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
+            unknowns: fields.ncols(),
+            left_out: basis.left_out,
         })
     }
 }
@@ -109,6 +112,11 @@ impl Component {
         self.sums.len()
     }
 
+    /// What was left out when it got its coordinates.
+    pub fn condensation(&self) -> Condensation {
+        Condensation { unknowns: self.unknowns, coordinates: self.size(), left_out: self.left_out }
+    }
+
     /// Mass (kg).
     pub fn mass(&self) -> f64 {
         self.whole.mass
@@ -116,21 +124,19 @@ impl Component {
 
     /// Centre of mass (m), in the file's frame.
     pub fn center(&self) -> Vector3<f64> {
-        self.reference + self.whole.first / self.whole.mass
+        self.whole.center
     }
 
-    /// Inertia tensor about a pole, which is at `−arm` from the reference.
+    /// Inertia tensor about a pole.
     pub fn inertia(&self, pole: Vector3<f64>) -> Sym {
-        let arm = self.reference - pole;
-        let Whole { mass, first, second } = &self.whole;
-        let second =
-            second + arm * first.transpose() + first * arm.transpose() + *mass * arm * arm.transpose();
-        moment::inertia(&second).map(|entry| 0.5 * entry)
+        let Whole { mass, center, second } = &self.whole;
+        let arm = center - pole;
+        moment::inertia(&(second + *mass * arm * arm.transpose())).map(|entry| 0.5 * entry)
     }
 
     /// `S_j`, `h_j` and `J_j` about a pole. (I2), (I3)
     pub fn coordinate(&self, j: usize, pole: Vector3<f64>) -> ([f64; 3], [f64; 3], Sym) {
-        let W = self.moments[j] + (self.reference - pole) * self.sums[j].transpose();
+        let W = self.moments[j] + (self.whole.center - pole) * self.sums[j].transpose();
         (self.sums[j].into(), moment::cross(&W), moment::inertia(&W))
     }
 
@@ -139,14 +145,8 @@ impl Component {
         let straight = Pair { A: self.masses[(j, k)], ..moment::straight_pair(&self.products[j][k]) };
         let Some(curvatures) = &self.curvatures else { return straight };
         let Curvature { sum, moment } = curvatures[j][k];
-        let G = moment + (self.reference - pole) * sum.transpose();
-        let (curved, turned) = (moment::inertia(&G), moment::cross(&G));
-        Pair {
-            J2: std::array::from_fn(|i| straight.J2[i] + 0.5 * curved[i]),
-            Z: std::array::from_fn(|i| straight.Z[i] + turned[i]),
-            S2: sum.into(),
-            ..straight
-        }
+        let G = moment + (self.whole.center - pole) * sum.transpose();
+        moment::curved_pair(straight, sum.into(), &G)
     }
 
     /// Invariants of all pairs about a pole, for coordinates numbered from `start`.

@@ -1,4 +1,4 @@
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 
 use super::freedoms::{Freedoms, Hold, Node, Unknown};
 use super::sum::{Tie, pattern};
@@ -18,6 +18,11 @@ pub(in crate::elements) struct Structure {
 }
 
 impl Structure {
+    /// Mean of the places of the nodes (m), in the file's frame.
+    pub fn middle(&self) -> Vector3<f64> {
+        self.nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64
+    }
+
     /// Number of a matter, which it gets if it is new.
     pub fn matter(&mut self, matter: Matter) -> usize {
         self.matters.iter().position(|known| *known == matter).unwrap_or_else(|| {
@@ -87,9 +92,9 @@ impl<'a> Discrete<'a> {
                 diagonal(unknown, joint.damping[axis], &mut damping);
             }
         }
-        let total = stiffness.iter().skip(1).fold(stiffness[0].clone(), |sum, part| {
-            sum.plus(1.0, part).expect("all matters are on one pattern")
-        });
+        let total = stiffness
+            .iter()
+            .fold(zero, |sum, part| sum.plus(1.0, part).expect("all matters are on one pattern"));
         let damping = damping.entries().iter().any(|entry| *entry != 0.0).then_some(damping);
         Self { structure, freedoms, stiffness, damping, mass, total }
     }
@@ -97,9 +102,9 @@ impl<'a> Discrete<'a> {
     /// What takes energy from a motion, as matrices; nothing that is a multiple of the stiffness.
     pub fn losses(&self) -> Vec<&Symmetric> {
         let matters = self.structure.matters.iter().zip(&self.stiffness);
-        let lossy = matters.filter(|(matter, _)| matter.rheology != Rheology::Elastic);
-        let several = if self.structure.matters.len() > 1 { usize::MAX } else { 0 };
-        self.damping.iter().chain(lossy.map(|(_, stiffness)| stiffness).take(several)).collect()
+        let several = self.structure.matters.len() > 1;
+        let lossy = matters.filter(|(matter, _)| several && matter.rheology != Rheology::Elastic);
+        self.damping.iter().chain(lossy.map(|(_, stiffness)| stiffness)).collect()
     }
 }
 

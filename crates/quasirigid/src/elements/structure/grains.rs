@@ -7,28 +7,29 @@ use crate::elements::finite::Grain;
 /// Material points taken together in one product of matrices.
 const BATCH: usize = 512;
 
-/// Mass of a structure and its moments about a reference point.
+/// Mass of a structure, and where it is.
 #[derive(Clone, Debug)]
 pub(super) struct Whole {
     /// Mass (kg).
     pub mass: f64,
-    /// `∫ s dm` (kg·m).
-    pub first: Vector3<f64>,
-    /// `∫ s sᵀ dm` (kg·m²).
+    /// Centre of mass (m), in the file's frame.
+    pub center: Vector3<f64>,
+    /// `∫ s sᵀ dm` about it (kg·m²).
     pub second: Matrix3<f64>,
 }
 
 impl Discrete<'_> {
-    /// Mass and moments about a point.
-    pub(super) fn whole(&self, reference: Vector3<f64>) -> Whole {
-        let mut whole = Whole { mass: 0.0, first: Vector3::zeros(), second: Matrix3::zeros() };
+    /// Mass, centre of mass and second moments.
+    pub(super) fn whole(&self) -> Whole {
+        let middle = self.structure.middle();
+        let (mut mass, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
         for grain in self.structure.elements.iter().flat_map(|element| element.grains()) {
-            let s = grain.place_from(reference);
-            whole.mass += grain.mass * grain.one();
-            whole.first += grain.mass * grain.one() * s;
-            whole.second += grain.mass * s * s.transpose();
+            let s = grain.place_from(middle);
+            mass += grain.mass * grain.one();
+            first += grain.mass * grain.one() * s;
+            second += grain.mass * s * s.transpose();
         }
-        whole
+        Whole { mass, center: middle + first / mass, second: second - first * first.transpose() / mass }
     }
 
     /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (K4)

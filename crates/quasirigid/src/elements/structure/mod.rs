@@ -2,6 +2,7 @@
 
 mod basis;
 mod component;
+mod condensation;
 mod curvature;
 mod discrete;
 mod freedoms;
@@ -12,6 +13,7 @@ mod solver;
 mod sum;
 
 pub(super) use component::{Component, Fault, Purpose};
+pub use condensation::Condensation;
 pub(super) use discrete::{Joint, Matter, Structure};
 pub(super) use freedoms::{Freedoms, Hold, Node, Unknown};
 

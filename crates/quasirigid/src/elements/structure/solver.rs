@@ -77,7 +77,7 @@ impl Solver {
 
 impl Rigid {
     fn new(discrete: &Discrete<'_>) -> Self {
-        let center = center(discrete);
+        let center = discrete.structure.middle();
         let nodes = &discrete.structure.nodes;
         let unknowns = discrete.freedoms.unknowns();
         let mut fields = DMatrix::zeros(6, unknowns.len());
@@ -113,11 +113,6 @@ fn motions(s: Vector3<f64>) -> SMatrix<f64, 6, 6> {
     motions
 }
 
-fn center(discrete: &Discrete<'_>) -> Vector3<f64> {
-    let nodes = &discrete.structure.nodes;
-    nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / nodes.len().max(1) as f64
-}
-
 /// The stiffness with six pins: enough to hold a rigid body, and too few to strain one. (K7)
 fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let diagonal = discrete.total.diagonal();
@@ -146,7 +141,7 @@ fn pins(discrete: &Discrete<'_>) -> Vec<(usize, DMatrix<f64>)> {
         let far = |a: &&usize, b: &&usize| measure(nodes[**a].place).total_cmp(&measure(nodes[**b].place));
         free.iter().max_by(far).copied().unwrap_or_default()
     };
-    let center = center(discrete);
+    let center = discrete.structure.middle();
     let a = farthest(&|place| (place - center).norm());
     let start = nodes[a].place;
     let b = farthest(&|place| (place - start).norm());

@@ -1,0 +1,11 @@
+/// The few coordinates of the parts of a body beside the unknowns that they stand for. (K8)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condensation {
+    /// Displacements and rotations of nodes, angles of joints, coordinates of modes.
+    pub unknowns: usize,
+    /// Coordinates of the flexible body that hold their slow motion.
+    pub coordinates: usize,
+    /// Largest share of its elastic energy that an answer loses: one of those to the loads of a spin and of pulling forces, to
+    /// the order that is kept.
+    pub left_out: f64,
+}

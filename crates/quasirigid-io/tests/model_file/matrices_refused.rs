@@ -2,8 +2,10 @@
 
 use insta::assert_snapshot;
 
+use quasirigid_io::model::{Model, ModelError};
+
 use super::located;
-use super::matrices::{beside, market};
+use super::matrices::{beside, market, written};
 
 /// Two nodes on springs, of three displacements each.
 fn files() -> Vec<(&'static str, String)> {
@@ -28,7 +30,11 @@ fn with(replaced: (&'static str, &str), lines: &str) -> String {
     let mut files = files();
     files.retain(|(name, _)| *name != replaced.0);
     files.push((replaced.0, replaced.1.to_owned()));
-    let model = match beside(&files, lines) {
+    told(beside(&files, lines))
+}
+
+fn told(read: Result<Model, ModelError>) -> String {
+    let model = match read {
         Err(error) => return located(&error),
         Ok(model) => model,
     };
@@ -44,17 +50,13 @@ fn refused(lines: &str) -> String {
     with(("other.txt", ""), lines)
 }
 
-/// A matrix that is a number on its diagonal but for some entries, by their rows and columns from 1.
+/// A matrix with a number on its diagonal but for some entries, by their rows and columns from 1.
 fn diagonal(size: usize, value: f64, others: &[(usize, usize, f64)]) -> String {
-    let mut text =
-        format!("%%MatrixMarket matrix coordinate real general\n{size} {size} {}\n", size + others.len());
-    let changed = |row: usize| others.iter().any(|(i, j, _)| (*i, *j) == (row, row));
-    let kept = (1..=size).filter(|row| !changed(*row));
-    let entries: Vec<(usize, usize, f64)> =
-        kept.map(|row| (row, row, value)).chain(others.iter().copied()).collect();
-    text = text.replace(&(size + others.len()).to_string(), &entries.len().to_string());
-    entries.iter().for_each(|(i, j, value)| text += &format!("{i} {j} {value}\n"));
-    text
+    let entry = |i: usize, j: usize| {
+        let other = others.iter().find(|other| (other.0, other.1) == (i + 1, j + 1));
+        other.map_or(if i == j { value } else { 0.0 }, |(.., other)| *other)
+    };
+    market(&(0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect::<Vec<_>>())
 }
 
 #[test]
@@ -158,5 +160,19 @@ fn matrices_that_nothing_holds_are_refused() {
     assert_snapshot!(refused(KEYS), @r#"
     model.toml:5:1: matrices "matrices 1": nothing joins this part to the carrier; attach some of its nodes, or connect it
       write attach = with one of its nodes, or a [[connection]]; springs alone do not hold a part
+    "#);
+    // and the other way round: the matrices hold what nothing carries
+    let text = format!("[[matrices]]\n{KEYS}freedoms = \"rows.dof\"\n");
+    let mut files = files();
+    for (name, text) in &mut files {
+        match *name {
+            "rows.dof" => *text = "3.1\n3.2\n3.3\n7.1\n7.2\n".to_owned(),
+            "K.mtx" | "M.mtx" => *text = diagonal(5, 2.0, &[]),
+            _ => {}
+        }
+    }
+    assert_snapshot!(told(written(&files, &text)), @r#"
+    model.toml:3:13: `stiffness` of matrices "matrices 1": node 7 has not all its rows, so it is held, and this body has no carrier to hold it
+      add a [carrier], or export the matrices of the body that nothing holds
     "#);
 }

@@ -135,4 +135,9 @@ fn a_network_that_falls_apart_is_refused() {
     model.toml:8:8: the name "rubble" is used twice; it stands first in line 2
       give each element its own name
     "#);
+    let own = POINT.replace("tip", "rubble 1");
+    assert_snapshot!(verdict(&format!("{own}{}", rubble(""))), @r#"
+    model.toml:6:8: `name` of point "rubble 1": the name "rubble 1" is used twice
+      give each element its own name
+    "#);
 }

@@ -35,7 +35,7 @@ const DISPLACED: &str = "The elastic parts do not start on the slow manifold: th
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
-    let Loaded { model, body, forces, order } = &loaded;
+    let Loaded { model, body, forces, order, .. } = &loaded;
     let order = *order;
     let start = initial(model, body, order, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));

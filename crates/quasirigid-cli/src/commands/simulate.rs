@@ -19,7 +19,7 @@ const ROWS: usize = 1001;
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
-    let Loaded { model, body, forces, order } = &loaded;
+    let Loaded { model, body, forces, order, .. } = &loaded;
     notes(model, &arguments.common);
     if arguments.system != System::Rigid {
         note_lossless(body, &arguments.common);

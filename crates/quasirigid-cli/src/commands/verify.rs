@@ -11,7 +11,7 @@ use crate::{Ending, output, record, verification};
 
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
-    let Loaded { model, body, forces, order } = &load(&arguments.common)?;
+    let Loaded { model, body, forces, order, .. } = &load(&arguments.common)?;
     notes(model, &arguments.common);
     note_lossless(body, &arguments.common);
     let start = initial(model, body, *order, &arguments.common.model)?;

@@ -58,7 +58,7 @@ pub fn follow(
     interrupt: &Interrupt,
     quiet: bool,
 ) -> Result<(EvolutionRecord, Vec<String>), Failure> {
-    let Loaded { model, body, forces, order } = loaded;
+    let Loaded { model, body, forces, order, .. } = loaded;
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(Failure::DrivenPole);
     }

@@ -13,7 +13,7 @@ use super::names::Names;
 use super::part::{self, CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
 use super::rheology::Extremes;
 use super::section::Sections;
-use super::spans::Spans;
+use super::spans::{NetworkSpans, Spans};
 use super::spring::{SPRING, spring};
 use super::support;
 use super::surface::{SURFACE, surface};
@@ -85,13 +85,13 @@ pub(super) fn body<'a>(
     let mut names = Names::new(
         &point_tables,
         &hinged_tables,
-        [&ellipsoid_tables, &surface_tables],
+        [&ellipsoid_tables, &surface_tables, &network_tables],
         &part_tables,
         &force_tables,
         problems,
     );
 
-    let spans = Spans {
+    let mut spans = Spans {
         carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
         points: point_tables.iter().map(Table::spans).collect(),
         springs: spring_tables.iter().map(Table::spans).collect(),
@@ -102,6 +102,7 @@ pub(super) fn body<'a>(
         connections: connection_tables.iter().map(Table::spans).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
+        networks: Vec::new(),
     };
     let carrier = match &carrier_table {
         Some(table) => carrier(table).map(Some),
@@ -118,8 +119,8 @@ pub(super) fn body<'a>(
     let connections = every(connection_tables.iter().map(|table| connection(table, &names)));
     notes.extend(materials.unused());
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
-    let networks = network_tables.iter().enumerate();
-    let networks = every(networks.map(|(index, table)| network(table, &names.of_network(table, index))));
+    let networks =
+        every(network_tables.iter().zip(&names.networks).map(|(table, name)| network(table, name)));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let support = match support {
@@ -137,8 +138,16 @@ pub(super) fn body<'a>(
             read?.into_iter().map(|read| (read.part, read.extremes)).unzip();
         let (carrier, mut points, support, forces) = (carrier?, points?, support?, forces?);
         let (mut springs, mut ranges_of_springs): (Vec<Spring>, Vec<Extremes>) = (springs, ranges_of_springs);
-        for (network, extremes) in networks? {
+        for ((network, extremes), table) in networks?.into_iter().zip(&network_tables) {
             let (more_points, more_springs) = network.parts(points.len());
+            if more_points.len() < FEWEST_POINTS {
+                return too_few(table, more_points.len());
+            }
+            spans.networks.push(NetworkSpans {
+                points: points.len()..points.len() + more_points.len(),
+                springs: springs.len()..springs.len() + more_springs.len(),
+                table: table.spans(),
+            });
             ranges_of_springs.extend(std::iter::repeat_n(extremes, more_springs.len()));
             points.extend(more_points);
             springs.extend(more_springs);
@@ -167,6 +176,12 @@ pub(super) fn body<'a>(
         Some(Parts { extremes: extremes(&assembly, &ranges.concat()), assembly, spans })
     };
     Body { parts: parts(), names }
+}
+
+fn too_few<T>(network: &Table<'_>, count: usize) -> Option<T> {
+    let message = format!("{count} points fit into this ellipsoid, and {FEWEST_POINTS} are needed");
+    let help = "narrow the spacing: a network stands for a body by many points";
+    network.get("spacing")?.refuse(message, "too few points", Some(help.to_owned()))
 }
 
 /// The body with every rheology at its least and at its greatest, if there are ranges; they are those of the

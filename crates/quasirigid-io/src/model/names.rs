@@ -16,7 +16,7 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids, surfaces, parts and forces of a file.
+/// Names of the points, appendages, ellipsoids, surfaces, networks, parts and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
@@ -26,6 +26,8 @@ pub(super) struct Names<'a> {
     pub(super) ellipsoids: Vec<String>,
     /// Names of the surfaces, in the order of the file.
     pub(super) surfaces: Vec<String>,
+    /// Names of the networks, which begin those of their points, in the order of the file.
+    pub(super) networks: Vec<String>,
     /// Names of the parts of finite elements, in their order.
     pub(super) flexible: Vec<String>,
     /// How their nodes are named, once they have been read.
@@ -72,11 +74,11 @@ impl Fixed {
 
 impl<'a> Names<'a> {
     /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`,
-    /// `ellipsoid 1`, `surface 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
+    /// `ellipsoid 1`, `surface 1`, `network 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
     pub(super) fn new(
         points: &[Table<'_>],
         hinged: &[Table<'_>],
-        [ellipsoids, surfaces]: [&[Table<'_>]; 2],
+        [ellipsoids, surfaces, networks]: [&[Table<'_>]; 3],
         flexible: &PartTables<'_>,
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
@@ -98,6 +100,10 @@ impl<'a> Names<'a> {
         let surfaces = surfaces
             .map(|(index, table)| parts.enter(table, format!("surface {}", index + 1), Part::Throughout))
             .collect();
+        let networks = networks.iter().enumerate();
+        let networks = networks
+            .map(|(index, table)| parts.enter(table, format!("network {}", index + 1), Part::Throughout))
+            .collect();
         let flexible = flexible.iter().enumerate();
         let flexible = flexible
             .map(|(index, (word, number, table))| {
@@ -109,13 +115,7 @@ impl<'a> Names<'a> {
         let forces = forces
             .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
             .collect();
-        Self { points, hinged, ellipsoids, surfaces, flexible, nodes: Vec::new(), forces, parts }
-    }
-
-    /// Name of a network, which begins those of its points.
-    pub(super) fn of_network(&self, table: &Table<'_>, index: usize) -> String {
-        let given = table.get("name").and_then(|value| value.text());
-        given.map_or_else(|| format!("network {}", index + 1), str::to_owned)
+        Self { points, hinged, ellipsoids, surfaces, networks, flexible, nodes: Vec::new(), forces, parts }
     }
 
     /// What a spring or force is fixed to.

@@ -15,6 +15,15 @@ pub(super) struct Spans {
     pub(super) connections: Vec<ElementSpans>,
     pub(super) support: ElementSpans,
     pub(super) forces: Vec<ElementSpans>,
+    pub(super) networks: Vec<NetworkSpans>,
+}
+
+/// Where a network stands, of which there are points and springs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct NetworkSpans {
+    pub(super) points: Range<usize>,
+    pub(super) springs: Range<usize>,
+    pub(super) table: ElementSpans,
 }
 
 /// Where an element and its values stand.
@@ -32,8 +41,12 @@ impl Spans {
     pub(super) fn find(&self, place: Place, field: Field) -> Range<usize> {
         let element = match place {
             Place::Carrier => Some(&self.carrier),
-            Place::Point(index) => self.points.get(index),
-            Place::Spring(index) => self.springs.get(index),
+            Place::Point(index) => {
+                self.points.get(index).or_else(|| self.network(|network| network.points.contains(&index)))
+            }
+            Place::Spring(index) => {
+                self.springs.get(index).or_else(|| self.network(|network| network.springs.contains(&index)))
+            }
             Place::Hinged(index) => self.hinged.get(index),
             Place::Ellipsoid(index) => self.ellipsoids.get(index),
             Place::Surface(index) => self.surfaces.get(index),
@@ -48,5 +61,9 @@ impl Spans {
         let key = field.to_string();
         let value = element.values.iter().find(|(known, _)| *known == key);
         value.map_or_else(|| element.header.clone(), |(_, span)| span.clone())
+    }
+
+    fn network(&self, owns: impl Fn(&NetworkSpans) -> bool) -> Option<&ElementSpans> {
+        self.networks.iter().find(|network| owns(network)).map(|network| &network.table)
     }
 }

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use insta::assert_snapshot;
 use quasirigid_io::model::Model;
 
+use super::located;
 use super::same::{assert_same, differences};
 
 /// Files that gmsh and CalculiX wrote, see the page beside them.
@@ -53,6 +55,17 @@ fn stiffness_of_calculix_with_the_exact_mass_is_our_solid() {
     assert_same(&on_hub(&spur("spur-mass.npz")), &on_hub(&solid("spur.msh", SPUR)), 1e-8);
 }
 
+/// Nothing is held in the matrices, so the body can float.
+#[test]
+fn a_body_that_floats_is_the_same_from_matrices_and_cells() {
+    let floating = |text: String| {
+        let text = text.lines().filter(|line| !line.starts_with("attach")).collect::<Vec<_>>().join("\n");
+        Model::parse(Path::new(BODIES), &text).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let cells = floating(solid("spur.inp", SPUR));
+    assert_same(&floating(spur("spur-mass.npz")), &cells, 1e-8);
+}
+
 /// Hexahedra with displacements of their own, whose mass CalculiX has and we have not; in inches and pounds of force.
 #[test]
 fn stiffness_and_mass_of_calculix_are_our_hexahedra() {
@@ -84,4 +97,16 @@ fn mass_of_calculix_is_short_of_points() {
         };
         assert!(expected.contains(&difference), "{name}: {difference:e}");
     }
+}
+
+/// The freedoms that CalculiX gives the cells of type C3D8I are at no node of the mesh.
+#[test]
+fn freedoms_of_no_node_are_refused() {
+    let keys = "freedoms = \"brick.dof\"\nstiffness = \"brick.sti\"\nmass = \"brick.mas\"\n";
+    let text = format!("{HUB}[[matrices]]\nnodes = \"brick.inp\"\n{keys}");
+    let error = Model::parse(Path::new(BODIES), &text).expect_err("a refusal");
+    assert_snapshot!(located(&error), @"
+    model.toml:8:13: there is no freedom 58.1 of a node in the table `nodes`
+      every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
+    ");
 }

@@ -15,14 +15,19 @@ use super::{CARRIER, only_part};
 /// Stiffness of one hexahedron in the formats of many programs; seven of its displacements are held.
 const FORMATS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/matrix/model.toml");
 
-/// A model with these lines of a table `[[matrices]]`, which start in line 6, beside files.
-pub fn beside(files: &[(&str, String)], lines: &str) -> Result<Model, ModelError> {
+/// A model beside files.
+pub fn written(files: &[(&str, String)], text: &str) -> Result<Model, ModelError> {
     let folder = TempDir::new().expect("a folder");
     for (name, text) in files {
         fs::write(folder.path().join(name), text).expect("a file");
     }
-    fs::write(folder.path().join("model.toml"), format!("{CARRIER}[[matrices]]\n{lines}")).expect("a file");
+    fs::write(folder.path().join("model.toml"), text).expect("a file");
     Model::read(&folder.path().join("model.toml"))
+}
+
+/// A carrier and these lines of a table `[[matrices]]`, which start in line 6, beside files.
+pub fn beside(files: &[(&str, String)], lines: &str) -> Result<Model, ModelError> {
+    written(files, &format!("{CARRIER}[[matrices]]\n{lines}"))
 }
 
 fn read(files: &[(&str, String)], lines: &str) -> Model {
@@ -106,6 +111,21 @@ fn dmig(name: &str, matrix: &[Vec<f64>]) -> String {
     text
 }
 
+/// A matrix as the module `OUTPUT4` of NASTRAN writes it in text.
+fn op4(name: &str, matrix: &[Vec<f64>]) -> String {
+    let size = matrix.len();
+    let mut text = format!("{size:8}{size:8}{:8}{:8}{name:<8}1P,3E23.16\n", 6, 2);
+    for j in 0..size {
+        writeln!(text, "{:8}{:8}{:8}", j + 1, 1, size).expect("memory");
+        for three in matrix.chunks(3) {
+            let values: String = three.iter().map(|row| format!("{:23.16E}", row[j])).collect();
+            writeln!(text, "{values}").expect("memory");
+        }
+    }
+    writeln!(text, "{:8}{:8}{:8}\n{:23.16E}", size + 1, 1, 1, 1.0).expect("memory");
+    text
+}
+
 /// Places of the nodes; the file has them in another order.
 fn nodes(unit: f64) -> String {
     let line = |label: u64, place: [f64; 3]| {
@@ -143,15 +163,18 @@ fn matrices_in_other_units_are_the_same_body() {
     assert_same(&grams, &plain("damping = \"B.mtx\"\n"), 1e-12);
 }
 
-/// Stiffness by point and component, mass by the order of the nodes; six components of each.
+/// Stiffness and damping of NASTRAN by point and component, mass by the order of the nodes; six components of each.
 #[test]
 fn rows_with_labels_and_rows_in_order_are_the_same_freedoms() {
     let (inch, pound) = (0.0254, 0.453_592_37);
     let cards =
         dmig("KAAX", &in_units(stiffness, inch, pound)) + &dmig("BAAX", &in_units(damping, inch, pound));
-    let files =
-        [("nodes.txt", nodes(inch)), ("model.pch", cards), ("M.mtx", market(&in_units(mass, inch, pound)))];
-    let lines = "nodes = \"nodes.txt\"\nstiffness = { file = \"model.pch\", name = \"KAAX\" }\nmass = \"M.mtx\"\n\
+    let files = [
+        ("nodes.txt", nodes(inch)),
+        ("model.pch", cards),
+        ("model.op4", op4("MAAX", &in_units(mass, inch, pound))),
+    ];
+    let lines = "nodes = \"nodes.txt\"\nstiffness = { file = \"model.pch\", name = \"KAAX\" }\nmass = \"model.op4\"\n\
                  damping = { file = \"model.pch\", name = \"baax\" }\nlength_unit = \"in\"\nmass_unit = \"lb\"\nattach = 11\n";
     assert_same(&read(&files, lines), &plain("damping = \"B.mtx\"\n"), 1e-12);
 }

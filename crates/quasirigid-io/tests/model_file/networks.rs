@@ -79,19 +79,65 @@ fn a_range_goes_to_all_springs() {
 
 #[test]
 fn a_network_that_cannot_be_is_refused() {
-    assert_snapshot!(refusal("[[network]]\n"), @"");
-    assert_snapshot!(refusal(&rubble("reach = 0.4\n")), @"");
-    assert_snapshot!(refusal(&rubble("reach = \"6 m\"\n")), @"");
-    assert_snapshot!(refusal(&rubble("").replace("spacing = 0.5", "spacing = \"1 cm\"")), @"");
-    assert_snapshot!(refusal(&rubble("").replace("3 t", "-3 t")), @"");
-    assert_snapshot!(refusal(&rubble("").replace("[\"120 cm\", 0.9, 0.7]", "[1.2, 0.9]")), @"");
-    assert_snapshot!(refusal(&rubble("seed = 1.5\nfriction = 0.1\n")), @"");
+    assert_snapshot!(refusal("[[network]]\n"), @r#"
+    model.toml:1:1: [[network]] has no `mass`
+      add a line such as: mass = 1.0
+    model.toml:1:1: [[network]] has no `semi_axes`
+      add a line such as: semi_axes = ["230 m", "120 m", "95 m"]
+    model.toml:1:1: [[network]] has no `spacing`
+      add a line such as: spacing = "20 m"
+    model.toml:1:1: [[network]] has no `stiffness`
+      add a line such as: stiffness = 0.08
+    "#);
+    assert_snapshot!(refusal(&rubble("reach = 0.4\n")), @"
+    model.toml:7:9: springs of 0.4 m do not fit points that are 0.5 m apart or more
+      write a reach of 1 to 10 times the spacing; 2.3 times is usual
+    ");
+    assert_snapshot!(refusal(&rubble("reach = \"6 m\"\n")), @"
+    model.toml:7:9: springs of 6 m do not fit points that are 0.5 m apart or more
+      write a reach of 1 to 10 times the spacing; 2.3 times is usual
+    ");
+    assert_snapshot!(refusal(&rubble("").replace("spacing = 0.5", "spacing = \"1 cm\"")), @"
+    model.toml:5:11: about 2.5e6 points fit into this ellipsoid
+      widen the spacing: a network has 1e5 points or fewer
+    ");
+    assert_snapshot!(refusal(&rubble("").replace("3 t", "-3 t")), @r#"
+    model.toml:3:8: `mass` is -3000 kg, but must be positive
+      write a number in kg, or a text with its unit such as "12 lb"
+    "#);
+    assert_snapshot!(refusal(&rubble("").replace("[\"120 cm\", 0.9, 0.7]", "[1.2, 0.9]")), @"
+    model.toml:4:13: `semi_axes`: found an array of 2 values, expected an array of 3 numbers
+      write 3 numbers in brackets, with commas between them
+    ");
+    assert_snapshot!(refusal(&rubble("seed = 1.5\nfriction = 0.1\n")), @r#"
+    model.toml:7:8: `seed`: found a decimal number, expected an integer from 0 to 4503599627370495
+      write an integer from 0 to 4503599627370495
+    model.toml:8:1: unknown key "friction" in [[network]]
+      the keys are name, mass, semi_axes, center, spacing, reach, stiffness, rheology, seed
+    "#);
 }
 
 #[test]
 fn a_network_that_falls_apart_is_refused() {
-    assert_snapshot!(verdict(&rubble("").replace("spacing = 0.5", "spacing = 1.1\nreach = 1.1")), @"");
-    assert_snapshot!(verdict(&rubble("").replace("spacing = 0.5", "spacing = 5")), @"");
-    assert_snapshot!(verdict(&format!("{CARRIER}{}", rubble(""))), @"");
-    assert_snapshot!(verdict(&format!("{}{}", rubble(""), rubble("seed = 2\n"))), @"");
+    assert_snapshot!(verdict(&rubble("").replace("spacing = 0.5", "spacing = 1.1\nreach = 1.1")), @r#"
+    model.toml:7:13: a mechanism: no spring resists some motion of "rubble 1" x, "rubble 1" y, "rubble 1" z, "rubble 2" x, "rubble 2" y, "rubble 2" z, 3 more
+      add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
+    "#);
+    assert_snapshot!(verdict(&rubble("").replace("spacing = 0.5", "spacing = 5")), @"
+    model.toml:5:11: 1 points fit into this ellipsoid, and 3 are needed
+      narrow the spacing: a network stands for a body by many points
+    ");
+    assert_snapshot!(verdict(&format!("{CARRIER}{}", rubble(""))), @r#"
+    model.toml:10:13: a mechanism: no spring resists some motion of "rubble 1" x, "rubble 1" y, "rubble 1" z, "rubble 2" x, "rubble 2" y, "rubble 2" z and 63 more
+      add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
+    "#);
+    assert_snapshot!(verdict(&format!("{}{}", rubble(""), rubble("seed = 2\n"))), @r#"
+    model.toml:8:8: the name "rubble" is used twice; it stands first in line 2
+      give each element its own name
+    "#);
+    let own = POINT.replace("tip", "rubble 1");
+    assert_snapshot!(verdict(&format!("{own}{}", rubble(""))), @r#"
+    model.toml:6:8: `name` of point "rubble 1": the name "rubble 1" is used twice
+      give each element its own name
+    "#);
 }

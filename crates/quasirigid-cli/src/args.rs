@@ -144,6 +144,9 @@ pub struct Simulate {
     /// Add the internal coordinates and their rates to the table of the full system
     #[arg(long)]
     pub coordinates: bool,
+    /// Add the displacements of points, appendages and nodes to the table of the full system
+    #[arg(long)]
+    pub displacements: bool,
     /// Output times in seconds, separated by commas
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["duration", "samples"])]

@@ -34,8 +34,8 @@ pub enum Failure {
     NoDuration { seconds: f64 },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]
     Samples { samples: usize },
-    #[error("--coordinates: only the full system has internal coordinates of its own; add --system full")]
-    NoCoordinates,
+    #[error("{option}: only the full system has internal coordinates of its own; add --system full")]
+    NoCoordinates { option: &'static str },
     #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
     NoSpin { file: PathBuf },
     #[error("{path} is there already; choose another with {option}, or add --overwrite", path = path.display())]

@@ -38,7 +38,12 @@ impl<'a> Motion<'a> {
         };
         let displaced = match &model.initial.displacements {
             Displacements::SlowManifold => None,
-            Displacements::Given { q, rate } => Some((q.clone(), rate.clone())),
+            Displacements::Given { q, rate } => {
+                let [mut q, mut rate] = [q.clone(), rate.clone()];
+                q.resize(body.coordinates().len(), 0.0);
+                rate.resize(body.coordinates().len(), 0.0);
+                Some((q, rate))
+            }
         };
         let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
         Self { body, forces, order, start, displaced }

@@ -4,7 +4,7 @@ use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
-use quasirigid::model::{Coordinate, FlexibleBody, Principal, ReducedBody, Support};
+use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{Difference, OrderRow, Plan, Verification};
 use quasirigid_io::model::Model;
@@ -236,11 +236,22 @@ pub fn coordinate_columns(coordinates: &[Coordinate], rows: &[Vec<f64>]) -> Vec<
             (format!("{name} rate"), format!("{unit}/s"))
         }
     };
-    let columns = if rows.is_empty() { 0 } else { 2 * coordinates.len() };
-    (0..columns)
+    (0..2 * coordinates.len())
         .map(|i| {
             let (name, unit) = name(i);
             Column { name, unit, values: rows.iter().map(|row| row[i]).collect() }
         })
         .collect()
+}
+
+/// Columns of the displacements of watched places, to the first order, from one list of internal coordinates per row.
+pub fn displacement_columns(markers: &[Marker], rows: &[Vec<f64>]) -> Vec<Column> {
+    let column = |marker: &Marker, axis: usize| {
+        let displacement =
+            |row: &Vec<f64>| marker.shapes.iter().map(|(j, shape)| row[*j] * shape[axis]).sum::<f64>();
+        let name = format!("{} along {}", marker.name.replace('"', ""), ["x", "y", "z"][axis]);
+        Column { name, unit: "m".to_owned(), values: rows.iter().map(displacement).collect() }
+    };
+    let axes = |marker| [0, 1, 2].map(|axis| column(marker, axis));
+    markers.iter().flat_map(axes).collect()
 }

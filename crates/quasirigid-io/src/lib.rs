@@ -2,6 +2,7 @@
 #![allow(non_snake_case)]
 
 pub mod export;
+mod file;
 pub mod matrix;
 pub mod mesh;
 pub mod model;

@@ -195,8 +195,8 @@ fn resolution(surface: &Surface) -> String {
 fn condensed(known: &Condensation) -> String {
     let Condensation { unknowns, coordinates, left_out } = known;
     let text = format!(
-        "The parts have {unknowns} unknowns, and {coordinates} coordinates hold their slow motion; they leave out {} of the energy of an answer to the spin, or less.",
-        significant(*left_out, 1)
+        "Of the parts' {unknowns} unknowns {coordinates} coordinates are left. They hold the answers to the spin but for {} of their energy.",
+        significant(left_out.max(f64::EPSILON), 1)
     );
     format!("\n{}\n", paragraph(&text, "", "  "))
 }

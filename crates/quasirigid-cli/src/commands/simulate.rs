@@ -10,7 +10,7 @@ use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::motion::Motion;
 use crate::progress::Collector;
-use crate::record::{columns, coordinate_columns, name, status};
+use crate::record::{columns, coordinate_columns, displacement_columns, name, status};
 use crate::{Ending, describe, output};
 
 /// Rows of a table when nothing says how many.
@@ -37,6 +37,13 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }
+    for (asked, option) in
+        [(arguments.coordinates, "--coordinates"), (arguments.displacements, "--displacements")]
+    {
+        if asked && arguments.system != System::Full {
+            return Err(Failure::NoCoordinates { option });
+        }
+    }
     let motion = Motion::new(model, body, forces, *order, start);
     let judged = start.omega != [0.0; 3] || !motion.system().acts();
     if !arguments.common.quiet && arguments.system == System::Reduced && judged {
@@ -44,11 +51,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     }
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);
-    if arguments.coordinates && arguments.system != System::Full {
-        return Err(Failure::NoCoordinates);
-    }
     let mut collector = Collector::new(&interrupt, "propagating", end, arguments.common.quiet);
-    if arguments.coordinates {
+    if arguments.coordinates || arguments.displacements {
         collector.keep_coordinates();
     }
     let run = motion.follow(arguments.system, &times, options, &mut collector)?;
@@ -60,7 +64,12 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         remark(&note);
     }
     let mut columns = columns(&samples, None);
-    columns.extend(coordinate_columns(body.coordinates(), &coordinates));
+    if arguments.displacements {
+        columns.extend(displacement_columns(body.markers(), &coordinates));
+    }
+    if arguments.coordinates {
+        columns.extend(coordinate_columns(body.coordinates(), &coordinates));
+    }
     table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
         output::print(&object(arguments.system, &run))?;

@@ -144,6 +144,19 @@ fn coordinates_of_the_full_system_are_columns_of_the_table() {
 }
 
 #[test]
+fn displacements_of_the_full_system_are_columns_of_the_table() {
+    let line = "simulate model.toml --system full --times 0,1,30 --quiet --coordinates --displacements";
+    let table = Table::of(&ran_with(&model("", "displacements = { tip = [0.01, 0, 0] }", ""), line).stdout);
+    for axis in ["x", "y", "z"] {
+        let displacement = table.column(&format!("tip along {axis}"));
+        assert_eq!(displacement, table.column(&format!("tip {axis}")));
+    }
+    assert_eq!(table.column("tip along x")[0], 0.01);
+    let ran = ran_with(MODEL, "simulate model.toml --displacements");
+    assert!(ran.refusal().contains("--displacements: only the full system"), "{}", ran.stderr);
+}
+
+#[test]
 fn a_run_proves_itself_where_the_model_asks() {
     let folder = folder_with(&model("", "", "verify = { rotations = 2, orders = [1, 3] }\n"));
     let ran = ran_in(folder.path(), "run model.toml -o spin");

@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::support::{ROOT, folder_of, ran, ran_in};
+use super::support::{ROOT, Table, folder_of, ran, ran_in};
 
 /// What the README of an example shows after a command, up to its first line of dots.
 fn shown(example: &str, command: &str) -> String {
@@ -33,6 +33,20 @@ fn a_network_answers_as_its_page_shows() {
 #[test]
 fn a_spun_up_beam_answers_as_its_page_shows() {
     assert_answers_as_shown("spin-up-beam", "check");
+}
+
+/// The lag that the page of the example names, -0.574 m in the publication; the body starts at rest, parts included.
+#[test]
+fn the_tip_of_a_spun_up_beam_lags_as_published() {
+    let line =
+        "simulate examples/spin-up-beam/model.toml --system full --displacements --times 0,6.76 --quiet";
+    let answer = ran(line);
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    let lag = Table::of(&answer.stdout).column("beam tip along y");
+    assert_eq!(lag[0], 0.0);
+    assert!((lag[1] / -0.574 - 1.0).abs() < 1e-2, "{lag:?}");
+    let page = fs::read_to_string(Path::new(ROOT).join("examples/spin-up-beam/README.md")).unwrap();
+    assert!(page.contains(&format!("{:.3} m", lag[1]).replace('-', "−")), "{lag:?}");
 }
 
 /// Where the radar shape is, if it is anywhere: beside the model, or beside the repository.

@@ -15,10 +15,9 @@ mod numpy;
 mod op4;
 mod text;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
+use crate::file::{self, Unread};
 pub use error::{MatrixError, MatrixProblem, Place, Row};
 use format::{Format, NodeFormat};
 pub use freedom::Freedom;
@@ -128,20 +127,14 @@ pub fn freedoms_of(file: &Path, bytes: &[u8]) -> Result<Vec<Freedom>, MatrixErro
 }
 
 fn bytes_of(file: &Path) -> Result<Vec<u8>, MatrixError> {
-    let refused = |problem| MatrixError { file: file.to_owned(), place: Place::File, problem };
-    let unreadable = |error: std::io::Error| refused(MatrixProblem::Unreadable { kind: error.kind() });
-    let metadata = std::fs::metadata(file).map_err(unreadable)?;
-    if metadata.is_dir() {
-        return Err(refused(MatrixProblem::Folder));
-    }
-    let mut bytes = Vec::new();
-    if metadata.len() <= LARGEST {
-        File::open(file)
-            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
-            .map_err(unreadable)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > LARGEST {
-        return Err(refused(MatrixProblem::TooLarge { limit: LARGEST }));
-    }
-    Ok(bytes)
+    let problem = |unread: Unread| match unread {
+        Unread::Unreadable(kind) => MatrixProblem::Unreadable { kind },
+        Unread::Folder => MatrixProblem::Folder,
+        Unread::TooLarge => MatrixProblem::TooLarge { limit: LARGEST },
+    };
+    file::bytes_of(file, LARGEST).map_err(|unread| MatrixError {
+        file: file.to_owned(),
+        place: Place::File,
+        problem: problem(unread),
+    })
 }

@@ -1,30 +1,31 @@
-//! Files of meshes as bytes.
+//! Files of meshes as bytes, and how they write numbers.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::error::{MeshError, MeshProblem, Place};
+use crate::file::{self, Unread};
 
 /// Largest file that is read (bytes): twenty million triangles as binary STL.
 pub(super) const LARGEST: u64 = 1024 * 1024 * 1024;
 
+/// How the numbers of a file are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Text,
+    LittleEndian,
+    BigEndian,
+}
+
 /// The bytes of a file, which are at most [`LARGEST`].
 pub(super) fn bytes_of(file: &Path) -> Result<Vec<u8>, MeshError> {
-    let refused = |problem| MeshError { file: file.to_owned(), place: Place::File, problem };
-    let unreadable = |error: std::io::Error| refused(MeshProblem::Unreadable { kind: error.kind() });
-    let metadata = std::fs::metadata(file).map_err(unreadable)?;
-    if metadata.is_dir() {
-        return Err(refused(MeshProblem::Folder));
-    }
-    let mut bytes = Vec::new();
-    if metadata.len() <= LARGEST {
-        File::open(file)
-            .and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes))
-            .map_err(unreadable)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > LARGEST {
-        return Err(refused(MeshProblem::TooLarge { limit: LARGEST }));
-    }
-    Ok(bytes)
+    let problem = |unread: Unread| match unread {
+        Unread::Unreadable(kind) => MeshProblem::Unreadable { kind },
+        Unread::Folder => MeshProblem::Folder,
+        Unread::TooLarge => MeshProblem::TooLarge { limit: LARGEST },
+    };
+    file::bytes_of(file, LARGEST).map_err(|unread| MeshError {
+        file: file.to_owned(),
+        place: Place::File,
+        problem: problem(unread),
+    })
 }

@@ -67,7 +67,7 @@ pub(super) struct ForceTable<'a> {
 /// Opens every `[[force]]` that says what it is.
 pub(super) fn tables<'a>(file: &Table<'a>) -> Vec<ForceTable<'a>> {
     let open = |value: &Value<'a>| {
-        let (table, kind) = opened(value, "[[force]]", &ANY, &KINDS)?;
+        let (table, kind) = opened(value, "[[force]]", "kind", &ANY, &KINDS)?;
         Some(ForceTable { table, kind })
     };
     file.several("force", "[[force]]").iter().filter_map(open).collect()

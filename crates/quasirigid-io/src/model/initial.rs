@@ -47,7 +47,8 @@ pub struct Initial {
 pub enum Displacements {
     /// Those that follow the spin, without vibration.
     SlowManifold,
-    /// Given ones, in the order of the body's coordinates.
+    /// Given ones of points and appendages on a carrier, which are the first of the body's coordinates, in their order; the
+    /// others are at rest.
     Given {
         /// Coordinates (m, rad).
         q: Vec<f64>,
@@ -163,15 +164,15 @@ fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
     Some(Displacements::Given { q: q?, rate: rate? })
 }
 
-/// Coordinates of every part, points first, all zero; an element that is elastic throughout is the only part.
+/// Coordinates of the points and appendages on a carrier, points first, all zero.
 fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
-    let Some(assembly) = body.assembly() else { return Vec::new() };
+    let Some(assembly) = body.assembly().filter(|assembly| assembly.carrier.is_some()) else {
+        return Vec::new();
+    };
     // A motion that is none is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
     let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
-    let ellipsoid = assembly.ellipsoids.first().and_then(|ellipsoid| ellipsoid.body(0).ok());
-    let alone = ellipsoid.or_else(|| assembly.surfaces.first()?.body(0).ok());
-    points.chain(hinged).chain(alone.map(|body| vec![0.0; body.coordinates().len()])).collect()
+    points.chain(hinged).collect()
 }
 
 /// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
@@ -181,8 +182,15 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
     };
     let mut parts = at_rest(body);
     let mut good = true;
+    let floats = body.assembly().is_some_and(|assembly| assembly.carrier.is_none());
     for (key, value) in entries {
         let amount = match body.names.part(key.clone(), &value) {
+            Some(Part::Point(_)) if floats => value.refuse_at(
+                key,
+                format!("{:?} moves with the shapes of a body without a carrier", value.key()),
+                "no coordinate of its own",
+                Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
+            ),
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
                 of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))

@@ -1,7 +1,7 @@
 use super::table::{Keys, Table};
 use super::value::{Value, alternatives};
 
-/// A kind of table, chosen by its key `kind`.
+/// A kind of table, chosen by one of its keys, such as `kind`.
 pub(super) struct Kind<R: 'static> {
     /// The word that chooses it.
     pub(super) word: &'static str,
@@ -13,12 +13,15 @@ pub(super) struct Kind<R: 'static> {
     pub(super) read: R,
 }
 
-/// A kind, titled by the table and its word.
+/// A kind, titled by the table, the key and its word.
 macro_rules! kind {
     ($table:literal, $word:literal, $known:expr, $read:expr) => {
+        kind!($table, "kind", $word, $known, $read)
+    };
+    ($table:literal, $key:literal, $word:literal, $known:expr, $read:expr) => {
         Kind {
             word: $word,
-            title: concat!($table, " of kind \"", $word, "\""),
+            title: concat!($table, " of ", $key, " \"", $word, "\""),
             keys: Keys { known: $known, later: &[] },
             read: $read,
         }
@@ -26,23 +29,24 @@ macro_rules! kind {
 }
 pub(super) use kind;
 
-/// A table of the kind it says it is; `title` and `any` are the name and the keys of one that does not say.
+/// A table of the kind it says it is by a key; `title` and `any` are the name and the keys of one that does not say.
 pub(super) fn opened<'a, R>(
     value: &Value<'a>,
     title: &'static str,
+    key: &'static str,
     any: &'static Keys,
     kinds: &'static [Kind<R>],
 ) -> Option<(Table<'a>, &'static Kind<R>)> {
-    let Some(word) = value.entry("kind") else {
+    let Some(word) = value.entry(key) else {
         let words: Vec<String> = kinds.iter().map(|kind| format!("{:?}", kind.word)).collect();
-        value.table(title, any)?.required("kind", &format!("kind = {}", alternatives(&words)));
+        value.table(title, any)?.required(key, &format!("{key} = {}", alternatives(&words)));
         return None;
     };
     let choices: Vec<_> = kinds.iter().map(|kind| (kind.word, Some(kind))).collect();
     let kind = word.choice(&choices)?;
-    let others = |key: &str| {
-        let with = kinds.iter().filter(|kind| kind.keys.known.contains(&key));
-        let words: Vec<String> = with.map(|kind| format!("kind = {:?}", kind.word)).collect();
+    let others = |unknown: &str| {
+        let with = kinds.iter().filter(|kind| kind.keys.known.contains(&unknown));
+        let words: Vec<String> = with.map(|kind| format!("{key} = {:?}", kind.word)).collect();
         (!words.is_empty()).then(|| alternatives(&words))
     };
     Some((value.table_among(kind.title, &kind.keys, &others)?, kind))

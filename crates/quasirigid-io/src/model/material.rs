@@ -32,22 +32,12 @@ impl<'a> Materials<'a> {
     /// Reads every material, also those that nothing is made of.
     pub(super) fn new(file: &Table<'a>) -> Self {
         let help = "write [material.rock], and its name in place of rock, with its keys below";
-        let Some(value) = file.get("material") else { return Self { entries: BTreeMap::new() } };
-        let Some(named) = value.entries() else {
-            value.mismatch::<()>("a table for each material", help);
-            return Self { entries: BTreeMap::new() };
-        };
-        let open = |(_, value): (_, Value<'a>)| {
-            if !value.is_table() {
-                return value.mismatch("a table with the name of a material", help);
-            }
+        let open = |value: Value<'a>| {
             let table = value.table("the material", &MATERIAL)?;
-            Some((
-                value.key(),
-                Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) },
-            ))
+            let entry = Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) };
+            Some((value.key(), entry))
         };
-        Self { entries: named.filter_map(open).collect() }
+        Self { entries: file.named("material", help).into_iter().filter_map(open).collect() }
     }
 
     /// What an element is made of that takes isotropic materials alone.

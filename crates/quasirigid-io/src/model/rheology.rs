@@ -52,7 +52,7 @@ pub(super) fn rheology(table: &Table<'_>, scale: Scale) -> Option<Known> {
     if !value.is_table() {
         return value.mismatch("a table", "write for example { kind = \"quality-factor\", Q = 100 }");
     }
-    let (table, kind) = opened(&value, "`rheology`", &ANY, &KINDS)?;
+    let (table, kind) = opened(&value, "`rheology`", "kind", &ANY, &KINDS)?;
     (kind.read)(&table, scale)
 }
 

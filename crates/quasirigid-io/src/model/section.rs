@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 
 use quasirigid::elements::SectionShape;
 
+use super::kinds::{Kind, kind, opened};
 use super::names::suggestion;
 use super::table::{Keys, Table};
 use super::value::Value;
@@ -28,33 +29,19 @@ const ANY: Keys = Keys {
 
 type Read = fn(&Table<'_>) -> Option<SectionShape>;
 
-/// A shape of a section, chosen by the key `shape`.
-struct Shape {
-    word: &'static str,
-    title: &'static str,
-    keys: Keys,
-    read: Read,
-}
-
-/// A shape, titled by its word.
-macro_rules! shape {
-    ($word:literal, $known:expr, $read:expr) => {
-        Shape {
-            word: $word,
-            title: concat!("a section of shape \"", $word, "\""),
-            keys: Keys { known: $known, later: &[] },
-            read: $read,
-        }
-    };
-}
-
-static SHAPES: [Shape; 6] = [
-    shape!("rectangle", &["shape", "height", "width"], rectangle),
-    shape!("circle", &["shape", "radius"], circle),
-    shape!("tube", &["shape", "radius", "thickness"], tube),
-    shape!("box", &["shape", "height", "width", "thickness"], hollow),
-    shape!("I", &["shape", "height", "width", "web", "flange"], i_beam),
-    shape!("general", &["shape", "area", "second_y", "second_z", "torsion", "shear_areas"], general),
+static SHAPES: [Kind<Read>; 6] = [
+    kind!("a section", "shape", "rectangle", &["shape", "height", "width"], rectangle),
+    kind!("a section", "shape", "circle", &["shape", "radius"], circle),
+    kind!("a section", "shape", "tube", &["shape", "radius", "thickness"], tube),
+    kind!("a section", "shape", "box", &["shape", "height", "width", "thickness"], hollow),
+    kind!("a section", "shape", "I", &["shape", "height", "width", "web", "flange"], i_beam),
+    kind!(
+        "a section",
+        "shape",
+        "general",
+        &["shape", "area", "second_y", "second_z", "torsion", "shear_areas"],
+        general
+    ),
 ];
 
 /// The `[section.NAME]` tables of a file.
@@ -66,18 +53,8 @@ impl<'a> Sections<'a> {
     /// Reads every section, also those that no beam has.
     pub(super) fn new(file: &Table<'a>) -> Self {
         let help = "write [section.tube], and its name in place of tube, with its keys below";
-        let Some(value) = file.get("section") else { return Self { entries: BTreeMap::new() } };
-        let Some(named) = value.entries() else {
-            value.mismatch::<()>("a table for each section", help);
-            return Self { entries: BTreeMap::new() };
-        };
-        let open = |(_, value): (_, Value<'a>)| {
-            if !value.is_table() {
-                return value.mismatch("a table with the name of a section", help);
-            }
-            Some((value.key(), section(&value)))
-        };
-        Self { entries: named.filter_map(open).collect() }
+        let named = file.named("section", help).into_iter();
+        Self { entries: named.map(|value| (value.key(), section(&value))).collect() }
     }
 
     /// The section with the name that a value gives.
@@ -97,13 +74,8 @@ impl<'a> Sections<'a> {
 }
 
 fn section(value: &Value<'_>) -> Option<SectionShape> {
-    let Some(word) = value.entry("shape") else {
-        value.table("the section", &ANY)?.required("shape", "shape = \"tube\"");
-        return None;
-    };
-    let choices: Vec<_> = SHAPES.iter().map(|shape| (shape.word, Some(shape))).collect();
-    let shape = word.choice(&choices)?;
-    (shape.read)(&value.table(shape.title, &shape.keys)?)
+    let (table, shape) = opened(value, "the section", "shape", &ANY, &SHAPES)?;
+    (shape.read)(&table)
 }
 
 fn length(table: &Table<'_>, key: &'static str) -> Option<f64> {

@@ -1,10 +1,10 @@
-use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
 use super::{Diagnostic, FileProblem, ModelError};
+use crate::file::{Unread, bytes_of};
 
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
 const LARGEST: u64 = 64 * 1024 * 1024;
@@ -28,20 +28,14 @@ impl Source {
 
     /// Reads a file, and no more of it than a model file may have.
     pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
-        let unreadable = |problem| ModelError::Unreadable { file: file.to_owned(), problem };
-        let refused = |error: std::io::Error| unreadable(FileProblem::from(error.kind()));
-        let metadata = std::fs::metadata(file).map_err(refused)?;
-        if metadata.is_dir() {
-            return Err(unreadable(FileProblem::Folder));
-        }
-        if metadata.len() > LARGEST {
-            return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
-        }
-        let mut bytes = Vec::new();
-        File::open(file).and_then(|open| open.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(refused)?;
-        if bytes.len() as u64 > LARGEST {
-            return Err(unreadable(FileProblem::TooLarge { limit: LARGEST }));
-        }
+        let problem = |unread: Unread| match unread {
+            Unread::Unreadable(ErrorKind::NotFound) => FileProblem::Missing,
+            Unread::Unreadable(kind) => FileProblem::Refused { kind },
+            Unread::Folder => FileProblem::Folder,
+            Unread::TooLarge => FileProblem::TooLarge { limit: LARGEST },
+        };
+        let bytes = bytes_of(file, LARGEST)
+            .map_err(|unread| ModelError::Unreadable { file: file.to_owned(), problem: problem(unread) })?;
         String::from_utf8(bytes)
             .map(|text| Self::new(file, text))
             .map_err(|error| Self::not_text(file, &error))
@@ -57,15 +51,6 @@ impl Source {
         ModelError::Invalid {
             model: Self::new(file, text),
             diagnostics: vec![Diagnostic::new(start..end, message, "not UTF-8").help(help)],
-        }
-    }
-}
-
-impl From<ErrorKind> for FileProblem {
-    fn from(kind: ErrorKind) -> Self {
-        match kind {
-            ErrorKind::NotFound => Self::Missing,
-            kind => Self::Refused { kind },
         }
     }
 }

@@ -20,7 +20,7 @@ static KINDS: [Kind<Read>; 3] = [
 
 /// Opens `[support]`, if the file has it.
 pub(super) fn table<'a>(file: &Table<'a>) -> Option<(Table<'a>, &'static Kind<Read>)> {
-    opened(&file.single("support", "[support]")?, "[support]", &ANY, &KINDS)
+    opened(&file.single("support", "[support]")?, "[support]", "kind", &ANY, &KINDS)
 }
 
 fn prescribed(table: &Table<'_>) -> Option<Support> {

@@ -133,6 +133,22 @@ impl<'a> Table<'a> {
         };
         items
     }
+
+    /// The tables under a key that have a name each, as in `[material.rock]`; `help` says how one is written.
+    pub(super) fn named(&self, key: &'static str, help: &str) -> Vec<Value<'a>> {
+        let Some(value) = self.get(key) else { return Vec::new() };
+        let Some(named) = value.entries() else {
+            value.mismatch::<()>(&format!("a table for each {key}"), help);
+            return Vec::new();
+        };
+        let table = |(_, value): (_, Value<'a>)| {
+            if value.is_table() {
+                return Some(value);
+            }
+            value.mismatch(&format!("a table with the name of a {key}"), help)
+        };
+        named.filter_map(table).collect()
+    }
 }
 
 fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &str) -> Diagnostic {

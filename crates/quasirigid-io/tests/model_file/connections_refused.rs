@@ -174,7 +174,7 @@ fn connections_in_a_circle_are_refused() {
 fn a_hinge_has_values_for_its_axes() {
     let hinge = |lines: &str| connection(&format!("{TIP}{EDGE}hinge = {lines}"));
     assert_snapshot!(hinge("[0, 1, 0]\nstiffness = [1, 2]\n"), @"
-    model.toml:29:13: `stiffness` of connection 1: there are 1 axes but 2 values
+    model.toml:29:13: `stiffness` of connection 1: 1 axis, but 2 values
       write one number for all axes, or one per axis
     ");
     assert_snapshot!(hinge("[0, 0, 0]\nstiffness = 1\n"), @"

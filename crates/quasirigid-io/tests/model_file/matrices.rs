@@ -132,7 +132,7 @@ fn nodes(unit: f64) -> String {
         let [x, y, z] = place.map(|entry| entry / unit);
         format!("{label} {x:e} {y:e} {z:e}\n")
     };
-    line(11, [0.3, -0.1, 0.2]) + &line(7, [0.5, 0.2, -0.3]) + &line(3, [1.4, -0.6, 0.8])
+    line(3, [1.4, -0.6, 0.8]) + &line(7, [0.5, 0.2, -0.3]) + &line(11, [0.3, -0.1, 0.2])
 }
 
 const KEYS: &str = "nodes = \"nodes.txt\"\nstiffness = \"K.mtx\"\nmass = \"M.mtx\"\n";
@@ -179,7 +179,7 @@ fn rows_with_labels_and_rows_in_order_are_the_same_freedoms() {
     assert_same(&read(&files, lines), &plain("damping = \"B.mtx\"\n"), 1e-12);
 }
 
-/// A list of freedoms in any order; without it three rows belong to each node, in the order of the labels.
+/// A list of freedoms in any order; without it three rows belong to each node, in the order of the table.
 #[test]
 fn a_list_of_freedoms_says_what_the_rows_are_about() {
     const LIST: [&str; 9] = ["7.2", "3 1", "11.1", "7.3", "3.3", "11.3", "7.1", "3.2", "11 2"];

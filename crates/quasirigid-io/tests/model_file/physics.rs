@@ -102,20 +102,20 @@ fn impossible_hinges_and_motions_are_refused() {
     assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1], [0, 0, 2]]\nstiffness = [1, 2, 3]\n")), @r#"
     model.toml:11:8: `axes` of appendage "boom": the axes are not independent, so two hinge angles would be the same motion
       no axis may be a combination of the others
-    model.toml:12:13: `stiffness` of appendage "boom": there are 2 axes but 3 values
+    model.toml:12:13: `stiffness` of appendage "boom": 2 axes, but 3 values
       write one number for all axes, one per axis, or a square matrix with a row per axis
     "#);
     let hinge = |stiffness: &str| verdict(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = {stiffness}\n"));
     assert_snapshot!(hinge("[]"), @r#"
-    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 0 values
+    model.toml:12:13: `stiffness` of appendage "boom": 1 axis, but 0 values
       write one number for all axes, one per axis, or a square matrix with a row per axis
     "#);
     assert_snapshot!(hinge("[[]]"), @r#"
-    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 0 values
+    model.toml:12:13: `stiffness` of appendage "boom": 1 axis, but 0 values
       write one number for all axes, one per axis, or a square matrix with a row per axis
     "#);
     assert_snapshot!(hinge("[[1, 2], [2, 1]]"), @r#"
-    model.toml:12:13: `stiffness` of appendage "boom": there are 1 axes but 2 values
+    model.toml:12:13: `stiffness` of appendage "boom": 1 axis, but 2 values
       write one number for all axes, one per axis, or a square matrix with a row per axis
     "#);
 }

@@ -64,7 +64,7 @@ fn a_wrong_section_is_refused() {
     let refused = |lines: &str| refusal(&model(lines));
     assert_snapshot!(refused("radius = 0.03\n"), @r#"
     model.toml:9:1: the section has no `shape`
-      add a line such as: shape = "tube"
+      add a line such as: shape = "rectangle", "circle", "tube", "box", "I" or "general"
     "#);
     assert_snapshot!(refused("shape = \"channel\"\nradius = 0.03\n"), @r#"
     model.toml:10:9: `shape` cannot be "channel"

@@ -182,6 +182,16 @@ pub enum PropagateError {
         /// Order asked for.
         order: usize,
     },
+    /// The state is that of another body.
+    #[error("the state has {coordinates} internal coordinates and {rates} rates; the body has {needed}")]
+    Coordinates {
+        /// Coordinates of the state.
+        coordinates: usize,
+        /// Rates of the state.
+        rates: usize,
+        /// Coordinates of the body.
+        needed: usize,
+    },
     /// The free vibrations cannot be told apart.
     #[error("the damped modes of the body could not be found; the damping matrix may be defective")]
     NoModes,

@@ -1,8 +1,8 @@
 //! What no body can have is refused, with the place and the value; nothing is repaired. Thresholds on both sides.
 
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Problem,
-    Spring,
+    Assembly, Carrier, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Point,
+    Problem, Spring,
 };
 use quasirigid::model::{InertiaError, Rheology, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
@@ -283,6 +283,34 @@ fn a_body_without_inertia_about_some_axis_is_refused() {
     refused!(needle(0.0), Place::Carrier, Field::Inertia, Problem::NoInertia { .. });
     refused!(needle(1.4e-8), Place::Carrier, Field::Inertia, Problem::NoInertia { .. });
     assert_eq!(error(needle(1.6e-8)), None);
+}
+
+/// Three points in a line on a body without a carrier; the slightest bend gives it inertia.
+#[test]
+fn a_floating_line_of_points_is_refused() {
+    let floating = |bend: f64| {
+        let point = |x: f64, y: f64| Point {
+            name: format!("at {x}"),
+            mass: 2.0,
+            position: [0.3 + x, 0.1 + y, -0.7],
+            motion: Motion::Free,
+        };
+        let law =
+            Law::Spatial { stiffness: Coefficient::Isotropic(50.0), damping: Coefficient::Isotropic(0.0) };
+        let spring = |from: usize, to: usize| Spring {
+            from: End::Point(from),
+            to: End::Point(to),
+            law: law.clone(),
+            rheology: Rheology::Elastic,
+        };
+        let points = vec![point(0.0, 0.0), point(1.0, bend), point(2.5, 0.0)];
+        let springs = vec![spring(0, 1), spring(1, 2), spring(0, 2)];
+        Assembly { points, springs, ..Assembly::default() }.body()
+    };
+    let error = floating(0.0).unwrap_err();
+    assert_eq!((error.place, error.field), (Place::Point(0), Field::Inertia));
+    assert!(matches!(error.problem, Problem::NoInertia { .. }), "{error}");
+    assert!(floating(0.1).is_ok());
 }
 
 #[test]

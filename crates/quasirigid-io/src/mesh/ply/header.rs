@@ -1,15 +1,8 @@
 use crate::mesh::error::{Fault, MeshProblem, Part, Place};
+use crate::mesh::file::Encoding;
 
 /// Characters of a line that are shown.
 const SHOWN: usize = 80;
-
-/// How the values of a PLY file are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Encoding {
-    Text,
-    LittleEndian,
-    BigEndian,
-}
 
 /// Type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +110,7 @@ impl Header {
                 [] | ["comment" | "obj_info", ..] => {}
                 ["end_header"] => break,
                 ["format", name, "1.0"] if encoding.is_none() => {
-                    encoding = Some(Encoding::named(name).ok_or_else(refused)?);
+                    encoding = Some(encoding_named(name).ok_or_else(refused)?);
                 }
                 ["element", name, count] => {
                     let element = Element::new(name, count).ok_or_else(refused)?;
@@ -163,14 +156,12 @@ impl Header {
     }
 }
 
-impl Encoding {
-    fn named(name: &str) -> Option<Self> {
-        match name {
-            "ascii" => Some(Self::Text),
-            "binary_little_endian" => Some(Self::LittleEndian),
-            "binary_big_endian" => Some(Self::BigEndian),
-            _ => None,
-        }
+fn encoding_named(name: &str) -> Option<Encoding> {
+    match name {
+        "ascii" => Some(Encoding::Text),
+        "binary_little_endian" => Some(Encoding::LittleEndian),
+        "binary_big_endian" => Some(Encoding::BigEndian),
+        _ => None,
     }
 }
 

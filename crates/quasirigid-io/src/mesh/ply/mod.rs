@@ -3,7 +3,8 @@ mod values;
 
 use super::TriangleMesh;
 use super::error::{Fault, MeshProblem, Part};
-use header::{Element, Encoding, Header, Kind};
+use crate::mesh::file::Encoding;
+use header::{Element, Header, Kind};
 use values::{Binary, Text, Values};
 
 /// PLY: vertices and faces, among any other elements and properties, in any order.

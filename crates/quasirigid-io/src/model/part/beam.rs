@@ -1,5 +1,3 @@
-use std::collections::HashSet;
-
 use quasirigid::elements::{Frame, FrameNode, Kind, Member, Part, TipMass};
 
 use super::super::body::inertia;
@@ -65,10 +63,7 @@ fn nodes(value: &Value<'_>) -> Option<Vec<FrameNode>> {
         Some(FrameNode { name: place.key().to_owned(), position })
     };
     let all: Vec<Option<FrameNode>> = entries.into_iter().map(node).collect();
-    let nodes: Vec<FrameNode> = all.into_iter().collect::<Option<_>>()?;
-    let names: HashSet<&str> = nodes.iter().map(|node| node.name.as_str()).collect();
-    debug_assert_eq!(names.len(), nodes.len(), "TOML refuses a key that stands twice");
-    Some(nodes)
+    all.into_iter().collect()
 }
 
 fn lines(value: &Value<'_>, nodes: &Nodes) -> Option<Vec<[usize; 2]>> {

@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use quasirigid::elements::NodalMass;
@@ -130,24 +130,23 @@ impl<'f> Rows<'f> {
         nodes: &'f NodeTable,
     ) -> Option<Self> {
         let mut rows = Self { nodes, listed, numbers: BTreeMap::new(), places: Vec::new() };
-        let mut all = BTreeSet::new();
-        for file in files {
-            all.extend(rows.of(file)?);
-        }
         let indices: BTreeMap<u64, usize> =
             nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
-        for freedom in &all {
-            let index = indices.get(&freedom.node).copied();
-            let component = usize::from(freedom.component).checked_sub(1).filter(|component| *component < 6);
-            let Some(place) = index.zip(component) else {
-                let help =
-                    "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
-                let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
-                return files[0].value.refuse(message, "a row without a node", Some(help.to_owned()));
-            };
-            rows.places.push(place);
+        let mut found = BTreeMap::new();
+        for file in files {
+            for freedom in rows.of(file)? {
+                let index = indices.get(&freedom.node).copied();
+                let component = usize::from(freedom.component).checked_sub(1).filter(|known| *known < 6);
+                let Some(place) = index.zip(component) else {
+                    let help = "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
+                    let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
+                    return file.value.refuse(message, "a row without a node", Some(help.to_owned()));
+                };
+                found.insert(freedom, place);
+            }
         }
-        rows.numbers = all.into_iter().enumerate().map(|(number, freedom)| (freedom, number)).collect();
+        rows.places = found.values().copied().collect();
+        rows.numbers = found.into_keys().enumerate().map(|(number, freedom)| (freedom, number)).collect();
         Some(rows)
     }
 

@@ -20,8 +20,14 @@ pub fn propagate_full(
     options: Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
+    let (coordinates, rates) = (initial.q.len(), initial.rate.len());
+    let needed = system.body.coordinates().len();
+    if (coordinates, rates) != (needed, needed) {
+        return Err(PropagateError::Coordinates { coordinates, rates, needed });
+    }
     let y = initial.pack(system.body);
-    let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose());
+    let end = times.last().copied().unwrap_or_default();
+    let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
     check(scales.spin, times, options.tolerance)?;
     let allowed = allowed(system.body, &scales, options.tolerance);
     let full = FullSystem::new(system);

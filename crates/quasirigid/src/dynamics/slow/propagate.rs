@@ -31,7 +31,8 @@ pub fn propagate_forced(
         return Err(PropagateError::Order { order });
     }
     let omega = slow_state_point(system, order, initial)?.omega;
-    let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0));
+    let end = times.last().copied().unwrap_or_default();
+    let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0), end);
     check(scales.spin, times, options.tolerance)?;
     let mut y = initial.pack();
     let mut first = scales.momentum;

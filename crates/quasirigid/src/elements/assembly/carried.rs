@@ -40,7 +40,7 @@ impl Assembly {
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
-        self.has_inertia(&invariants)?;
+        self.has_inertia(Place::Carrier, &invariants)?;
         let start = whole.flexible();
         let nodes = net.as_ref().zip(whole.component.as_ref());
         let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
@@ -73,7 +73,8 @@ impl Assembly {
         points.chain(hinged).collect()
     }
 
-    fn has_inertia(&self, invariants: &Invariants) -> Result<(), ElementError> {
+    /// Accepts a body that resists a turn about every axis; `blamed` is the element to name otherwise.
+    pub(super) fn has_inertia(&self, blamed: Place, invariants: &Invariants) -> Result<(), ElementError> {
         let [xx, yy, zz, yz, zx, xy] = invariants.J;
         let mut moments: [f64; 3] =
             Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigenvalues().into();
@@ -82,7 +83,7 @@ impl Assembly {
             return Ok(());
         }
         let problem = Problem::NoInertia { moments, held: self.support != Support::Free };
-        Err(at(Place::Carrier, Field::Inertia)(problem))
+        Err(at(blamed, Field::Inertia)(problem))
     }
 
     /// Stiffness and damping matrices (I9), coordinates numbered points first, then appendages, then parts.

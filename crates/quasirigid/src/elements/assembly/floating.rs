@@ -24,6 +24,9 @@ impl Assembly {
         let net = Net::of_everything(self)?;
         let component = net.component(!self.parts.iter().any(Part::is_frame))?;
         let center = component.center();
+        let invariants = invariants(&component, center);
+        let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
+        self.has_inertia(whole, &invariants)?;
         let size = component.size();
         let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;
         let pulled = net.pulled(&component, 0);
@@ -38,7 +41,7 @@ impl Assembly {
             support: Support::Free,
             pole: center.into(),
             center_of_mass: center.into(),
-            invariants: invariants(&component, center),
+            invariants,
             damping,
             stiffness,
             lossy,

@@ -39,7 +39,7 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
 
 /// Accepts parts that attachments and connections join to the carrier, directly or through others.
 fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
-    let held = |part: &Part| !part.attached.is_empty() || part.held().is_some() || part.is_frame();
+    let held = |part: &Part| !part.attached.is_empty() || part.stands();
     let mut joined: Vec<bool> = assembly.parts.iter().map(held).collect();
     let part = |anchor: &Anchor| match anchor {
         Anchor::Carrier => None,

@@ -88,6 +88,14 @@ pub enum Problem {
         /// Number of rows.
         count: usize,
     },
+    /// A region names a cell that is not there.
+    #[error("there is no cell {index} among {count}")]
+    NoSuchCell {
+        /// Index of the cell.
+        index: usize,
+        /// Number of cells.
+        count: usize,
+    },
     /// Shapes are not over the rows of the mass matrix.
     #[error(
         "there are {rows} rows of shapes and {freedoms} rows of the mass; each row of one is a row of the other"
@@ -315,7 +323,7 @@ pub enum Problem {
     #[error("the axes are not independent, so two hinge angles would be the same motion")]
     DependentAxes,
     /// A hinge coefficient does not have one value or row per axis.
-    #[error("there are {axes} axes but {values} values")]
+    #[error("{}, but {}", counted(*axes, "axis", "axes"), counted(*values, "value", "values"))]
     ValuePerAxis {
         /// Number of axes.
         axes: usize,
@@ -389,4 +397,8 @@ fn all(faults: &[MeshFault]) -> String {
         listed.push(format!("and {} more faults", faults.len() - MOST_FAULTS));
     }
     listed.join("; ")
+}
+
+fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }

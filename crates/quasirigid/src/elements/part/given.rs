@@ -1,3 +1,5 @@
+use nalgebra::DMatrix;
+
 use super::nodal::NodalMass;
 use crate::elements::error::{ElementError, Field, Place, at};
 use crate::elements::structure::{Hold, Matter, Structure};
@@ -17,6 +19,9 @@ pub struct Matrices {
     /// How what has this stiffness answers periodic strain.
     pub rheology: Rheology,
 }
+
+/// Energies below this share of those that cancel are rounding of the numbers in a file.
+const ROUNDING: f64 = 1e-12;
 
 impl Matrices {
     /// Adds its blocks to a structure that has its nodes.
@@ -49,6 +54,21 @@ impl Matrices {
     pub(super) fn held(&self) -> Option<u64> {
         let held = self.mass.moves().iter().position(|moves| moves[..3].contains(&false))?;
         Some(self.mass.node_labels[held])
+    }
+
+    /// Whether it resists every motion of the whole as a rigid body: the other program held nodes that it does not name.
+    pub(super) fn stands(&self) -> bool {
+        let rigid = self.mass.rigid();
+        let mut forces = DMatrix::zeros(rigid.nrows(), rigid.ncols());
+        let mut scale = 0.0;
+        for (row, column, stiffness) in &self.stiffness {
+            let force = *stiffness * rigid.row(*column);
+            let mut sum = forces.row_mut(*row);
+            sum += force;
+            scale += stiffness.abs() * rigid.row(*row).norm() * rigid.row(*column).norm();
+        }
+        let energies = rigid.tr_mul(&forces).symmetric_eigenvalues();
+        !energies.is_empty() && energies.min() > ROUNDING * scale
     }
 
     /// How each node is held where its components have no row.

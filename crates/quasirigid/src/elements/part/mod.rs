@@ -101,6 +101,14 @@ impl Part {
         matches!(&self.kind, Kind::Modes(modes) if modes.interface.is_empty())
     }
 
+    /// Whether it needs no attachment on a carrier: the program that it comes from held it.
+    pub(super) fn stands(&self) -> bool {
+        match &self.kind {
+            Kind::Matrices(given) => given.held().is_some() || given.stands(),
+            _ => self.is_frame(),
+        }
+    }
+
     /// Adds its elements to a structure that has its nodes, the first of them at `first`.
     ///
     /// # Errors

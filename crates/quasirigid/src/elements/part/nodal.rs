@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Matrix3xX, Matrix6, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
@@ -26,6 +26,10 @@ pub(super) type Blocks<const N: usize> = BTreeMap<(usize, usize), [Matrix6<f64>;
 
 /// Entries that should agree may differ by this much relative to the larger diagonal.
 const SYMMETRIC: f64 = 1e-9;
+/// A motion with less than this share of the largest moves nothing.
+const STILL: f64 = 1e-9;
+/// Entries below this share of the largest are rounding: what is left of a stiffness that resists nothing.
+const ROUNDING: f64 = 1e-13;
 
 impl NodalMass {
     /// Freedoms of each node: 3, or 6 if some node turns.
@@ -37,6 +41,29 @@ impl NodalMass {
     pub(super) fn structure_nodes(&self) -> impl Iterator<Item = Node> + '_ {
         let turns = self.per_node() == 6;
         self.nodes.iter().map(move |place| Node { place: Vector3::from(*place), turns })
+    }
+
+    /// The motions as a rigid body that move some row, an orthonormal column each: six, or five of nodes in a line.
+    pub(super) fn rigid(&self) -> DMatrix<f64> {
+        let place = |node: usize| Vector3::from(self.nodes[node]);
+        let middle = (0..self.nodes.len()).map(place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64;
+        let motion = |row: usize, motion: usize| {
+            let (node, component) = self.freedoms[row];
+            let axis = Vector3::ith(motion % 3, 1.0);
+            match (component < 3, motion < 3) {
+                (true, true) => axis[component],
+                (true, false) => axis.cross(&(place(node) - middle))[component],
+                (false, true) => 0.0,
+                (false, false) => axis[component - 3],
+            }
+        };
+        let motions = DMatrix::from_fn(self.freedoms.len(), 6, motion);
+        let moved = motions.svd(true, false);
+        let least = STILL * moved.singular_values.max();
+        let columns: Vec<usize> = (0..moved.singular_values.len())
+            .filter(|motion| moved.singular_values[*motion] > least)
+            .collect();
+        moved.u.map_or_else(|| DMatrix::zeros(0, 0), |basis| basis.select_columns(&columns))
     }
 
     /// Components of each node that have a row.
@@ -183,14 +210,15 @@ pub(super) fn symmetric(
         }
         *found.entry((*row, *column)).or_default() += value;
     }
+    let rounding = ROUNDING * found.values().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default();
-    if let Some(row) = (0..count).find(|row| diagonal(*row) < 0.0) {
+    if let Some(row) = (0..count).find(|row| diagonal(*row) < -rounding) {
         return Err(Problem::NegativeDiagonal { freedom: name(row), value: diagonal(row) });
     }
     for ((row, column), value) in &found {
         let other = found.get(&(*column, *row)).copied().unwrap_or_default();
         let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(value.abs());
-        if !((value - other).abs() <= SYMMETRIC * scale) {
+        if !((value - other).abs() <= SYMMETRIC * scale + rounding) {
             return Err(Problem::Lopsided { freedoms: [name(*row), name(*column)], values: [*value, other] });
         }
     }

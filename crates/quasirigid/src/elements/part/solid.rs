@@ -55,6 +55,10 @@ impl Solid {
             let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::Material))?);
             let rheology = region.substance.rheology().clone();
             let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            let count = self.mesh.cells.len();
+            if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
+                return Err(at(place, Field::Material)(Problem::NoSuchCell { index, count }));
+            }
             let cells = region.cells.iter().map(|cell| &self.mesh.cells[*cell]);
             for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
                 structure.elements.push(Box::new(SolidCell {

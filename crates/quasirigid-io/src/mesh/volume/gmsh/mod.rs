@@ -11,8 +11,9 @@ use quasirigid::math::mesh::Mesh;
 use super::draft::Draft;
 use super::problem::VolumeProblem;
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
+use crate::mesh::file::Encoding;
 use groups::Groups;
-use source::{Encoding, Source};
+use source::Source;
 
 /// Version of a file: their sections differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

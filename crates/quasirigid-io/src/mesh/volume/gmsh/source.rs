@@ -1,15 +1,8 @@
 use super::{Fault, MeshProblem, Part, Place, Row, VolumeProblem};
+use crate::mesh::file::Encoding;
 
 /// Characters of a line that are shown.
 const SHOWN: usize = 80;
-
-/// How the numbers of a file are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Encoding {
-    Text,
-    LittleEndian,
-    BigEndian,
-}
 
 /// Size of a whole number in a binary file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

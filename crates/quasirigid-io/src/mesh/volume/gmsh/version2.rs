@@ -1,8 +1,9 @@
 //! Sections of version 2.2: nodes and elements one by one, each element with its group.
 
 use super::groups::Groups;
-use super::source::{Encoding, Source, Width};
+use super::source::{Source, Width};
 use super::{Draft, Fault, MeshProblem, Part, Row, add_cell, kinds, nodes_of, point};
+use crate::mesh::file::Encoding;
 
 fn read_count(source: &mut Source, part: Part) -> Result<u64, Fault> {
     source.announce(part.clone(), 1);

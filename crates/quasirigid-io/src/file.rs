@@ -1,0 +1,31 @@
+//! Files as bytes, no more of them than a limit.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read};
+use std::path::Path;
+
+/// Why a file is not read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Unread {
+    Unreadable(ErrorKind),
+    Folder,
+    /// It has more bytes than the limit.
+    TooLarge,
+}
+
+/// The bytes of a file, which are at most `limit`.
+pub(crate) fn bytes_of(file: &Path, limit: u64) -> Result<Vec<u8>, Unread> {
+    let unreadable = |error: Error| Unread::Unreadable(error.kind());
+    let metadata = std::fs::metadata(file).map_err(unreadable)?;
+    if metadata.is_dir() {
+        return Err(Unread::Folder);
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() <= limit {
+        File::open(file).and_then(|open| open.take(limit + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
+    }
+    if metadata.len().max(bytes.len() as u64) > limit {
+        return Err(Unread::TooLarge);
+    }
+    Ok(bytes)
+}

@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{
-    Form, Observer, Options, Outcome, PropagateError, Sample, SpinState, propagate, spin_path,
+    Forced, Form, FullState, Observer, Options, Outcome, PropagateError, Sample, SpinState, propagate,
+    propagate_full, spin_path,
 };
 use quasirigid::model::ReducedBody;
 
@@ -152,4 +153,18 @@ fn times_that_do_not_ascend_are_refused() {
 #[test]
 fn a_spin_without_momentum_is_refused() {
     assert_eq!(refused([300.0, -200.0, 400.0], &[1.0], Options::default()), Some(PropagateError::NoMomentum));
+}
+
+/// A state of another body: other coordinates, or other rates.
+#[test]
+fn a_state_of_another_body_is_refused() {
+    let body = crate::wobbler::assembly().body().unwrap();
+    let needed = body.coordinates().len();
+    let good = FullState::at_rest(&body, START, attitude());
+    for (coordinates, rates) in [(0, needed), (needed, needed + 1), (0, 0)] {
+        let state = FullState { q: vec![0.0; coordinates], rate: vec![0.0; rates], ..good.clone() };
+        let found =
+            propagate_full(Forced::not(&body), &state, &[1.0], Options::default(), &mut Impatient::default());
+        assert_eq!(found.err(), Some(PropagateError::Coordinates { coordinates, rates, needed }));
+    }
 }

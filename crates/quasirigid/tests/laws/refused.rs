@@ -300,7 +300,7 @@ fn a_floating_line_of_points_is_refused() {
         let spring = |from: usize, to: usize| Spring {
             from: End::Point(from),
             to: End::Point(to),
-            law: law.clone(),
+            law,
             rheology: Rheology::Elastic,
         };
         let points = vec![point(0.0, 0.0), point(1.0, bend), point(2.5, 0.0)];

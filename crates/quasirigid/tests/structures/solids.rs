@@ -2,7 +2,8 @@
 
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Surface,
+    Assembly, Carrier, Field, Frame, FrameNode, Kind, Material, Member, Part, Place, Problem, Reduction,
+    SectionShape, Surface,
 };
 use quasirigid::math::mesh::{Mesh, Shape};
 use quasirigid::math::surface::ClosedSurface;
@@ -209,4 +210,15 @@ fn power_of_losses_grows_with_their_times() {
     assert!(((first + second) / both - 1.0).abs() < 1e-6, "{first} {second} {both}");
     assert!((double / both - 2.0).abs() < 1e-12, "{double} {both}");
     assert!(first > 0.05 * both && second > 0.05 * both, "{first} {second} {both}");
+}
+
+#[test]
+fn a_region_of_cells_that_are_not_there_is_refused() {
+    let (mesh, clamped) = bar(Shape::Hex8, [2, 1, 1]);
+    let regions = [(vec![0, 1, 2], rock(Rheology::Elastic))];
+    let part = solid(mesh, &regions, clamped);
+    let assembly = Assembly { carrier: Some(carrier()), parts: vec![part], ..Assembly::default() };
+    let error = assembly.body().unwrap_err();
+    assert_eq!((error.place, error.field), (Place::Part(0), Field::Material));
+    assert_eq!(error.problem, Problem::NoSuchCell { index: 2, count: 2 });
 }

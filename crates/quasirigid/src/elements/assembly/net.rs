@@ -261,22 +261,22 @@ impl<'a> Net<'a> {
     fn mechanism(&self, loose: &[Unknown]) -> ElementError {
         const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
         let hinges = loose.iter().filter_map(|unknown| match *unknown {
-            Unknown::OfJoint(node, axis) => {
+            Unknown::Joint(node, axis) => {
                 let hinge = Place::Connection(self.hinged_by(node)?);
                 Some((hinge, format!("{hinge} about its axis {}", axis + 1)))
             }
-            Unknown::OfNode(..) | Unknown::OfCoordinate(..) => None,
+            Unknown::Node(..) | Unknown::Coordinate(..) => None,
         });
         let (hinges, names): (Vec<Place>, Vec<String>) = hinges.unzip();
         if let Some(first) = hinges.first() {
             return at(*first, Field::Stiffness)(Problem::Mechanism { coordinates: listed(names) });
         }
         let nodes = loose.iter().filter_map(|unknown| match *unknown {
-            Unknown::OfNode(node, component) => {
+            Unknown::Node(node, component) => {
                 Some((node, format!("{} {}", self.node_name(node), COMPONENTS[component])))
             }
-            Unknown::OfCoordinate(node, component) => Some((node, self.coordinate_name(node, component))),
-            Unknown::OfJoint(..) => None,
+            Unknown::Coordinate(node, component) => Some((node, self.coordinate_name(node, component))),
+            Unknown::Joint(..) => None,
         });
         let (nodes, names): (Vec<usize>, Vec<String>) = nodes.unzip();
         let first = nodes.first().copied().unwrap_or_default();

@@ -24,6 +24,9 @@ pub struct NodalMass {
 /// Blocks of matrices between two nodes, 6×6 each, by pairs of nodes, the smaller first.
 pub(super) type Blocks<const N: usize> = BTreeMap<(usize, usize), [Matrix6<f64>; N]>;
 
+/// Rows, columns and entries of a matrix, both triangles.
+pub(super) type Entries<'e> = &'e [(usize, usize, f64)];
+
 /// Entries that should agree may differ by this much relative to the larger diagonal.
 const SYMMETRIC: f64 = 1e-9;
 /// A motion with less than this share of the largest moves nothing.
@@ -82,7 +85,7 @@ impl NodalMass {
     pub(super) fn blocks<const N: usize>(
         &self,
         place: Place,
-        matrices: [(Field, &[(usize, usize, f64)]); N],
+        matrices: [(Field, Entries<'_>); N],
     ) -> Result<Blocks<N>, ElementError> {
         let zero = [Matrix6::zeros(); N];
         let mut blocks = Blocks::new();
@@ -198,7 +201,7 @@ fn scalar(mass: &Matrix6<f64>, lumps: [&Lump; 2]) -> f64 {
 
 /// Accepts the entries of a symmetric matrix that gives no motion of a single freedom energy; `name` is that of a row.
 pub(super) fn symmetric(
-    entries: &[(usize, usize, f64)],
+    entries: Entries<'_>,
     count: usize,
     name: impl Fn(usize) -> String,
 ) -> Result<(), Problem> {

@@ -120,7 +120,7 @@ fn diagonal(unknown: usize, value: f64, sum: &mut Symmetric) {
 
 fn joint_unknowns<'f>(freedoms: &'f Freedoms, joint: &'f Joint) -> impl Iterator<Item = (usize, usize)> + 'f {
     freedoms.unknowns().iter().enumerate().filter_map(move |(index, unknown)| match unknown {
-        Unknown::OfJoint(node, axis) if *node == joint.node => Some((*axis, index)),
+        Unknown::Joint(node, axis) if *node == joint.node => Some((*axis, index)),
         _ => None,
     })
 }

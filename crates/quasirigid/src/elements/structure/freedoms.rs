@@ -43,11 +43,11 @@ pub(in crate::elements) enum Hold {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::elements) enum Unknown {
     /// Component 0 to 5 of the motion of a node.
-    OfNode(usize, usize),
+    Node(usize, usize),
     /// Rotation of a held node about one of its axes.
-    OfJoint(usize, usize),
+    Joint(usize, usize),
     /// Generalised coordinate that a node keeps as one of its components.
-    OfCoordinate(usize, usize),
+    Coordinate(usize, usize),
 }
 
 /// Displacements and rotations of the nodes as combinations of unknowns. (K2)
@@ -88,7 +88,7 @@ impl Freedoms {
     /// First unknown of each group of unknowns of one node, and the end.
     pub fn groups(&self) -> Vec<u32> {
         let owner = |unknown: &Unknown| match *unknown {
-            Unknown::OfNode(node, _) | Unknown::OfJoint(node, _) | Unknown::OfCoordinate(node, _) => node,
+            Unknown::Node(node, _) | Unknown::Joint(node, _) | Unknown::Coordinate(node, _) => node,
         };
         let starts = (1..self.unknowns.len())
             .filter(|index| owner(&self.unknowns[*index]) != owner(&self.unknowns[index - 1]));

@@ -29,10 +29,10 @@ impl<'n> Rows<'n> {
         let mut rows = Self { nodes, made: vec![Vec::new(); nodes.len()], unknowns: Vec::new() };
         for node in order(holds)? {
             rows.made[node] = match &holds[node] {
-                Hold::Free => rows.own(node, |_| true, Unknown::OfNode),
-                Hold::Partly(moves) => rows.own(node, |component| moves[component], Unknown::OfNode),
+                Hold::Free => rows.own(node, |_| true, Unknown::Node),
+                Hold::Partly(moves) => rows.own(node, |component| moves[component], Unknown::Node),
                 Hold::Coordinates(count) => {
-                    rows.own(node, |component| component < *count, Unknown::OfCoordinate)
+                    rows.own(node, |component| component < *count, Unknown::Coordinate)
                 }
                 Hold::On { base, axes } => rows.held(node, *base, axes),
                 Hold::Shaped { columns, shares } => rows.shaped(node, columns, shares),
@@ -74,13 +74,13 @@ impl<'n> Rows<'n> {
         if self.count(node) == 6 && held.len() == 6 {
             made.extend_from_slice(&held[3..]);
             for (number, axis) in axes.iter().enumerate() {
-                let turn = self.unknown(Unknown::OfJoint(node, number));
+                let turn = self.unknown(Unknown::Joint(node, number));
                 for component in 0..3 {
                     made[3 + component].extend(scaled(&turn, axis[component]));
                 }
             }
         } else if self.count(node) == 6 {
-            made.extend((3..6).map(|component| self.unknown(Unknown::OfNode(node, component))));
+            made.extend((3..6).map(|component| self.unknown(Unknown::Node(node, component))));
         }
         made
     }

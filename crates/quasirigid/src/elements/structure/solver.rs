@@ -82,7 +82,7 @@ impl Rigid {
         let unknowns = discrete.freedoms.unknowns();
         let mut fields = DMatrix::zeros(6, unknowns.len());
         for (column, unknown) in unknowns.iter().enumerate() {
-            if let Unknown::OfNode(node, component) = *unknown {
+            if let Unknown::Node(node, component) = *unknown {
                 let motion = motions(nodes[node].place - center);
                 fields.column_mut(column).copy_from(&motion.column(component));
             }

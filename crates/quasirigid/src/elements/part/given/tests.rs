@@ -171,6 +171,32 @@ fn a_turning_node_has_its_rotary_inertia() {
     }
 }
 
+/// Cells that nothing holds have no stiffness against the whole; springs to the ground at three nodes are enough, at two
+/// they leave a turn about the line between them. Nodes in a line cannot turn about it.
+#[test]
+fn matrices_stand_by_their_own_stiffness() {
+    let mut given = exported(&structure(solid()));
+    assert!(!given.stands());
+    let mut stands = Vec::new();
+    for node in [0, 1, 3] {
+        given.stiffness.extend((3 * node..3 * node + 3).map(|row| (row, row, 1e-3)));
+        stands.push(given.stands());
+    }
+    assert_eq!(stands, [false, false, true]);
+    let line = Matrices {
+        mass: NodalMass {
+            nodes: vec![[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]],
+            node_labels: vec![1, 2],
+            freedoms: (0..6).map(|row| (row / 3, row % 3)).collect(),
+            entries: Vec::new(),
+        },
+        stiffness: (0..6).map(|row| (row, row, 5.0)).collect(),
+        damping: Vec::new(),
+        rheology: Rheology::Elastic,
+    };
+    assert!(line.stands());
+}
+
 fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
     let mut given = exported(&structure(solid()));
     change(&mut given);

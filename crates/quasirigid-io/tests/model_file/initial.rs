@@ -218,3 +218,21 @@ fn a_free_body_has_a_place_and_a_velocity() {
       write `velocity` in [support], for the driven point
     ");
 }
+
+/// Without a carrier points move with the shapes of the whole: they have no coordinates of their own.
+#[test]
+fn a_body_without_a_carrier_starts_on_the_slow_manifold_or_at_rest() {
+    let mut text = String::new();
+    for (name, place) in [("a", "[0, 0, 0]"), ("b", "[1, 0, 0]"), ("c", "[0, 2, 0]")] {
+        text += &format!("[[point]]\nname = \"{name}\"\nmass = 1\nposition = {place}\n");
+    }
+    for (from, to) in [("a", "b"), ("b", "c"), ("c", "a")] {
+        text += &format!("[[spring]]\nfrom = \"{from}\"\nto = \"{to}\"\nstiffness = 9\n");
+    }
+    let rest = read(&format!("{text}[initial]\ndisplacements = \"rest\"\n"));
+    assert_eq!(rest.initial.displacements, Displacements::Given { q: Vec::new(), rate: Vec::new() });
+    assert_snapshot!(refusal(&format!("{text}[initial]\ndisplacements = {{ b = [0.1, 0, 0] }}\n")), @r#"
+    model.toml:26:19: "b" moves with the shapes of a body without a carrier
+      write displacements = "slow-manifold" or "rest"
+    "#);
+}

@@ -13,15 +13,17 @@ mod nastran;
 mod nodes;
 mod numpy;
 mod op4;
+mod row;
 mod text;
 
 use std::path::Path;
 
 use crate::file::{self, Unread};
-pub use error::{MatrixError, MatrixProblem, Place, Row};
+pub use error::{MatrixError, MatrixProblem, Place};
 use format::{Format, NodeFormat};
 pub use freedom::Freedom;
 pub use nodes::{Node, NodeTable};
+pub use row::Row;
 
 /// Largest file that is read (bytes): a stiffness of a hundred million entries as text.
 const LARGEST: u64 = 4 * 1024 * 1024 * 1024;

@@ -9,3 +9,4 @@ mod explorer_1;
 mod one_sprung_mass;
 mod quillen_2019;
 mod quillen_network;
+mod quillen_runs;

@@ -26,8 +26,9 @@ pub struct Refinement {
 const GAIN: f64 = 1e-7;
 /// A step that leaves more than this of the residual is the last.
 const STALLED: f64 = 0.5;
-/// Residuals below this share of the solution, for a unit diagonal, are rounding of the product `A x`.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
+/// Residuals below this share of the solution, for a unit diagonal, are rounding: that of the product `A x` comes to
+/// about one epsilon, that of a solution by a factor in double precision to two or three.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl System<'_> {
     /// Solves from zero: `right` becomes the solution, to rounding or until so many iterations are spent.

@@ -65,7 +65,8 @@ def pardiso(lower):
         return solver._call_pardiso(upper, right)
 
     phase(11, nothing)
-    yield int(solver.get_iparm(18))
+    # Counted in 32 bits.
+    yield int(solver.get_iparm(18)) % 2**32
     phase(22, nothing)
     yield None
     yield lambda right: phase(33, right)

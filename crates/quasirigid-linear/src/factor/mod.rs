@@ -138,7 +138,7 @@ impl Factor {
     /// Solves in place for right-hand sides stored row by row, `width` to a row, and tells how well.
     ///
     /// Solutions are refined until their residual is about 1e-14 of the right-hand side, each row in units of the
-    /// root of its diagonal entry, or falls no more.
+    /// root of its diagonal entry, or a few roundings of the solution, or falls no more.
     pub fn solve(&self, right: &mut [f64], width: usize) -> Refinement {
         if right.is_empty() || width == 0 {
             return Refinement { iterations: 0, residual: 0.0 };

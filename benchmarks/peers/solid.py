@@ -1,17 +1,20 @@
-"""The stiffness matrix of an elastic cube in other direct solvers, one thread each.
+"""Static solution of an elastic cube in quasirigid and in other direct solvers: the same matrix, one thread each.
 
-cargo bench --bench solid -- 32 cube.bin double
-python solid.py cube.bin cholmod pardiso mumps
+python solid.py 22 32 46
+python solid.py 69 --precision single --peers "" --limit 21
 
-Needs scikit-sparse 0.4 (with SuiteSparse), pypardiso and python-mumps (with MUMPS); a solver that is missing is
-skipped. Times are of the processor, in seconds; memory is the peak of a process of its own for each solver.
+Takes the nodes along an edge of the cubes; needs cargo. A peer that is missing or runs out of memory is one line of
+the table. Times are of the processor, in seconds; memory is the peak of a process of its own for each solver.
 """
 
+import argparse
 import os
 import resource
 import subprocess
 import sys
+import tempfile
 import time
+from pathlib import Path
 
 for library in ("OMP", "MKL", "OPENBLAS"):
     os.environ[f"{library}_NUM_THREADS"] = "1"
@@ -20,6 +23,8 @@ import numpy as np
 import scipy.sparse as sp
 
 WIDTH = 9
+GIGABYTE = 10**9
+WORKSPACE = Path(__file__).resolve().parents[2]
 
 
 def lower_triangle(path):
@@ -31,13 +36,17 @@ def lower_triangle(path):
         return sp.csc_matrix((np.fromfile(file, "<f8", places), rows, starts), shape=(size, size))
 
 
+# Each solver yields the entries of its factor once it has ordered the unknowns, if it tells; then nothing once it has
+# factored; then a function from right-hand sides to solutions.
+
+
 def cholmod(lower):
     from sksparse.cholmod import analyze
 
     factor = analyze(lower, mode="supernodal", ordering_method="metis")
-    yield
+    yield None
     factor.cholesky_inplace(lower)
-    yield
+    yield None
     yield factor
 
 
@@ -45,6 +54,9 @@ def pardiso(lower):
     from pypardiso import PyPardisoSolver
 
     solver = PyPardisoSolver(mtype=2)
+    # Own parameters: nested dissection, no refinement (two steps if not asked), count the entries.
+    for place, value in ((1, 1), (2, 2), (8, 0), (18, -1)):
+        solver.set_iparm(place, value)
     upper = sp.csr_matrix(lower.T)
     nothing = np.zeros((lower.shape[0], WIDTH), order="F")
 
@@ -53,9 +65,10 @@ def pardiso(lower):
         return solver._call_pardiso(upper, right)
 
     phase(11, nothing)
-    yield
+    # Counted in 32 bits.
+    yield int(solver.get_iparm(18)) % 2**32
     phase(22, nothing)
-    yield
+    yield None
     yield lambda right: phase(33, right)
 
 
@@ -63,46 +76,119 @@ def mumps(lower):
     import mumps
 
     context = mumps.Context()
-    context.set_matrix(lower + sp.tril(lower, -1).T, symmetric=True)
+    context.set_matrix(lower.T, symmetric=True)
+    # SCOTCH where MUMPS was built without METIS.
     context.analyze(ordering="metis")
-    yield
+    yield context.analysis_stats.est_nonzeros
     context.factor(reuse_analysis=True)
-    yield
+    yield None
     yield context.solve
 
 
-SOLVERS = {solver.__name__: solver for solver in (cholmod, pardiso, mumps)}
+PEERS = {solver.__name__: solver for solver in (cholmod, pardiso, mumps)}
 
 
-def measured(path, name):
-    """One line: the time of the order, of the factor and of the solutions; residual; memory with and without."""
+def solve(path, name, limit):
+    """Solves in this process and prints lines of a name and a value, as the benchmark of quasirigid does."""
+    resource.setrlimit(resource.RLIMIT_AS, (int(limit * GIGABYTE),) * 2)
     lower = lower_triangle(path)
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     right = np.asfortranarray(np.cos(0.7 * np.arange(WIDTH * lower.shape[0])).reshape(-1, WIDTH))
     clock = [time.process_time()]
-    phases = SOLVERS[name](lower)
-    for _ in range(2):
-        next(phases)
-        clock.append(time.process_time())
+    phases = PEERS[name](lower)
+    entries = next(phases)
+    clock.append(time.process_time())
+    if entries:
+        print("entries", entries, flush=True)
+        if 8 * entries > limit * GIGABYTE:
+            sys.exit(f"the factor would take {8 * entries / GIGABYTE:.1f} GB")
+    next(phases)
+    clock.append(time.process_time())
     solution = next(phases)(right)
     clock.append(time.process_time())
+    peak = 1.024e-3 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     gap = lower @ solution + lower.T @ solution - lower.diagonal()[:, None] * solution - right
-    order, factor, solve = np.diff(clock)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    print(
-        f"{name:8} {lower.shape[0]:8} order {order:.2f} factor {factor:.2f} solve {solve:.2f}"
-        f" residual {np.linalg.norm(gap) / np.linalg.norm(right):.1e} peak {peak / 1e3:.0f} MB"
-        f" (matrix {before / 1e3:.0f} MB)"
-    )
+    for phase, seconds in zip(("order", "factor", f"solve{WIDTH}"), np.diff(clock), strict=True):
+        print(phase, round(seconds, 3))
+    print("residual", np.linalg.norm(gap) / np.linalg.norm(right))
+    print("peak", peak)
+
+
+def figures(command, **options):
+    """Names and values that a command prints; `failure` if it fails."""
+    run = subprocess.run(command, capture_output=True, text=True, **options)
+    pairs = dict(line.split() for line in run.stdout.splitlines())
+    if run.returncode != 0:
+        pairs["failure"] = (run.stderr.strip().splitlines() or [f"ended with {run.returncode}"])[-1]
+    return pairs
+
+
+def best(runs):
+    """The run with the least time in all, and the first that failed if any did."""
+    failed = [run for run in runs if "failure" in run]
+    return failed[0] if failed else min(runs, key=total)
+
+
+def total(run):
+    return sum(float(run[name]) for name in ("order", "factor", f"solve{WIDTH}"))
+
+
+COLUMNS = {
+    "ordering": lambda run: float(run["order"]),
+    "factorisation": lambda run: float(run["factor"]),
+    f"{WIDTH} solutions": lambda run: float(run[f"solve{WIDTH}"]),
+    "total": total,
+    "memory (GB)": lambda run: float(run["peak"]) / 1000,
+}
+
+
+def rows(ours, peers):
+    """Lines of the table for one matrix, with the ratios of ours to the best peer last."""
+    size = f"{int(ours['unknowns']):,}".replace(",", " ")
+    for name, run in {"**quasirigid**": ours, **peers}.items():
+        entries = f"{float(run['entries']) / 1e6:.1f}" if "entries" in run else "–"
+        assembly = run.get("assembly", "–")
+        if "failure" in run:
+            yield f"| {size} | {name} | {entries} | {assembly} | {run['failure']} |" + len(COLUMNS) * " |"
+            continue
+        values = " | ".join(f"{column(run):.3g}" for column in COLUMNS.values())
+        yield f"| {size} | {name} | {entries} | {assembly} | {values} | {float(run['residual']):.0e} |"
+    finished = [run for run in peers.values() if "failure" not in run]
+    if finished and "failure" not in ours:
+        ratios = (column(ours) / min(map(column, finished)) for column in COLUMNS.values())
+        yield f"| {size} | ratio | | | {' | '.join(f'{ratio:.2f}' for ratio in ratios)} | |"
+
+
+def compare(arguments):
+    heading = ["unknowns", "solver", "entries (10⁶)", "assembly", *COLUMNS, "residual"]
+    print(f"| {' | '.join(heading)} |\n{'|---' * len(heading)}|", flush=True)
+    bench = ["cargo", "bench", "--quiet", "--package", "quasirigid", "--bench", "solid", "--"]
+    repeats = range(arguments.repeat)
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "matrix")
+        for nodes in arguments.nodes:
+            command = [*bench, str(nodes), path, arguments.precision]
+            ours = best([figures(command, cwd=WORKSPACE) for _ in repeats])
+            peers = {}
+            for name in filter(None, arguments.peers.split(",")):
+                command = [sys.executable, __file__, "--matrix", path, "--peers", name]
+                command += ["--limit", str(arguments.limit)]
+                peers[name] = best([figures(command) for _ in repeats])
+            print("\n".join(rows(ours, peers)), flush=True)
 
 
 def main():
-    path, *names = sys.argv[1:]
-    if len(names) == 1:
-        return measured(path, names[0])
-    for name in names or SOLVERS:
-        run = subprocess.run([sys.executable, __file__, path, name], capture_output=True, text=True)
-        print(run.stdout.strip() or f"{name}: {(run.stderr.strip().splitlines() or ['no output'])[-1]}")
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("nodes", type=int, nargs="*", help="nodes along an edge")
+    parser.add_argument("--precision", choices=("double", "single"), default="double", help="of quasirigid")
+    parser.add_argument("--peers", default=",".join(PEERS), help="solvers beside quasirigid; empty for none")
+    parser.add_argument("--repeat", type=int, default=1, help="runs of each, of which the fastest counts")
+    parser.add_argument("--limit", type=float, default=20, help="GB of memory for a peer")
+    parser.add_argument("--matrix", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.matrix:
+        solve(arguments.matrix, arguments.peers, arguments.limit)
+    else:
+        compare(arguments)
 
 
 if __name__ == "__main__":

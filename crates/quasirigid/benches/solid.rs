@@ -1,7 +1,8 @@
 //! Time and memory of a static solution of an elastic cube: assembly, order, factor, nine right-hand sides.
 //!
-//! `cargo bench --bench solid -- NODES [FILE] [single|double]` takes the nodes along an edge (22 if none are given)
-//! and writes the matrix to FILE for other programs, unless it is `-`.
+//! `cargo bench --bench solid -- NODES [FILE] [single|double] [scotch] [modes]` takes the nodes along an edge (22 if
+//! none are given) and writes the matrix to FILE for other programs, unless it is `-`. Prints lines of a name and a
+//! value, times in seconds and memory in MB, which `benchmarks/peers/solid.py` puts beside those of other solvers.
 #![allow(missing_docs, non_snake_case, clippy::print_stdout)]
 
 use std::fs::{self, File};
@@ -9,7 +10,7 @@ use std::io::{self, BufWriter, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use quasirigid::math::factor::{Factor, Method, Ordering, Precision};
+use quasirigid::math::factor::{Analysis, Factor, Ordering, Precision};
 use quasirigid::math::krylov::Pencil;
 use quasirigid::math::symmetric::{Pattern, Symmetric};
 
@@ -26,9 +27,9 @@ impl Clock {
         Self { wall: Instant::now(), processor: Self::processor() }
     }
 
-    fn elapsed(&self) -> Duration {
+    fn seconds(&self) -> f64 {
         let processor = self.processor.zip(Self::processor()).map(|(start, end)| end - start);
-        processor.unwrap_or_else(|| self.wall.elapsed())
+        processor.unwrap_or_else(|| self.wall.elapsed()).as_secs_f64()
     }
 
     fn processor() -> Option<Duration> {
@@ -42,15 +43,8 @@ fn main() -> io::Result<()> {
     let nodes = arguments.first().and_then(|nodes| nodes.parse().ok()).unwrap_or(22);
     let word = |word: &str| arguments.iter().any(|argument| argument == word);
     let start = Clock::now();
-    let cube = Cube { nodes };
-    let (stiffness, mass) = cube.matrices(word("modes"));
-    let assembly = start.elapsed();
-    println!(
-        "{} unknowns, {} entries, assembly {:.2?}",
-        stiffness.size(),
-        stiffness.entries().len(),
-        assembly
-    );
+    let (stiffness, mass) = Cube { nodes }.matrices(word("modes"));
+    println!("unknowns {}\nassembly {:.3}", stiffness.size(), start.seconds());
     if let Some(path) = arguments.get(1).filter(|path| *path != "-") {
         write(path, &stiffness)?;
     }
@@ -59,21 +53,32 @@ fn main() -> io::Result<()> {
         (_, true) => Precision::Double,
         _ => Precision::Automatic,
     };
-    let ordering = if word("scotch") { Ordering::Scotch } else { Ordering::Automatic };
     let start = Clock::now();
-    let factor = Factor::new(&stiffness, Method { precision, ordering }).expect("the cube is held");
-    println!("order and factor {:.2?}, {:?}", start.elapsed(), factor.work());
+    let ordering = if word("scotch") { Ordering::Scotch } else { Ordering::Automatic };
+    let analysis = Analysis::new(&stiffness, ordering).expect("the cube has a diagonal");
+    println!("order {:.3}\nentries {}", start.seconds(), analysis.entries());
+    let start = Clock::now();
+    let factor = analysis.factor(precision).expect("the cube is held");
+    println!("factor {:.3}\nprecision {:?}", start.seconds(), factor.work().precision);
     for width in [1, WIDTH] {
+        let right: Vec<f64> = (0..width * stiffness.size()).map(|i| (i as f64 * 0.7).cos()).collect();
+        let mut x = right.clone();
         let start = Clock::now();
-        let mut x: Vec<f64> = (0..width * stiffness.size()).map(|i| (i as f64 * 0.7).cos()).collect();
-        let refinement = factor.solve(&mut x, width);
-        println!("{width} right-hand sides {:.2?}, {refinement:?}", start.elapsed());
+        let iterations = factor.solve(&mut x, width).iterations;
+        println!("solve{width} {:.3}\niterations {iterations}", start.seconds());
+        println!("residual {:.1e}", residual(&stiffness, &x, &right, width));
     }
     if word("modes") {
         modes(&stiffness, &mass, &factor);
     }
-    println!("peak memory {}", peak());
+    println!("peak {:.0}", peak());
     Ok(())
+}
+
+/// `|b − A x| / |b|`.
+fn residual(matrix: &Symmetric, x: &[f64], right: &[f64], width: usize) -> f64 {
+    let gap: f64 = matrix.times_block(x, width).iter().zip(right).map(|(Ax, b)| (b - Ax).powi(2)).sum();
+    (gap / right.iter().map(|b| b * b).sum::<f64>()).sqrt()
 }
 
 /// The 20 lowest modes.
@@ -90,9 +95,9 @@ fn modes(stiffness: &Symmetric, mass: &Symmetric, factor: &Factor) {
         mass: &|x| mass.times(x),
     };
     let vectors = pencil.largest(20).expect("the modes of a cube converge");
-    println!("20 modes {:.2?}, {} solves", start.elapsed(), solves.get());
+    println!("modes20 {:.3}\nsolves {}", start.seconds(), solves.get());
     for x in &vectors {
-        println!("  {:.12e}", quasirigid::math::krylov::dot(x, &mass.times(x)).recip());
+        println!("eigenvalue {:.12e}", quasirigid::math::krylov::dot(x, &mass.times(x)).recip());
     }
 }
 
@@ -113,10 +118,12 @@ fn write(path: &str, matrix: &Symmetric) -> io::Result<()> {
     matrix.entries().iter().try_for_each(|entry| file.write_all(&entry.to_le_bytes()))
 }
 
-/// Largest memory of this process so far, where the system tells.
-fn peak() -> String {
+/// Largest memory of this process so far in MB, not a number where the system does not tell.
+fn peak() -> f64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap_or("unknown").trim().to_owned()
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kibibytes = line.and_then(|line| line.split_whitespace().next()?.parse().ok());
+    kibibytes.map_or(f64::NAN, |kibibytes: f64| 1.024e-3 * kibibytes)
 }
 
 /// Unit cube of trilinear hexahedra, smoothly distorted, `E = 1`, `ν = 0.3`, held at six unknowns.

@@ -22,12 +22,13 @@ pub struct Refinement {
     pub residual: f64,
 }
 
-/// Gain of one run of conjugate gradients, before the true residual is computed anew.
+/// Most that one run of conjugate gradients gains, before the true residual is computed anew.
 const GAIN: f64 = 1e-7;
 /// A step that leaves more than this of the residual is the last.
 const STALLED: f64 = 0.5;
-/// Residuals below this share of the solution, for a unit diagonal, are rounding of the product `A x`.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
+/// Residuals below this share of the solution, for a unit diagonal, are rounding: that of the product `A x` comes to
+/// about one epsilon, that of a solution by a factor in double precision to two or three.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl System<'_> {
     /// Solves from zero: `right` becomes the solution, to rounding or until so many iterations are spent.
@@ -37,13 +38,13 @@ impl System<'_> {
         let mut residual = b.clone();
         let mut best = Refinement { iterations: 0, residual: f64::INFINITY };
         right.fill(0.0);
-        let mut spent = 0;
+        let (mut spent, mut gain) = (0, GAIN);
         loop {
             let mut step = residual.clone();
             if self.exact {
                 (self.precondition)(&mut step);
             } else {
-                spent += self.descend(&mut step, most.saturating_sub(spent));
+                spent += self.descend(&mut step, gain, most.saturating_sub(spent));
             }
             step.iter_mut().zip(right.iter()).for_each(|(new, old)| *new += old);
             residual.iter_mut().zip((self.times)(&step)).zip(&b).for_each(|((r, Ax), b)| *r = b - Ax);
@@ -55,14 +56,16 @@ impl System<'_> {
             best.residual = left;
             right.copy_from_slice(&step);
             let rounding = ROUNDING * largest_ratio(&self.lengths(right), &goal);
-            if stalled || left <= target.max(rounding) || spent >= most {
+            let enough = target.max(rounding);
+            if stalled || left <= enough || spent >= most {
                 return Refinement { iterations: spent, ..best };
             }
+            gain = GAIN.max(0.5 * enough / left);
         }
     }
 
-    /// Conjugate gradients from zero until each residual has fallen by the gain; returns the iterations.
-    fn descend(&self, right: &mut [f64], most: usize) -> usize {
+    /// Conjugate gradients from zero until each residual has fallen to the share `gain`; returns the iterations.
+    fn descend(&self, right: &mut [f64], gain: f64, most: usize) -> usize {
         let start = self.norms(right);
         let mut residual = right.to_vec();
         let mut direction = residual.clone();
@@ -74,7 +77,7 @@ impl System<'_> {
             let length = ratios(&energy, &self.dots(&direction, &force));
             self.step(right, &length, &direction);
             self.step(&mut residual, &length.iter().map(|length| -length).collect::<Vec<_>>(), &force);
-            if largest_ratio(&self.norms(&residual), &start) <= GAIN || iteration >= most {
+            if largest_ratio(&self.norms(&residual), &start) <= gain || iteration >= most {
                 return iteration;
             }
             let mut next = residual.clone();

@@ -1,5 +1,6 @@
 //! Factors of large sparse symmetric positive definite matrices, and solutions with them.
 
+mod analysis;
 mod conjugate;
 mod graph;
 #[cfg(feature = "metis")]
@@ -11,6 +12,7 @@ mod tests;
 mod tree;
 mod triangle;
 
+pub use self::analysis::Analysis;
 pub use self::conjugate::Refinement;
 pub use self::ordering::Ordering;
 pub(super) use self::softest::{refusal, verdict};
@@ -99,43 +101,7 @@ impl Factor {
     /// # Errors
     /// [`NotPositive`] holds a direction in which the matrix is singular or indefinite.
     pub fn new(matrix: &Symmetric, method: Method) -> Result<Self, NotPositive> {
-        let scale = unit_diagonal(&matrix.diagonal())?;
-        let work = Work {
-            unknowns: scale.len(),
-            entries: 0,
-            multiplications: 0.0,
-            precision: Precision::Double,
-            ordering: method.ordering,
-            iterations: 0,
-        };
-        let factor = Self { matrix: matrix.clone(), scale, triangle: Stored::Nothing, work };
-        if factor.work.unknowns == 0 {
-            return Ok(factor);
-        }
-        let Some(structure) = Structure::new(matrix, method.ordering) else {
-            return Err(NotPositive { direction: vec![1.0; factor.scale.len()] });
-        };
-        factor.with_structure(&structure, method.precision)
-    }
-
-    fn with_structure(mut self, structure: &Structure, precision: Precision) -> Result<Self, NotPositive> {
-        self.work.entries = structure.entries();
-        self.work.multiplications = structure.multiplications();
-        self.work.ordering = structure.ordering;
-        let large = precision == Precision::Automatic && self.work.unknowns > LARGE;
-        if large || precision == Precision::Single {
-            self.work.precision = Precision::Single;
-            self.triangle = self.triangle_of(structure).map_or(Stored::Nothing, Stored::Single);
-            if self.holds()? {
-                return Ok(self);
-            }
-            // Frees the memory of the one before the other is made.
-            self.triangle = Stored::Nothing;
-        }
-        self.work.precision = Precision::Double;
-        self.work.iterations = 0;
-        self.triangle = self.triangle_of(structure).map_or(Stored::Nothing, Stored::Double);
-        if self.holds()? { Ok(self) } else { Err(refusal(&self.matrix, structure, &self.scale)) }
+        Analysis::new(matrix, method.ordering)?.factor(method.precision)
     }
 
     fn triangle_of<T: Real>(&self, structure: &Structure) -> Option<Triangle<T>> {
@@ -172,7 +138,7 @@ impl Factor {
     /// Solves in place for right-hand sides stored row by row, `width` to a row, and tells how well.
     ///
     /// Solutions are refined until their residual is about 1e-14 of the right-hand side, each row in units of the
-    /// root of its diagonal entry, or falls no more.
+    /// root of its diagonal entry, or a few roundings of the solution, or falls no more.
     pub fn solve(&self, right: &mut [f64], width: usize) -> Refinement {
         if right.is_empty() || width == 0 {
             return Refinement { iterations: 0, residual: 0.0 };

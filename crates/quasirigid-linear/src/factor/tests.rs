@@ -127,6 +127,40 @@ fn work_is_that_of_a_dense_factor_where_the_matrix_is_full() {
 }
 
 #[test]
+fn an_analysis_tells_what_the_factor_will_take() {
+    let matrix = grid(9, 10, 0.0, odd_unit);
+    let analysis = Analysis::new(&matrix, Ordering::Automatic).unwrap();
+    let told = (analysis.entries(), analysis.multiplications());
+    let work = analysis.factor(Precision::Double).unwrap().work();
+    assert_eq!((work.entries, work.multiplications), told);
+    assert!(told.0 >= matrix.entries().len());
+}
+
+/// Solutions are large along (1, −1), which is soft, and wrong along (1, 1), whose stiffness is 2.
+#[test]
+fn a_residual_of_a_few_roundings_is_not_refined() {
+    let softness = 1e-6;
+    let times = |x: &[f64]| {
+        let (stiff, soft) = ((2.0 - softness) * (x[0] + x[1]) / 2.0, softness * (x[0] - x[1]) / 2.0);
+        vec![stiff + soft, stiff - soft]
+    };
+    let products = |roundings: f64| {
+        let count = std::cell::Cell::new(0);
+        let precondition = |x: &mut [f64]| {
+            count.set(count.get() + 1);
+            let (stiff, soft) = ((x[0] + x[1]) / 2.0 / (2.0 - softness), (x[0] - x[1]) / 2.0 / softness);
+            let error = roundings * f64::EPSILON * soft / 2.0;
+            x.copy_from_slice(&[stiff + soft + error, stiff - soft + error]);
+        };
+        let system =
+            System { width: 1, scale: &[1.0; 2], times: &times, exact: true, precondition: &precondition };
+        let _ = system.solve(&mut [1.0, -1.0], 1e-14, 10);
+        count.get()
+    };
+    assert_eq!([products(7.0), products(9.0)], [1, 2]);
+}
+
+#[test]
 fn the_same_matrix_gives_the_same_bits() {
     let matrix = grid(9, 10, 0.0, odd_unit);
     for precision in [Precision::Double, Precision::Single] {

@@ -1,0 +1,76 @@
+//! What is known of a factor before its entries are computed.
+
+use super::softest::refusal;
+use super::{Factor, LARGE, NotPositive, Ordering, Precision, Stored, Structure, Work, unit_diagonal};
+use crate::symmetric::Symmetric;
+
+/// A symmetric matrix with the order in which its unknowns are eliminated and the places of its factor.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    matrix: Symmetric,
+    scale: Vec<f64>,
+    /// None of a matrix without rows.
+    structure: Option<Structure>,
+    ordering: Ordering,
+}
+
+impl Analysis {
+    /// Orders the unknowns and finds where the factor fills.
+    ///
+    /// # Errors
+    /// [`NotPositive`] names the rows whose diagonal is not positive, or all if the structure has no room in memory.
+    pub fn new(matrix: &Symmetric, ordering: Ordering) -> Result<Self, NotPositive> {
+        let scale = unit_diagonal(&matrix.diagonal())?;
+        let matrix = matrix.clone();
+        if scale.is_empty() {
+            return Ok(Self { matrix, scale, structure: None, ordering });
+        }
+        let Some(structure) = Structure::new(&matrix, ordering) else {
+            return Err(NotPositive { direction: vec![1.0; scale.len()] });
+        };
+        Ok(Self { ordering: structure.ordering, structure: Some(structure), matrix, scale })
+    }
+
+    /// Entries that the factor will store.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.structure.as_ref().map_or(0, Structure::entries)
+    }
+
+    /// Multiplications that the factorisation will take.
+    #[must_use]
+    pub fn multiplications(&self) -> f64 {
+        self.structure.as_ref().map_or(0.0, Structure::multiplications)
+    }
+
+    /// Computes the factor.
+    ///
+    /// # Errors
+    /// [`NotPositive`] holds a direction in which the matrix is singular or indefinite.
+    pub fn factor(self, precision: Precision) -> Result<Factor, NotPositive> {
+        let work = Work {
+            unknowns: self.scale.len(),
+            entries: self.entries(),
+            multiplications: self.multiplications(),
+            precision: Precision::Double,
+            ordering: self.ordering,
+            iterations: 0,
+        };
+        let mut factor = Factor { matrix: self.matrix, scale: self.scale, triangle: Stored::Nothing, work };
+        let Some(structure) = self.structure else { return Ok(factor) };
+        let large = precision == Precision::Automatic && factor.work.unknowns > LARGE;
+        if large || precision == Precision::Single {
+            factor.work.precision = Precision::Single;
+            factor.triangle = factor.triangle_of(&structure).map_or(Stored::Nothing, Stored::Single);
+            if factor.holds()? {
+                return Ok(factor);
+            }
+            // Frees the memory of the one before the other is made.
+            factor.triangle = Stored::Nothing;
+        }
+        factor.work.precision = Precision::Double;
+        factor.work.iterations = 0;
+        factor.triangle = factor.triangle_of(&structure).map_or(Stored::Nothing, Stored::Double);
+        if factor.holds()? { Ok(factor) } else { Err(refusal(&factor.matrix, &structure, &factor.scale)) }
+    }
+}

@@ -52,13 +52,18 @@ fn a_beam_is_read_with_its_nodes_in_the_order_of_the_file() {
             node("elbow", [1.0, 0.25, 0.0]),
         ],
         members: vec![member([1, 2]), member([2, 0])],
-        masses: vec![
-            TipMass { node: 0, mass: 2.0 * 0.453_592_37, inertia: tip },
-            TipMass { node: 2, mass: 0.5, inertia: [[0.0; 3]; 3] },
-        ],
     };
-    let expected =
-        Part { name: "mast".to_owned(), kind: Kind::Frame(frame), attached: vec![1], rayleigh: [0.02, 3e-3] };
+    let masses = vec![
+        TipMass { node: 0, mass: 2.0 * 0.453_592_37, inertia: tip },
+        TipMass { node: 2, mass: 0.5, inertia: [[0.0; 3]; 3] },
+    ];
+    let expected = Part {
+        name: "mast".to_owned(),
+        kind: Kind::Frame(frame),
+        masses,
+        attached: vec![1],
+        rayleigh: [0.02, 3e-3],
+    };
     assert_eq!(model.assembly.parts, [expected]);
     assert_eq!(model.assembly.check(), []);
 }
@@ -81,7 +86,7 @@ fn what_a_beam_does_not_say_has_defaults() {
     assert_eq!(names, ["beam 1", "beam 2", "panel 1"]);
     let Kind::Frame(frame) = &assembly.parts[0].kind else { panic!("a frame") };
     let Member { up, elements, .. } = frame.members[0];
-    assert_eq!((up, elements, frame.masses.len()), (None, 8, 0));
+    assert_eq!((up, elements, assembly.parts[0].masses.len()), (None, 8, 0));
     assert_eq!((assembly.parts[0].attached.len(), assembly.parts[0].rayleigh), (0, [0.0; 2]));
     assert_eq!(assembly.reduction, Reduction { order: 3, modes: 0 });
 }

@@ -125,7 +125,7 @@ fn files(chain: &Files, interface: bool) -> Vec<(&'static str, String)> {
     vec![("n.csv", chain.nodes()), ("m.mtx", chain.masses()), ("phi.mtx", chain.shapes(interface))]
 }
 
-const LINES: &str = "nodes = \"n.csv\"\nmasses = \"m.mtx\"\nshapes = \"phi.mtx\"\n";
+const LINES: &str = "nodes = \"n.csv\"\nmass = \"m.mtx\"\nshapes = \"phi.mtx\"\n";
 
 #[test]
 fn all_modes_of_a_chain_are_the_chain() {
@@ -158,7 +158,7 @@ fn a_mass_matrix_stands_for_the_masses() {
     let mut files = files(&METRES, false);
     files[1] = ("m.mtx", array(&(0..size).map(column).collect::<Vec<Vec<f64>>>()));
     let frequencies = listed(|mode| frequency(mode).to_string());
-    let lines = format!("{LINES}frequencies = {frequencies}\n").replace("masses", "mass");
+    let lines = format!("{LINES}frequencies = {frequencies}\n");
     let model = beside(&files, &format!("{lines}rayleigh = {{ stiffness = {TIME} }}\n"));
     assert_same(&model.unwrap_or_else(|error| panic!("{error}")), &chain(), 1e-12);
 }

@@ -42,8 +42,9 @@ impl Cantilever {
             elements: 1,
         };
         let members = (0..self.elements).map(member).collect();
-        let kind = Kind::Frame(Frame { nodes: nodes.collect(), members, masses: Vec::new() });
-        let part = Part { name: "beam".to_owned(), kind, attached: vec![0], rayleigh: [0.0; 2] };
+        let kind = Kind::Frame(Frame { nodes: nodes.collect(), members });
+        let part =
+            Part { name: "beam".to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [0.0; 2] };
         let carrier = Carrier {
             mass: self.hub / (self.length * self.length),
             center_of_mass: ROOT,

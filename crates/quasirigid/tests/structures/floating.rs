@@ -42,9 +42,8 @@ fn booms(masses: Vec<TipMass>, attached: Vec<usize>) -> Part {
             node("side", place(0.0, 0.7 * ARM)),
         ],
         members: vec![member(1), member(2), member(3)],
-        masses,
     });
-    Part { name: "booms".to_owned(), kind, attached, rayleigh: [0.0; 2] }
+    Part { name: "booms".to_owned(), kind, masses, attached, rayleigh: [0.0; 2] }
 }
 
 fn body(floats: bool) -> FlexibleBody {

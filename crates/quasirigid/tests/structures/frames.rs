@@ -27,9 +27,8 @@ fn boom(young: f64, elements: usize) -> Part {
     let kind = Kind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", TIP)],
         members: vec![Member { ends: [0, 1], section, up: None, material, elements }],
-        masses: Vec::new(),
     });
-    Part { name: "boom".to_owned(), kind, attached: Vec::new(), rayleigh: [0.0; 2] }
+    Part { name: "boom".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] }
 }
 
 /// The boom on a hinge, as beams that hardly bend.

@@ -190,7 +190,7 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
     };
     let regions = regions.iter().map(region).collect();
     let kind = Kind::Solid(Solid { mesh: Arc::new(mesh), regions });
-    Part { name: "solid".to_owned(), kind, attached, rayleigh: [0.0; 2] }
+    Part { name: "solid".to_owned(), kind, masses: Vec::new(), attached, rayleigh: [0.0; 2] }
 }
 
 /// All cells of a mesh, of one material.

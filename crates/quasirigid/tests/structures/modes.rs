@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::elements::{
     Anchor, Assembly, Carrier, Connection, ElementError, Kind, Matrices, Modes, NodalMass, Part, Problem,
-    Reduction, Spectrum,
+    Reduction, Spectrum, TipMass,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -157,7 +157,13 @@ fn build(
     connections: Vec<Connection>,
     order: usize,
 ) -> Result<FlexibleBody, ElementError> {
-    let part = Part { name: "wing".to_owned(), kind, attached: Vec::new(), rayleigh: [0.02, 1e-3] };
+    let part = Part {
+        name: "wing".to_owned(),
+        kind,
+        masses: Vec::new(),
+        attached: Vec::new(),
+        rayleigh: [0.02, 1e-3],
+    };
     Assembly {
         carrier,
         parts: vec![part],
@@ -343,4 +349,28 @@ fn modes_left_out_add_less_than_the_bound() {
         assert!(kept < body.size() || bound.abs() < 1e-10, "{bound}");
     }
     assert_eq!(craig_bampton(&Body::new(12, true), 1).missing(pole), None);
+}
+
+/// A rigid body at a node is what the matrices would say of it, whether the node is free or moved by modes.
+#[test]
+fn a_rigid_body_at_a_node_adds_its_mass_and_inertia() {
+    let inertia = [[0.3, 0.02, -0.01], [0.02, 0.4, 0.03], [-0.01, 0.03, 0.5]];
+    let tip = TipMass { node: 3, mass: 1.7, inertia };
+    let bare = Body::new(13, false).held();
+    let body = |kind: Kind, masses: Vec<TipMass>| {
+        let part = Part { name: "wing".to_owned(), kind, masses, attached: Vec::new(), rayleigh: [0.0; 2] };
+        Assembly { carrier: Some(carrier()), parts: vec![part], ..Assembly::default() }.body()
+    };
+    let Kind::Matrices(mut heavy) = bare.matrices(0) else { panic!("matrices") };
+    // The first node has no rows.
+    let row = 6 * (tip.node - 1);
+    heavy.mass.entries.extend((0..3).map(|axis| (row + axis, row + axis, tip.mass)));
+    let rotations = (0..9).map(|entry| (entry / 3, entry % 3));
+    heavy.mass.entries.extend(rotations.map(|(a, b)| (row + 3 + a, row + 3 + b, inertia[a][b])));
+    let expected = body(Kind::Matrices(heavy), Vec::new()).unwrap();
+    assert_same(&body(bare.matrices(0), vec![tip.clone()]).unwrap(), &expected, 3);
+    let modes = of_modes(&bare, &bare.modes(0), |_| true);
+    assert_same(&body(modes, vec![tip.clone()]).unwrap(), &expected, 3);
+    let beyond = body(bare.matrices(0), vec![TipMass { node: 9, ..tip }]).unwrap_err();
+    assert_eq!(beyond.problem, Problem::NoSuchNode { index: 9, count: NODES });
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, Field, Frame, FrameNode, Kind, Material, Member, Part, Place, Problem, Reduction,
-    SectionShape, Surface,
+    SectionShape, Surface, TipMass,
 };
 use quasirigid::math::mesh::{Mesh, Shape};
 use quasirigid::math::surface::ClosedSurface;
@@ -117,9 +117,8 @@ fn beam(material: &Material) -> Part {
     let kind = Kind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", tip.into())],
         members: vec![member],
-        masses: Vec::new(),
     });
-    Part { name: "bar".to_owned(), kind, attached: vec![0], rayleigh: [0.0; 2] }
+    Part { name: "bar".to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [0.0; 2] }
 }
 
 /// One degree of the torque.
@@ -221,4 +220,24 @@ fn a_region_of_cells_that_are_not_there_is_refused() {
     let error = assembly.body().unwrap_err();
     assert_eq!((error.place, error.field), (Place::Part(0), Field::Material));
     assert_eq!(error.problem, Problem::NoSuchCell { index: 2, count: 2 });
+}
+
+/// Nodes of solids carry mass, and no inertia.
+#[test]
+fn a_mass_at_a_node_of_a_solid_has_no_inertia() {
+    let (mesh, clamped) = bar(Shape::Hex8, [2, 1, 1]);
+    let last = mesh.nodes.len() - 1;
+    let part = solid(mesh, &[(vec![0, 1], rock(Rheology::Elastic))], clamped);
+    let with = |inertia: f64| {
+        let inertia = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { inertia } else { 0.0 }));
+        let masses = vec![TipMass { node: last, mass: 2.5, inertia }];
+        let parts = vec![Part { masses, ..part.clone() }];
+        Assembly { carrier: Some(carrier()), parts, ..Assembly::default() }.body()
+    };
+    let bare = Assembly { carrier: Some(carrier()), parts: vec![part.clone()], ..Assembly::default() };
+    let gained = with(0.0).unwrap().invariants().mass - bare.body().unwrap().invariants().mass;
+    assert!((gained - 2.5).abs() < 1e-12, "{gained}");
+    let error = with(0.1).unwrap_err();
+    assert_eq!((error.place, error.field), (Place::Part(0), Field::Masses));
+    assert!(matches!(error.problem, Problem::NoTurnForInertia { .. }), "{error}");
 }

@@ -1,10 +1,9 @@
-use quasirigid::elements::{Frame, FrameNode, Kind, Member, Part, TipMass};
+use quasirigid::elements::{Frame, FrameNode, Kind, Member, Part};
 
-use super::super::body::inertia;
 use super::super::settings::optional;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
-use super::{Nodes, Read, Sources, attached, rayleigh};
+use super::{Nodes, Read, Sources, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(super) const BEAM: Keys = Keys {
@@ -13,7 +12,6 @@ pub(super) const BEAM: Keys = Keys {
     ],
     later: &[],
 };
-const MASS: Keys = Keys { known: &["node", "mass", "inertia"], later: &[] };
 
 /// Elements of a line unless the file chooses another number: the energy of a bent cantilever is then right to 4e-6.
 const ELEMENTS: usize = 8;
@@ -36,18 +34,15 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let nodes = Nodes::of_names(frame_nodes.iter().map(|node| node.name.clone()));
     let lines =
         table.required("lines", "lines = [[\"root\", \"tip\"]]").and_then(|value| lines(&value, &nodes));
-    let masses = match table.get("masses") {
-        Some(value) => value.list("an array of tables", |item| mass(&item, &nodes)),
-        None => Some(Vec::new()),
-    };
+    let masses = masses(table, &nodes);
     let attached = attached(table, &nodes);
     let (section, (material, extremes)) = (section?, material?);
     let (up, elements) = (up?, elements?);
     let member = |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
     let members: Vec<Member> = lines?.into_iter().map(member).collect();
     let extremes = vec![extremes; members.len()];
-    let kind = Kind::Frame(Frame { nodes: frame_nodes, members, masses: masses? });
-    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    let kind = Kind::Frame(Frame { nodes: frame_nodes, members });
+    let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }
 
@@ -85,15 +80,4 @@ fn ends(value: &Value<'_>, nodes: &Nodes) -> Option<[usize; 2]> {
         );
     }
     Some(ends)
-}
-
-fn mass(value: &Value<'_>, nodes: &Nodes) -> Option<TipMass> {
-    if !value.is_table() {
-        return value.mismatch("a table", "write { node = \"tip\", mass = 1.2 }");
-    }
-    let table = value.table("the mass", &MASS)?;
-    let node = table.required("node", "node = \"tip\"").and_then(|value| nodes.single(&value));
-    let mass = table.required("mass", "mass = 1.2").and_then(|value| value.positive(Dimension::MASS));
-    let inertia = table.get("inertia").map_or(Some([[0.0; 3]; 3]), |value| inertia(&value));
-    Some(TipMass { node: node?, mass: mass?, inertia: inertia? })
 }

@@ -3,7 +3,7 @@ use quasirigid::elements::{Kind, Matrices, NodalMass, Part};
 use super::super::rheology::{Scale, rheology};
 use super::super::table::{Keys, Table};
 use super::nodal::{Given, Rows, Units, freedom_list, node_table};
-use super::{Nodes, Read, Sources, attached, rayleigh};
+use super::{Nodes, Read, Sources, attached, masses, rayleigh};
 
 pub(super) const MATRICES: Keys = Keys {
     known: &[
@@ -16,6 +16,7 @@ pub(super) const MATRICES: Keys = Keys {
         "length_unit",
         "mass_unit",
         "rheology",
+        "masses",
         "attach",
         "rayleigh",
     ],
@@ -44,7 +45,13 @@ pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) 
         mass,
     };
     let labels = Nodes::of_labels(&given.mass.node_labels);
-    let attached = attached(table, &labels)?;
-    let part = Part { name: name.to_owned(), kind: Kind::Matrices(given), attached, rayleigh: rayleigh? };
+    let (masses, attached) = (masses(table, &labels), attached(table, &labels));
+    let part = Part {
+        name: name.to_owned(),
+        kind: Kind::Matrices(given),
+        masses: masses?,
+        attached: attached?,
+        rayleigh: rayleigh?,
+    };
     Some(Read { part, nodes: labels, extremes: vec![known?.extremes] })
 }

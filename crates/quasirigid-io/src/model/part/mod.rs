@@ -2,6 +2,7 @@
 
 mod beam;
 mod connection;
+mod masses;
 mod matrices;
 mod modes;
 mod network;
@@ -25,6 +26,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 pub(super) use connection::{CONNECTION, connection};
+use masses::masses;
 pub(super) use network::{NETWORK, network};
 pub(super) use nodes::Nodes;
 pub(super) use reduction::reduction;

@@ -7,7 +7,7 @@ use super::super::surface::unit_of;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::nodal::{Given, Rows, Units, freedom_list, node_table};
-use super::{Nodes, Read, Sources, attached, rayleigh};
+use super::{Nodes, Read, Sources, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
 
@@ -40,24 +40,27 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let folder = sources.folder;
     let (units, nodes, listed) = (Units::new(table), node_table(table, folder), freedom_list(table, folder));
     let shapes = Given::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
-    let (mass, lumped) = (Given::optional(table, "mass", folder), Given::optional(table, "masses", folder));
+    let given_mass = Given::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
     let stiffness = Given::optional(table, "stiffness", folder);
     let damping = Given::optional(table, "damping", folder);
     let rayleigh = rayleigh(table);
     let known = rheology(table, Scale::OF_SPRING);
     let (units, nodes, listed, shapes) = (units?, nodes?, listed?, shapes?);
-    let (mass, lumped, stiffness, damping) = (mass?, lumped?, stiffness?, damping?);
-    one_of(table, ["mass", "masses"], "masses = \"wing-masses.npy\"")?;
+    let (given_mass, stiffness, damping) = (given_mass?, stiffness?, damping?);
+    let lumped = given_mass.matrix.rows.min(given_mass.matrix.columns) == 1;
     one_of(table, ["frequencies", "stiffness"], "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
-    mass.iter().try_for_each(Given::square)?;
-    let files: Vec<&Given<'_>> = [&shapes].into_iter().chain(&mass).collect();
+    if !lumped {
+        given_mass.square()?;
+    }
+    let matrix = Some(&given_mass).filter(|_| !lumped);
+    let files: Vec<&Given<'_>> = [&shapes].into_iter().chain(matrix).collect();
     let rows = Rows::new(&files, listed.as_deref(), &nodes)?;
     let empty = rows.nodal(&units);
     let labels = Nodes::of_labels(&empty.node_labels);
     let interface = interface(table, &labels)?;
-    let entries = match (&mass, &lumped) {
-        (Some(mass), _) => rows.entries(mass, &units)?,
-        (None, lumped) => masses(lumped.as_ref()?, &empty, &units)?,
+    let entries = match matrix {
+        Some(matrix) => rows.entries(matrix, &units)?,
+        None => lumps(&given_mass, &empty, &units)?,
     };
     let mass = NodalMass { entries, ..empty };
     let coordinates = Coordinates::new(&mass, &interface, shapes.matrix.columns, &units);
@@ -70,8 +73,14 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     };
     let shapes = coordinates.shapes(&shapes, &rows, mass.freedoms.len())?;
     let given = Modes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
-    let attached = attached(table, &labels)?;
-    let part = Part { name: name.to_owned(), kind: Kind::Modes(given), attached, rayleigh: rayleigh? };
+    let (masses, attached) = (masses(table, &labels), attached(table, &labels));
+    let part = Part {
+        name: name.to_owned(),
+        kind: Kind::Modes(given),
+        masses: masses?,
+        attached: attached?,
+        rayleigh: rayleigh?,
+    };
     Some(Read { part, nodes: labels, extremes: vec![known?.extremes] })
 }
 
@@ -94,7 +103,7 @@ fn interface(table: &Table<'_>, labels: &Nodes) -> Option<Vec<usize>> {
 }
 
 /// Reads the mass at each node, and says it of the displacements of the node that have a row.
-fn masses(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
+fn lumps(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
     let masses = column(given, nodal.nodes.len(), "node")?;
     let of_row = |(row, (node, component)): (usize, &(usize, usize))| {
         (*component < 3).then_some((row, row, units.mass * masses[*node]))

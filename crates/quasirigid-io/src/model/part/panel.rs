@@ -8,7 +8,7 @@ use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::{mesh, placed};
-use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
+use super::{Nodes, PARALLEL, Read, Sources, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(super) const PANEL: Keys = Keys {
@@ -22,6 +22,7 @@ pub(super) const PANEL: Keys = Keys {
         "layers",
         "reference",
         "offset",
+        "masses",
         "attach",
         "rayleigh",
     ],
@@ -50,11 +51,11 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let damping = rayleigh(table);
     let mesh = mesh?;
     let nodes = Nodes::of_mesh(&mesh);
-    let attached = attached(table, &nodes);
+    let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let reference = reference.unwrap_or_else(|| Some(first_side(&mesh)))?;
     let (layers, extremes): (Vec<Layer>, Vec<Extremes>) = layers?.into_iter().unzip();
     let kind = Kind::Panel(Panel { mesh: Arc::new(mesh), layers, reference, offset: offset? });
-    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }
 

@@ -8,7 +8,7 @@ use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::mesh;
-use super::{Nodes, PARALLEL, Read, Sources, attached, rayleigh};
+use super::{Nodes, PARALLEL, Read, Sources, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(super) const SOLID: Keys = Keys {
@@ -21,6 +21,7 @@ pub(super) const SOLID: Keys = Keys {
         "material",
         "materials",
         "axes",
+        "masses",
         "attach",
         "rayleigh",
     ],
@@ -37,14 +38,14 @@ pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let damping = rayleigh(table);
     let mesh = mesh?;
     let nodes = Nodes::of_mesh(&mesh);
-    let attached = attached(table, &nodes);
+    let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let regions = match table.get("materials") {
         Some(value) => several(&value, table, &mesh, sources, axes?),
         None => one(table, &mesh, sources, axes?).map(|region| vec![region]),
     };
     let (regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
     let kind = Kind::Solid(Solid { mesh: Arc::new(mesh), regions });
-    let part = Part { name: name.to_owned(), kind, attached: attached?, rayleigh: damping? };
+    let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }
 

@@ -201,6 +201,14 @@ pub enum Problem {
         /// The node, by name.
         node: String,
     },
+    /// A rigid body with inertia at a node that does not turn.
+    #[error(
+        "{node} has no rotations, so what is there can have no inertia; leave it out, or join a stiff beam"
+    )]
+    NoTurnForInertia {
+        /// The node, by name.
+        node: String,
+    },
     /// Two sides of many nodes each do not match.
     #[error("{node} has no partner at its place on the other side; the nearest is {distance} m away")]
     NoPartner {

@@ -1,11 +1,10 @@
 use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
+use crate::elements::Material;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
-use crate::elements::finite::{Element, Grain, Mass, rigid_points};
+use crate::elements::finite::{Element, Grain};
 use crate::elements::structure::{Matter, Structure};
-use crate::elements::{Material, coefficient};
-use crate::model::{Inertia, Rheology};
 
 /// Straight beams between nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +13,6 @@ pub struct Frame {
     pub nodes: Vec<FrameNode>,
     /// The beams.
     pub members: Vec<Member>,
-    /// Rigid bodies at nodes.
-    pub masses: Vec<TipMass>,
 }
 
 /// A node of a frame.
@@ -41,17 +38,6 @@ pub struct Member {
     pub material: Material,
     /// Number of elements, one or more.
     pub elements: usize,
-}
-
-/// A rigid body at a node.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TipMass {
-    /// Index of the node.
-    pub node: usize,
-    /// Mass (kg).
-    pub mass: f64,
-    /// Inertia tensor (kg·m²) about its centre of mass, which is at the node, in the file's axes.
-    pub inertia: [[f64; 3]; 3],
 }
 
 /// A beam element of a member.
@@ -120,7 +106,7 @@ impl Frame {
                 structure.elements.push(Box::new(BeamElement { nodes, matter, beam }));
             }
         }
-        self.masses.iter().try_for_each(|mass| mass.furnish(place, first, self, structure))
+        Ok(())
     }
 }
 
@@ -150,32 +136,6 @@ impl Member {
             };
             at(place, field)(error.into())
         })
-    }
-}
-
-impl TipMass {
-    fn furnish(
-        &self,
-        place: Place,
-        first: usize,
-        frame: &Frame,
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let refuse = at(place, Field::Masses);
-        coefficient::mass(self.mass).map_err(&refuse)?;
-        let inertia = Inertia::new(self.inertia).map_err(|error| refuse(error.into()))?;
-        let count = frame.nodes.len();
-        let node = frame.nodes.get(self.node).ok_or(Problem::NoSuchNode { index: self.node, count });
-        let matter =
-            structure.matter(Matter { rheology: Rheology::Elastic, per_mass: 0.0, per_stiffness: 0.0 });
-        structure.elements.push(Box::new(Mass {
-            node: first + self.node,
-            freedoms: 6,
-            matter,
-            points: rigid_points(self.mass, &inertia),
-            place: node.map_err(&refuse)?.position.into(),
-        }));
-        Ok(())
     }
 }
 

@@ -8,19 +8,21 @@ mod nodal;
 mod panel;
 mod solid;
 mod substance;
+mod tip;
 
 use nalgebra::Vector3;
 
 pub use connection::{Anchor, Connection, NodeRef};
-pub use frame::{Frame, FrameNode, Member, TipMass};
+pub use frame::{Frame, FrameNode, Member};
 pub use given::Matrices;
 pub use modes::{Modes, Spectrum};
 pub use nodal::NodalMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
+pub use tip::TipMass;
 
-use super::error::{ElementError, Problem};
+use super::error::{ElementError, Place, Problem};
 use super::structure::{Hold, Node, Structure};
 use crate::math::mesh::{Mesh, MeshNote};
 
@@ -31,6 +33,8 @@ pub struct Part {
     pub name: String,
     /// What it is.
     pub kind: Kind,
+    /// Rigid bodies at its nodes.
+    pub masses: Vec<TipMass>,
     /// Nodes that are clamped on the carrier.
     pub attached: Vec<usize>,
     /// Damping in proportion to mass (1/s) and to stiffness (s), beside that of its materials.
@@ -125,7 +129,12 @@ impl Part {
             Kind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
             Kind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
             Kind::Modes(modes) => modes.furnish(index, first, self.rayleigh, structure),
-        }
+        }?;
+        let nodes = (first, self.count());
+        let name = |node| move || format!("{:?} {}", self.name, self.node_name(node));
+        self.masses
+            .iter()
+            .try_for_each(|mass| mass.furnish(Place::Part(index), nodes, name(mass.node), structure))
     }
 
     /// How its nodes are held before anything is attached or connected; the first of them is `first` in the structure.

@@ -44,7 +44,8 @@ fn solid() -> Kind {
 }
 
 fn structure(kind: Kind) -> Structure {
-    let part = Part { name: "part".to_owned(), kind, attached: Vec::new(), rayleigh: [0.0; 2] };
+    let part =
+        Part { name: "part".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
     let mut structure = Structure { nodes: part.nodes(), holds: part.holds(0), ..Structure::default() };
     part.furnish(0, 0, &mut structure).expect("a part");
     structure
@@ -203,6 +204,7 @@ fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
     let part = Part {
         name: "part".to_owned(),
         kind: Kind::Matrices(given),
+        masses: Vec::new(),
         attached: Vec::new(),
         rayleigh: [0.0; 2],
     };

@@ -1,0 +1,26 @@
+use quasirigid::elements::TipMass;
+
+use super::super::body::inertia;
+use super::super::table::{Keys, Table};
+use super::super::value::Value;
+use super::Nodes;
+use crate::units::Dimension;
+
+const MASS: Keys = Keys { known: &["node", "mass", "inertia"], later: &[] };
+
+/// Reads the rigid bodies at nodes of a part, none if the table has none.
+pub(super) fn masses(table: &Table<'_>, nodes: &Nodes) -> Option<Vec<TipMass>> {
+    let Some(value) = table.get("masses") else { return Some(Vec::new()) };
+    value.list("an array of tables", |item| mass(&item, nodes))
+}
+
+fn mass(value: &Value<'_>, nodes: &Nodes) -> Option<TipMass> {
+    if !value.is_table() {
+        return value.mismatch("a table", "write { node = \"tip\", mass = 1.2 }");
+    }
+    let table = value.table("the mass", &MASS)?;
+    let node = table.required("node", "node = \"tip\"").and_then(|value| nodes.single(&value));
+    let mass = table.required("mass", "mass = 1.2").and_then(|value| value.positive(Dimension::MASS));
+    let inertia = table.get("inertia").map_or(Some([[0.0; 3]; 3]), |value| inertia(&value));
+    Some(TipMass { node: node?, mass: mass?, inertia: inertia? })
+}

@@ -137,7 +137,7 @@ fn a_wrong_panel_is_refused() {
     model.toml:9:1: [[panel]] has no `file`
       add a line such as: rectangle = { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }, or file = "wing.msh"
     model.toml:11:1: unknown key "layer" in [[panel]]
-      did you mean `layers`? the keys are name, file, unit, rectangle, position, attitude, layers, reference, offset, attach, rayleigh
+      did you mean `layers`? the keys are name, file, unit, rectangle, position, attitude, layers, reference, offset, masses, attach, rayleigh
     "#);
     assert_snapshot!(refused("rectangle = [2, 1]\nlayers = 3\n"), @"
     model.toml:11:13: `rectangle`: found an array of 2 values, expected a table

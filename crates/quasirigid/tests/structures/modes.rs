@@ -229,6 +229,38 @@ fn all_free_modes_are_the_body_without_a_carrier() {
     assert_same(&modes, &matrices, 3);
 }
 
+/// Nodes on arms that turn carry the whole along by `½ J⁻¹ Σ Y_jk q_j q_k`, with `Y` the symmetric part of `Z`. Afloat the
+/// frame goes with it, the frame of modes does not. So the energy to the sixth degree is the same at spins that differ by
+/// this turn and its rate: what is left is of a higher one.
+#[test]
+fn a_floating_frame_follows_the_second_order() {
+    let body = Body::new(8, true);
+    let found = body.modes(0);
+    let whole = build(body.matrices(0), None, Vec::new(), 4).unwrap();
+    let modes = of_modes(&body, &found, |mode| found.frequencies[mode] > 1e-3);
+    let modes = build(modes, None, Vec::new(), 4).unwrap();
+    let [whole, of_modes] = [&whole, &modes].map(|body| reduce(body, 4).unwrap());
+    let inertia = Matrix3::from_fn(|i, j| modes.inertia()[i][j]).try_inverse().unwrap();
+    let turn = |q: &[f64], p: &[f64]| -> Vector3<f64> {
+        let pairs = modes.invariants().pairs.iter();
+        let carried = pairs.map(|(j, k, pair)| Vector3::from(pair.Z) * 0.5 * (q[j] * p[k] + q[k] * p[j]));
+        inertia * carried.sum::<Vector3<f64>>()
+    };
+    let gap = |size: f64, turned: bool| {
+        let omega = size * Vector3::new(0.9, 0.4, -0.3);
+        let (mut q, mut rate) = (vec![0.0; modes.coordinates().len()], vec![0.0; modes.coordinates().len()]);
+        of_modes.q.part(2).add_value(omega.into(), &mut q);
+        of_modes.rate.part(3).add_value(omega.into(), &mut rate);
+        let there = if turned { omega - (0.5 * turn(&q, &q)).cross(&omega) + turn(&q, &rate) } else { omega };
+        let energies = [(&whole, there), (&of_modes, omega)]
+            .map(|(reduced, omega)| reduced.energy.truncated(6).scalar::<f64>(omega.into()));
+        (energies[0] - energies[1]).abs()
+    };
+    let degree = |turned: bool| (gap(2.0, turned) / gap(1.0, turned)).log2();
+    println!("degree of the gap {:.2}, without the turn {:.2}", degree(true), degree(false));
+    assert!(degree(true) > 7.0 && (degree(false) - 6.0).abs() < 0.2);
+}
+
 /// Modes of Craig and Bampton: unit displacements of the first nodes, then modes that leave them at rest.
 fn craig_bampton(body: &Body, still: usize) -> Modes {
     let (constraint, fixed) = (body.constraint_modes(still), body.modes(still));

@@ -4,6 +4,7 @@
 mod beams;
 mod common;
 mod ellipsoids;
+mod exported;
 mod floating;
 mod frames;
 mod meshes;

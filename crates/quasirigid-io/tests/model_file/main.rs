@@ -32,10 +32,12 @@ mod solids;
 mod surfaces;
 mod values;
 
+use std::fs;
 use std::path::Path;
 
 use quasirigid::elements::{Assembly, Carrier, Part};
-use quasirigid_io::model::Model;
+use quasirigid_io::model::{Model, ModelError};
+use tempfile::TempDir;
 
 const CARRIER: &str = "[carrier]\nmass = 40.0\ncenter_of_mass = [0, 0.1, 0]\ninertia = [9.0, 13.0, 16.0]\n";
 const POINT: &str = "[[point]]\nname = \"tip\"\nmass = 1.0\nposition = [0.8, 0.3, 0.5]\n";
@@ -80,7 +82,12 @@ fn refusal_of_spring(lines: &str) -> String {
 
 /// How a text is refused, by its reading or by the laws of mechanics.
 fn verdict(text: &str) -> String {
-    let model = match Model::parse(Path::new("model.toml"), text) {
+    told(Model::parse(Path::new("model.toml"), text))
+}
+
+/// What is wrong with a model, by its reading or by the laws of mechanics.
+fn told(read: Result<Model, ModelError>) -> String {
+    let model = match read {
         Err(error) => return error.to_string(),
         Ok(model) => model,
     };
@@ -90,6 +97,16 @@ fn verdict(text: &str) -> String {
     } else {
         model.diagnose_all(&errors).to_string()
     }
+}
+
+/// A model with this text beside files.
+fn written(files: &[(&str, String)], text: &str) -> Result<Model, ModelError> {
+    let folder = TempDir::new().expect("a folder");
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("a file");
+    }
+    fs::write(folder.path().join("model.toml"), text).expect("a file");
+    Model::read(&folder.path().join("model.toml"))
 }
 
 /// The only part of a body.

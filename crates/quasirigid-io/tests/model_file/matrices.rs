@@ -2,28 +2,16 @@
 #![allow(non_snake_case)]
 
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
 
 use quasirigid::elements::{Kind, Matrices};
 use quasirigid_io::model::{Model, ModelError};
-use tempfile::TempDir;
 
 use super::same::assert_same;
-use super::{CARRIER, only_part};
+use super::{CARRIER, only_part, written};
 
 /// Stiffness of one hexahedron in the formats of many programs; seven of its displacements are held.
 const FORMATS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/matrix/model.toml");
-
-/// A model beside files.
-pub fn written(files: &[(&str, String)], text: &str) -> Result<Model, ModelError> {
-    let folder = TempDir::new().expect("a folder");
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).expect("a file");
-    }
-    fs::write(folder.path().join("model.toml"), text).expect("a file");
-    Model::read(&folder.path().join("model.toml"))
-}
 
 /// A carrier and these lines of a table `[[matrices]]`, which start in line 6, beside files.
 pub fn beside(files: &[(&str, String)], lines: &str) -> Result<Model, ModelError> {

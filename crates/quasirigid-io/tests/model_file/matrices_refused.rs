@@ -2,10 +2,8 @@
 
 use insta::assert_snapshot;
 
-use quasirigid_io::model::{Model, ModelError};
-
-use super::located;
-use super::matrices::{beside, market, written};
+use super::matrices::{beside, market};
+use super::{located, told, written};
 
 /// Two nodes on springs, of three displacements each.
 fn files() -> Vec<(&'static str, String)> {
@@ -30,20 +28,7 @@ fn with(replaced: (&'static str, &str), lines: &str) -> String {
     let mut files = files();
     files.retain(|(name, _)| *name != replaced.0);
     files.push((replaced.0, replaced.1.to_owned()));
-    told(beside(&files, lines))
-}
-
-fn told(read: Result<Model, ModelError>) -> String {
-    let model = match read {
-        Err(error) => return located(&error),
-        Ok(model) => model,
-    };
-    let errors = model.assembly.check();
-    if errors.is_empty() {
-        located(&model.diagnose(&model.assembly.body().expect_err("a refusal")))
-    } else {
-        located(&model.diagnose_all(&errors))
-    }
+    located(&told(beside(&files, lines)))
 }
 
 fn refused(lines: &str) -> String {
@@ -173,7 +158,7 @@ fn matrices_that_nothing_holds_are_refused() {
             _ => {}
         }
     }
-    assert_snapshot!(told(written(&files, &text)), @r#"
+    assert_snapshot!(located(&told(written(&files, &text))), @r#"
     model.toml:3:13: `stiffness` of matrices "matrices 1": node 7 has not all its rows, so it is held, and this body has no carrier to hold it
       add a [carrier], or export the matrices of the body that nothing holds
     "#);

@@ -2,14 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
 
 use quasirigid_io::model::{Model, ModelError};
-use tempfile::TempDir;
 
 use super::same::assert_same;
-use super::{CARRIER, located};
+use super::{CARRIER, located, told, written};
 
 /// Masses in a line, each joined to the one before and the first to the carrier.
 const LINKS: usize = 4;
@@ -105,13 +103,9 @@ fn array(columns: &[Vec<f64>]) -> String {
     text
 }
 
+/// A carrier and these lines of a table `[[modes]]`, which start in line 6, beside files.
 fn beside(files: &[(&str, String)], lines: &str) -> Result<Model, ModelError> {
-    let folder = TempDir::new().expect("a folder");
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).expect("a file");
-    }
-    fs::write(folder.path().join("model.toml"), format!("{CARRIER}[[modes]]\n{lines}")).expect("a file");
-    Model::read(&folder.path().join("model.toml"))
+    written(files, &format!("{CARRIER}[[modes]]\n{lines}"))
 }
 
 fn listed(of: impl Fn(usize) -> String) -> String {
@@ -190,10 +184,7 @@ fn an_interface_is_attached_in_units_of_the_files() {
 
 /// How these lines, which start in line 6, are refused, by their reading or by the laws of mechanics.
 fn refusal(files: &[(&str, String)], lines: &str) -> String {
-    match beside(files, lines) {
-        Err(error) => located(&error),
-        Ok(model) => located(&model.diagnose(&model.assembly.body().expect_err("a refusal"))),
-    }
+    located(&told(beside(files, lines)))
 }
 
 #[test]

@@ -1,14 +1,12 @@
 //! Panels: rectangles, and meshes of a surface.
 
 use std::f64::consts::FRAC_PI_2;
-use std::fs;
 
 use insta::assert_snapshot;
 use quasirigid::elements::{Assembly, Kind, Layer, Panel, Part};
 use quasirigid_io::model::{Model, ModelError};
-use tempfile::TempDir;
 
-use super::{ALUMINIUM, CARRIER, only_part, read, refusal};
+use super::{ALUMINIUM, CARRIER, only_part, read, refusal, written};
 
 const LAYERS: &str = "layers = [{ material = \"aluminium\", thickness = \"2 mm\" }]\n";
 /// Six nodes and two cells, the second a triangle; the sets are of a node, and of a cell.
@@ -33,11 +31,8 @@ fn rectangle(lines: &str) -> Assembly {
 
 /// From a file beside the model, `plates.inp`.
 fn from_file(plates: &str, lines: &str) -> Result<Model, ModelError> {
-    let folder = TempDir::new().expect("a folder");
-    fs::write(folder.path().join("plates.inp"), plates).expect("a file");
     let text = model(&format!("file = \"plates.inp\"\n{LAYERS}{lines}"));
-    fs::write(folder.path().join("model.toml"), text).expect("a file");
-    Model::read(&folder.path().join("model.toml"))
+    written(&[("plates.inp", plates.to_owned())], &text)
 }
 
 fn close(found: &[[f64; 3]], expected: &[[f64; 3]]) {

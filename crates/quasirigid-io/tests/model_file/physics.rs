@@ -16,13 +16,7 @@ fn model() -> Model {
 
 /// What the laws of mechanics say to a good carrier with the rest of a file, which starts in line 5.
 fn verdict(rest: &str) -> String {
-    let model = read(&format!("{CARRIER}{rest}"));
-    let errors = model.assembly.check();
-    if errors.is_empty() {
-        model.diagnose(&model.assembly.body().expect_err("a refusal")).to_string()
-    } else {
-        model.diagnose_all(&errors).to_string()
-    }
+    super::verdict(&format!("{CARRIER}{rest}"))
 }
 
 /// The same for a point with a spring to the carrier and these further lines, which start in line 12.

@@ -1,14 +1,12 @@
 //! Solids, from meshes beside the model.
 
-use std::fs;
 use std::path::Path;
 
 use insta::assert_snapshot;
 use quasirigid::elements::{Kind, Part, Region, Solid, Substance};
 use quasirigid_io::model::{Model, ModelError};
-use tempfile::TempDir;
 
-use super::{ALUMINIUM, CARRIER, located, only_part};
+use super::{ALUMINIUM, CARRIER, located, only_part, written};
 
 /// Two cubes side by side along x from (4, −½, 3), sets `left` and `right`; the face at their end is `tip_face`.
 const BLOCK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/volume/model.toml");
@@ -29,11 +27,8 @@ fn block(lines: &str) -> Result<Model, ModelError> {
 
 /// From a mesh `pair.inp` beside the model; the lines start in line 15.
 fn pair(mesh: &str, lines: &str) -> Result<Model, ModelError> {
-    let folder = TempDir::new().expect("a folder");
-    fs::write(folder.path().join("pair.inp"), mesh).expect("a file");
     let text = model(&format!("file = \"pair.inp\"\n{lines}"));
-    fs::write(folder.path().join("model.toml"), text).expect("a file");
-    Model::read(&folder.path().join("model.toml"))
+    written(&[("pair.inp", mesh.to_owned())], &text)
 }
 
 fn solid(part: &Part) -> &Solid {

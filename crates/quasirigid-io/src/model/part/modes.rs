@@ -170,12 +170,8 @@ struct Coordinates<'u> {
 
 impl<'u> Coordinates<'u> {
     fn new(mass: &NodalMass, interface: &[usize], count: usize, units: &'u Units) -> Self {
-        let of_node = |node: &usize| {
-            let node = *node;
-            (0..6).filter(move |component| mass.freedoms.contains(&(node, *component)))
-        };
-        let of_interface = interface.iter().flat_map(of_node);
-        let scale = |component: usize| if component < 3 { units.length } else { 1.0 };
+        let of_interface = mass.rows_of(interface).into_iter();
+        let scale = |(_, component): (usize, usize)| if component < 3 { units.length } else { 1.0 };
         let scales = of_interface.map(scale).chain(std::iter::repeat(1.0)).take(count).collect();
         Self { units, scales }
     }

@@ -151,7 +151,7 @@ impl Connection {
 
 impl Net<'_> {
     fn is_free(&self, node: usize) -> bool {
-        matches!(self.structure.holds[node], Hold::Free | Hold::Partly(_))
+        self.structure.holds[node].is_free()
     }
 
     /// Holds a node that nothing holds yet.

@@ -9,7 +9,7 @@ use crate::elements::finite::{Link, Mass};
 use crate::elements::part::{Kind, NodeRef, Part, extremes};
 use crate::elements::spring::Pulled;
 use crate::elements::structure::{
-    Component, Fault, Freedoms, Hold, Joint, Matter, Node, Purpose, Structure, Unknown,
+    Component, Fault, Freedoms, Hold, Joint, Node, Purpose, Structure, Unknown,
 };
 use crate::elements::{End, Motion, coefficient};
 use crate::model::Rheology;
@@ -176,8 +176,7 @@ impl<'a> Net<'a> {
 
     /// Number of the matter without damping of its own that answers periodic strain like this.
     pub fn matter(&mut self, rheology: &Rheology) -> usize {
-        let matter = Matter { rheology: rheology.clone(), per_mass: 0.0, per_stiffness: 0.0 };
-        self.structure.matter(matter)
+        self.structure.matter(rheology, [0.0; 2])
     }
 
     /// An element blamed for what is wrong with a node.

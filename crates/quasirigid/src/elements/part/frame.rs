@@ -4,7 +4,7 @@ use crate::elements::Material;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
 use crate::elements::finite::{Element, Grain};
-use crate::elements::structure::{Matter, Structure};
+use crate::elements::structure::Structure;
 
 /// Straight beams between nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,9 +97,7 @@ impl Frame {
             let chain: Vec<usize> =
                 std::iter::once(start).chain(inner..inner + steps - 1).chain([end]).collect();
             inner += steps - 1;
-            let [per_mass, per_stiffness] = rayleigh;
-            let rheology = member.material.rheology.clone();
-            let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            let matter = structure.matter(&member.material.rheology, rayleigh);
             for pair in chain.windows(2) {
                 let nodes = [pair[0], pair[1]];
                 let beam = member.beam(place, nodes.map(|node| places[node - first]))?;

@@ -1,8 +1,6 @@
-use nalgebra::DMatrix;
-
-use super::nodal::NodalMass;
+use super::nodal::{NodalMass, times};
 use crate::elements::error::{ElementError, Field, Place, at};
-use crate::elements::structure::{Hold, Matter, Structure};
+use crate::elements::structure::{Hold, Structure};
 use crate::model::Rheology;
 
 /// Matrices over displacements and rotations of nodes, from another program. (K9)
@@ -29,7 +27,7 @@ impl Matrices {
         &self,
         index: usize,
         first: usize,
-        [per_mass, per_stiffness]: [f64; 2],
+        rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
@@ -42,8 +40,7 @@ impl Matrices {
         let blocks = self.mass.blocks(place, matrices)?;
         let masses = blocks.iter().map(|(pair, [mass, ..])| (*pair, mass));
         let lumps = self.mass.lumps(masses).map_err(at(place, Field::Mass))?;
-        let rheology = self.rheology.clone();
-        let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+        let matter = structure.matter(&self.rheology, rayleigh);
         for (pair, matrices) in &blocks {
             structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &lumps)));
         }
@@ -59,15 +56,9 @@ impl Matrices {
     /// Whether it resists every motion of the whole as a rigid body: the other program held nodes that it does not name.
     pub(super) fn stands(&self) -> bool {
         let rigid = self.mass.rigid();
-        let mut forces = DMatrix::zeros(rigid.nrows(), rigid.ncols());
-        let mut scale = 0.0;
-        for (row, column, stiffness) in &self.stiffness {
-            let force = *stiffness * rigid.row(*column);
-            let mut sum = forces.row_mut(*row);
-            sum += force;
-            scale += stiffness.abs() * rigid.row(*row).norm() * rigid.row(*column).norm();
-        }
-        let energies = rigid.tr_mul(&forces).symmetric_eigenvalues();
+        let size = |row: usize| rigid.row(row).norm();
+        let scale: f64 = self.stiffness.iter().map(|(i, j, entry)| entry.abs() * size(*i) * size(*j)).sum();
+        let energies = rigid.tr_mul(&times(&self.stiffness, &rigid)).symmetric_eigenvalues();
         !energies.is_empty() && energies.min() > ROUNDING * scale
     }
 

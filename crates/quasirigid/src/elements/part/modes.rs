@@ -2,11 +2,11 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix6};
 
-use super::nodal::{NodalMass, symmetric};
+use super::nodal::{NodalMass, symmetric, times};
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::Block;
-use crate::elements::structure::{Hold, Matter, Node, Structure};
+use crate::elements::structure::{Hold, Node, Structure};
 use crate::model::Rheology;
 
 /// Shapes of generalised coordinates over the nodes of another program's model: its modes of vibration, or those of Craig and
@@ -125,7 +125,7 @@ impl Modes {
         &self,
         index: usize,
         first: usize,
-        [per_mass, per_stiffness]: [f64; 2],
+        rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
@@ -133,8 +133,7 @@ impl Modes {
         self.check_shapes().map_err(at(place, Field::Shapes))?;
         let blocks = self.mass.blocks(place, [(Field::Mass, self.mass.entries.as_slice())])?;
         let resistance = self.spectrum.matrices(self.size(), place, || self.couplings())?;
-        let rheology = self.rheology.clone();
-        let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+        let matter = structure.matter(&self.rheology, rayleigh);
         structure.elements.push(Box::new(self.resistance(first, matter, &resistance)));
         let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
         let lumps = lumps.map_err(at(place, Field::Mass))?;
@@ -157,12 +156,7 @@ impl Modes {
 
     /// Node and component of the coordinates of the interface.
     fn interface_columns(&self) -> Vec<(usize, usize)> {
-        let moves = self.mass.moves();
-        let of = |node: &usize| {
-            let (node, moves) = (*node, moves[*node]);
-            (0..6).filter(move |component| moves[*component]).map(move |component| (node, component))
-        };
-        self.interface.iter().flat_map(of).collect()
+        self.mass.rows_of(&self.interface)
     }
 
     /// Node and component that keep each coordinate.
@@ -204,13 +198,7 @@ impl Modes {
     /// The mass matrix between the coordinates.
     fn couplings(&self) -> DMatrix<f64> {
         let shapes = DMatrix::from_fn(self.shapes.len(), self.size(), |row, column| self.shapes[row][column]);
-        let mut forces = DMatrix::zeros(shapes.nrows(), shapes.ncols());
-        for (row, column, mass) in &self.mass.entries {
-            let share = *mass * shapes.row(*column);
-            let mut force = forces.row_mut(*row);
-            force += share;
-        }
-        shapes.tr_mul(&forces)
+        shapes.tr_mul(&times(&self.mass.entries, &shapes))
     }
 
     /// Stiffness and damping between the coordinates as an element.

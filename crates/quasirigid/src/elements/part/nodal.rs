@@ -69,6 +69,17 @@ impl NodalMass {
         moved.u.map_or_else(|| DMatrix::zeros(0, 0), |basis| basis.select_columns(&columns))
     }
 
+    /// Node and component of the rows of some nodes, node by node.
+    #[must_use]
+    pub fn rows_of(&self, nodes: &[usize]) -> Vec<(usize, usize)> {
+        let moves = self.moves();
+        let of = |node: &usize| {
+            let (node, moves) = (*node, moves[*node]);
+            (0..6).filter(move |component| moves[*component]).map(move |component| (node, component))
+        };
+        nodes.iter().flat_map(of).collect()
+    }
+
     /// Components of each node that have a row.
     pub(super) fn moves(&self) -> Vec<[bool; 6]> {
         let mut moves = vec![[false; 6]; self.nodes.len()];
@@ -197,6 +208,17 @@ fn scalar(mass: &Matrix6<f64>, lumps: [&Lump; 2]) -> f64 {
         return 0.0;
     }
     common.iter().map(|axis| mass[(*axis, *axis)]).sum::<f64>() / common.len() as f64
+}
+
+/// Product of a matrix with columns.
+pub(super) fn times(entries: Entries<'_>, columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut product = DMatrix::zeros(columns.nrows(), columns.ncols());
+    for (row, column, entry) in entries {
+        let share = *entry * columns.row(*column);
+        let mut sum = product.row_mut(*row);
+        sum += share;
+    }
+    product
 }
 
 /// Accepts the entries of a symmetric matrix that gives no motion of a single freedom energy; `name` is that of a row.

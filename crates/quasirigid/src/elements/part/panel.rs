@@ -7,7 +7,7 @@ use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::elements::finite::{Element, Grain};
-use crate::elements::structure::{Matter, Structure};
+use crate::elements::structure::Structure;
 use crate::math::mesh::{Cell, Mesh, Shape};
 
 /// A thin plate or shell.
@@ -78,7 +78,7 @@ impl Panel {
     fn sections(
         &self,
         place: Place,
-        [per_mass, per_stiffness]: [f64; 2],
+        rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<Vec<(usize, ShellSection)>, ElementError> {
         let refuse = at(place, Field::Layers);
@@ -88,8 +88,7 @@ impl Panel {
             .map_err(|cause| refuse(Problem::Shell { cell: None, cause }))?;
         let mut sections: Vec<(usize, ShellSection)> = Vec::new();
         for (layer, section) in self.layers.iter().zip(layers) {
-            let rheology = layer.substance.rheology().clone();
-            let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            let matter = structure.matter(layer.substance.rheology(), rayleigh);
             match sections.iter_mut().find(|(known, _)| *known == matter) {
                 Some((_, sum)) => *sum = *sum + section,
                 None => sections.push((matter, section)),

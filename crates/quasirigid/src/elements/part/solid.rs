@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 use super::{Substance, sound};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Element, Grain, elasticity, solid};
-use crate::elements::structure::{Matter, Structure};
+use crate::elements::structure::Structure;
 use crate::math::mesh::{Mesh, Shape};
 
 /// A solid of cells: tetrahedra, wedges and hexahedra.
@@ -45,7 +45,7 @@ impl Solid {
         &self,
         index: usize,
         first: usize,
-        [per_mass, per_stiffness]: [f64; 2],
+        rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = Place::Part(index);
@@ -53,8 +53,7 @@ impl Solid {
         for region in &self.regions {
             region.substance.check(place)?;
             let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::Material))?);
-            let rheology = region.substance.rheology().clone();
-            let matter = structure.matter(Matter { rheology, per_mass, per_stiffness });
+            let matter = structure.matter(region.substance.rheology(), rayleigh);
             let count = self.mesh.cells.len();
             if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
                 return Err(at(place, Field::Material)(Problem::NoSuchCell { index, count }));

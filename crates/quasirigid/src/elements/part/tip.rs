@@ -3,7 +3,7 @@ use nalgebra::Vector3;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::finite::{Mass, rigid_points};
-use crate::elements::structure::{Matter, Structure};
+use crate::elements::structure::Structure;
 use crate::model::{Inertia, Rheology};
 
 /// A rigid body at a node.
@@ -41,8 +41,7 @@ impl TipMass {
         } else {
             return Err(refuse(Problem::NoTurnForInertia { node: name() }));
         };
-        let matter =
-            structure.matter(Matter { rheology: Rheology::Elastic, per_mass: 0.0, per_stiffness: 0.0 });
+        let matter = structure.matter(&Rheology::Elastic, [0.0; 2]);
         structure.elements.push(Box::new(Mass {
             node: first + self.node,
             freedoms: if node.turns { 6 } else { 3 },

@@ -23,8 +23,10 @@ impl Structure {
         self.nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64
     }
 
-    /// Number of a matter, which it gets if it is new.
-    pub fn matter(&mut self, matter: Matter) -> usize {
+    /// Number of the matter with a rheology, and damping in proportion to mass (1/s) and stiffness (s), which it gets if it is
+    /// new.
+    pub fn matter(&mut self, rheology: &Rheology, [per_mass, per_stiffness]: [f64; 2]) -> usize {
+        let matter = Matter { rheology: rheology.clone(), per_mass, per_stiffness };
         self.matters.iter().position(|known| *known == matter).unwrap_or_else(|| {
             self.matters.push(matter);
             self.matters.len() - 1

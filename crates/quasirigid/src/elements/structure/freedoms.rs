@@ -39,6 +39,13 @@ pub(in crate::elements) enum Hold {
     Coordinates(usize),
 }
 
+impl Hold {
+    /// Whether no other node and no carrier holds the node.
+    pub fn is_free(&self) -> bool {
+        matches!(self, Self::Free | Self::Partly(_))
+    }
+}
+
 /// An unknown of the structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::elements) enum Unknown {

@@ -14,7 +14,7 @@ mod sum;
 
 pub(super) use component::{Component, Fault, Purpose};
 pub use condensation::Condensation;
-pub(super) use discrete::{Joint, Matter, Structure};
+pub(super) use discrete::{Joint, Structure};
 pub(super) use freedoms::{Freedoms, Hold, Node, Unknown};
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
 
 use super::discrete::{Discrete, times};
-use super::freedoms::{Hold, Unknown};
+use super::freedoms::Unknown;
 use crate::math::eigen::NoConvergence;
 use crate::math::factor::{Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
@@ -131,9 +131,8 @@ fn pinned(discrete: &Discrete<'_>) -> Symmetric {
 /// Nodes that are pinned, and the components of their motion: three nodes, or one that turns where there are no three.
 fn pins(discrete: &Discrete<'_>) -> Vec<(usize, DMatrix<f64>)> {
     let nodes = &discrete.structure.nodes;
-    let free: Vec<usize> = (0..nodes.len())
-        .filter(|node| matches!(discrete.structure.holds[*node], Hold::Free | Hold::Partly(_)))
-        .collect();
+    let free: Vec<usize> =
+        (0..nodes.len()).filter(|node| discrete.structure.holds[*node].is_free()).collect();
     if let (true, Some(node)) = (free.len() < 3, free.iter().find(|node| nodes[**node].turns)) {
         return vec![(*node, DMatrix::identity(6, 6))];
     }

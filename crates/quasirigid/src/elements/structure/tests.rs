@@ -1,6 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Component, Freedoms, Hold, Matter, Node, Purpose, Structure};
+use super::{Component, Freedoms, Hold, Node, Purpose, Structure};
 use crate::elements::finite::{Link, Mass};
 use crate::elements::matrices::Matrices;
 use crate::elements::{Assembly, Coefficient, End, Law};
@@ -11,16 +11,14 @@ use crate::reduction::reduce;
 
 /// The points and springs of a body as a structure on its carrier.
 fn structure(assembly: &Assembly) -> Structure {
-    let mut structure = Structure {
-        matters: vec![Matter { rheology: Rheology::Elastic, per_mass: 0.0, per_stiffness: 0.0 }],
-        ..Structure::default()
-    };
+    let mut structure = Structure::default();
+    let matter = structure.matter(&Rheology::Elastic, [0.0; 2]);
     for (node, point) in assembly.points.iter().enumerate() {
         let place = Vector3::from(point.position);
         structure.nodes.push(Node { place, turns: false });
         structure.holds.push(Hold::Free);
         let points = vec![(point.mass, Vector3::zeros())];
-        structure.elements.push(Box::new(Mass { node, freedoms: 3, matter: 0, points, place }));
+        structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
     }
     let carrier = structure.nodes.len();
     structure.nodes.push(Node { place: Vector3::zeros(), turns: false });
@@ -33,7 +31,7 @@ fn structure(assembly: &Assembly) -> Structure {
         };
         structure.elements.push(Box::new(Link {
             nodes: [node(spring.from), node(spring.to)],
-            matter: 0,
+            matter,
             stiffness: Matrix3::from(k),
             damping: Matrix3::from(c),
         }));

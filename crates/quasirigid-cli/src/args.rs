@@ -48,7 +48,7 @@ pub struct Common {
     /// Model file
     #[arg(value_name = "MODEL.toml")]
     pub model: PathBuf,
-    /// Order p of the reduced equations, 1 (rigid) to 12; the file's own, or 3 (the paper's)
+    /// Order p of the reduced equations, 0 (rigid) to 12; the file's own, or 3 (the paper's)
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub order: Option<usize>,
     /// Print results for machines, as one JSON object

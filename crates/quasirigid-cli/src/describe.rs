@@ -22,6 +22,7 @@ fn names(comparison: Comparison) -> (&'static str, &'static str) {
     match comparison {
         Comparison::Spin => ("spin against slowest vibration", "|w|/Omega_min"),
         Comparison::Damping => ("spin against damping", "beta |w|"),
+        Comparison::Relaxation => ("spin against friction", "tau |w|"),
         Comparison::Series => ("convergence of the series", "Omega_d+2/Omega_d"),
         Comparison::Resonance => ("harmonics near resonance", "nome^(n/2)"),
         Comparison::Linearity => ("displacement against size", "max|r|/max|rho|"),
@@ -51,6 +52,13 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
                 "Dashpots delay the springs by up to {time} s, which is {ratio} of the time 1/|w| of the spin."
             )
         }
+        Comparison::Relaxation => match &validity.relaxation.slowest {
+            None => "No rotor or liquid moves in this body.".into(),
+            Some(slowest) => format!(
+                "The slowest motion inside ({slowest}) comes to rest in {} s, which is {ratio} of the time 1/|w| of the spin.",
+                significant(validity.relaxation.longest(), 3)
+            ),
+        },
         Comparison::Series => {
             format!("Successive terms of the same kind in Omega(K) have the ratio {ratio} at this spin.")
         }

@@ -78,6 +78,10 @@ pub enum Failure {
         "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points"
     )]
     DrivenPole,
+    #[error(
+        "this body has momentum wheels, and the average over free rotations knows none; follow it with `simulate`, or see in `check` how fast nutation grows or decays"
+    )]
+    Wheels,
     #[error("at one end of the ranges of the materials: {cause}")]
     Extreme { cause: Box<ElementError> },
     #[error("cannot listen for Ctrl-C: {0}")]

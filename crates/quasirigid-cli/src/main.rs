@@ -8,6 +8,7 @@ mod evolution;
 mod failure;
 mod interrupt;
 mod layout;
+mod liquids;
 mod message;
 mod motion;
 mod output;

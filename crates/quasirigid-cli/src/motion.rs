@@ -8,9 +8,10 @@ use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::verification::Start;
-use quasirigid_io::model::{Displacements, Model};
+use quasirigid_io::model::Displacements;
 
 use crate::args::System;
+use crate::commands::Loaded;
 use crate::failure::Failure;
 
 /// A body with its forces and its initial state.
@@ -21,16 +22,13 @@ pub struct Motion<'a> {
     pub start: Start,
     /// Internal coordinates and rates, where the file gives them.
     displaced: Option<(Vec<f64>, Vec<f64>)>,
+    /// Rates of cyclic coordinates, where the file gives them.
+    speeds: &'a [(usize, f64)],
 }
 
 impl<'a> Motion<'a> {
-    pub fn new(
-        model: &Model,
-        body: &'a FlexibleBody,
-        forces: &'a [Force<Marker>],
-        order: usize,
-        spin: SpinState,
-    ) -> Self {
+    pub fn new(loaded: &'a Loaded, spin: SpinState) -> Self {
+        let Loaded { model, body, forces, speeds, order, .. } = loaded;
         let (place, velocity) = match body.support() {
             Support::Free => (model.initial.position, model.initial.velocity),
             Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
@@ -46,16 +44,16 @@ impl<'a> Motion<'a> {
             }
         };
         let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
-        Self { body, forces, order, start, displaced }
+        Self { body, forces, order: *order, start, displaced, speeds }
     }
 
     pub fn system(&self) -> Forced<'a> {
         Forced { body: self.body, forces: self.forces }
     }
 
-    /// Whether the elastic parts start elsewhere than on the slow manifold.
+    /// Whether something inside starts elsewhere than on the slow manifold.
     pub fn starts_displaced(&self) -> bool {
-        self.displaced.is_some()
+        self.displaced.is_some() || !self.speeds.is_empty()
     }
 
     /// Follows one of the systems.
@@ -66,7 +64,7 @@ impl<'a> Motion<'a> {
         options: Options,
         observer: &mut dyn Observer,
     ) -> Result<Run, Failure> {
-        let order = if system == System::Rigid { 1 } else { self.order };
+        let order = if system == System::Rigid { 0 } else { self.order };
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid if self.system().acts() => {
@@ -101,12 +99,19 @@ impl<'a> Motion<'a> {
     /// The full state at the start.
     pub fn full(&self) -> Result<FullState, Failure> {
         let Start { omega, attitude, place, velocity } = self.start;
-        match &self.displaced {
+        let mut state = match &self.displaced {
             Some((q, rate)) => {
-                Ok(FullState { omega, attitude, q: q.clone(), rate: rate.clone(), place, velocity })
+                let (mut rate, cyclic) = (rate.clone(), self.body.cyclic());
+                if !cyclic.is_empty() {
+                    let settled = self.start.settled(self.system(), self.order)?;
+                    rate[cyclic.clone()].copy_from_slice(&settled.rate[cyclic]);
+                }
+                FullState { omega, attitude, q: q.clone(), rate, place, velocity }
             }
-            None => Ok(self.start.settled(self.system(), self.order)?),
-        }
+            None => self.start.settled(self.system(), self.order)?,
+        };
+        self.speeds.iter().for_each(|(coordinate, speed)| state.rate[*coordinate] = *speed);
+        Ok(state)
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, Failure> {
@@ -114,7 +119,7 @@ impl<'a> Motion<'a> {
     }
 
     fn slow(&self, order: usize) -> Result<SlowState, Failure> {
-        if self.starts_displaced() && order > 1 {
+        if self.starts_displaced() && order > 0 {
             return self.matched(order);
         }
         let Start { omega, attitude, place, velocity } = self.start;

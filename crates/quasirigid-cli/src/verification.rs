@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 use std::ops::ControlFlow;
 
+use quasirigid::model::FlexibleBody;
 use quasirigid::verification::{Plan, Verification, VerificationError, verify};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::VerificationRecord;
@@ -14,12 +15,14 @@ use crate::layout::paragraph;
 use crate::motion::Motion;
 use crate::progress::Bar;
 
-/// What the file asks for, every order up to the model's where it does not say.
-pub fn plan(model: &Model, order: usize) -> Plan {
+/// What the file asks for; where it does not say, every order up to the model's from the highest one that is the rigid
+/// body: 0 with rotors and liquids, 1 with springs alone.
+pub fn plan(model: &Model, body: &FlexibleBody, order: usize) -> Plan {
+    let lowest = usize::from(body.cyclic().is_empty());
     let asked = model.run.verify.clone().unwrap_or_default();
     let defaults = Plan::default();
     Plan {
-        orders: asked.orders.unwrap_or_else(|| (1..=order).collect()),
+        orders: asked.orders.unwrap_or_else(|| (lowest..=order).collect()),
         rotations: asked.rotations.unwrap_or(defaults.rotations),
         halvings: asked.halvings.unwrap_or(defaults.halvings),
         ..defaults

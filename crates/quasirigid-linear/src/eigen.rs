@@ -1,5 +1,7 @@
 //! Eigenvalues of dense matrices; the only file that names the dense library.
 
+use std::ops::Range;
+
 use faer::{Mat, Side};
 use thiserror::Error;
 
@@ -41,6 +43,13 @@ impl Dense {
     #[must_use]
     pub fn size(&self) -> usize {
         self.size
+    }
+
+    /// The square block of a range of rows and columns.
+    #[must_use]
+    pub fn block(&self, range: Range<usize>) -> Self {
+        let row = |row: usize| &self.entries[row * self.size..][range.clone()];
+        Self { size: range.len(), entries: range.clone().flat_map(row).copied().collect() }
     }
 
     /// An entry.

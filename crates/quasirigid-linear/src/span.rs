@@ -31,6 +31,12 @@ impl Span {
         Self { vectors: kept }
     }
 
+    /// The vectors.
+    #[must_use]
+    pub fn into_vectors(self) -> Vec<Vec<f64>> {
+        self.vectors
+    }
+
     /// A matrix on the span, from its products with vectors.
     pub fn projected(&self, times: impl Fn(&[f64]) -> Vec<f64>) -> Dense {
         let mut matrix = Dense::zero(self.vectors.len());

@@ -1,6 +1,6 @@
 //! Sparse matrices by rows, and the factorisation of the symmetric ones.
 
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Range};
 
 /// Square sparse matrix of entries `T`, stored by rows, columns ascending.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,16 @@ impl<T: Clone + AddAssign> SparseRows<T> {
             matrix.starts[row + 1] = matrix.starts[row + 1].max(matrix.starts[row]);
         }
         matrix
+    }
+
+    /// The square block of a range of rows and columns.
+    #[must_use]
+    pub fn block(&self, range: Range<usize>) -> Self {
+        let inside = self.iter().filter(|(row, column, _)| range.contains(row) && range.contains(column));
+        let place = |(row, column, entry): (usize, usize, &T)| {
+            (row - range.start, column - range.start, entry.clone())
+        };
+        Self::sum(range.len(), inside.map(place).collect())
     }
 }
 

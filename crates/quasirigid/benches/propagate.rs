@@ -71,7 +71,7 @@ fn dense(degrees: &[usize]) -> Kernel {
     let mut map = Series::zero(degrees[degrees.len() - 1], 3);
     for &degree in degrees {
         let mut part = map.part(degree).clone();
-        part.coefficients_mut().iter_mut().enumerate().for_each(|(i, c)| *c = 1e-3 * (i as f64).sin());
+        part.coefficients_mut().flatten().enumerate().for_each(|(i, c)| *c = 1e-3 * (i as f64).sin());
         map.set(part);
     }
     Kernel::new(&map)

@@ -6,6 +6,7 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid_io::model::Model;
 use serde_json::json;
 
 use super::{Loaded, initial, load, lossless, notes};
@@ -13,6 +14,7 @@ use crate::args::Check;
 use crate::describe::{criterion, reasons, significant, time, verdict, word};
 use crate::failure::Failure;
 use crate::layout::paragraph;
+use crate::liquids::{Liquid, liquids};
 use crate::{Ending, output};
 
 /// Frequencies printed one by one.
@@ -26,13 +28,14 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let validity = Validity::of(&body, order, omega)?;
     let reduced = reduce(&body, order)?;
     let text = if arguments.common.json {
-        object(&model.name, order, &validity, condensation)
+        object(&model, order, &validity, condensation)
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
         if let Some(note) = lossless(&body) {
             text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
         }
+        liquids(&model, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
         condensation.iter().for_each(|known| text.push_str(&condensed(known)));
@@ -43,7 +46,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
 }
 
-fn object(name: &str, order: usize, validity: &Validity, condensation: Option<Condensation>) -> String {
+fn object(model: &Model, order: usize, validity: &Validity, condensation: Option<Condensation>) -> String {
     let criteria: Vec<_> = validity
         .criteria
         .iter()
@@ -57,7 +60,7 @@ fn object(name: &str, order: usize, validity: &Validity, condensation: Option<Co
         .collect();
     let finite = |value: f64| value.is_finite().then_some(value);
     let object = json!({
-        "name": name,
+        "name": model.name,
         "order": order,
         "valid": validity.verdict() != Verdict::Fails,
         "verdict": word(validity.verdict()),
@@ -66,10 +69,12 @@ fn object(name: &str, order: usize, validity: &Validity, condensation: Option<Co
         "frequencies": validity.vibrations.frequencies,
         "free_frequencies": validity.vibrations.free_frequencies,
         "decay_rates": validity.vibrations.decay_rates,
+        "relaxation_times": validity.relaxation.times,
         "criteria": criteria,
         "degrees": validity.degrees.iter()
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
+        "liquids": liquids(model, validity.T3.recip()).iter().map(Liquid::object).collect::<Vec<_>>(),
         "condensation": condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
         })),
@@ -110,9 +115,14 @@ fn write(
 
 fn times(out: &mut String, validity: &Validity) -> fmt::Result {
     writeln!(out, "\nTimes")?;
+    let slowest = if validity.relaxation.longest() < validity.T2 {
+        "decay of the slowest vibration"
+    } else {
+        "decay of the slowest relaxation"
+    };
     let rows = [
         ("T1", validity.T1, "period of the slowest vibration"),
-        ("T2", validity.T2, "decay of the slowest vibration"),
+        ("T2", validity.T2, slowest),
         ("T3", validity.T3, "the spin, 1/|w|"),
     ];
     rows.iter().try_for_each(|(symbol, seconds, meaning)| {
@@ -121,14 +131,21 @@ fn times(out: &mut String, validity: &Validity) -> fmt::Result {
 }
 
 fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
-    let vibrations = &validity.vibrations;
-    if vibrations.frequencies.is_empty() {
+    let (vibrations, relaxations) = (&validity.vibrations, &validity.relaxation.times);
+    if vibrations.frequencies.is_empty() && relaxations.is_empty() {
         return writeln!(out, "\nNo vibrations: the body is rigid.");
     }
-    writeln!(out, "\nVibrations")?;
-    list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
-    list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
-    list(out, "decay rates", &vibrations.decay_rates, "1/s")
+    if !vibrations.frequencies.is_empty() {
+        writeln!(out, "\nVibrations")?;
+        list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
+        list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
+        list(out, "decay rates", &vibrations.decay_rates, "1/s")?;
+    }
+    if !relaxations.is_empty() {
+        writeln!(out, "\nRelaxations of what turns inside")?;
+        list(out, "times, attitude held", relaxations, "s")?;
+    }
+    Ok(())
 }
 
 fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Result {

@@ -1,5 +1,6 @@
-use quasirigid::reduction::{frequencies, reduce};
-use quasirigid_io::export::Derived;
+use quasirigid::model::FlexibleBody;
+use quasirigid::reduction::{ReductionError, degree_sizes, frequencies, reduce};
+use quasirigid_io::export::{Derived, Mechanism};
 
 use super::{Loaded, load, notes};
 use crate::args::{Derive, DeriveFormat};
@@ -12,7 +13,13 @@ pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     notes(&model, &arguments.common);
     let reduced = reduce(&body, order)?;
     let frequencies = frequencies(&body)?;
-    let derived = Derived { name: &model.name, body: &body, reduced: &reduced, frequencies: &frequencies };
+    let derived = Derived {
+        name: &model.name,
+        body: &body,
+        reduced: &reduced,
+        frequencies: &frequencies,
+        mechanisms: &mechanisms(&body, order)?,
+    };
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => derived.text(),
@@ -24,4 +31,19 @@ pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     }
     output::print(&text)?;
     Ok(Ending::Done)
+}
+
+/// What moves inside and what outside, each with the other locked, of a body that has both.
+fn mechanisms(body: &FlexibleBody, order: usize) -> Result<Vec<Mechanism>, ReductionError> {
+    if body.elastic() == 0 || body.cyclic().is_empty() {
+        return Ok(Vec::new());
+    }
+    let alone = |name, part: &FlexibleBody| {
+        let sizes = degree_sizes(&reduce(part, order)?, [1.0, 0.0, 0.0]);
+        Ok(Mechanism { name, sizes })
+    };
+    Ok(vec![
+        alone("liquids and rotors", &body.stiff_outside())?,
+        alone("springs and dashpots", &body.locked_inside())?,
+    ])
 }

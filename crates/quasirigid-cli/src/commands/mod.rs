@@ -27,6 +27,8 @@ pub struct Loaded {
     pub model: Model,
     pub body: FlexibleBody,
     pub forces: Vec<Force<Marker>>,
+    /// Rates of cyclic coordinates at the start, where the file gives them.
+    pub speeds: Vec<(usize, f64)>,
     pub condensation: Option<Condensation>,
     pub order: usize,
 }
@@ -39,9 +41,9 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let Built { body, forces, condensation } =
+    let Built { body, forces, condensation, speeds } =
         model.assembly.build().map_err(|error| model.diagnose(&error))?;
-    Ok(Loaded { model, body, forces, condensation, order })
+    Ok(Loaded { model, body, forces, speeds, condensation, order })
 }
 
 /// Says what is suspect in the model, on standard error.
@@ -128,13 +130,20 @@ fn events(loaded: &Loaded, axis: [f64; 3]) -> Result<Vec<Event>, Failure> {
     Ok(events)
 }
 
-/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles.
+/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles. With
+/// momentum wheels, the principal axis next to the momentum.
 fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
     let K = rigid.momentum(omega);
     let Principal { moments, axes } = Principal::of(rigid.J);
-    let long_axis_mode = 2.0 * rigid.energy(omega) * moments[1] > dot(K, K);
-    let axis = axes[if long_axis_mode { 0 } else { 2 }];
-    axis.map(|entry| entry * dot(axis, K).signum())
+    let along = |axis: usize| dot(axes[axis], K);
+    let axis = if rigid.has_wheels() {
+        (0..3).max_by(|a, b| along(*a).abs().total_cmp(&along(*b).abs())).unwrap_or(2)
+    } else if 2.0 * rigid.energy(omega) * moments[1] > dot(K, K) {
+        0
+    } else {
+        2
+    };
+    axes[axis].map(|entry| entry * along(axis).signum())
 }
 
 /// Output times from zero to `duration`.

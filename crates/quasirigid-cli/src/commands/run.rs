@@ -29,21 +29,21 @@ const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, s
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
 /// Note on a start off the slow manifold.
-const DISPLACED: &str = "The elastic parts do not start on the slow manifold: the full system vibrates until its dashpots have \
+const DISPLACED: &str = "What moves inside does not start on the slow manifold: the full system moves until its friction has \
                          stilled it, and the reduced body starts from the state that it settles on.";
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
-    let Loaded { model, body, forces, order, .. } = &loaded;
+    let Loaded { model, body, order, .. } = &loaded;
     let order = *order;
     let start = initial(model, body, order, &arguments.common.model)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
-    let motion = Motion::new(model, body, forces, order, start);
+    let motion = Motion::new(&loaded, start);
     let validity = Validity::of(body, order, start.omega)?;
     let reduced = reduce(body, order)?;
-    let axis = circled_axis(&reduce(body, 1)?, start.omega);
+    let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let mut notes = model.notes.clone();
     notes.extend(lossless(body).map(String::from));
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
@@ -64,7 +64,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let folder = Folder::new(&path)?;
     record.write(&folder.building())?;
     let frequencies = &validity.vibrations.frequencies;
-    let derived = Derived { name: &model.name, body, reduced: &reduced, frequencies };
+    let derived = Derived { name: &model.name, body, reduced: &reduced, frequencies, mechanisms: &[] };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;
     if let Some(picture) = quasirigid_report::sphere_picture(&record) {
@@ -168,7 +168,7 @@ impl<'a> Plan<'a> {
         if model.run.verify.is_none() {
             return Ok(None);
         }
-        let plan = verification::plan(model, order);
+        let plan = verification::plan(model, self.motion.body, order);
         let found = verification::follow(self.motion, &plan, &self.interrupt, self.quiet)?;
         if found.is_none() {
             notes.push(UNPROVED.into());

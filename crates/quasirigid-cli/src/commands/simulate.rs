@@ -19,13 +19,13 @@ const ROWS: usize = 1001;
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
-    let Loaded { model, body, forces, order, .. } = &loaded;
+    let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
     if arguments.system != System::Rigid {
         note_lossless(body, &arguments.common);
     }
     let start = initial(model, body, *order, &arguments.common.model)?;
-    let axis = circled_axis(&reduce(body, 1)?, start.omega);
+    let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {
         Some(times) => times.clone(),
@@ -44,7 +44,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
             return Err(Failure::NoCoordinates { option });
         }
     }
-    let motion = Motion::new(model, body, forces, *order, start);
+    let motion = Motion::new(&loaded, start);
     let judged = start.omega != [0.0; 3] || !motion.system().acts();
     if !arguments.common.quiet && arguments.system == System::Reduced && judged {
         warn(&Validity::of(body, *order, start.omega)?);

@@ -11,12 +11,13 @@ use crate::{Ending, output, record, verification};
 
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
-    let Loaded { model, body, forces, order, .. } = &load(&arguments.common)?;
+    let loaded = load(&arguments.common)?;
+    let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
     note_lossless(body, &arguments.common);
     let start = initial(model, body, *order, &arguments.common.model)?;
-    let motion = Motion::new(model, body, forces, *order, start);
-    let file = verification::plan(model, *order);
+    let motion = Motion::new(&loaded, start);
+    let file = verification::plan(model, body, *order);
     let plan = Plan {
         orders: arguments.orders.clone().unwrap_or(file.orders),
         rotations: arguments.rotations.unwrap_or(file.rotations),

@@ -62,6 +62,9 @@ pub fn follow(
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(Failure::DrivenPole);
     }
+    if !body.wheels().is_none() {
+        return Err(Failure::Wheels);
+    }
     let torque = SlowTorque::of(forces)?;
     let ageing = Ageing::new(body, &reduce(body, *order)?, start, asked.power)?;
     let evolution = ageing.evolution();

@@ -91,9 +91,7 @@ fn json_option_and_json_format_print_the_same() {
 #[test]
 fn order_out_of_range_is_refused() {
     let refused = ran("derive examples/axial-mass/model.toml --order 13");
-    assert_snapshot!(refused.refusal(), @"quasirigid: order 13 is not available; choose 1 (rigid) to 12, 3 is the paper's");
-    let refused = ran("derive examples/axial-mass/model.toml --order 0");
-    assert!(refused.refusal().starts_with("quasirigid: order 0 is not available; choose 1 (rigid) to 12"));
+    assert_snapshot!(refused.refusal(), @"quasirigid: order 13 is not available; choose 0 (rigid) to 12, 3 is the paper's");
     for order in ["-1", "2.5", "three"] {
         let refused = ran(&format!("derive examples/axial-mass/model.toml --order {order}"));
         assert!(refused.refusal().contains(&format!("invalid value '{order}' for '--order <P>'")));

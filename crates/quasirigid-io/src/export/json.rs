@@ -15,6 +15,7 @@ struct Object<'a> {
     center_of_mass: [f64; 3],
     pole: [f64; 3],
     inertia: [[f64; 3]; 3],
+    wheels: [f64; 3],
     frequencies: &'a [f64],
     coordinates: Vec<&'a str>,
     mu: Vec<Term>,
@@ -36,7 +37,7 @@ impl Derived<'_> {
     /// The derived body as one JSON object: every monomial of every degree, all digits.
     #[must_use]
     pub fn json(&self) -> String {
-        let Derived { name, body, reduced, frequencies } = *self;
+        let Derived { name, body, reduced, frequencies, .. } = *self;
         let object = Object {
             name,
             units: "SI",
@@ -50,6 +51,7 @@ impl Derived<'_> {
             center_of_mass: body.center_of_mass(),
             pole: body.pole(),
             inertia: body.inertia(),
+            wheels: body.wheels().momentum(0.0),
             frequencies,
             coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.as_str()).collect(),
             mu: terms(&self.mu().iter().collect::<Vec<_>>()),
@@ -57,7 +59,7 @@ impl Derived<'_> {
             spin_of_momentum: terms(&parts(&reduced.Omega, 1)),
             force: terms(&parts(&reduced.phi, 4)),
             energy: terms(&parts(&reduced.energy, 2)),
-            power: terms(&parts(&reduced.power, 6)),
+            power: terms(&self.power()),
         };
         serde_json::to_string_pretty(&object).expect("numbers and strings always have a JSON text")
     }

@@ -1,9 +1,11 @@
 //! The reduced equations in forms that other programs and people read.
 
+mod comparison;
 mod json;
 mod latex;
 mod text;
 
+pub use comparison::Mechanism;
 use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 
@@ -18,17 +20,30 @@ pub struct Derived<'a> {
     pub reduced: &'a ReducedBody,
     /// Natural frequencies (rad/s), ascending: all, or the lowest.
     pub frequencies: &'a [f64],
+    /// What moves inside and what outside, each alone; none of a body that has not both.
+    pub mechanisms: &'a [Mechanism],
 }
 
 impl Derived<'_> {
-    /// Torque `μ` degree by degree, from 4 up; the degrees below are zero for an elastic body.
-    fn mu(&self) -> Vec<Homogeneous> {
-        (4..=self.reduced.f.degree()).map(|degree| self.reduced.mu(degree)).collect()
+    /// Whether something turns inside the body.
+    fn turns_inside(&self) -> bool {
+        !self.body.cyclic().is_empty()
     }
 
-    /// Momentum `K` degree by degree, from 3 up.
+    /// Torque `μ` degree by degree, from 4 up for an elastic body, from 3 with rotors and liquids; the degrees below are zero.
+    fn mu(&self) -> Vec<Homogeneous> {
+        let lowest = if self.turns_inside() { 3 } else { 4 };
+        (lowest..=self.reduced.f.degree()).map(|degree| self.reduced.mu(degree)).collect()
+    }
+
+    /// Momentum `K` degree by degree, from 3 up for an elastic body, from 2 with rotors and liquids.
     fn momentum(&self) -> Vec<&Homogeneous> {
-        parts(&self.reduced.K, 3)
+        parts(&self.reduced.K, if self.turns_inside() { 2 } else { 3 })
+    }
+
+    /// Power degree by degree, from 6 up for an elastic body, from 4 with rotors and liquids.
+    fn power(&self) -> Vec<&Homogeneous> {
+        parts(&self.reduced.power, if self.turns_inside() { 4 } else { 6 })
     }
 }
 

@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::{Principal, Support};
 
-use super::Derived;
+use super::{Derived, comparison};
 
 /// Terms smaller than this share of the largest of their degree are rounding and not shown.
 const SHOWN: f64 = 1e-13;
@@ -18,10 +18,16 @@ impl Derived<'_> {
     }
 
     fn write(&self, out: &mut String) -> fmt::Result {
-        let Derived { name, body, reduced, frequencies } = *self;
+        let Derived { name, body, reduced, frequencies, mechanisms } = *self;
         let principal = Principal::of(reduced.J);
         writeln!(out, "{name}: reduced equations of order {}", reduced.order)?;
-        writeln!(out, "\n  J w' + w x Jw = mu(w)        w in rad/s, body axes, SI units throughout\n")?;
+        let wheels = body.wheels().momentum(0.0);
+        let equation = if body.wheels().is_none() {
+            "J w' + w x Jw = mu(w)        w in rad/s"
+        } else {
+            "J w' + w x (Jw + k) = mu(w)  w in rad/s"
+        };
+        writeln!(out, "\n  {equation}, body axes, SI units throughout\n")?;
         writeln!(out, "mass              {} kg", number(reduced.mass))?;
         writeln!(out, "centre of mass    {} m", vector(body.center_of_mass()))?;
         let support = match body.support() {
@@ -36,11 +42,15 @@ impl Derived<'_> {
             writeln!(out, "                  {}", vector(*row))?;
         }
         writeln!(out, "principal moments {} kg m^2", vector(principal.moments))?;
+        if !body.wheels().is_none() {
+            writeln!(out, "wheels k          {} N m s", vector(wheels))?;
+        }
         match frequencies {
+            [] if self.turns_inside() => writeln!(out, "frequencies       none: nothing vibrates")?,
             [] => writeln!(out, "frequencies       none: the body is rigid")?,
             [only] => writeln!(out, "frequency         {} rad/s", number(*only))?,
             [lowest, .., highest] => {
-                let (found, all) = (frequencies.len(), body.coordinates().len());
+                let (found, all) = (frequencies.len(), body.elastic());
                 let count = if found < all { format!("lowest {found} of {all}") } else { found.to_string() };
                 writeln!(
                     out,
@@ -50,8 +60,12 @@ impl Derived<'_> {
                 )?;
             }
         }
+        if !mechanisms.is_empty() {
+            comparison::write(out, mechanisms)?;
+        }
         for part in self.mu() {
-            let kind = if part.degree() % 2 == 0 { "elastic" } else { "dissipative" };
+            let kind = if part.degree() % 2 == 0 { "conservative" } else { "dissipative" };
+            let kind = if self.turns_inside() || kind == "dissipative" { kind } else { "elastic" };
             section(out, &format!("torque mu, degree {} ({kind}), N m", part.degree()), &part)?;
         }
         for part in self.momentum() {

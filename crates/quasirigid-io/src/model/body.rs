@@ -4,6 +4,7 @@ use quasirigid::elements::{Assembly, Carrier, Motion, Part, Point, Spring};
 use quasirigid::model::{Rheology, Support};
 
 use super::Diagnostic;
+use super::cavity::{self, CavityTable};
 use super::diagnostic::Problems;
 use super::ellipsoid::{ELLIPSOID, ellipsoid};
 use super::force::{self, ForceTable};
@@ -12,6 +13,7 @@ use super::material::Materials;
 use super::names::Names;
 use super::part::{self, CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
 use super::rheology::Extremes;
+use super::rotor::{ROTOR, rotor};
 use super::section::Sections;
 use super::spans::{NetworkSpans, Spans};
 use super::spring::{SPRING, spring};
@@ -19,6 +21,7 @@ use super::support;
 use super::surface::{SURFACE, surface};
 use super::table::{Keys, Table};
 use super::value::Value;
+use super::wheel::{WHEEL, wheel};
 use crate::units::Dimension;
 
 const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], later: &[] };
@@ -81,11 +84,16 @@ pub(super) fn body<'a>(
     let point_tables = file.tables("point", "[[point]]", &POINT);
     let spring_tables = file.tables("spring", "[[spring]]", &SPRING);
     let hinged_tables = file.tables("hinged", "[[hinged]]", &HINGED);
+    let rotor_tables = file.tables("rotor", "[[rotor]]", &ROTOR);
+    let wheel_tables = file.tables("wheel", "[[wheel]]", &WHEEL);
+    let cavity_tables = cavity::tables(file);
     let force_tables = force::tables(file);
     let mut names = Names::new(
         &point_tables,
         &hinged_tables,
         [&ellipsoid_tables, &surface_tables, &network_tables],
+        [&rotor_tables, &wheel_tables],
+        &cavity_tables,
         &part_tables,
         &force_tables,
         problems,
@@ -100,6 +108,9 @@ pub(super) fn body<'a>(
         surfaces: surface_tables.iter().map(|table| materials.spans(table)).collect(),
         parts: part_tables.spans(&materials),
         connections: connection_tables.iter().map(Table::spans).collect(),
+        rotors: rotor_tables.iter().map(Table::spans).collect(),
+        wheels: wheel_tables.iter().map(Table::spans).collect(),
+        cavities: cavity_tables.iter().map(CavityTable::spans).collect(),
         support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
         forces: force_tables.iter().map(ForceTable::spans).collect(),
         networks: Vec::new(),
@@ -123,6 +134,9 @@ pub(super) fn body<'a>(
         every(network_tables.iter().zip(&names.networks).map(|(table, name)| network(table, name)));
     let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
+    let rotors = every(rotor_tables.iter().zip(&names.rotors).map(|(table, name)| rotor(table, name)));
+    let wheels = every(wheel_tables.iter().zip(&names.wheels).map(|(table, name)| wheel(table, name)));
+    let cavities = every(cavity_tables.iter().zip(&names.cavities).map(|(table, name)| table.cavity(name)));
     let support = match support {
         Some((table, kind)) => (kind.read)(&table),
         None => (!has_support).then(Support::default),
@@ -162,6 +176,9 @@ pub(super) fn body<'a>(
             points,
             springs,
             hinged,
+            rotors: rotors?,
+            wheels: wheels?,
+            cavities: cavities?,
             support,
             forces,
         };

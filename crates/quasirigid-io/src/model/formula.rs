@@ -26,7 +26,8 @@ pub(super) fn formulas(
     value.array("formulas", |item| formula(&item, variables, dimension))
 }
 
-fn formula(value: &Value<'_>, variables: &Variables, dimension: Dimension) -> Option<Expression> {
+/// Reads a formula, or a number in its place.
+pub(super) fn formula(value: &Value<'_>, variables: &Variables, dimension: Dimension) -> Option<Expression> {
     let help =
         format!("write a formula in {} that gives {}, or a number", variables.meaning, dimension.unit());
     let text = match value.words() {

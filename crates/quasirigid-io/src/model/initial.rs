@@ -201,6 +201,12 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
                 "elastic throughout",
                 Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
             ),
+            Some(Part::Inside) => value.refuse_at(
+                key,
+                format!("{:?} turns inside the carrier; only its speed counts", value.key()),
+                "turns inside",
+                Some("write `speed` in its [[rotor]]".to_owned()),
+            ),
             None => None,
         };
         good &= amount.is_some();

@@ -4,6 +4,7 @@
 //! checked by [`quasirigid`]; [`Model::diagnose`] finds the place in the file that they speak of.
 
 mod body;
+mod cavity;
 mod diagnostic;
 mod ellipsoid;
 mod error;
@@ -21,6 +22,7 @@ mod part;
 mod physics;
 mod rheology;
 mod rotation;
+mod rotor;
 mod section;
 mod settings;
 mod source;
@@ -31,6 +33,7 @@ mod surface;
 mod syntax;
 mod table;
 mod value;
+mod wheel;
 
 use std::path::Path;
 
@@ -68,12 +71,15 @@ const FILE: Keys = Keys {
         "point",
         "spring",
         "hinged",
+        "rotor",
+        "wheel",
+        "cavity",
         "support",
         "force",
         "initial",
         "run",
     ],
-    later: &[("cavity", "[[cavity]]"), ("rotor", "[[rotor]]"), ("wheel", "[[wheel]]")],
+    later: &[],
 };
 
 /// A model file, read.

@@ -4,6 +4,7 @@ use std::ops::Range;
 use quasirigid::elements::{End, NodeRef};
 
 use super::Diagnostic;
+use super::cavity::CavityTable;
 use super::diagnostic::Problems;
 use super::force::ForceTable;
 use super::part::{Nodes, PartTables};
@@ -16,7 +17,7 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids, surfaces, networks, parts and forces of a file.
+/// Names of the points, appendages, ellipsoids, surfaces, networks, rotors, wheels, cavities, parts and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
@@ -28,6 +29,12 @@ pub(super) struct Names<'a> {
     pub(super) surfaces: Vec<String>,
     /// Names of the networks, which begin those of their points, in the order of the file.
     pub(super) networks: Vec<String>,
+    /// Names of the rotors, in the order of the file.
+    pub(super) rotors: Vec<String>,
+    /// Names of the momentum wheels, in the order of the file.
+    pub(super) wheels: Vec<String>,
+    /// Names of the cavities, in the order of the file.
+    pub(super) cavities: Vec<String>,
     /// Names of the parts of finite elements, in their order.
     pub(super) flexible: Vec<String>,
     /// How their nodes are named, once they have been read.
@@ -44,6 +51,7 @@ pub(super) enum Part {
     Hinged(usize),
     Flexible(usize),
     Throughout,
+    Inside,
 }
 
 /// A node of a part, or several, where something is fixed to them.
@@ -79,6 +87,8 @@ impl<'a> Names<'a> {
         points: &[Table<'_>],
         hinged: &[Table<'_>],
         [ellipsoids, surfaces, networks]: [&[Table<'_>]; 3],
+        [rotors, wheels]: [&[Table<'_>]; 2],
+        cavities: &[CavityTable<'_>],
         flexible: &PartTables<'_>,
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
@@ -104,6 +114,18 @@ impl<'a> Names<'a> {
         let networks = networks
             .map(|(index, table)| parts.enter(table, format!("network {}", index + 1), Part::Throughout))
             .collect();
+        let rotors = rotors.iter().enumerate();
+        let rotors = rotors
+            .map(|(index, table)| parts.enter(table, format!("rotor {}", index + 1), Part::Inside))
+            .collect();
+        let wheels = wheels.iter().enumerate();
+        let wheels = wheels
+            .map(|(index, table)| parts.enter(table, format!("wheel {}", index + 1), Part::Inside))
+            .collect();
+        let cavities = cavities.iter().enumerate();
+        let cavities = cavities
+            .map(|(index, cavity)| parts.enter(&cavity.table, format!("cavity {}", index + 1), Part::Inside))
+            .collect();
         let flexible = flexible.iter().enumerate();
         let flexible = flexible
             .map(|(index, (word, number, table))| {
@@ -115,7 +137,20 @@ impl<'a> Names<'a> {
         let forces = forces
             .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
             .collect();
-        Self { points, hinged, ellipsoids, surfaces, networks, flexible, nodes: Vec::new(), forces, parts }
+        Self {
+            points,
+            hinged,
+            ellipsoids,
+            surfaces,
+            networks,
+            rotors,
+            wheels,
+            cavities,
+            flexible,
+            nodes: Vec::new(),
+            forces,
+            parts,
+        }
     }
 
     /// What a spring or force is fixed to.
@@ -151,6 +186,11 @@ impl<'a> Names<'a> {
                 format!("{name:?} is elastic throughout, but {}", what.rule()),
                 "not a point",
                 Some("it is a whole body; nothing is fixed to it".to_owned()),
+            ),
+            Some(Part::Inside) => value.refuse(
+                format!("{name:?} turns inside the carrier, but {}", what.rule()),
+                "not a point",
+                Some(format!("write {CARRIER:?}")),
             ),
             None if self.parts.problems.full() => None,
             None if self.points.is_empty() => value.refuse(

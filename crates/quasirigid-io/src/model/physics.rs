@@ -11,7 +11,11 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
     let span = spans.find(*place, *field);
     let message = match problem {
         Problem::Mechanism { .. } | Problem::NoInertia { .. } | Problem::NoBody => problem.to_string(),
-        Problem::BesideWhole | Problem::NotAttached | Problem::Circle { .. } => {
+        Problem::BesideWhole
+        | Problem::InsideNothing
+        | Problem::HeavyInside
+        | Problem::NotAttached
+        | Problem::Circle { .. } => {
             format!("{}: {problem}", described(*place, assembly))
         }
         _ => format!("`{field}` of {}: {problem}", described(*place, assembly)),
@@ -35,6 +39,11 @@ fn described(place: Place, assembly: &Assembly) -> String {
         Place::Force(index) => assembly.forces.get(index).map(|force| format!("force {:?}", force.name)),
         Place::Part(index) => {
             assembly.parts.get(index).map(|part| format!("{} {:?}", kind(&part.kind), part.name))
+        }
+        Place::Rotor(index) => assembly.rotors.get(index).map(|rotor| format!("rotor {:?}", rotor.name)),
+        Place::Wheel(index) => assembly.wheels.get(index).map(|wheel| format!("wheel {:?}", wheel.name)),
+        Place::Cavity(index) => {
+            assembly.cavities.get(index).map(|cavity| format!("cavity {:?}", cavity.name))
         }
         Place::Carrier | Place::Spring(_) | Place::Connection(_) | Place::Support => None,
     };
@@ -80,6 +89,11 @@ fn label(problem: &Problem) -> &'static str {
         Problem::Poisson { .. } | Problem::Rheology(_) => "no such material",
         Problem::NoBody => "no body",
         Problem::BesideWhole => "beside a whole body",
+        Problem::InsideNothing => "held by no carrier",
+        Problem::HeavyInside => "less than what turns inside",
+        Problem::LiquidUnresolved => "not resolved",
+        Problem::TooManyModes { .. } => "too many",
+        Problem::NotAttitude { .. } => "not a unit quaternion",
         Problem::HeldWhole => "cannot be held",
         Problem::NoCarrier => "no carrier",
         Problem::SameEnds => "the same",
@@ -144,6 +158,13 @@ fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
         Problem::Rheology(RheologyError::Exponent { .. }) => "most materials have 0.2 to 0.5",
         Problem::NoBody => "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]",
         Problem::BesideWhole => "leave it out, or make the body of a [carrier] and what hangs on it",
+        Problem::InsideNothing => "add a [carrier]: rotors, wheels and liquids turn in a rigid body",
+        Problem::HeavyInside => {
+            "add the inertia of what turns inside to that of the carrier, or check the units of both"
+        }
+        Problem::LiquidUnresolved => "choose a shape whose sides differ less, or fewer `modes`",
+        Problem::TooManyModes { .. } => "the slow motion needs none of them",
+        Problem::NotAttitude { .. } => "write four numbers, scalar first, whose squares add up to 1",
         Problem::HeldWhole => "leave [support] out",
         Problem::NoCarrier if !matches!(place, Place::Force(_)) => {
             "add a [carrier], or leave this out: a body without one hangs on nothing"

@@ -39,6 +39,15 @@ impl Dimension {
     /// Rotational damping (N·m·s/rad).
     pub const ROTATIONAL_DAMPING: Self =
         Self::new("a rotational damping", "N m s/rad", "0.01 N m s/rad", [1, 2, -1, 0, -1]);
+    /// Angular momentum (N·m·s).
+    pub const ANGULAR_MOMENTUM: Self =
+        Self::new("an angular momentum", "N m s", "12 N m s", [1, 2, -1, 0, 0]);
+    /// Kinematic viscosity (m²/s).
+    pub const KINEMATIC_VISCOSITY: Self =
+        Self::new("a kinematic viscosity", "m^2/s", "5 cSt", [0, 2, -1, 0, 0]);
+    /// Dynamic viscosity (Pa·s).
+    pub const DYNAMIC_VISCOSITY: Self =
+        Self::new("a dynamic viscosity", "Pa s", "1.5 mPa s", [1, -1, -1, 0, 0]);
     /// Angle (rad).
     pub const ANGLE: Self = Self::new("an angle", "rad", "30 deg", [0, 0, 0, 0, 1]);
     /// Frequency (rad/s); hertz are turns per second.
@@ -69,7 +78,7 @@ impl Dimension {
         Self::new("a dipole strength", "T m^3", "7.8e15 T m^3", [1, 3, -2, -1, 0]);
 
     /// Those a unit alone can stand for: hertz and radians per second are told apart by their symbols.
-    const ALL: [Self; 22] = [
+    const ALL: [Self; 25] = [
         Self::NUMBER,
         Self::MASS,
         Self::LENGTH,
@@ -80,6 +89,9 @@ impl Dimension {
         Self::DAMPING,
         Self::ROTATIONAL_STIFFNESS,
         Self::ROTATIONAL_DAMPING,
+        Self::ANGULAR_MOMENTUM,
+        Self::KINEMATIC_VISCOSITY,
+        Self::DYNAMIC_VISCOSITY,
         Self::ANGLE,
         Self::VELOCITY,
         Self::ACCELERATION,

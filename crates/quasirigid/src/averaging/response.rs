@@ -6,23 +6,26 @@ use crate::math::span::{Span, largest};
 use crate::math::sym::{self, Sym};
 use crate::model::{FlexibleBody, Lossy, Principal, Rheology};
 
-/// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material. (G6)
+/// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and the relaxations of
+/// rotors and liquids. (G6), (C10)
 ///
 /// The loads of a free rotation are linear in the six products of the spin, so the answer at a frequency is a symmetric
 /// 6×6 compliance on these products, in principal axes.
 #[derive(Clone, Debug)]
 pub struct Response {
     principal: Principal,
-    modes: Vec<ElasticMode>,
+    modes: Vec<Mode>,
+    /// Modal masses: elastic modes and relaxations share some where the body recoils from both.
+    mass: DMatrix<f64>,
     losses: Vec<Loss>,
-    /// Whether every loss acts on each mode alone.
+    /// Whether mass and losses act on each mode alone.
     apart: bool,
 }
 
-/// An elastic mode, of unit modal mass.
+/// An elastic mode or a relaxation, of unit modal mass.
 #[derive(Clone, Debug)]
-struct ElasticMode {
-    /// Square of its frequency (rad²/s²).
+struct Mode {
+    /// Square of its frequency (rad²/s²); zero of a relaxation.
     square: f64,
     /// Load by xx, yy, zz, yz, zx, xy.
     load: Sym,
@@ -68,29 +71,14 @@ impl Response {
         Self::within(body, WHOLE)
     }
 
-    /// The response in every mode of a body of up to `whole` coordinates, of a larger one in those that are excited.
+    /// The response in every mode of a body of up to `whole` elastic coordinates, of a larger one in those that are excited.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::of(body.invariants().J);
         let loads = loads(body, &principal);
-        let span = (body.coordinates().len() > whole).then(|| excited(body, &loads));
-        let projected = |times: &dyn Fn(&[f64]) -> Vec<f64>, whole: &dyn Fn() -> Dense| match &span {
-            None => whole(),
-            Some(span) => span.projected(times),
-        };
-        let A = projected(&|x| body.recoiling_mass_times(x), &|| body.recoiling_mass_matrix());
-        let C = projected(&|x| body.stiffness().times(x), &|| Dense::of(body.stiffness()));
-        let found = modes(&A, &C)?;
-        let size = found.frequencies.len();
-        let shape = |mode: usize| -> Vec<f64> {
-            let shares: Vec<f64> = (0..size).map(|row| found.shapes.at(row, mode)).collect();
-            match &span {
-                None => shares,
-                Some(span) => span.combined(&shares),
-            }
-        };
-        let shapes: Vec<Vec<f64>> = (0..size).map(shape).collect();
-        let mode = |(x, frequency): (&Vec<f64>, &f64)| ElasticMode {
-            square: frequency * frequency,
+        let vibrations = vibrations(body, &loads, whole)?;
+        let shapes: Vec<Shape> = vibrations.into_iter().chain(relaxations(body)?).collect();
+        let mode = |Shape { square, x }: &Shape| Mode {
+            square: *square,
             load: loads.iter().zip(x).fold([0.0; 6], |mut sum, (load, x)| {
                 sum.iter_mut().zip(load).for_each(|(sum, load)| *sum += x * load);
                 sum
@@ -98,9 +86,10 @@ impl Response {
             name: largest(x).map_or_else(String::new, |row| body.coordinates()[row].name.clone()),
         };
         let in_modes = |times: &dyn Fn(&[f64]) -> Vec<f64>| {
-            let images: Vec<Vec<f64>> = shapes.iter().map(|x| times(x)).collect();
-            DMatrix::from_fn(size, size, |row, column| dot(&shapes[row], &images[column]))
+            let images: Vec<Vec<f64>> = shapes.iter().map(|shape| times(&shape.x)).collect();
+            DMatrix::from_fn(shapes.len(), shapes.len(), |row, column| dot(&shapes[row].x, &images[column]))
         };
+        let mass = in_modes(&|x| body.recoiling_mass_times(x));
         let dashpots = Loss { law: Law::Dashpots, matrix: in_modes(&|x| body.damping().times(x)) };
         let material = |Lossy { rheology, stiffness }: &Lossy| Loss {
             law: Law::Material(rheology.clone()),
@@ -110,9 +99,9 @@ impl Response {
             .chain(body.lossy().iter().map(material))
             .filter(|loss| loss.matrix.amax() > 0.0)
             .collect();
-        let apart = losses.iter().all(|loss| is_diagonal(&loss.matrix));
-        let modes = shapes.iter().zip(&found.frequencies).map(mode).collect();
-        Ok(Self { principal, modes, losses, apart }.without_idle())
+        let apart = is_diagonal(&mass) && losses.iter().all(|loss| is_diagonal(&loss.matrix));
+        let modes = shapes.iter().map(mode).collect();
+        Ok(Self { principal, modes, mass, losses, apart }.without_idle())
     }
 
     /// Principal moments and axes of the frozen body.
@@ -124,7 +113,7 @@ impl Response {
     /// Frequencies (rad/s) of the modes that a free rotation excites, the body free to recoil, each with the name of the
     /// coordinate that has the largest share in it; ascending.
     pub fn frequencies(&self) -> impl Iterator<Item = (f64, &str)> {
-        self.modes.iter().map(|mode| (mode.square.sqrt(), mode.name.as_str()))
+        self.elastic().map(|mode| (mode.square.sqrt(), mode.name.as_str()))
     }
 
     /// Static compliance on the products xx, yy, zz, yz, zx, xy, in principal axes: `½ mᵀSm` is the elastic energy (J) at
@@ -132,12 +121,16 @@ impl Response {
     #[must_use]
     pub fn static_compliance(&self) -> [[f64; 6]; 6] {
         let mut sum = [[0.0; 6]; 6];
-        for ElasticMode { square, load, .. } in &self.modes {
+        for Mode { square, load, .. } in self.elastic() {
             for (row, a) in sum.iter_mut().zip(load) {
                 row.iter_mut().zip(load).for_each(|(entry, b)| *entry += a * b / square);
             }
         }
         sum
+    }
+
+    fn elastic(&self) -> impl Iterator<Item = &Mode> {
+        self.modes.iter().filter(|mode| mode.square > 0.0)
     }
 
     /// What a harmonic of this frequency (rad/s) takes.
@@ -148,7 +141,7 @@ impl Response {
     fn uptake_apart(&self, frequency: f64) -> Uptake {
         let factors: Vec<[f64; 2]> = self.losses.iter().map(|loss| loss.law.factor(frequency)).collect();
         let mut uptake = Uptake::default();
-        for (i, ElasticMode { square, load, .. }) in self.modes.iter().enumerate() {
+        for (i, Mode { square, load, .. }) in self.modes.iter().enumerate() {
             let mut stiffness = [square - frequency * frequency, 0.0];
             for (loss, factor) in self.losses.iter().zip(&factors) {
                 let share = loss.matrix[(i, i)];
@@ -164,8 +157,8 @@ impl Response {
     fn uptake_coupled(&self, frequency: f64) -> Uptake {
         let size = self.modes.len();
         let mut stiffness = DMatrix::from_fn(size, size, |row, column| {
-            let square = if row == column { self.modes[row].square - frequency * frequency } else { 0.0 };
-            Complex::new(square, 0.0)
+            let square = if row == column { self.modes[row].square } else { 0.0 };
+            Complex::from(square - frequency * frequency * self.mass[(row, column)])
         });
         for Loss { law, matrix } in &self.losses {
             let [re, im] = law.factor(frequency);
@@ -183,20 +176,19 @@ impl Response {
         uptake
     }
 
-    /// Without the modes that no load reaches, where they are apart.
+    /// Without the vibrations that no load reaches, where all modes are apart.
     fn without_idle(mut self) -> Self {
         if !self.apart {
             return self;
         }
-        let energy = |mode: &ElasticMode| mode.load.iter().map(|load| load * load / mode.square).sum::<f64>();
-        let largest = self.modes.iter().map(energy).fold(0.0, f64::max);
-        let kept: Vec<usize> =
-            (0..self.modes.len()).filter(|i| energy(&self.modes[*i]) > ROUNDING.powi(2) * largest).collect();
+        let energy = |mode: &Mode| mode.load.iter().map(|load| load * load / mode.square).sum::<f64>();
+        let largest = self.elastic().map(energy).fold(0.0, f64::max);
+        let alive = |mode: &Mode| mode.square == 0.0 || energy(mode) > ROUNDING.powi(2) * largest;
+        let kept: Vec<usize> = (0..self.modes.len()).filter(|i| alive(&self.modes[*i])).collect();
+        let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
         self.modes = kept.iter().map(|i| self.modes[*i].clone()).collect();
-        for Loss { matrix, .. } in &mut self.losses {
-            *matrix =
-                DMatrix::from_fn(kept.len(), kept.len(), |row, column| matrix[(kept[row], kept[column])]);
-        }
+        self.mass = part(&self.mass);
+        self.losses.iter_mut().for_each(|loss| loss.matrix = part(&loss.matrix));
         self
     }
 }
@@ -257,6 +249,51 @@ fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
         ]
     };
     invariants.J1.iter().zip(&invariants.h).map(load).collect()
+}
+
+/// A mode as a vector over all coordinates, with the square of its frequency.
+struct Shape {
+    square: f64,
+    x: Vec<f64>,
+}
+
+/// Elastic modes with what turns inside locked: all, or of a body of more coordinates those that the loads excite.
+fn vibrations(body: &FlexibleBody, loads: &[Sym], whole: usize) -> Result<Vec<Shape>, NoConvergence> {
+    let elastic = 0..body.elastic();
+    let span = (elastic.len() > whole).then(|| excited(body, loads));
+    let (A, C) = match &span {
+        None => (
+            body.recoiling_mass_matrix().block(elastic.clone()),
+            Dense::of(&body.stiffness().block(elastic.clone())),
+        ),
+        Some(span) => {
+            (span.projected(|x| body.recoiling_mass_times(x)), span.projected(|x| body.stiffness().times(x)))
+        }
+    };
+    let found = modes(&A, &C)?;
+    let shape = |(mode, frequency): (usize, &f64)| {
+        let shares: Vec<f64> = (0..A.size()).map(|row| found.shapes.at(row, mode)).collect();
+        let mut x = span.as_ref().map_or(shares.clone(), |span| span.combined(&shares));
+        x.resize(body.coordinates().len(), 0.0);
+        Shape { square: frequency * frequency, x }
+    };
+    Ok(found.frequencies.iter().enumerate().map(shape).collect())
+}
+
+/// Relaxations of the cyclic coordinates, elastic ones held and the body free to recoil. (C7)
+fn relaxations(body: &FlexibleBody) -> Result<Vec<Shape>, NoConvergence> {
+    let cyclic = body.cyclic();
+    if cyclic.is_empty() {
+        return Ok(Vec::new());
+    }
+    let A = body.recoiling_mass_matrix().block(cyclic.clone());
+    let found = modes(&A, &Dense::of(&body.damping().block(cyclic.clone())))?;
+    let shape = |mode: usize| {
+        let mut x = vec![0.0; cyclic.start];
+        x.extend((0..cyclic.len()).map(|row| found.shapes.at(row, mode)));
+        Shape { square: 0.0, x }
+    };
+    Ok((0..cyclic.len()).map(shape).collect())
 }
 
 /// Vectors that span the answers to the loads up to the second power of the frequency.

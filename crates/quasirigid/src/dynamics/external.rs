@@ -33,10 +33,12 @@ impl<'a> Forced<'a> {
         Self { body, forces: &[] }
     }
 
-    /// Whether anything acts from outside: a force, or a support that moves.
+    /// Whether anything acts that the body does not decide: a force, a support that moves, or a motor that changes the speed
+    /// of its wheel.
     #[must_use]
     pub fn acts(&self) -> bool {
-        !self.forces.is_empty() || matches!(self.body.support(), Support::Prescribed { .. })
+        let driven = matches!(self.body.support(), Support::Prescribed { .. });
+        !self.forces.is_empty() || driven || !self.body.wheels().driven.is_empty()
     }
 
     /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)

@@ -1,9 +1,9 @@
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::Complex;
 
+use super::damped::{DampedMode, damped_modes};
 use super::full::FullState;
-use super::slow::{SlowState, slow_state_point};
+use super::slow::{SlowPoint, SlowState, slow_state_point};
 use super::{Forced, PropagateError};
-use crate::math::eigen::{Dense, NoConvergence, eigenvectors, modes};
 use crate::math::rotation;
 use crate::math::sym::{add, cross, inverse, scale, times};
 use crate::model::FlexibleBody;
@@ -16,17 +16,6 @@ pub struct BoundaryLayer {
     pub modes: Vec<DampedMode>,
     /// `J⁻¹h_j`.
     recoil: Vec<[f64; 3]>,
-}
-
-/// A damped mode: `q(t) = Re(shape · e^{λt})`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DampedMode {
-    /// Decay rate `−Re λ` (1/s).
-    pub decay: f64,
-    /// Frequency `Im λ` (rad/s); zero if the mode creeps back without swinging.
-    pub frequency: f64,
-    /// Real and imaginary part of the displacement of each coordinate at `t = 0`.
-    pub shape: Vec<[f64; 2]>,
 }
 
 /// Displacements and rates of the fast part at one time.
@@ -53,8 +42,7 @@ pub fn matched_start(system: Forced, order: usize, full: &FullState) -> Result<S
     let state =
         SlowState { momentum: K, attitude: full.attitude, place: full.place, velocity: full.velocity };
     let slow = slow_state_point(system, order, &state)?;
-    let fast: Vec<f64> = full.q.iter().zip(&slow.q).map(|(q, slow)| q - slow).collect();
-    let turn = turned_by(&recoils(body), &fast);
+    let turn = turned_by(&recoils(body), &outstanding(body, full, &slow));
     let rotation_N = rotation::to_inertial(full.attitude, turn);
     let attitude = rotation::turned(full.attitude, rotation_N);
     let momentum = rotation::Turn::of(attitude).to_body(rotation::to_inertial(full.attitude, K));
@@ -69,8 +57,7 @@ impl BoundaryLayer {
     pub fn of(system: Forced, order: usize, full: &FullState) -> Result<Self, PropagateError> {
         let matched = matched_start(system, order, full)?;
         let slow = slow_state_point(system, order, &matched)?;
-        let difference = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>();
-        let (q, rate) = (difference(&full.q, &slow.q), difference(&full.rate, &slow.rate));
+        let (q, rate) = (outstanding(system.body, full, &slow), difference(&full.rate, &slow.rate));
         let modes = damped_modes(system.body, &q, &rate).map_err(|_| PropagateError::NoModes)?;
         Ok(Self { modes, recoil: recoils(system.body) })
     }
@@ -95,6 +82,27 @@ impl BoundaryLayer {
     }
 }
 
+/// What the coordinates still have to go until the fast part has died out, with the sign turned: of elastic ones what they are
+/// displaced, of cyclic ones `−B⁻¹(M q̇ + B q)`, the momentum that friction takes. (B2), (C8)
+fn outstanding(body: &FlexibleBody, full: &FullState, slow: &SlowPoint) -> Vec<f64> {
+    let mut q = difference(&full.q, &slow.q);
+    let cyclic = body.cyclic();
+    if cyclic.is_empty() {
+        return q;
+    }
+    q[cyclic.clone()].fill(0.0);
+    let inertia = body.recoiling_mass_times(&difference(&full.rate, &slow.rate));
+    let braked = body.damping().times(&q);
+    let mut path: Vec<f64> = cyclic.clone().map(|j| -inertia[j] - braked[j]).collect();
+    body.solve_friction(&mut path, 1);
+    q[cyclic].copy_from_slice(&path);
+    q
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
 fn recoils(body: &FlexibleBody) -> Vec<[f64; 3]> {
     let inverse = inverse(body.invariants().J);
     body.invariants().h.iter().map(|h| times(inverse, *h)).collect()
@@ -102,57 +110,6 @@ fn recoils(body: &FlexibleBody) -> Vec<[f64; 3]> {
 
 fn turned_by(recoil: &[[f64; 3]], q: &[f64]) -> [f64; 3] {
     recoil.iter().zip(q).fold([0.0; 3], |sum, (recoil, q)| add(sum, scale(*q, *recoil)))
-}
-
-/// Damped free vibrations from a displacement and its rate, in the undamped modes `(Ωη, η̇)`. (V3), with the recoil of (V2)
-fn damped_modes(body: &FlexibleBody, q: &[f64], rate: &[f64]) -> Result<Vec<DampedMode>, NoConvergence> {
-    let n = q.len();
-    let mass = body.recoiling_mass_matrix();
-    let undamped = modes(&mass, &Dense::of(body.stiffness()))?;
-    let shape = |row: usize, mode: usize| undamped.shapes.at(row, mode);
-    let mut system = Dense::zero(2 * n);
-    for (k, frequency) in undamped.frequencies.iter().enumerate() {
-        system.add(k, n + k, *frequency);
-        system.add(n + k, k, -frequency);
-        let column: Vec<f64> = (0..n).map(|row| shape(row, k)).collect();
-        let force = body.damping().times(&column);
-        for row in 0..n {
-            system.add(n + row, n + k, -(0..n).map(|j| shape(j, row) * force[j]).sum::<f64>());
-        }
-    }
-    // Modal coordinates by orthogonality, Xᵀ M X = 1.
-    let (inertia, moving) = (mass.times(q), mass.times(rate));
-    let modal = |force: &[f64], k: usize| (0..n).map(|j| shape(j, k) * force[j]).sum::<f64>();
-    let start = (0..2 * n).map(|i| {
-        let value = if i < n { undamped.frequencies[i] * modal(&inertia, i) } else { modal(&moving, i - n) };
-        Complex::from(value)
-    });
-    let (values, vectors) = eigenvectors(&system)?;
-    let matrix = DMatrix::from_fn(2 * n, 2 * n, |row, column| {
-        let [re, im] = vectors[column][row];
-        Complex::new(re, im)
-    });
-    let start = DVector::from_iterator(2 * n, start);
-    let amplitudes = matrix.lu().solve(&start).ok_or(NoConvergence { size: 2 * n })?;
-    let mut found: Vec<DampedMode> = Vec::with_capacity(n);
-    for ((value, vector), amplitude) in values.iter().zip(&vectors).zip(amplitudes.iter()) {
-        let [decay, frequency] = [-value[0], value[1]];
-        if frequency < 0.0 {
-            continue;
-        }
-        let twice = if frequency > 0.0 { 2.0 } else { 1.0 };
-        let displacement = |row: usize| {
-            let part = |k: usize| {
-                let eta = Complex::new(vector[k][0], vector[k][1]) * amplitude / undamped.frequencies[k];
-                eta * shape(row, k) * twice
-            };
-            let sum: Complex<f64> = (0..n).map(part).sum();
-            [sum.re, sum.im]
-        };
-        found.push(DampedMode { decay, frequency, shape: (0..n).map(displacement).collect() });
-    }
-    found.sort_by(|a, b| a.decay.total_cmp(&b.decay));
-    Ok(found)
 }
 
 /// Spin of the composite solution: the slow spin, the recoil of the fast part, and the body axes that have not yet turned.

@@ -1,5 +1,6 @@
 //! Motion of a body: full, reduced, rigid.
 
+mod damped;
 mod event;
 mod external;
 mod form;
@@ -16,11 +17,12 @@ mod spin_path;
 mod start;
 mod steady;
 
+pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;
 pub use form::Form;
 pub use full::{FullState, propagate_full};
-pub use layer::{BoundaryLayer, DampedMode, FastPart, composite_spin, matched_start};
+pub use layer::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use reduced::propagate;
 pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
 pub use slow::{

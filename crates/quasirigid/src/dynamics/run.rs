@@ -176,12 +176,17 @@ pub enum PropagateError {
     NoMomentum,
     /// The order is beyond the reduction of a forced body.
     #[error(
-        "order {order} is out of range for a body with external forces; choose one from 1 to {MAX_FORCED_ORDER}, in the paper's form to 3"
+        "order {order} is out of range for a body with external forces; choose one from 0 to {MAX_FORCED_ORDER}, in the paper's form to 3"
     )]
     Order {
         /// Order asked for.
         order: usize,
     },
+    /// The paper's form under forces is written for elastic coordinates alone.
+    #[error(
+        "with forces the paper's form takes no rotors, liquids and momentum wheels; use the momentum form, which is the default"
+    )]
+    PaperForm,
     /// The state is that of another body.
     #[error("the state has {coordinates} internal coordinates and {rates} rates; the body has {needed}")]
     Coordinates {

@@ -3,7 +3,7 @@ use crate::math::sparse::SparseRows;
 use crate::model::{Lossy, Rheology};
 
 /// Entries of a matrix, with row and column.
-type Entries = Vec<(usize, usize, f64)>;
+pub(super) type Entries = Vec<(usize, usize, f64)>;
 
 /// Part of the symmetric matrices over some coordinates.
 #[derive(Clone, Debug)]
@@ -23,12 +23,13 @@ pub(super) struct Matrices {
 }
 
 impl Matrices {
-    /// Adds up the blocks of a body of this many coordinates.
+    /// Adds up the blocks of a body of this many coordinates, and the friction of what turns inside it.
     pub fn sum(
         size: usize,
         blocks: impl Iterator<Item = Result<Block, ElementError>>,
+        friction: Entries,
     ) -> Result<Self, ElementError> {
-        let (mut stiffness, mut damping) = (Vec::new(), Vec::new());
+        let (mut stiffness, mut damping) = (Vec::new(), friction);
         let mut materials: Vec<(Rheology, Entries)> = Vec::new();
         for block in blocks {
             let block = block?;

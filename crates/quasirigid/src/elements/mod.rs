@@ -3,12 +3,14 @@
 mod affine;
 mod assembly;
 mod carrier;
+mod cavity;
 mod coefficient;
 mod ellipsoid;
 mod error;
 mod finite;
 mod force;
 mod hinged;
+mod inner;
 mod material;
 mod matrices;
 mod moment;
@@ -16,14 +18,17 @@ mod network;
 mod part;
 mod point;
 mod ritz;
+mod rotor;
 mod spring;
 mod station;
 mod structure;
 mod surface;
+mod wheel;
 mod whole;
 
 pub use assembly::{Assembly, Built, Reduction};
 pub use carrier::Carrier;
+pub use cavity::{Cavity, CavityShape, SlowLiquid};
 pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Place, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
@@ -37,7 +42,9 @@ pub use part::{
     Orthotropic, Panel, Part, Region, Solid, Spectrum, Substance, TipMass,
 };
 pub use point::{Motion, Point};
+pub use rotor::{Rotor, RotorKind};
 pub use spring::{Coefficient, End, Law, Spring};
 pub use station::Station;
 pub use structure::Condensation;
 pub use surface::{Resolution, Surface};
+pub use wheel::{Wheel, WheelSpeed};

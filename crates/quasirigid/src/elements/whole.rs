@@ -1,6 +1,6 @@
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::matrices::{Block, Matrices};
-use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Parts, Support};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
 
 /// A free body that is one element, elastic throughout, in its Tisserand frame.
 pub(super) struct Whole {
@@ -18,7 +18,7 @@ impl Whole {
     pub fn body(self) -> Result<FlexibleBody, ElementError> {
         let Self { place, center, invariants, block, coordinates, markers } = self;
         let Matrices { stiffness, damping, lossy } =
-            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)))?;
+            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), Vec::new())?;
         FlexibleBody::new(Parts {
             support: Support::Free,
             pole: center,
@@ -28,10 +28,10 @@ impl Whole {
             stiffness,
             lossy,
             coordinates,
+            cyclic: 0,
+            wheels: Wheels::default(),
             markers,
         })
-        .map_err(|FlexibleError::Mechanism { coordinates }| {
-            at(place, Field::Young)(Problem::Mechanism { coordinates })
-        })
+        .map_err(|error| at(place, Field::Young)(Problem::Mechanism { coordinates: error.coordinates() }))
     }
 }

@@ -1,6 +1,6 @@
 //! The full equations (S2)–(S6) in numbers: momentum, generalised momentum, load and energy of any state.
 
-use super::{FlexibleBody, Invariants};
+use super::{FlexibleBody, Invariants, Pair};
 use crate::math::scalar::Scalar;
 use crate::math::sym::{Sym, add, cross, dot, scale, times};
 
@@ -11,7 +11,7 @@ use crate::math::sym::{Sym, add, cross, dot, scale, times};
 pub struct Motion<'a, T> {
     /// Spin `ω` (rad/s).
     pub omega: [T; 3],
-    /// Internal coordinates `q`.
+    /// Internal coordinates `q`; values of cyclic ones are not looked at.
     pub q: &'a [T],
     /// Rates `q̇`.
     pub rate: &'a [T],
@@ -22,15 +22,16 @@ impl FlexibleBody {
     /// (S2), (S6)
     #[must_use]
     pub fn inertia_at<T: Scalar>(&self, q: &[T]) -> [T; 6] {
-        let Invariants { J, J1, S, pairs, .. } = self.invariants();
+        let Invariants { J, J1, S, .. } = self.invariants();
         let mut sum = J.map(T::from);
         let mut grow = |amount: T, part: Sym| {
             for (sum, part) in sum.iter_mut().zip(part) {
                 *sum = *sum + amount * T::from(part);
             }
         };
+        let q = &q[..self.elastic()];
         q.iter().zip(J1).for_each(|(q, J1)| grow(*q, *J1));
-        pairs.iter().for_each(|(j, k, pair)| grow(q[j] * q[k], pair.J2));
+        self.displaced_pairs().for_each(|(j, k, pair)| grow(q[j] * q[k], pair.J2));
         if let Some(per_mass) = self.translation() {
             let zero = [T::from(0.0); 3];
             let [x, y, z] = q.iter().zip(S).fold(zero, |s, (q, S)| add(s, scale(*q, S.map(T::from))));
@@ -44,17 +45,19 @@ impl FlexibleBody {
         sum
     }
 
-    /// Angular momentum about the pole, body axes (N·m·s). (S2)
+    /// Angular momentum about the pole without that of the wheels, body axes (N·m·s). (S2)
     #[must_use]
     pub fn momentum<T: Scalar>(&self, motion: Motion<T>) -> [T; 3] {
         let Motion { omega, q, rate } = motion;
         let invariants = self.invariants();
         let mut K = times(invariants.J, omega);
         for (j, (J1, h)) in invariants.J1.iter().zip(&invariants.h).enumerate() {
-            K = add(K, scale(q[j], times(*J1, omega)));
+            if j < self.elastic() {
+                K = add(K, scale(q[j], times(*J1, omega)));
+            }
             K = add(K, scale(rate[j], h.map(T::from)));
         }
-        for (j, k, pair) in invariants.pairs.iter() {
+        for (j, k, pair) in self.displaced_pairs() {
             K = add(K, scale(q[j] * q[k], times(pair.J2, omega)));
             K = add(K, scale(q[j] * rate[k], pair.Z.map(T::from)));
         }
@@ -73,6 +76,8 @@ impl FlexibleBody {
         let mut p: Vec<T> = invariants.h.iter().map(|h| dot(h.map(T::from), omega)).collect();
         for (j, k, pair) in invariants.pairs.iter() {
             p[j] = p[j] + T::from(pair.A) * rate[k];
+        }
+        for (j, k, pair) in self.displaced_pairs() {
             p[k] = p[k] + q[j] * dot(pair.Z.map(T::from), omega);
         }
         if let Some(per_mass) = self.translation() {
@@ -91,8 +96,10 @@ impl FlexibleBody {
         let invariants = self.invariants();
         let half = T::from(0.5);
         let mut Q: Vec<T> = invariants.J1.iter().map(|J1| half * dot(omega, times(*J1, omega))).collect();
-        for (j, k, pair) in invariants.pairs.iter() {
+        for (j, k, pair) in self.displaced_pairs() {
             Q[j] = Q[j] + dot(omega, times(pair.J2, omega)) * q[k];
+        }
+        for (j, k, pair) in invariants.pairs.iter() {
             Q[j] = Q[j] + dot(omega, pair.Z.map(T::from)) * rate[k];
         }
         if let Some(per_mass) = self.translation() {
@@ -105,7 +112,7 @@ impl FlexibleBody {
         Q
     }
 
-    /// Energy of the whole system (J): kinetic and elastic. (S5)
+    /// Energy of the whole system (J), kinetic and elastic, without that of the wheels. (S5), (C5)
     #[must_use]
     pub fn energy(&self, motion: Motion<f64>) -> f64 {
         let Motion { omega, q, rate } = motion;
@@ -116,11 +123,16 @@ impl FlexibleBody {
         0.5 * (kinetic + elastic)
     }
 
+    /// Pairs whose first coordinate is elastic: its value displaces mass.
+    fn displaced_pairs(&self) -> impl Iterator<Item = (usize, usize, &Pair)> {
+        self.invariants().pairs.iter().take_while(|(j, ..)| *j < self.elastic())
+    }
+
     /// First moment `s = Σ q_j S_j` of the displacement and its inertial rate `u = ṡ + ω × s`. (S6)
     pub(crate) fn translation_of<T: Scalar>(&self, Motion { omega, q, rate }: Motion<T>) -> ([T; 3], [T; 3]) {
         let zero = [T::from(0.0); 3];
         let (mut s, mut u) = (zero, zero);
-        for (j, S) in self.invariants().S.iter().enumerate() {
+        for (j, S) in self.invariants().S.iter().enumerate().take(self.elastic()) {
             s = add(s, scale(q[j], S.map(T::from)));
             u = add(u, scale(rate[j], S.map(T::from)));
         }

@@ -1,6 +1,8 @@
+use std::ops::Range;
+
 use thiserror::Error;
 
-use super::{Invariants, Rheology, Support};
+use super::{Invariants, Rheology, Support, Wheels};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -9,7 +11,8 @@ use crate::math::sym;
 /// A body that bends and dissipates, as its dynamics sees it: the first waist of the program.
 ///
 /// The body frame has the axes of the model file and its origin at the pole `O`. `n` internal coordinates `q` with
-/// mass, damping and stiffness matrices `A, B, C` (paper, (1.3)–(1.5)).
+/// mass, damping and stiffness matrices `A, B, C` (paper, (1.3)–(1.5)): first the elastic ones, whose values springs
+/// hold, then the cyclic ones, which no spring holds and whose rates friction slaves to the spin. (C1)
 #[derive(Clone, Debug)]
 pub struct FlexibleBody {
     support: Support,
@@ -20,6 +23,10 @@ pub struct FlexibleBody {
     stiffness: SparseRows<f64>,
     lossy: Vec<Lossy>,
     factor: Cholesky,
+    /// Number of elastic coordinates, and the factor of the damping of the others.
+    elastic: usize,
+    friction: Cholesky,
+    wheels: Wheels,
     coordinates: Vec<Coordinate>,
     markers: Vec<Marker>,
 }
@@ -66,6 +73,22 @@ pub enum FlexibleError {
         /// The coordinates that move, by name.
         coordinates: String,
     },
+    /// A cyclic coordinate that nothing brakes.
+    #[error("no friction brakes some motion of {coordinates}")]
+    Frictionless {
+        /// The coordinates that move, by name.
+        coordinates: String,
+    },
+}
+
+impl FlexibleError {
+    /// The coordinates that move, by name.
+    #[must_use]
+    pub fn coordinates(self) -> String {
+        match self {
+            Self::Mechanism { coordinates } | Self::Frictionless { coordinates } => coordinates,
+        }
+    }
 }
 
 /// The parts of a [`FlexibleBody`].
@@ -87,6 +110,11 @@ pub struct Parts {
     pub lossy: Vec<Lossy>,
     /// One per coordinate.
     pub coordinates: Vec<Coordinate>,
+    /// How many of them, the last ones, are cyclic: of these only the rates count, and `A`, `B`, `h` and the gyroscopic
+    /// coupling are all that the matrices hold.
+    pub cyclic: usize,
+    /// Momentum wheels.
+    pub wheels: Wheels,
     /// Places whose displacement is watched.
     pub markers: Vec<Marker>,
 }
@@ -100,12 +128,17 @@ impl FlexibleBody {
     /// Joins the parts of a body.
     ///
     /// # Errors
-    /// [`FlexibleError::Mechanism`] names the coordinates that no spring holds.
+    /// [`FlexibleError`] names the coordinates that no spring holds, or no friction brakes.
     pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
-        let factor = Cholesky::new(&parts.stiffness)
-            .map_err(|singular| mechanism(&parts.coordinates, &singular.direction))?;
-        let Parts { support, pole, center_of_mass, invariants, .. } = parts;
-        let Parts { damping, stiffness, lossy, coordinates, markers, .. } = parts;
+        let Parts { support, pole, center_of_mass, invariants, damping, .. } = parts;
+        let Parts { stiffness, lossy, coordinates, cyclic, wheels, markers, .. } = parts;
+        let elastic = coordinates.len() - cyclic;
+        let (held, braked) = coordinates.split_at(elastic);
+        let factor = Cholesky::new(&stiffness.block(0..elastic))
+            .map_err(|singular| FlexibleError::Mechanism { coordinates: named(held, &singular.direction) })?;
+        let friction = Cholesky::new(&damping.block(elastic..coordinates.len())).map_err(|singular| {
+            FlexibleError::Frictionless { coordinates: named(braked, &singular.direction) }
+        })?;
         Ok(Self {
             support,
             pole,
@@ -115,6 +148,9 @@ impl FlexibleBody {
             stiffness,
             lossy,
             factor,
+            elastic,
+            friction,
+            wheels,
             coordinates,
             markers,
         })
@@ -134,8 +170,52 @@ impl FlexibleBody {
             stiffness: self.stiffness.scaled(epsilon.powi(-2)),
             lossy: self.lossy.iter().map(|part| part.scaled(epsilon.powi(-2))).collect(),
             coordinates: self.coordinates.clone(),
+            cyclic: self.cyclic().len(),
+            wheels: self.wheels.clone(),
             markers: self.markers.clone(),
         })
+    }
+
+    /// The same body with its cyclic coordinates locked.
+    #[must_use]
+    pub fn locked_inside(&self) -> Self {
+        self.with(0..self.elastic)
+    }
+
+    /// The same body with its elastic coordinates locked.
+    #[must_use]
+    pub fn stiff_outside(&self) -> Self {
+        self.with(self.cyclic())
+    }
+
+    /// The same body with some of its coordinates and the others locked: all elastic ones or all cyclic ones.
+    fn with(&self, kept: Range<usize>) -> Self {
+        let Invariants { mass, J, S, h, J1, pairs } = &self.invariants;
+        let place = |j: usize| kept.contains(&j).then(|| j - kept.start);
+        let shapes =
+            |marker: &Marker| marker.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H))).collect();
+        let cyclic = if kept.start == 0 { 0 } else { kept.len() };
+        let parts = Parts {
+            support: self.support.clone(),
+            pole: self.pole,
+            center_of_mass: self.center_of_mass,
+            invariants: Invariants {
+                mass: *mass,
+                J: *J,
+                S: S[kept.clone()].to_vec(),
+                h: h[kept.clone()].to_vec(),
+                J1: J1[kept.clone()].to_vec(),
+                pairs: pairs.block(kept.clone()),
+            },
+            damping: self.damping.block(kept.clone()),
+            stiffness: self.stiffness.block(kept.clone()),
+            lossy: self.lossy.iter().map(|part| part.block(kept.clone())).collect(),
+            coordinates: self.coordinates[kept.clone()].to_vec(),
+            cyclic,
+            wheels: self.wheels.clone(),
+            markers: self.markers.iter().map(|m| Marker { shapes: shapes(m), ..m.clone() }).collect(),
+        };
+        Self::new(parts).expect("a block of a positive definite matrix is positive definite")
     }
 
     /// How the body is held.
@@ -207,9 +287,35 @@ impl FlexibleBody {
         }
     }
 
-    /// Solves `C x = right` in place for right-hand sides stored coordinate by coordinate, `width` to a row.
+    /// Number of elastic coordinates: the first ones.
+    #[must_use]
+    pub fn elastic(&self) -> usize {
+        self.elastic
+    }
+
+    /// The cyclic coordinates: the last ones. Only their rates count.
+    #[must_use]
+    pub fn cyclic(&self) -> Range<usize> {
+        self.elastic..self.coordinates.len()
+    }
+
+    /// Momentum wheels.
+    #[must_use]
+    pub fn wheels(&self) -> &Wheels {
+        &self.wheels
+    }
+
+    /// Solves `C x = right` in place for right-hand sides stored coordinate by coordinate, `width` to a row; rows of cyclic
+    /// coordinates become zero.
     pub fn solve_stiffness(&self, right: &mut [f64], width: usize) {
-        self.factor.solve(right, width);
+        let (held, braked) = right.split_at_mut(self.elastic * width);
+        self.factor.solve(held, width);
+        braked.fill(0.0);
+    }
+
+    /// Solves `B x = right` in place for right-hand sides of the cyclic coordinates alone, `width` to a row.
+    pub fn solve_friction(&self, right: &mut [f64], width: usize) {
+        self.friction.solve(right, width);
     }
 
     /// `A x`, with the translation of a free body eliminated. (S6)
@@ -268,12 +374,17 @@ impl FlexibleBody {
 }
 
 impl Lossy {
+    fn block(&self, kept: Range<usize>) -> Self {
+        Self { stiffness: self.stiffness.block(kept), ..self.clone() }
+    }
+
     fn scaled(&self, factor: f64) -> Self {
         Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
     }
 }
 
-fn mechanism(coordinates: &[Coordinate], direction: &[f64]) -> FlexibleError {
+/// The coordinates that move along a direction, by name.
+fn named(coordinates: &[Coordinate], direction: &[f64]) -> String {
     let moving: Vec<_> = coordinates
         .iter()
         .zip(direction)
@@ -284,5 +395,5 @@ fn mechanism(coordinates: &[Coordinate], direction: &[f64]) -> FlexibleError {
     if moving.len() > MOST_NAMES {
         names.push_str(&format!(" and {} more", moving.len() - MOST_NAMES));
     }
-    FlexibleError::Mechanism { coordinates: names }
+    names
 }

@@ -30,7 +30,8 @@ pub struct Pair {
     pub A: f64,
     /// Second-order change of inertia, `J_jk`. (I4)
     pub J2: Sym,
-    /// Change of `h_k` with `q_j`: the Coriolis coupling, and the symmetric part that curved paths add. (I5)
+    /// Change of `h_k` with `q_j`: the Coriolis coupling, and the symmetric part that curved paths add. (I5) Of two cyclic
+    /// coordinates the whole gyroscopic coupling, `2ρ∫u_j × u_k dV`. (C2)
     pub Z: [f64; 3],
     /// Change of `S_k` with `q_j`: the curvature of the paths, `Γ_jk`. (I6)
     pub S2: [f64; 3],

@@ -45,7 +45,8 @@ impl<'a> Kinetics<'a> {
         self.body
     }
 
-    /// Spin at these momenta (N·m·s; coordinates' own units) and coordinates; writes the rates of the coordinates.
+    /// Spin at these momenta (N·m·s, without the wheels; coordinates' own units) and coordinates; writes the rates of the
+    /// coordinates.
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
         let (J, s) = self.prepare(q);
         for (row, p) in self.rows.iter_mut().zip(p) {
@@ -77,7 +78,7 @@ impl<'a> Kinetics<'a> {
         for (row, h) in self.rows.iter_mut().zip(h) {
             *row = [h[0], h[1], h[2], 0.0];
         }
-        for (j, qj) in q.iter().enumerate() {
+        for (j, qj) in q[..self.body.elastic()].iter().enumerate() {
             s = add(s, scale(*qj, S[j]));
             let mut square = [0.0; 6];
             for (k, pair) in pairs.row(j) {

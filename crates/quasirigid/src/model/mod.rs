@@ -10,6 +10,7 @@ mod principal;
 mod reduced;
 mod rheology;
 mod support;
+mod wheels;
 
 pub use equations::Motion;
 pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Lossy, Marker, Parts};
@@ -20,3 +21,4 @@ pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
 pub use rheology::{Measured, Rheology, RheologyError};
 pub use support::Support;
+pub use wheels::{DrivenWheel, Wheels};

@@ -14,23 +14,25 @@ pub struct ReducedBody {
     pub mass: f64,
     /// Inertia tensor `J` of the frozen body about the pole (kg·m²): xx, yy, zz, yz, zx, xy.
     pub J: Sym,
-    /// Spin rate `ω̇ = f(ω)` (rad/s²), degrees 2 to `p + 2`. (R2)
+    /// Spin rate `ω̇ = f(ω)` (rad/s²), degrees 2 to `p + 2`. With momentum wheels, whose momentum counts as degree one, each
+    /// degree holds the lower monomials too, and so in every polynomial below. (R2), (C4)
     pub f: Series,
-    /// Angular momentum `K(ω)` (N·m·s), degrees 1 to `p + 1`. (R5)
+    /// Angular momentum `K(ω)` (N·m·s), that of wheels included, degrees 1 to `p + 1`. (R5)
     pub K: Series,
     /// Spin `Ω(K)` (rad/s) as a polynomial in the momentum (N·m·s), degrees 1 to `p + 1`. (R11)
     pub Omega: Series,
-    /// Energy (J), degrees 2 to `p + 2`. (R10)
+    /// Energy (J) without that of the wheels, degrees 2 to `p + 2`. (R10), (C5)
     pub energy: Series,
     /// Energy (J) as a polynomial in the momentum (N·m·s), degrees 2 to `p + 2`. (R11)
     pub energy_of_momentum: Series,
-    /// Power dissipated (W), a sum of squares, degrees 6 to `2p`; none below `p = 3`. (R9)
+    /// Power dissipated (W), a sum of squares: by elastic coordinates of degrees 6 to `2p`, none below `p = 3`; by cyclic ones
+    /// of degrees 4 to `2p + 2`, none below `p = 1`. (R9), (C6)
     pub power: Series,
     /// Force `φ` on the pole of a free body (N), degrees 4 to `p + 2`; zero where a point is fixed. (R8)
     pub phi: Series,
-    /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`. (R4)
+    /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`; zero for cyclic ones. (R4)
     pub q: Series,
-    /// Their rates `q̇(ω)`, degrees 3 to `p + 1`. (R3)
+    /// Their rates `q̇(ω)`: of elastic ones of degrees 3 to `p + 1`, of cyclic ones of degrees 2 to `p + 1`. (R3), (C3)
     pub rate: Series,
 }
 
@@ -58,6 +60,12 @@ impl ReducedBody {
         let orderings = factorial(degree) / exponents.map(factorial).iter().product::<f64>();
         let mu = self.mu(degree);
         [0, 1, 2].map(|row| mu.row(row)[index(exponents)] / orderings)
+    }
+
+    /// Whether momentum wheels turn in the body.
+    #[must_use]
+    pub fn has_wheels(&self) -> bool {
+        (0..3).any(|row| self.K.coefficient(row, [0; 3]) != 0.0)
     }
 
     /// The whole deviation torque `μ(ω)` (N·m) at a spin (rad/s).

@@ -5,13 +5,15 @@ pub enum Comparison {
     Spin,
     /// Spin against the rate at which springs overcome dashpots, `β|ω|`. (V5)
     Damping,
+    /// Spin against the rate at which friction overcomes the inertia of rotors and liquids, `τ|ω|`. (C7)
+    Relaxation,
     /// Convergence of the series, the larger of `Ω₃/Ω₁` and `Ω₅/Ω₃`. (V7)
     Series,
     /// Strength of the strongest harmonic of the polhode near an elastic frequency. (V8)
     Resonance,
     /// Largest displacement against the size of the body. (V9)
     Linearity,
-    /// Left-over force on the coordinates against the load. (R12)
+    /// Left-over force on the coordinates against the load, the larger of those on elastic and on cyclic ones. (R12)
     Residual,
     /// Decay of free vibrations against the spin, `T₂/T₃`: concerns initial vibrations only. (V6)
     Forgetting,
@@ -67,7 +69,9 @@ impl Criterion {
     /// in error by about the square of the first two: 2 % at their limit.
     fn limits(&self) -> (f64, f64) {
         match self.comparison {
-            Comparison::Spin | Comparison::Damping | Comparison::Resonance => (0.15, 0.5),
+            Comparison::Spin | Comparison::Damping | Comparison::Relaxation | Comparison::Resonance => {
+                (0.15, 0.5)
+            }
             Comparison::Series | Comparison::Linearity | Comparison::Residual => (0.1, 0.5),
             Comparison::Forgetting => (1.0, f64::INFINITY),
         }

@@ -11,12 +11,17 @@ use crate::model::FlexibleBody;
 pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
     let mut energy = Series::zero(order + 2, 1);
     for degree in 2..=order + 2 {
-        let mut part = Homogeneous::identity().dot(manifold.K.part(degree - 1));
+        let mut part = Homogeneous::identity().dot(&own(body, manifold, degree - 1));
         part.add_scaled(1.0, &internal(body, manifold, degree));
         part.scale(0.5);
         energy.set(part);
     }
     energy
+}
+
+/// One degree of the momentum without that of the wheels.
+fn own(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
+    if degree == 1 { Homogeneous::linear(&body.inertia()) } else { manifold.K.part(degree).clone() }
 }
 
 /// `[q̇·(A q̇ + h(q)·ω) + q·C q]_d`.
@@ -45,11 +50,20 @@ fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogene
     sum
 }
 
-/// Power `q̇ᵀB q̇` with `q̇` to degree `p`: a sum of squares, degrees 6 to `2p`. (R9)
+/// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic
+/// ones to degree `p + 1`, degrees 4 to `2p + 2`. (R9), (C6)
 pub(super) fn power(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
-    let rate = manifold.rate.truncated(order);
-    let mut power = Series::zero((2 * order).max(2), 1);
-    for degree in 6..=2 * order {
+    let mut rate = manifold.rate.truncated(order);
+    let mut highest = 2 * order;
+    if !body.cyclic().is_empty() {
+        rate = manifold.rate.clone();
+        let mut last = Homogeneous::zero(order + 1, rate.rows());
+        body.cyclic().for_each(|j| last.add_row(j, 1.0, (rate.part(order + 1), j)));
+        rate.set(last);
+        highest += 2;
+    }
+    let mut power = Series::zero(highest.max(2), 1);
+    for degree in 4..=highest {
         let mut part = Homogeneous::zero(degree, 1);
         for (j, k, B) in body.damping().iter() {
             part.add_scaled(*B, &rate.row_product(j, &rate, k, degree));

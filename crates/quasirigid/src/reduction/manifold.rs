@@ -14,7 +14,7 @@ pub(super) struct Manifold {
     pub rate: Series,
     /// Spin rate `ω̇ = f(ω)`, to degree `p + 2`.
     pub f: Series,
-    /// Angular momentum `K(ω)`, to degree `p + 1`.
+    /// Angular momentum `K(ω)`, to degree `p + 1`; that of wheels is part of its degree 1.
     pub K: Series,
     /// First moment `s` of the displacement and its inertial rate `u`, to degree `p + 1`. (S6)
     pub s: Series,
@@ -49,7 +49,12 @@ impl Manifold {
             },
             p: Series::zero(order, n),
         };
-        recursion.manifold.K.set(Homogeneous::linear(&body.inertia()));
+        let mut K = Homogeneous::linear(&body.inertia());
+        let wheels = body.wheels().momentum(0.0);
+        if wheels != [0.0; 3] {
+            K.add_scaled(1.0, &Homogeneous::constant(&wheels));
+        }
+        recursion.manifold.K.set(K);
         if order > 0 {
             recursion.p.set(Homogeneous::linear(&body.invariants().h));
         }
@@ -76,14 +81,32 @@ impl Recursion<'_> {
         self.manifold.f.set(mapped(self.inverse_inertia, -1.0, &torque));
     }
 
-    /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, and what follows from it for the translation. (R3)
+    /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, of elastic coordinates, and what follows from it for the translation. (R3)
     fn rates(&mut self, degree: usize) {
         let Manifold { q, f, s, .. } = &self.manifold;
-        let rate = q.rate(f, degree);
+        let mut rate = q.rate(f, degree);
+        if !self.body.cyclic().is_empty() {
+            self.add_cyclic_rates(&mut rate);
+        }
         let mut u = rate.contracted(&self.body.invariants().S);
         u.add_scaled(1.0, &Homogeneous::identity().cross(s.part(degree - 1)));
         self.manifold.rate.set(rate);
         self.manifold.u.set(u);
+    }
+
+    /// `B q̇_d = [load]_d − [d/dt (A q̇ + h(q)·ω)]_d` of cyclic coordinates, less what the elastic ones brake. (C3)
+    fn add_cyclic_rates(&self, rate: &mut Homogeneous) {
+        let degree = rate.degree();
+        let cyclic = self.body.cyclic();
+        let mut right = self.load(degree);
+        right.add_scaled(-1.0, &self.p.rate(&self.manifold.f, degree));
+        for j in cyclic.clone() {
+            for (k, B) in self.body.damping().row(j).filter(|(k, _)| !cyclic.contains(k)) {
+                right.add_row(j, -B, (rate, k));
+            }
+        }
+        right.solve_rows(cyclic.clone(), |rows, width| self.body.solve_friction(rows, width));
+        cyclic.for_each(|j| rate.add_row(j, 1.0, (&right, j)));
     }
 
     /// `C q_d = [load]_d − [d/dt (A q̇ + h(q)·ω)]_d − B [q̇]_d`. (R4)
@@ -94,10 +117,11 @@ impl Recursion<'_> {
         let mut right = self.load(degree);
         right.add_scaled(-1.0, &self.p.rate(&self.manifold.f, degree));
         let rate = self.manifold.rate.part(degree);
-        for (j, k, B) in self.body.damping().iter() {
+        for (j, k, B) in self.body.damping().iter().take_while(|(j, ..)| *j < self.body.elastic()) {
             right.add_row(j, -B, (rate, k));
         }
-        self.body.solve_stiffness(right.coefficients_mut(), Homogeneous::width(degree));
+        let all = 0..right.rows();
+        right.solve_rows(all, |rows, width| self.body.solve_stiffness(rows, width));
         self.manifold.s.set(right.contracted(&self.body.invariants().S));
         self.manifold.q.set(right);
         self.p.set(self.generalized_momentum(degree));

@@ -5,11 +5,16 @@ use crate::math::sym::{self, Sym};
 
 /// Spin as a polynomial in the momentum, `Ω(K)`, by reversion of `K(ω)` to the same degree. (R11)
 ///
-/// `Ω = J⁻¹[K − Σ_{d≥2} K_d(Ω)]` fixes one more degree of `Ω` each time it is applied, starting from `Ω₁ = J⁻¹K`.
+/// `Ω = J⁻¹[K − k − Σ_{d≥2} K_d(Ω)]`, with the momentum `k` of wheels, fixes one more degree of `Ω` each time it is applied,
+/// starting from `Ω₁ = J⁻¹(K − k)`.
 pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
     let inverse = sym::inverse(J);
     let mut Omega = Series::zero(momentum.degree(), 3);
-    Omega.set(Homogeneous::linear(&sym::rows(inverse)));
+    let mut first = Homogeneous::linear(&sym::rows(inverse));
+    let mut wheels = momentum.part(1).clone();
+    wheels.add_scaled(-1.0, &Homogeneous::linear(&sym::rows(J)));
+    first.add_scaled(1.0, &mapped(inverse, -1.0, &wheels));
+    Omega.set(first);
     let Some(lowest) = (2..=momentum.degree()).find(|d| momentum.part(*d).amax() > 0.0) else {
         return Omega;
     };
@@ -35,22 +40,30 @@ fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Se
     let rows = outer.rows();
     let mut sum = Series::zero(highest, rows);
     let mut powers = vec![constant_one(highest)];
-    for degree in 1..=highest.min(outer.degree()) {
-        powers = raised(&powers, degree, inner, highest);
-        if degree < lowest {
-            continue;
+    for power in 0..=highest.min(outer.degree()) {
+        if power > 0 {
+            powers = raised(&powers, power, inner, highest);
         }
-        for (term, power) in powers.iter().enumerate() {
-            for total in degree..=highest {
-                let mut part = sum.part(total).clone();
-                for row in 0..rows {
-                    part.add_row(row, outer.part(degree).row(row)[term], (power.part(total), 0));
-                }
-                sum.set(part);
+        for degree in power.max(lowest)..=highest.min(outer.degree()) {
+            if outer.part(degree).row_of(power, 0).is_some() {
+                add_composed(&mut sum, outer.part(degree), power, &powers);
             }
         }
     }
     sum
+}
+
+/// Adds the monomials of one degree of a part of the outer map, at the inner one.
+fn add_composed(sum: &mut Series, outer: &Homogeneous, power: usize, powers: &[Series]) {
+    let lift = outer.degree() - power;
+    for row in 0..outer.rows() {
+        let coefficients = outer.row_of(power, row).unwrap_or_default();
+        for (coefficient, inner) in coefficients.iter().zip(powers).filter(|(c, _)| **c != 0.0) {
+            for total in power..=sum.degree() - lift {
+                sum.add_row(total + lift, row, *coefficient, (inner.part(total), 0));
+            }
+        }
+    }
 }
 
 /// Every monomial of a degree in the components of `inner`, from those of the degree below.

@@ -3,8 +3,8 @@ use crate::math::krylov::Pencil;
 use crate::math::span::{Span, largest};
 use crate::model::FlexibleBody;
 
-/// Mass, damping and stiffness as dense matrices: those of the body itself, or of a body of many coordinates on the
-/// space of its slowest vibrations and its slowest dashpots.
+/// Mass, damping and stiffness of the elastic coordinates as dense matrices: those of the body itself, or of a body of many
+/// coordinates on the space of its slowest vibrations and its slowest dashpots.
 pub(super) struct Projection {
     /// Mass with the attitude held. (V2)
     pub A: Dense,
@@ -25,36 +25,35 @@ const SLOW: usize = 12;
 
 impl Projection {
     pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
-        let size = body.coordinates().len();
+        let size = body.elastic();
         if size <= WHOLE { Ok(Self::whole(body)) } else { Self::slow(body, SLOW) }
     }
 
     fn whole(body: &FlexibleBody) -> Self {
-        let A = body.mass_matrix();
-        let recoiling = body.recoiling_mass_matrix();
-        let trusted = A.size();
+        let elastic = 0..body.elastic();
         Self {
-            A,
-            recoiling,
-            B: Dense::of(body.damping()),
-            C: Dense::of(body.stiffness()),
-            trusted,
+            A: body.mass_matrix().block(elastic.clone()),
+            recoiling: body.recoiling_mass_matrix().block(elastic.clone()),
+            B: Dense::of(&body.damping().block(elastic.clone())),
+            C: Dense::of(&body.stiffness().block(elastic.clone())),
+            trusted: elastic.len(),
             span: None,
         }
     }
 
     fn slow(body: &FlexibleBody, count: usize) -> Result<Self, NoConvergence> {
-        let size = body.coordinates().len();
-        let (mass, free) = (|x: &[f64]| body.mass_times(x), |x: &[f64]| body.recoiling_mass_times(x));
-        let (damping, stiffness) =
-            (|x: &[f64]| body.damping().times(x), |x: &[f64]| body.stiffness().times(x));
+        let size = body.elastic();
+        let mass = |x: &[f64]| held(body, x, |x| body.mass_times(x));
+        let free = |x: &[f64]| held(body, x, |x| body.recoiling_mass_times(x));
+        let damping = |x: &[f64]| held(body, x, |x| body.damping().times(x));
+        let stiffness = |x: &[f64]| held(body, x, |x| body.stiffness().times(x));
         let solve = |x: &mut [f64]| body.solve_stiffness(x, 1);
         let softest = |mass: &dyn Fn(&[f64]) -> Vec<f64>, count: usize| {
             Pencil { size, stiffness: &stiffness, solve: &solve, mass }.largest(count)
         };
         let mut span = softest(&mass, count)?;
         span.extend(softest(&free, count)?);
-        if body.damping().iter().any(|(_, _, entry)| *entry != 0.0) {
+        if body.damping().iter().any(|(row, _, entry)| row < size && *entry != 0.0) {
             span.extend(softest(&damping, 1)?);
         }
         let span = Span::orthonormal(span, stiffness);
@@ -73,6 +72,15 @@ impl Projection {
         let slowest: Vec<f64> = (0..modes.shapes.size()).map(|row| modes.shapes.at(row, 0)).collect();
         largest(&self.span.as_ref().map_or(slowest.clone(), |span| span.combined(&slowest)))
     }
+}
+
+/// A product on the elastic coordinates, the cyclic ones held.
+fn held(body: &FlexibleBody, x: &[f64], times: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+    let mut all = x.to_vec();
+    all.resize(body.coordinates().len(), 0.0);
+    let mut product = times(&all);
+    product.truncate(body.elastic());
+    product
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use crate::model::{FlexibleBody, ReducedBody};
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ReductionError {
-    /// The order is zero or above [`MAX_ORDER`].
-    #[error("order {order} is not available; choose 1 (rigid) to {MAX_ORDER}, 3 is the paper's")]
+    /// The order is above [`MAX_ORDER`].
+    #[error("order {order} is not available; choose 0 (rigid) to {MAX_ORDER}, 3 is the paper's")]
     Order {
         /// Order asked for.
         order: usize,
@@ -29,12 +29,13 @@ pub const MAX_ORDER: usize = 12;
 
 /// Derives the reduced equations of a body to order `p`. (R1)–(R11)
 ///
-/// `p = 1` is the rigid body `S*`, `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
+/// `p = 0` is the rigid body `S*`; `p = 1` adds the cubic torque of liquids and rotors, and is the rigid body where there
+/// are none; `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
 ///
 /// # Errors
 /// [`ReductionError`] for an order that is not offered, and for coefficients that overflow.
 pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {
-    if order == 0 || order > MAX_ORDER {
+    if order > MAX_ORDER {
         return Err(ReductionError::Order { order });
     }
     let manifold = Manifold::of(body, order);

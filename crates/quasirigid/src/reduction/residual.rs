@@ -9,6 +9,9 @@ pub struct Residual {
     /// Left-over force on the coordinates over the elastic load, both measured by the energy they would store;
     /// of order `ω^{p−1}`. Zero where nothing loads the coordinates.
     pub elastic: f64,
+    /// Left-over force on the cyclic coordinates over their load, both measured by the power they would dissipate; of
+    /// order `ω^p`. Zero where nothing loads them.
+    pub cyclic: f64,
     /// Left-over torque `|K̇ + ω × K|` (N·m), of order `ω^{p+3}`.
     pub torque: f64,
 }
@@ -21,10 +24,13 @@ pub struct Residual {
 pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Residual {
     let spin = along(&reduced.f, omega);
     let q = reduced.q.value(spin);
-    let rate: Vec<Jet> = q.iter().map(|q| Jet { value: q.first, first: q.second, second: 0.0 }).collect();
+    let mut rate: Vec<Jet> = q.iter().map(|q| Jet { value: q.first, first: q.second, second: 0.0 }).collect();
+    let slaved = reduced.rate.value(spin);
+    rate[body.cyclic()].copy_from_slice(&slaved[body.cyclic()]);
     let motion = Motion { omega: spin, q: &q, rate: &rate };
     let K = body.momentum(motion);
-    let torque = norm(add(K.map(|K| K.first), cross(omega, K.map(|K| K.value))));
+    let whole = add(K.map(|K| K.value), body.wheels().momentum(0.0));
+    let torque = norm(add(K.map(|K| K.first), cross(omega, whole)));
 
     let momenta = body.generalized_momentum(motion);
     let load = body.load(motion);
@@ -33,9 +39,11 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
     let dashpot = body.damping().times(&rate.iter().map(|rate| rate.value).collect::<Vec<_>>());
     let left: Vec<f64> = (0..q.len()).map(|j| inertial[j] - dashpot[j] - spring[j]).collect();
-    let whole = stored(body, &inertial);
-    let elastic = if whole > 0.0 { stored(body, &left) / whole } else { 0.0 };
-    Residual { elastic, torque }
+    let share = |size: fn(&FlexibleBody, &[f64]) -> f64| {
+        let whole = size(body, &inertial);
+        if whole > 0.0 { size(body, &left) / whole } else { 0.0 }
+    };
+    Residual { elastic: share(stored), cyclic: share(dissipated), torque }
 }
 
 /// Spin as a Taylor series in time along `ω̇ = f(ω)`.
@@ -50,5 +58,13 @@ fn along(f: &Series, omega: [f64; 3]) -> [Jet; 3] {
 fn stored(body: &FlexibleBody, force: &[f64]) -> f64 {
     let mut response = force.to_vec();
     body.solve_stiffness(&mut response, 1);
+    force.iter().zip(&response).map(|(force, response)| force * response).sum::<f64>().max(0.0).sqrt()
+}
+
+/// Root of the power that a steady force would dissipate in the cyclic coordinates, `√(FᵀB⁻¹F)`.
+fn dissipated(body: &FlexibleBody, force: &[f64]) -> f64 {
+    let force = &force[body.cyclic()];
+    let mut response = force.to_vec();
+    body.solve_friction(&mut response, 1);
     force.iter().zip(&response).map(|(force, response)| force * response).sum::<f64>().max(0.0).sqrt()
 }

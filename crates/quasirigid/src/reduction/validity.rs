@@ -3,6 +3,7 @@ use thiserror::Error;
 use super::criterion::{Comparison, Criterion, Verdict};
 use super::degrees::{DegreeSize, degree_sizes, momentum_ratio, optimal_order};
 use super::reduce::{MAX_ORDER, ReductionError, reduce};
+use super::relaxation::Relaxation;
 use super::residual::residual;
 use super::resonance::{Resonance, resonances};
 use super::vibration::Vibrations;
@@ -15,12 +16,14 @@ use crate::model::{FlexibleBody, Principal, ReducedBody};
 pub struct Validity {
     /// Longest period of free vibration (s); zero for a rigid body. (V1)
     pub T1: f64,
-    /// Time in which the slowest free vibration decays by e (s); infinite if one does not decay. (V1)
+    /// Time in which the slowest free vibration or relaxation decays by e (s); infinite if one does not decay. (V1)
     pub T2: f64,
     /// Time of the spin, `1/|ω|` (s). (V1)
     pub T3: f64,
     /// Free vibrations.
     pub vibrations: Vibrations,
+    /// How rotors and liquids come to rest.
+    pub relaxation: Relaxation,
     /// Every criterion with its number.
     pub criteria: Vec<Criterion>,
     /// Harmonics of the polhode near an elastic frequency, strongest first.
@@ -68,18 +71,25 @@ impl Validity {
         let ahead = reduce(body, (order + LOOK_AHEAD).min(MAX_ORDER))?;
         let vibrations = Vibrations::of(body)?;
         let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
+        let relaxation = Relaxation::of(body)?;
         let decay = vibrations.decay_rates.first().map_or(f64::INFINITY, |rate| rate.max(0.0));
-        let resonances = resonances(&Principal::of(reduced.J), &vibrations.free_frequencies, omega);
+        let decay = decay.min(relaxation.longest().recip());
+        let resonances = if body.wheels().is_none() {
+            resonances(&Principal::of(reduced.J), &vibrations.free_frequencies, omega)
+        } else {
+            Vec::new()
+        };
         let displacement = displacement(body, &reduced, omega);
         let momentum = norm(reduced.momentum(omega));
         let series = momentum_ratio(&ahead, momentum, [1, 3]).max(momentum_ratio(&ahead, momentum, [3, 5]));
         let criteria = [
             (Comparison::Spin, spin / slowest),
             (Comparison::Damping, spin * vibrations.damping_time),
+            (Comparison::Relaxation, spin * relaxation.longest()),
             (Comparison::Series, series),
             (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
             (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
-            (Comparison::Residual, if order > 1 { residual(body, &reduced, omega).elastic } else { 0.0 }),
+            (Comparison::Residual, left_over(body, &reduced, omega)),
             (Comparison::Forgetting, spin / decay),
         ];
         let degrees = degree_sizes(&ahead, omega);
@@ -88,6 +98,7 @@ impl Validity {
             T2: decay.recip(),
             T3: spin.recip(),
             vibrations,
+            relaxation,
             criteria: criteria.map(|(comparison, value)| Criterion { comparison, value }).to_vec(),
             resonances,
             displacement,
@@ -102,6 +113,14 @@ impl Validity {
         let forced = self.criteria.iter().filter(|criterion| criterion.comparison != Comparison::Forgetting);
         forced.map(Criterion::verdict).max().unwrap_or(Verdict::Holds)
     }
+}
+
+/// What the reduced equations leave of the load on the coordinates that their order slaves.
+fn left_over(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> f64 {
+    let residual = residual(body, reduced, omega);
+    let elastic = if reduced.order > 1 { residual.elastic } else { 0.0 };
+    let cyclic = if reduced.order > 0 { residual.cyclic } else { 0.0 };
+    elastic.max(cyclic)
 }
 
 /// The place that is displaced most on the slow manifold, and by how much (m).

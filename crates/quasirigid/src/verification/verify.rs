@@ -13,7 +13,7 @@ use crate::reduction::{MAX_ORDER, ReductionError};
 /// What a verification does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Orders `p` to verify, from 1.
+    /// Orders `p` to verify, from 0.
     pub orders: Vec<usize>,
     /// Turns of the histories at the initial spin.
     pub rotations: f64,
@@ -56,8 +56,14 @@ pub struct OrderRow {
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum VerificationError {
-    /// No order to verify, or one out of range.
-    #[error("order {order} cannot be verified here; choose orders from 1 to {highest}")]
+    /// No order to verify.
+    #[error("no order to verify; choose orders from 0 to {highest}")]
+    NoOrder {
+        /// Highest order.
+        highest: usize,
+    },
+    /// An order out of range.
+    #[error("order {order} cannot be verified here; choose orders from 0 to {highest}")]
     Order {
         /// Order asked for.
         order: usize,
@@ -146,15 +152,17 @@ pub fn verify(
 /// The highest order asked for.
 fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
     let highest = if system.acts() { MAX_FORCED_ORDER - 2 } else { MAX_ORDER - 2 };
-    let wrong = plan.orders.iter().find(|order| !(1..=highest).contains(*order));
-    if let Some(order) = wrong.copied().or(plan.orders.is_empty().then_some(0)) {
-        return Err(VerificationError::Order { order, highest });
+    let Some(&most) = plan.orders.iter().max() else {
+        return Err(VerificationError::NoOrder { highest });
+    };
+    if most > highest {
+        return Err(VerificationError::Order { order: most, highest });
     }
     let Plan { rotations, halvings, .. } = *plan;
     if !(rotations > 0.0 && rotations.is_finite() && (1..=12).contains(&halvings)) {
         return Err(VerificationError::Plan { rotations, halvings });
     }
-    Ok(plan.orders.iter().copied().max().unwrap_or(1))
+    Ok(most)
 }
 
 /// Slope of the difference in spin at the smallest `ε` where it stands above the integrator's own error.

@@ -22,7 +22,7 @@ fn absolute(map: &Series) -> Series {
     let mut sizes = map.clone();
     for degree in 0..=map.degree() {
         let mut part = map.part(degree).clone();
-        part.coefficients_mut().iter_mut().for_each(|c| *c = c.abs());
+        part.coefficients_mut().flatten().for_each(|c| *c = c.abs());
         sizes.set(part);
     }
     sizes

@@ -314,14 +314,13 @@ fn a_floating_line_of_points_is_refused() {
 }
 
 #[test]
-fn orders_are_refused_on_both_sides_of_their_range() {
+fn orders_above_the_highest_are_refused() {
     let body = wobbler::assembly().body().unwrap();
-    for order in [0, MAX_ORDER + 1] {
-        assert_eq!(reduce(&body, order).unwrap_err(), ReductionError::Order { order });
-        let error = Validity::of(&body, order, [0.0, 0.0, 1.0]).unwrap_err();
-        assert_eq!(error, ValidityError::Reduction(ReductionError::Order { order }));
-    }
-    assert!(reduce(&body, 1).is_ok() && reduce(&body, MAX_ORDER).is_ok());
+    let order = MAX_ORDER + 1;
+    assert_eq!(reduce(&body, order).unwrap_err(), ReductionError::Order { order });
+    let error = Validity::of(&body, order, [0.0, 0.0, 1.0]).unwrap_err();
+    assert_eq!(error, ValidityError::Reduction(ReductionError::Order { order }));
+    assert!(reduce(&body, 0).is_ok() && reduce(&body, MAX_ORDER).is_ok());
     for omega in [[0.0; 3], [f64::NAN; 3], [f64::INFINITY, 0.0, 0.0]] {
         assert!(matches!(Validity::of(&body, 3, omega), Err(ValidityError::NoSpin { .. })));
     }

@@ -88,6 +88,8 @@ impl Cantilever {
             stiffness: body.stiffness().clone(),
             lossy: body.lossy().to_vec(),
             coordinates: body.coordinates().to_vec(),
+            cyclic: 0,
+            wheels: body.wheels().clone(),
             markers: body.markers().to_vec(),
         })
         .unwrap()

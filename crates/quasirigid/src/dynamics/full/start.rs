@@ -2,6 +2,7 @@ use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
 use crate::dynamics::run::PropagateError;
 use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
+use crate::math::sym::add;
 use crate::model::{FlexibleBody, Motion};
 
 /// Where a full run starts.
@@ -40,13 +41,13 @@ impl FullState {
         Ok(Self { omega, attitude, q, rate, place, velocity })
     }
 
-    /// Angular momentum (N·m·s), body axes.
+    /// Angular momentum (N·m·s), that of wheels included, body axes.
     #[must_use]
     pub fn momentum(&self, body: &FlexibleBody) -> [f64; 3] {
-        body.momentum(self.motion())
+        add(body.momentum(self.motion()), body.wheels().momentum(0.0))
     }
 
-    /// Energy of rotation and deformation (J).
+    /// Energy of rotation and deformation (J), without that of wheels.
     #[must_use]
     pub fn energy(&self, body: &FlexibleBody) -> f64 {
         body.energy(self.motion())

@@ -8,11 +8,11 @@ use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{self, add, cross, dot, norm};
+use crate::math::sym::{self, add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
-/// (S3), (S4), (T1)
+/// (S3), (S4), (T1), (C2)
 #[derive(Clone, Debug)]
 pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
@@ -85,7 +85,9 @@ impl System<Vec<f64>> for FullSystem<'_> {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let (slow, fast) = rate.split_at_mut(SLOW);
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
-        let velocities = self.kinetics.velocities(K, p, q, q_rate);
+        let wheels = self.system.body.wheels();
+        let own = add(K, scale(-1.0, wheels.momentum(t)));
+        let velocities = self.kinetics.velocities(own, p, q, q_rate);
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
         let omega = velocities.omega;
@@ -95,17 +97,19 @@ impl System<Vec<f64>> for FullSystem<'_> {
         if self.system.acts() {
             let motion = Motion { omega, q, rate: q_rate };
             self.add_external(t, y, motion, slow, p_rate);
+            slow[WORK] -= dot(omega, wheels.torque(t));
         }
     }
 }
 
 impl Followed for FullSystem<'_> {
-    fn look(&mut self, _: f64, y: &[f64]) -> Look {
+    fn look(&mut self, t: f64, y: &[f64]) -> Look {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let mut rate = vec![0.0; self.layout.n];
         let momentum = triple(y, MOMENTUM);
-        let omega = self.kinetics.velocities(momentum, p, q, &mut rate).omega;
-        let kinetic = dot(omega, momentum) + product(p, &rate);
+        let own = add(momentum, scale(-1.0, self.system.body.wheels().momentum(t)));
+        let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
+        let kinetic = dot(omega, own) + product(p, &rate);
         let elastic = product(&self.system.body.stiffness().times(q), q);
         Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate }
     }

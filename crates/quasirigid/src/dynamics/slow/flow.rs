@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::rotation;
 use crate::math::scalar::Smooth;
@@ -24,37 +26,42 @@ pub const MAX_FORCED_ORDER: usize = 5;
 
 /// The slow motion of order `p` through a state. (E2)
 ///
+/// Each improvement of the coordinates along the flow costs two derivatives and gains an order: of elastic ones from `p = 1`, of
+/// cyclic rates, which begin a degree lower, from `p = 0`. (C3)
+///
 /// # Panics
-/// If the order is zero or above [`MAX_FORCED_ORDER`].
+/// If the order is above [`MAX_FORCED_ORDER`].
 pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
-    match order {
-        1 => point::<1>(system, order, K, pose),
-        2 => point::<3>(system, order, K, pose),
-        3 => point::<5>(system, order, K, pose),
-        4 => point::<7>(system, order, K, pose),
-        5 => point::<9>(system, order, K, pose),
+    let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
+    match improved {
+        0 => point::<1>(system, improved, K, pose),
+        1 => point::<3>(system, improved, K, pose),
+        2 => point::<5>(system, improved, K, pose),
+        3 => point::<7>(system, improved, K, pose),
+        4 => point::<9>(system, improved, K, pose),
+        5 => point::<11>(system, improved, K, pose),
         _ => unreachable!("orders are checked where they enter"),
     }
 }
 
-/// Improves the coordinates `p − 1` times along the flow: each time costs two derivatives and gains an order.
-fn point<const N: usize>(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
+/// Improves the coordinates so many times along the flow.
+fn point<const N: usize>(system: Forced, improved: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
     let n = system.body.coordinates().len();
     let mut q = vec![Taylor::<N>::from(0.0); n];
     let mut rate = q.clone();
-    for _ in 1..order {
+    for _ in 0..improved {
         let flow = Flow::along(system, K, pose, &q, &rate);
-        q = flow.coordinates(system, &q, &rate);
-        rate = q.iter().map(Taylor::derivative).collect();
+        (q, rate) = flow.coordinates(system, &q, &rate);
     }
     let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
     let (q, rate) = (values(&q), values(&rate));
-    let omega = spin(system, K, &q, &rate);
+    let own = add(K, scale(-1.0, system.body.wheels().momentum(pose.t)));
+    let omega = spin(system, own, &q, &rate);
     let loads = loads(system, pose, Motion { omega, q: &q, rate: &rate });
     SlowPoint { omega, q, rate, loads }
 }
 
-/// Spin of a momentum at a displacement, `J(q)ω = K − h(q)q̇`. (S2)
+/// Spin of a momentum, without that of wheels, at a displacement, `J(q)ω = K − h(q)q̇`. (S2)
 fn spin<T: Smooth>(system: Forced, K: [T; 3], q: &[T], rate: &[T]) -> [T; 3] {
     let still = Motion { omega: [T::from(0.0); 3], q, rate };
     let internal = system.body.momentum(still);
@@ -82,7 +89,8 @@ impl<const N: usize> Flow<N> {
             velocity: start.velocity.map(Taylor::from),
         };
         let inverse = smooth_inverse(system.body.inertia_at(q));
-        let internal = system.body.momentum(Motion { omega: [Taylor::from(0.0); 3], q, rate });
+        let still = Motion { omega: [Taylor::from(0.0); 3], q, rate };
+        let internal = add(system.body.momentum(still), system.body.wheels().momentum(pose.t));
         let spin = |K: [Taylor<N>; 3]| smooth_times(inverse, add(K, scale(Taylor::from(-1.0), internal)));
         for _ in 1..N {
             let omega = spin(K);
@@ -101,21 +109,39 @@ impl<const N: usize> Flow<N> {
         Self { omega, loads: loads(system, &pose, Motion { omega, q, rate }) }
     }
 
-    /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)`, from the coordinates of the order before. (E2)
-    fn coordinates(&self, system: Forced, q: &[Taylor<N>], rate: &[Taylor<N>]) -> Vec<Taylor<N>> {
+    /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from
+    /// the coordinates of the order before. (E2), (C3)
+    fn coordinates(
+        &self,
+        system: Forced,
+        q: &[Taylor<N>],
+        rate: &[Taylor<N>],
+    ) -> (Vec<Taylor<N>>, Vec<Taylor<N>>) {
+        let (body, cyclic) = (system.body, system.body.cyclic());
         let motion = Motion { omega: self.omega, q, rate };
-        let load = system.body.load(motion);
-        let momentum = system.body.generalized_momentum(motion);
-        let mut rows = Vec::with_capacity(N * q.len());
-        for (j, load) in load.iter().enumerate() {
-            let mut right = *load + self.loads.generalized[j] - momentum[j].derivative();
-            for (k, damping) in system.body.damping().row(j) {
-                right = right - Taylor::from(*damping) * rate[k];
-            }
-            rows.extend((0..N).map(|term| right.coefficient(term)));
-        }
-        system.body.solve_stiffness(&mut rows, N);
-        let (series, _) = rows.as_chunks::<N>();
-        series.iter().map(|coefficients| Taylor::new(*coefficients)).collect()
+        let load = body.load(motion);
+        let momentum = body.generalized_momentum(motion);
+        let free = |j: usize| load[j] + self.loads.generalized[j] - momentum[j].derivative();
+        let braked = |j: usize, by: &[Taylor<N>], but: Range<usize>| {
+            let row = body.damping().row(j).filter(move |(k, _)| !but.contains(k));
+            row.fold(free(j), |right, (k, damping)| right - Taylor::from(*damping) * by[k])
+        };
+        let mut held = rows((0..body.elastic()).map(|j| braked(j, rate, 0..0)));
+        held.resize(N * q.len(), 0.0);
+        body.solve_stiffness(&mut held, N);
+        let q = series(&held);
+        let mut rate: Vec<_> = q.iter().map(Taylor::derivative).collect();
+        let mut turning = rows(cyclic.clone().map(|j| braked(j, &rate, cyclic.clone())));
+        body.solve_friction(&mut turning, N);
+        rate[cyclic].copy_from_slice(&series(&turning));
+        (q, rate)
     }
+}
+
+fn rows<const N: usize>(list: impl Iterator<Item = Taylor<N>>) -> Vec<f64> {
+    list.flat_map(|entry| (0..N).map(move |term| entry.coefficient(term))).collect()
+}
+
+fn series<const N: usize>(rows: &[f64]) -> Vec<Taylor<N>> {
+    rows.as_chunks::<N>().0.iter().map(|coefficients| Taylor::new(*coefficients)).collect()
 }

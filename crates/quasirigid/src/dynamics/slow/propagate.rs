@@ -27,8 +27,12 @@ pub fn propagate_forced(
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     let highest = if options.form == Form::Paper { 3 } else { MAX_FORCED_ORDER };
-    if !(1..=highest).contains(&order) {
+    if order > highest {
         return Err(PropagateError::Order { order });
+    }
+    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_none();
+    if options.form == Form::Paper && !elastic_only {
+        return Err(PropagateError::PaperForm);
     }
     let omega = slow_state_point(system, order, initial)?.omega;
     let end = times.last().copied().unwrap_or_default();

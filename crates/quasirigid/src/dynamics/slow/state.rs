@@ -28,7 +28,8 @@ impl SlowState {
     /// [`PropagateError::Order`], or [`PropagateError::NoMomentum`] if the slow manifold has no such spin.
     pub fn with_spin(self, system: Forced, order: usize, omega: [f64; 3]) -> Result<Self, PropagateError> {
         let J = system.body.invariants().J;
-        let mut state = Self { momentum: times(J, omega), ..self };
+        let momentum = add(times(J, omega), system.body.wheels().momentum(0.0));
+        let mut state = Self { momentum, ..self };
         let mut best = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let point = slow_state_point(system, order, &state)?;
@@ -76,13 +77,13 @@ impl SlowState {
 /// The slow motion of order `p` through a state at `t = 0`. (E2)
 ///
 /// # Errors
-/// [`PropagateError::Order`] if the order is not from 1 to [`MAX_FORCED_ORDER`].
+/// [`PropagateError::Order`] if the order is above [`MAX_FORCED_ORDER`].
 pub fn slow_state_point(
     system: Forced,
     order: usize,
     state: &SlowState,
 ) -> Result<SlowPoint, PropagateError> {
-    if !(1..=MAX_FORCED_ORDER).contains(&order) {
+    if order > MAX_FORCED_ORDER {
         return Err(PropagateError::Order { order });
     }
     Ok(slow_point(system, order, state.momentum, &state.pose(0.0)))

@@ -8,7 +8,7 @@ use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PL
 use crate::math::ode::System;
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{add, cross, inverse, norm, times};
+use crate::math::sym::{add, cross, dot, inverse, norm, times};
 use crate::model::Motion;
 use crate::model::force::{Loads, Situation};
 
@@ -78,7 +78,8 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
         rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);
         rate[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, now.omega));
         rate[DISSIPATED] = damped.iter().zip(&now.rate).map(|(force, rate)| force * rate).sum();
-        rate[WORK] = now.loads.power(motion, [0.0; 3]);
+        let motors = dot(now.omega, self.system.body.wheels().torque(t));
+        rate[WORK] = now.loads.power(motion, [0.0; 3]) - motors;
         rate[ANGLE] = norm(now.omega);
         let impulse = Turn::of(attitude).to_inertial(now.loads.moment);
         rate[IMPULSE..IMPULSE + 3].copy_from_slice(&impulse);
@@ -91,8 +92,9 @@ impl Followed for SlowSystem<'_> {
     fn look(&mut self, t: f64, y: &[f64]) -> Look {
         let Rates { omega, q, rate, .. } = self.rates(t, y);
         let motion = Motion { omega, q: &q, rate: &rate };
-        let momentum = self.system.body.momentum(motion);
-        Look { omega, momentum, energy: self.system.body.energy(motion), q, rate }
+        let body = self.system.body;
+        let momentum = add(body.momentum(motion), body.wheels().momentum(t));
+        Look { omega, momentum, energy: body.energy(motion), q, rate }
     }
 
     fn invariant(&self) -> Invariant {

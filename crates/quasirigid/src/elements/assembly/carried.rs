@@ -1,11 +1,12 @@
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::net::Net;
 use super::{Assembly, Built, Mover};
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::inner::Inner;
 use crate::elements::matrices::Matrices;
 use crate::elements::part::NodeRef;
 use crate::elements::spring::{Ends, Pulled};
@@ -14,17 +15,20 @@ use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
-use crate::model::{Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support};
+use crate::model::{
+    Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
+};
 
-/// A carrier with everything on it: rigid pieces that move, then the coordinates of the parts.
+/// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
+/// turns inside.
 struct Carried {
-    carrier: Piece,
-    /// Centre of mass of the carrier (m), in the file's frame.
-    center: Vector3<f64>,
+    /// The carrier and the liquids in it, at rest, each with its centre of mass (m), in the file's frame.
+    rigid: Vec<(Piece, Vector3<f64>)>,
     movers: Vec<Mover>,
     /// First coordinate of each mover, and the end.
     starts: Vec<usize>,
     component: Option<Component>,
+    inner: Inner,
 }
 
 impl Assembly {
@@ -35,8 +39,14 @@ impl Assembly {
         let movers = self.movers()?;
         let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
         let component = net.as_ref().map(|net| net.component(false)).transpose()?;
-        let (piece, center) = (carrier.piece()?, carrier.position());
-        let whole = Carried { carrier: piece, center, starts: starts(&movers), movers, component };
+        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.frozen(i));
+        let rigid = std::iter::once(Ok((carrier.piece()?, carrier.position()))).chain(liquids);
+        let rigid = rigid.collect::<Result<Vec<_>, _>>()?;
+        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| rotor.inner(i));
+        let order = self.reduction.order;
+        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.inner(i, order));
+        let inner = Inner::sum(rotors.chain(liquids))?;
+        let whole = Carried { rigid, starts: starts(&movers), movers, component, inner };
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
@@ -61,10 +71,34 @@ impl Assembly {
             stiffness,
             lossy,
             coordinates: whole.coordinates(),
+            cyclic: whole.inner.coordinates.len(),
+            wheels: self.spinning_wheels()?,
             markers,
         });
+        let body = body.map_err(|error| self.blame(error))?;
+        self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
-        Ok(Built { body: body.map_err(|error| self.blame(error))?, forces, condensation })
+        Ok(Built { body, forces, condensation, speeds: whole.speeds() })
+    }
+
+    fn spinning_wheels(&self) -> Result<Wheels, ElementError> {
+        let mut wheels = Wheels::default();
+        self.wheels.iter().enumerate().try_for_each(|(i, wheel)| wheel.added(i, &mut wheels))?;
+        Ok(wheels)
+    }
+
+    /// Accepts a body that has inertia left about every axis when what turns inside is loose.
+    fn outweighs_the_inside(&self, body: &FlexibleBody) -> Result<(), ElementError> {
+        let cyclic = body.cyclic();
+        if cyclic.is_empty() {
+            return Ok(());
+        }
+        let loose = body.recoiling_mass_matrix().block(cyclic.clone());
+        let entry = |row: usize, column: usize| loose.at(row, column);
+        if DMatrix::from_fn(cyclic.len(), cyclic.len(), entry).cholesky().is_some() {
+            return Ok(());
+        }
+        Err(at(Place::Carrier, Field::Inertia)(Problem::HeavyInside))
     }
 
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {
@@ -96,14 +130,16 @@ impl Assembly {
         let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
-        let start = whole.flexible();
+        let (start, inside) = (whole.flexible(), whole.elastic());
         let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
-        Matrices::sum(whole.size(), springs.chain(hinges).chain(parts))
+        let friction = whole.inner.friction.iter().map(|(j, k, entry)| (inside + j, inside + k, *entry));
+        let size = inside + whole.inner.coordinates.len();
+        Matrices::sum(size, springs.chain(hinges).chain(parts), friction.collect())
     }
 
     /// Lays a mechanism at the door of the first element it moves.
     fn blame(&self, error: FlexibleError) -> ElementError {
-        let FlexibleError::Mechanism { coordinates } = error;
+        let coordinates = error.coordinates();
         let moves = |name: &str| coordinates.starts_with(&format!("\"{name}\""));
         let place = self
             .points
@@ -122,13 +158,21 @@ impl Carried {
         self.starts.last().copied().unwrap_or_default()
     }
 
-    fn size(&self) -> usize {
+    /// Number of elastic coordinates.
+    fn elastic(&self) -> usize {
         self.flexible() + self.component.as_ref().map_or(0, Component::size)
     }
 
+    fn speeds(&self) -> Vec<(usize, f64)> {
+        self.inner.speeds.iter().map(|(j, speed)| (self.elastic() + j, *speed)).collect()
+    }
+
     fn mass_center(&self) -> (f64, Vector3<f64>) {
-        let mut mass = self.carrier.mass;
-        let mut first = self.carrier.mass * self.center;
+        let (mut mass, mut first) = (0.0, Vector3::zeros());
+        for (piece, center) in &self.rigid {
+            mass += piece.mass;
+            first += piece.mass * center;
+        }
         for mover in &self.movers {
             mass += mover.piece.mass;
             first += mover.piece.mass * mover.base + mover.piece.first;
@@ -142,8 +186,11 @@ impl Carried {
 
     /// Inertia invariants about the pole (I1)–(I6).
     fn invariants(&self, pole: Vector3<f64>, mass: f64) -> Invariants {
-        let rho = Shape::position(self.center - pole);
-        let mut J = half(self.carrier.inertia(&rho, &rho));
+        let mut J = [0.0; 6];
+        for (piece, center) in &self.rigid {
+            let rho = Shape::position(center - pole);
+            add(&mut J, half(piece.inertia(&rho, &rho)));
+        }
         let (mut S, mut h, mut J1) = (Vec::new(), Vec::new(), Vec::new());
         let mut pairs: Vec<(usize, usize, Pair)> = Vec::new();
         for (mover, start) in self.movers.iter().zip(&self.starts) {
@@ -166,6 +213,13 @@ impl Carried {
             }
             pairs.extend(component.pairs(pole, self.flexible()));
         }
+        let inside = self.elastic();
+        for h_j in &self.inner.h {
+            S.push([0.0; 3]);
+            h.push(*h_j);
+            J1.push([0.0; 6]);
+        }
+        pairs.extend(self.inner.pairs.iter().map(|(j, k, pair)| (inside + j, inside + k, *pair)));
         let pairs = SparseRows::sum(S.len(), pairs);
         Invariants { mass, J, S, h, J1, pairs }
     }
@@ -178,7 +232,8 @@ impl Carried {
 
     fn coordinates(&self) -> Vec<Coordinate> {
         let movers = self.movers.iter().flat_map(|mover| mover.coordinates.iter().cloned());
-        movers.chain(self.component.iter().flat_map(Component::coordinates)).collect()
+        let parts = self.component.iter().flat_map(Component::coordinates);
+        movers.chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
     }
 }
 

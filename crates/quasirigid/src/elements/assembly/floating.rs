@@ -9,7 +9,7 @@ use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::model::force::Force;
-use crate::model::{FlexibleBody, FlexibleError, Invariants, Parts, Support};
+use crate::model::{FlexibleBody, Invariants, Parts, Support, Wheels};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
@@ -28,7 +28,8 @@ impl Assembly {
         let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
         self.has_inertia(whole, &invariants)?;
         let size = component.size();
-        let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok))?;
+        let Matrices { stiffness, damping, lossy } =
+            Matrices::sum(size, component.blocks(0).map(Ok), Vec::new())?;
         let pulled = net.pulled(&component, 0);
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
@@ -46,12 +47,14 @@ impl Assembly {
             stiffness,
             lossy,
             coordinates: component.coordinates(),
+            cyclic: 0,
+            wheels: Wheels::default(),
             markers: pulled.values().map(|pulled| pulled.marker(center)).collect(),
         });
-        let body = body.map_err(|FlexibleError::Mechanism { coordinates }| {
-            at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates })
+        let body = body.map_err(|error| {
+            at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
         })?;
-        Ok(Built { body, forces, condensation: Some(component.condensation()) })
+        Ok(Built { body, forces, condensation: Some(component.condensation()), speeds: Vec::new() })
     }
 }
 

@@ -13,7 +13,8 @@ pub(super) use mover::Mover;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
-    Carrier, Condensation, Ellipsoid, End, Hinged, Point, Spring, Station, Surface, coefficient, force,
+    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Rotor, Spring, Station, Surface, Wheel,
+    coefficient, force,
 };
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -41,6 +42,12 @@ pub struct Assembly {
     pub springs: Vec<Spring>,
     /// Rigid appendages on hinges.
     pub hinged: Vec<Hinged>,
+    /// Rotors that friction brakes.
+    pub rotors: Vec<Rotor>,
+    /// Momentum wheels.
+    pub wheels: Vec<Wheel>,
+    /// Cavities full of liquid.
+    pub cavities: Vec<Cavity>,
     /// How the body is held.
     pub support: Support,
     /// External forces.
@@ -65,6 +72,8 @@ pub struct Built {
     pub forces: Vec<Force<Marker>>,
     /// How its parts of finite elements got few coordinates; none if it has no such parts.
     pub condensation: Option<Condensation>,
+    /// Rates of cyclic coordinates at the start (rad/s) where they are given, each with its coordinate.
+    pub speeds: Vec<(usize, f64)>,
 }
 
 /// An element that is a whole body, elastic throughout.
@@ -91,6 +100,9 @@ impl Assembly {
         let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
         let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
         let springs = self.springs.iter().enumerate().filter_map(|(i, spring)| spring.check(i, self).err());
+        let rotors = self.rotors.iter().enumerate().filter_map(|(i, rotor)| rotor.inner(i).err());
+        let wheels = self.wheels.iter().enumerate().filter_map(|(i, wheel)| wheel.check(i).err());
+        let cavities = self.cavities.iter().enumerate().filter_map(|(i, cavity)| cavity.check(i).err());
         let parts = self.parts_and_connections().err();
         let support = self.held_point().err();
         let forces = self.forces.iter().enumerate();
@@ -104,6 +116,10 @@ impl Assembly {
             .chain(hinged)
             .chain(hinges)
             .chain(springs)
+            .chain(rotors)
+            .chain(wheels)
+            .chain(cavities)
+            .chain(self.inside_nothing().err())
             .chain(parts)
             .chain(support)
             .chain(forces)
@@ -140,6 +156,7 @@ impl Assembly {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
+        self.inside_nothing()?;
         let body = match self.alone()? {
             Some(Alone::Ellipsoid(ellipsoid)) => ellipsoid.body(0)?,
             Some(Alone::Surface(surface)) => surface.body(0)?,
@@ -147,7 +164,12 @@ impl Assembly {
             None => return self.floating(forces),
         };
         let pole = body.pole().into();
-        Ok(Built { forces: self.placed_forces(forces, pole, |_| None)?, body, condensation: None })
+        Ok(Built {
+            forces: self.placed_forces(forces, pole, |_| None)?,
+            body,
+            condensation: None,
+            speeds: Vec::new(),
+        })
     }
 
     /// Whether there is such a node.
@@ -216,6 +238,17 @@ impl Assembly {
         Ok(Some(alone))
     }
 
+    /// What turns inside needs a carrier.
+    fn inside_nothing(&self) -> Result<(), ElementError> {
+        let rotor = (!self.rotors.is_empty()).then_some((Place::Rotor(0), Field::Axis));
+        let wheel = (!self.wheels.is_empty()).then_some((Place::Wheel(0), Field::Axis));
+        let cavity = (!self.cavities.is_empty()).then_some((Place::Cavity(0), Field::Shape));
+        match rotor.or(wheel).or(cavity) {
+            Some((place, field)) if self.carrier.is_none() => Err(at(place, field)(Problem::InsideNothing)),
+            _ => Ok(()),
+        }
+    }
+
     /// A body without a carrier has nothing that a support could hold.
     fn free(&self) -> Result<(), ElementError> {
         if self.support == Support::Free {
@@ -245,8 +278,12 @@ impl Assembly {
         let points = self.points.iter().enumerate().map(|(i, point)| (Place::Point(i), &point.name));
         let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| (Place::Hinged(i), &hinged.name));
         let parts = self.parts.iter().enumerate().map(|(i, part)| (Place::Part(i), &part.name));
+        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| (Place::Rotor(i), &rotor.name));
+        let wheels = self.wheels.iter().enumerate().map(|(i, wheel)| (Place::Wheel(i), &wheel.name));
+        let cavities = self.cavities.iter().enumerate().map(|(i, cavity)| (Place::Cavity(i), &cavity.name));
         let mut seen = std::collections::HashSet::new();
-        let repeated = points.chain(hinged).chain(parts).filter(|(_, name)| !seen.insert(name.as_str()));
+        let all = points.chain(hinged).chain(parts).chain(rotors).chain(wheels).chain(cavities);
+        let repeated = all.filter(|(_, name)| !seen.insert(name.as_str()));
         repeated
             .map(|(place, name)| at(place, Field::Name)(Problem::DuplicateName { name: name.clone() }))
             .collect()

@@ -59,6 +59,20 @@ pub enum Field {
     Hinge,
     /// Axes of a hinge.
     Axes,
+    /// Axis of a rotor or a wheel.
+    Axis,
+    /// Friction of a rotor.
+    Friction,
+    /// Viscosity of a liquid.
+    Viscosity,
+    /// Shape of a cavity.
+    Shape,
+    /// Attitude of a cavity.
+    Attitude,
+    /// Speed of a rotor.
+    Speed,
+    /// Momentum of a wheel.
+    Momentum,
     /// Semi-axes of an ellipsoid.
     SemiAxes,
     /// Centre of an ellipsoid.
@@ -147,6 +161,13 @@ impl std::fmt::Display for Field {
             Self::Damping => "damping",
             Self::Hinge => "hinge",
             Self::Axes => "axes",
+            Self::Axis => "axis",
+            Self::Friction => "friction",
+            Self::Viscosity => "viscosity",
+            Self::Shape => "shape",
+            Self::Attitude => "attitude",
+            Self::Speed => "speed",
+            Self::Momentum => "momentum",
             Self::SemiAxes => "semi_axes",
             Self::Center => "center",
             Self::Degree => "degree",

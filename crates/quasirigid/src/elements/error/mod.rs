@@ -39,6 +39,12 @@ pub enum Place {
     Part(usize),
     /// A connection.
     Connection(usize),
+    /// A rotor.
+    Rotor(usize),
+    /// A momentum wheel.
+    Wheel(usize),
+    /// A cavity full of liquid.
+    Cavity(usize),
     /// The support.
     Support,
     /// An external force.
@@ -56,6 +62,9 @@ impl std::fmt::Display for Place {
             Self::Surface(index) => write!(f, "surface {}", index + 1),
             Self::Part(index) => write!(f, "part {}", index + 1),
             Self::Connection(index) => write!(f, "connection {}", index + 1),
+            Self::Rotor(index) => write!(f, "rotor {}", index + 1),
+            Self::Wheel(index) => write!(f, "wheel {}", index + 1),
+            Self::Cavity(index) => write!(f, "cavity {}", index + 1),
             Self::Support => write!(f, "support"),
             Self::Force(index) => write!(f, "force {}", index + 1),
         }

@@ -57,6 +57,31 @@ pub enum Problem {
     /// An element that only goes with a carrier, on a body without.
     #[error("an ellipsoid or a surface is the whole body; this cannot stand beside it")]
     BesideWhole,
+    /// A rotor, a wheel or a liquid in a body that has no carrier to hold it.
+    #[error("this needs a carrier that holds it; the body has none")]
+    InsideNothing,
+    /// What turns inside has more inertia about some axis than the whole body with it locked.
+    #[error(
+        "what turns inside has more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked"
+    )]
+    HeavyInside,
+    /// Flows in a cavity that rounding cannot tell apart.
+    #[error("the flows of the liquid cannot be told apart in a cavity of this shape")]
+    LiquidUnresolved,
+    /// More relaxations than are offered.
+    #[error("chains of {modes} relaxations are not offered; choose 0 to {most}")]
+    TooManyModes {
+        /// Length asked for.
+        modes: usize,
+        /// Longest one offered.
+        most: usize,
+    },
+    /// A quaternion that is no attitude.
+    #[error("a quaternion of norm {norm} is no attitude; it must be 1")]
+    NotAttitude {
+        /// Norm of the quaternion.
+        norm: f64,
+    },
     /// Something acts on the carrier of a body that has none, or hangs on it.
     #[error("this body has no carrier")]
     NoCarrier,

@@ -5,7 +5,7 @@ use crate::elements::finite::{Link, Mass};
 use crate::elements::matrices::Matrices;
 use crate::elements::{Assembly, Coefficient, End, Law};
 use crate::math::sparse::SparseRows;
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Parts, Rheology, Support};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Parts, Rheology, Support, Wheels};
 use crate::problems::ring_of_points;
 use crate::reduction::reduce;
 
@@ -55,7 +55,8 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         .map(|entry| (entry / size, entry % size))
         .map(|(j, k)| (j, k, component.pair(j, k, pole)))
         .collect();
-    let Matrices { stiffness, damping, lossy } = Matrices::sum(size, component.blocks(0).map(Ok)).unwrap();
+    let Matrices { stiffness, damping, lossy } =
+        Matrices::sum(size, component.blocks(0).map(Ok), Vec::new()).unwrap();
     FlexibleBody::new(Parts {
         support: Support::Free,
         pole: pole.into(),
@@ -72,6 +73,8 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         stiffness,
         lossy,
         coordinates: (0..size).map(|j| Coordinate { name: format!("{j}"), unit: "m" }).collect(),
+        cyclic: 0,
+        wheels: Wheels::default(),
         markers: Vec::<Marker>::new(),
     })
     .unwrap()

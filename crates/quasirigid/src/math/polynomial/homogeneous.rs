@@ -1,28 +1,41 @@
-use super::monomial::{count, exponents, index};
+use std::ops::Range;
+
+use super::monomial::count;
+use super::ternary::Ternary;
 use crate::math::scalar::Scalar;
 
-/// Rows of homogeneous polynomials of one degree in three variables.
+/// Rows of homogeneous polynomials of one degree in three variables and a constant of degree one.
 ///
-/// A vector field has three rows; a function of all internal coordinates has one row each. Coefficients stand row by
-/// row, in the order of [`exponents`].
+/// A vector field has three rows; a function of all internal coordinates has one row each. The constant, `σ` below, has
+/// the value 1: it marks what a constant of the problem that is graded as degree one brings in, as the momentum of a
+/// wheel, which stands with the spin. Without it only powers of the three variables are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Homogeneous {
-    degree: usize,
-    rows: usize,
-    coefficients: Vec<f64>,
+    /// The part without `σ`.
+    pure: Ternary,
+    /// The parts that `σ, σ², …` multiply, of falling degree; none where there is no constant.
+    mixed: Vec<Ternary>,
 }
 
 impl Homogeneous {
     /// Zero.
     #[must_use]
     pub fn zero(degree: usize, rows: usize) -> Self {
-        Self { degree, rows, coefficients: vec![0.0; rows * count(degree)] }
+        Self::from(Ternary::zero(degree, rows))
     }
 
     /// The linear map with these rows.
     #[must_use]
     pub fn linear(rows: &[[f64; 3]]) -> Self {
-        Self { degree: 1, rows: rows.len(), coefficients: rows.concat() }
+        Self::from(Ternary::linear(rows))
+    }
+
+    /// The constant with these rows, as degree one: `value · σ`.
+    #[must_use]
+    pub fn constant(value: &[f64]) -> Self {
+        let mut constant = Ternary::zero(0, value.len());
+        constant.coefficients_mut().copy_from_slice(value);
+        Self { pure: Ternary::zero(1, value.len()), mixed: vec![constant] }
     }
 
     /// The three variables themselves.
@@ -34,83 +47,88 @@ impl Homogeneous {
     /// Quadratic forms `½ xᵀ S x`, one per row, from symmetric matrices given as xx, yy, zz, yz, zx, xy.
     #[must_use]
     pub fn half_quadratic(matrices: &[[f64; 6]]) -> Self {
-        let mut forms = Self::zero(2, matrices.len());
-        for (row, [xx, yy, zz, yz, zx, xy]) in matrices.iter().enumerate() {
-            forms.row_mut(row).copy_from_slice(&[0.5 * xx, *xy, *zx, 0.5 * yy, *yz, 0.5 * zz]);
-        }
-        forms
+        Self::from(Ternary::half_quadratic(matrices))
     }
 
     /// Degree.
     #[must_use]
     pub fn degree(&self) -> usize {
-        self.degree
+        self.pure.degree()
     }
 
     /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
-        self.rows
+        self.pure.rows()
     }
 
-    /// Coefficients of a row.
+    /// Coefficients of a row of the monomials of a degree, this one or a lower; none where there is no such part.
+    #[must_use]
+    pub fn row_of(&self, degree: usize, row: usize) -> Option<&[f64]> {
+        let power = self.degree().checked_sub(degree)?;
+        let part = if power == 0 { &self.pure } else { self.mixed.get(power - 1)? };
+        Some(part.row(row))
+    }
+
+    /// Coefficients of a row without the constant.
     #[must_use]
     pub fn row(&self, row: usize) -> &[f64] {
-        let width = count(self.degree);
-        &self.coefficients[row * width..(row + 1) * width]
+        self.pure.row(row)
     }
 
-    /// Coefficients of a row, to change.
+    /// Coefficients of a row without the constant, to change.
     pub fn row_mut(&mut self, row: usize) -> &mut [f64] {
-        let width = count(self.degree);
-        &mut self.coefficients[row * width..(row + 1) * width]
+        self.pure.row_mut(row)
     }
 
-    /// Every monomial with its coefficient in each row.
+    /// Every monomial with its coefficient in each row; those below the degree are what the constant brings in.
     pub fn terms(&self) -> impl Iterator<Item = ([usize; 3], Vec<f64>)> + '_ {
-        exponents(self.degree)
-            .enumerate()
-            .map(|(term, monomial)| (monomial, (0..self.rows).map(|row| self.row(row)[term]).collect()))
+        self.parts().flat_map(Ternary::terms)
     }
 
-    /// Coefficients of a row of this degree: [`count`] of them.
-    #[must_use]
-    pub fn width(degree: usize) -> usize {
-        count(degree)
+    /// Hands rows to a solver that works on them in place, with the number of coefficients to a row.
+    pub fn solve_rows(&mut self, rows: Range<usize>, mut solve: impl FnMut(&mut [f64], usize)) {
+        for part in self.parts_mut() {
+            let width = count(part.degree());
+            solve(&mut part.coefficients_mut()[rows.start * width..rows.end * width], width);
+        }
     }
 
-    /// All coefficients, row by row, to change.
-    pub fn coefficients_mut(&mut self) -> &mut [f64] {
-        &mut self.coefficients
+    /// All coefficients, a list row by row for each power of the constant, to change.
+    pub fn coefficients_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
+        self.parts_mut().map(Ternary::coefficients_mut)
     }
 
     /// Multiplies by a number.
     pub fn scale(&mut self, factor: f64) {
-        self.coefficients.iter_mut().for_each(|c| *c *= factor);
+        self.coefficients_mut().flatten().for_each(|c| *c *= factor);
     }
 
-    /// Adds a multiple of a row of another map of the same degree to a row.
+    /// Adds a multiple of a row of another map, of the same degree or of a lower one that `σ` lifts to it, to a row.
     pub fn add_row(&mut self, row: usize, factor: f64, (other, other_row): (&Self, usize)) {
-        debug_assert_eq!(self.degree, other.degree);
-        axpy(self.row_mut(row), factor, other.row(other_row));
+        let lift = self.degree() - other.degree();
+        for (power, part) in other.parts().enumerate() {
+            self.part_mut(lift + power).add_row(row, factor, (part, other_row));
+        }
     }
 
     /// Largest coefficient, in absolute value.
     #[must_use]
     pub fn amax(&self) -> f64 {
-        self.coefficients.iter().fold(0.0, |largest, c| largest.max(c.abs()))
+        self.parts().map(Ternary::amax).fold(0.0, f64::max)
     }
 
     /// Whether every coefficient is a finite number.
     #[must_use]
     pub fn is_finite(&self) -> bool {
-        self.coefficients.iter().all(|c| c.is_finite())
+        self.parts().all(Ternary::is_finite)
     }
 
     /// Adds a multiple of another map of the same degree and rows.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) {
-        debug_assert_eq!((self.degree, self.rows), (other.degree, other.rows));
-        axpy(&mut self.coefficients, factor, &other.coefficients);
+        for (power, part) in other.parts().enumerate() {
+            self.part_mut(power).add_scaled(factor, part);
+        }
     }
 
     /// Adds `factor · a · b` to a row, where `a` and `b` are rows of other maps whose degrees add up to this one.
@@ -121,15 +139,9 @@ impl Homogeneous {
         (a, row_a): (&Self, usize),
         (b, row_b): (&Self, usize),
     ) {
-        debug_assert_eq!(self.degree, a.degree + b.degree);
-        let (left, right) = (a.row(row_a), b.row(row_b));
-        let out = self.row_mut(row);
-        for (r, block) in blocks(a.degree, left) {
-            for (k, c) in block.iter().enumerate().filter(|(_, c)| **c != 0.0) {
-                for (other, along) in blocks(b.degree, right) {
-                    let start = index([0, r + other - k, k]);
-                    axpy(&mut out[start..start + along.len()], factor * c, along);
-                }
+        for (power_a, a) in a.parts().enumerate() {
+            for (power_b, b) in b.parts().enumerate() {
+                self.part_mut(power_a + power_b).add_product(row, factor, (a, row_a), (b, row_b));
             }
         }
     }
@@ -137,19 +149,13 @@ impl Homogeneous {
     /// `matrix · self` for a matrix given by its columns, one per row of `self`.
     #[must_use]
     pub fn contracted(&self, columns: &[[f64; 3]]) -> Self {
-        let mut sum = Self::zero(self.degree, 3);
-        for (row, column) in columns.iter().enumerate() {
-            for (axis, weight) in column.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-                axpy(sum.row_mut(axis), *weight, self.row(row));
-            }
-        }
-        sum
+        self.mapped(|part| part.contracted(columns))
     }
 
     /// Cross product of two maps of three rows.
     #[must_use]
     pub fn cross(&self, other: &Self) -> Self {
-        let mut product = Self::zero(self.degree + other.degree, 3);
+        let mut product = Self::zero(self.degree() + other.degree(), 3);
         for axis in 0..3 {
             let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
             product.add_product(axis, 1.0, (self, next), (other, last));
@@ -161,8 +167,8 @@ impl Homogeneous {
     /// Scalar product of two maps of as many rows, as a map of one row.
     #[must_use]
     pub fn dot(&self, other: &Self) -> Self {
-        let mut product = Self::zero(self.degree + other.degree, 1);
-        for row in 0..self.rows {
+        let mut product = Self::zero(self.degree() + other.degree(), 1);
+        for row in 0..self.rows() {
             product.add_product(0, 1.0, (self, row), (other, row));
         }
         product
@@ -171,35 +177,18 @@ impl Homogeneous {
     /// Partial derivative with respect to a variable.
     #[must_use]
     pub fn partial(&self, axis: usize) -> Self {
-        let mut derivative = Self::zero(self.degree.saturating_sub(1), self.rows);
-        for (term, monomial) in exponents(self.degree).enumerate().filter(|(_, m)| m[axis] > 0) {
-            let mut lower = monomial;
-            lower[axis] -= 1;
-            for row in 0..self.rows {
-                derivative.row_mut(row)[index(lower)] += monomial[axis] as f64 * self.row(row)[term];
-            }
-        }
+        let mut derivative = self.mapped(|part| part.partial(axis));
+        derivative.mixed.truncate(derivative.degree());
         derivative
     }
 
     /// Derivative along a vector field: `∇(self) · field`, row by row. (R6)
-    ///
-    /// The derivative is linear in the polynomial, so it is made once per monomial and applied to every row.
     #[must_use]
     pub fn along(&self, field: &Self) -> Self {
-        let degree = self.degree + field.degree - 1;
-        let mut derivative = Self::zero(degree, self.rows);
-        let mut monomial = Self::zero(self.degree, 1);
-        for term in 0..count(self.degree) {
-            monomial.coefficients.fill(0.0);
-            monomial.coefficients[term] = 1.0;
-            let mut image = Self::zero(degree, 1);
-            for axis in 0..3 {
-                image.add_product(0, 1.0, (&monomial.partial(axis), 0), (field, axis));
-            }
-            for row in 0..self.rows {
-                let weight = self.row(row)[term];
-                axpy(derivative.row_mut(row), weight, &image.coefficients);
+        let mut derivative = Self::zero(self.degree() + field.degree() - 1, self.rows());
+        for (power, part) in self.parts().enumerate().filter(|(_, part)| part.degree() > 0) {
+            for (lift, field) in field.parts().enumerate() {
+                derivative.part_mut(power + lift).add_scaled(1.0, &part.along(field));
             }
         }
         derivative
@@ -207,48 +196,49 @@ impl Homogeneous {
 
     /// Value at a point, added to `value` row by row.
     pub fn add_value<T: Scalar>(&self, x: [T; 3], value: &mut [T]) {
-        let powers = powers(x, self.degree);
-        let monomials: Vec<T> =
-            exponents(self.degree).map(|[i, j, k]| powers[0][i] * powers[1][j] * powers[2][k]).collect();
-        for (row, sum) in value.iter_mut().enumerate() {
-            for (c, monomial) in self.row(row).iter().zip(&monomials) {
-                *sum = *sum + *monomial * T::from(*c);
-            }
+        self.parts().for_each(|part| part.add_value(x, value));
+    }
+
+    fn parts(&self) -> impl Iterator<Item = &Ternary> {
+        std::iter::once(&self.pure).chain(&self.mixed)
+    }
+
+    fn parts_mut(&mut self) -> impl Iterator<Item = &mut Ternary> {
+        std::iter::once(&mut self.pure).chain(&mut self.mixed)
+    }
+
+    /// The part that a power of the constant multiplies, made if there is none yet.
+    fn part_mut(&mut self, power: usize) -> &mut Ternary {
+        if power == 0 {
+            return &mut self.pure;
         }
+        let (degree, rows) = (self.degree(), self.rows());
+        for next in self.mixed.len() + 1..=power {
+            self.mixed.push(Ternary::zero(degree - next, rows));
+        }
+        &mut self.mixed[power - 1]
+    }
+
+    fn mapped(&self, map: impl Fn(&Ternary) -> Ternary) -> Self {
+        Self { pure: map(&self.pure), mixed: self.mixed.iter().map(map).collect() }
     }
 }
 
-/// Parts of a row with equal `r = j + k`, each with its `r`.
-fn blocks(degree: usize, row: &[f64]) -> impl Iterator<Item = (usize, &[f64])> {
-    (0..=degree).map(move |r| (r, &row[r * (r + 1) / 2..(r + 1) * (r + 2) / 2]))
-}
-
-fn axpy(sum: &mut [f64], factor: f64, terms: &[f64]) {
-    for (s, t) in sum.iter_mut().zip(terms) {
-        *s += factor * t;
+impl From<Ternary> for Homogeneous {
+    fn from(pure: Ternary) -> Self {
+        Self { pure, mixed: Vec::new() }
     }
-}
-
-fn powers<T: Scalar>(x: [T; 3], degree: usize) -> [Vec<T>; 3] {
-    x.map(|variable| {
-        let mut power = T::from(1.0);
-        (0..=degree)
-            .map(|_| {
-                let next = power * variable;
-                std::mem::replace(&mut power, next)
-            })
-            .collect()
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn sample(degree: usize, rows: usize, seed: u64) -> Homogeneous {
+    fn sample(degree: usize, constants: usize, rows: usize, seed: u64) -> Homogeneous {
         let mut state = seed;
         let mut map = Homogeneous::zero(degree, rows);
-        for c in &mut map.coefficients {
+        map.part_mut(constants);
+        for c in map.coefficients_mut().flatten() {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             *c = (state >> 33) as f64 / 2f64.powi(30) - 1.0;
         }
@@ -265,7 +255,7 @@ mod tests {
 
     #[test]
     fn product_of_values_is_value_of_product() {
-        let (a, b) = (sample(3, 3, 1), sample(2, 3, 2));
+        let (a, b) = (sample(3, 1, 3, 1), sample(2, 2, 3, 2));
         let (va, vb) = (value(&a, X), value(&b, X));
         let cross = value(&a.cross(&b), X);
         let dot = value(&a.dot(&b), X)[0];
@@ -275,7 +265,7 @@ mod tests {
 
     #[test]
     fn derivative_along_a_field_is_the_rate_of_the_value() {
-        let (q, f) = (sample(4, 2, 3), sample(2, 3, 4));
+        let (q, f) = (sample(4, 4, 2, 3), sample(2, 1, 3, 4));
         let rate = value(&f, X);
         let h = 1e-4;
         let shifted = |s: f64| value(&q, std::array::from_fn(|i| X[i] + s * h * rate[i]));

@@ -1,5 +1,5 @@
 use super::Series;
-use super::monomial::{count, index};
+use super::monomial::count;
 use crate::math::simd::{Arithmetic, scaled_sum};
 
 /// A polynomial map of at most four rows, compiled for fast evaluation: nested Horner form, one vector operation per
@@ -26,10 +26,9 @@ impl Kernel {
         for i in (0..=degree).rev() {
             for j in (0..=degree - i).rev() {
                 for k in (0..=degree - i - j).rev() {
-                    let part = map.part(i + j + k);
                     let mut term = [0.0; 4];
                     for (row, entry) in term.iter_mut().enumerate().take(map.rows()) {
-                        *entry = part.row(row)[index([i, j, k])];
+                        *entry = map.coefficient(row, [i, j, k]);
                     }
                     coefficients.push(term);
                 }
@@ -147,8 +146,12 @@ mod tests {
             let mut map = Series::zero(degree, 3);
             for d in 0..=degree {
                 let mut part = Homogeneous::zero(d, 3);
-                for (i, c) in part.coefficients_mut().iter_mut().enumerate() {
-                    *c = (1.0 + i as f64 + 7.0 * d as f64).sin();
+                if d > 0 {
+                    let constant = Homogeneous::constant(&[0.3, -0.2, 0.9]);
+                    part.add_scaled(1.0, &map.part(d - 1).cross(&constant));
+                }
+                for (i, c) in part.coefficients_mut().flatten().enumerate() {
+                    *c += (1.0 + i as f64 + 7.0 * d as f64).sin();
                 }
                 map.set(part);
             }

@@ -4,6 +4,7 @@ mod homogeneous;
 mod kernel;
 pub mod monomial;
 mod series;
+mod ternary;
 
 pub use homogeneous::Homogeneous;
 pub use kernel::Kernel;

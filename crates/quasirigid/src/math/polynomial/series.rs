@@ -1,4 +1,5 @@
 use super::Homogeneous;
+use super::monomial::index;
 use crate::math::scalar::Scalar;
 
 /// A polynomial map of three variables, kept degree by degree; degrees above the last are zero or unknown.
@@ -43,10 +44,23 @@ impl Series {
         self.parts[degree] = part;
     }
 
+    /// Adds a multiple of a row of a polynomial of at most this degree to a row of the part of the degree.
+    pub fn add_row(&mut self, degree: usize, row: usize, factor: f64, other: (&Homogeneous, usize)) {
+        self.parts[degree].add_row(row, factor, other);
+    }
+
     /// The same map without the parts above a degree.
     #[must_use]
     pub fn truncated(&self, degree: usize) -> Self {
         Self { rows: self.rows, parts: self.parts.iter().take(degree + 1).cloned().collect() }
+    }
+
+    /// Coefficient of a monomial in a row, over all degrees: a constant brings low monomials into high ones.
+    #[must_use]
+    pub fn coefficient(&self, row: usize, exponents: [usize; 3]) -> f64 {
+        let degree: usize = exponents.iter().sum();
+        let rows = self.parts.iter().filter_map(|part| part.row_of(degree, row));
+        rows.map(|coefficients| coefficients[index(exponents)]).sum()
     }
 
     /// Value at a point.

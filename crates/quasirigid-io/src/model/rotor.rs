@@ -1,0 +1,48 @@
+use quasirigid::elements::{Rotor, RotorKind};
+
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const ROTOR: Keys =
+    Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"], later: &[] };
+
+/// Reads a `[[rotor]]`.
+pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {
+    let kind = kind(table);
+    let inertia =
+        table.required("inertia", "inertia = 0.2").and_then(|value| value.positive(Dimension::INERTIA));
+    let friction = table
+        .required("friction", "friction = 0.05")
+        .and_then(|value| value.positive(Dimension::ROTATIONAL_DAMPING));
+    let speed = match table.get("speed") {
+        Some(value) => speed(&value).map(Some),
+        None => Some(None),
+    };
+    Some(Rotor { name: name.to_owned(), kind: kind?, inertia: inertia?, friction: friction?, speed: speed? })
+}
+
+fn kind(table: &Table<'_>) -> Option<RotorKind> {
+    let ball = match table.get("shape") {
+        Some(shape) => shape.choice(&[("flywheel", Some(false)), ("sphere", Some(true))])?,
+        None => false,
+    };
+    match (ball, table.get("axis")) {
+        (false, _) => {
+            let axis = table.required("axis", "axis = [0, 0, 1]")?;
+            Some(RotorKind::Flywheel { axis: axis.vector(Dimension::NUMBER)? })
+        }
+        (true, None) => Some(RotorKind::Sphere),
+        (true, Some(axis)) => {
+            let message = "a sphere turns about any axis, so it has no `axis`".to_owned();
+            axis.refuse(message, "not for a sphere", Some("leave it out".to_owned()))
+        }
+    }
+}
+
+fn speed(value: &Value<'_>) -> Option<Vec<f64>> {
+    if value.is_array() {
+        return value.list("one speed per axis", |item| item.quantity(Dimension::ANGULAR_VELOCITY));
+    }
+    value.quantity(Dimension::ANGULAR_VELOCITY).map(|speed| vec![speed])
+}

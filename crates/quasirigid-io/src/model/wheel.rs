@@ -1,0 +1,45 @@
+use quasirigid::elements::{Wheel, WheelSpeed};
+
+use super::formula::{TIME, formula};
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"], later: &[] };
+const PRESCRIBED: Keys = Keys { known: &["formula"], later: &[] };
+
+/// Reads a `[[wheel]]`.
+pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {
+    let axis = table.required("axis", "axis = [0, 0, 1]").and_then(|value| value.vector(Dimension::NUMBER));
+    let speed = match table.get("momentum") {
+        Some(momentum) => given_momentum(table, &momentum),
+        None => given_speed(table),
+    };
+    Some(Wheel { name: name.to_owned(), axis: axis?, speed: speed? })
+}
+
+fn given_momentum(table: &Table<'_>, momentum: &Value<'_>) -> Option<WheelSpeed> {
+    for key in ["inertia", "speed"] {
+        if let Some(other) = table.get(key) {
+            let message = format!("`{key}` beside `momentum`: the momentum says it already");
+            let help = "give either `momentum`, or `inertia` and `speed`".to_owned();
+            return other.refuse(message, "one of the two", Some(help));
+        }
+    }
+    let momentum = momentum.quantity(Dimension::ANGULAR_MOMENTUM)?;
+    Some(WheelSpeed::Constant { momentum })
+}
+
+fn given_speed(table: &Table<'_>) -> Option<WheelSpeed> {
+    let inertia =
+        table.required("inertia", "inertia = 0.02").and_then(|value| value.positive(Dimension::INERTIA));
+    let speed = table.required("speed", "speed = \"3000 rpm\"")?;
+    if !speed.is_table() {
+        let speed = speed.quantity(Dimension::ANGULAR_VELOCITY)?;
+        return Some(WheelSpeed::Constant { momentum: inertia? * speed });
+    }
+    let prescribed = speed.table("`speed`", &PRESCRIBED)?;
+    let value = prescribed.required("formula", "speed = { formula = \"300 + 20 * sin(0.1 * t)\" }")?;
+    let speed = formula(&value, &TIME, Dimension::ANGULAR_VELOCITY)?;
+    Some(WheelSpeed::Prescribed { inertia: inertia?, speed })
+}

@@ -1,0 +1,237 @@
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use super::liquid::Liquid;
+use crate::math::polynomial::monomial::{exponents, place};
+
+/// Polynomial flows in an ellipsoid, `u = (1 − ξ²) v(ξ)` with `ξ_i = x_i/a_i`. A force that is a polynomial drives a flow that is
+/// one two degrees higher, so every answer of the liquid is exact. (L7)
+pub(super) struct EllipsoidFlow {
+    friction: DMatrix<f64>,
+    mass: DMatrix<f64>,
+    turned: [DMatrix<f64>; 3],
+    loads: [DVector<f64>; 3],
+    factor: Cholesky<f64, Dyn>,
+}
+
+/// Parities of the flows that the spin drives, and of those that it turns them into: a component is odd in the other coordinates
+/// where their class is 1, and in its own where it is 0.
+const CLASSES: [[usize; 3]; 4] = [[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]];
+/// Singular values of the divergence below this share of the largest are zero.
+const ZERO: f64 = 1e-9;
+
+/// A vector field: coefficients of the monomials of each component.
+type Flow = [DVector<f64>; 3];
+
+impl EllipsoidFlow {
+    /// The flows up to a degree in an ellipsoid with these semi-axes: 3 holds the slow answer, and each step of a chain needs two
+    /// more. None if rounding does not leave them apart.
+    pub fn new(semi_axes: [f64; 3], degree: usize) -> Option<Self> {
+        let flows: Vec<Flow> =
+            CLASSES.iter().flat_map(|class| solenoidal(semi_axes, degree - 2, *class)).collect();
+        let moments = moments(semi_axes, degree);
+        let size = flows.len();
+        let images: Vec<Flow> =
+            flows.iter().map(|flow| flow.each_ref().map(|part| &moments * part)).collect();
+        let product = |row: usize, a: usize, column: usize, b: usize| flows[row][a].dot(&images[column][b]);
+        let matrix = |entry: &dyn Fn(usize, usize) -> f64| DMatrix::from_fn(size, size, entry);
+        let mass = matrix(&|row, column| (0..3).map(|axis| product(row, axis, column, axis)).sum());
+        // (e × u)_b = −u_c and (e × u)_c = u_b for axes e, b, c in their cycle.
+        let cycles = [(1, 2), (2, 0), (0, 1)];
+        let turned = cycles
+            .map(|(b, c)| matrix(&|row, column| product(row, c, column, b) - product(row, b, column, c)));
+        let coordinates = [0, 1, 2].map(|axis| &moments * linear(axis, semi_axes[axis], moments.nrows()));
+        let loads = cycles.map(|(b, c)| {
+            DVector::from_fn(size, |row, _| {
+                flows[row][c].dot(&coordinates[b]) - flows[row][b].dot(&coordinates[c])
+            })
+        });
+        let slopes: Vec<[DVector<f64>; 9]> =
+            flows.iter().map(|flow| slopes(flow, semi_axes, degree)).collect();
+        let weighed: Vec<_> =
+            slopes.iter().map(|parts| parts.each_ref().map(|part| &moments * part)).collect();
+        let friction = matrix(&|row, column| (0..9).map(|i| slopes[row][i].dot(&weighed[column][i])).sum());
+        let factor = friction.clone().cholesky()?;
+        Some(Self { friction, mass, turned, loads, factor })
+    }
+}
+
+impl Liquid for EllipsoidFlow {
+    fn load(&self, axis: usize) -> Vec<f64> {
+        self.loads[axis].as_slice().to_vec()
+    }
+
+    fn flows(&self, loads: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let solved = |load: &Vec<f64>| self.factor.solve(&DVector::from_column_slice(load));
+        loads.iter().map(|load| solved(load).as_slice().to_vec()).collect()
+    }
+
+    fn friction(&self, u: &[f64]) -> Vec<f64> {
+        times(&self.friction, u)
+    }
+
+    fn mass(&self, u: &[f64]) -> Vec<f64> {
+        times(&self.mass, u)
+    }
+
+    fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
+        times(&self.turned[axis], u)
+    }
+}
+
+fn times(matrix: &DMatrix<f64>, u: &[f64]) -> Vec<f64> {
+    (matrix * DVector::from_column_slice(u)).as_slice().to_vec()
+}
+
+/// Solenoidal flows of a class with `v` of a degree: the null space of the divergence.
+fn solenoidal(semi_axes: [f64; 3], degree: usize, class: [usize; 3]) -> Vec<Flow> {
+    let parity = |component: usize, axis: usize| class[axis] ^ usize::from(component == axis);
+    let fits = |component: usize, monomial: &[usize; 3]| {
+        (0..3).all(|axis| monomial[axis] % 2 == parity(component, axis))
+    };
+    let unknowns: Vec<(usize, [usize; 3])> = (0..3)
+        .flat_map(|component| {
+            all(degree).filter(move |monomial| fits(component, monomial)).map(move |m| (component, m))
+        })
+        .collect();
+    let size = count(degree + 2);
+    let field = |(component, monomial): &(usize, [usize; 3])| {
+        let mut coefficients = DVector::zeros(size);
+        coefficients[place(*monomial)] += 1.0;
+        for axis in 0..3 {
+            let mut higher = *monomial;
+            higher[axis] += 2;
+            coefficients[place(higher)] -= 1.0;
+        }
+        (*component, coefficients)
+    };
+    let fields: Vec<(usize, DVector<f64>)> = unknowns.iter().map(field).collect();
+    let divergences: Vec<DVector<f64>> = fields
+        .iter()
+        .map(|(component, coefficients)| slope(coefficients, *component, degree + 2) / semi_axes[*component])
+        .collect();
+    kernel(&divergences)
+        .into_iter()
+        .map(|shares| {
+            let mut flow: Flow = std::array::from_fn(|_| DVector::zeros(size));
+            for ((component, coefficients), share) in fields.iter().zip(shares.iter()) {
+                flow[*component].axpy(*share, coefficients, 1.0);
+            }
+            flow
+        })
+        .collect()
+}
+
+/// Combinations of the columns that vanish, orthonormal.
+fn kernel(columns: &[DVector<f64>]) -> Vec<DVector<f64>> {
+    let count = columns.len();
+    let alive: Vec<usize> = (0..columns.first().map_or(0, |column| column.len()))
+        .filter(|row| columns.iter().any(|column| column[*row] != 0.0))
+        .collect();
+    // Rows of zeros fill the matrix up, so that the decomposition has all of the null space.
+    let matrix = DMatrix::from_fn(count.max(alive.len()), count, |row, column| {
+        alive.get(row).map_or(0.0, |row| columns[column][*row])
+    });
+    let Some(svd) = matrix.try_svd(false, true, f64::EPSILON, 0) else { return Vec::new() };
+    let Some(directions) = svd.v_t else { return Vec::new() };
+    let largest = svd.singular_values.max();
+    let empty = svd.singular_values.iter().enumerate().filter(|(_, value)| **value <= ZERO * largest);
+    empty.map(|(row, _)| directions.row(row).transpose()).collect()
+}
+
+/// Monomials up to a degree, in the order of their places.
+fn all(degree: usize) -> impl Iterator<Item = [usize; 3]> {
+    (0..=degree).flat_map(exponents)
+}
+
+fn count(degree: usize) -> usize {
+    (degree + 1) * (degree + 2) * (degree + 3) / 6
+}
+
+fn linear(axis: usize, factor: f64, size: usize) -> DVector<f64> {
+    let mut exponents = [0; 3];
+    exponents[axis] = 1;
+    let mut coefficients = DVector::zeros(size);
+    coefficients[place(exponents)] = factor;
+    coefficients
+}
+
+/// `∂/∂ξ_axis` of a polynomial of a degree.
+fn slope(coefficients: &DVector<f64>, axis: usize, degree: usize) -> DVector<f64> {
+    let mut slope = DVector::zeros(coefficients.len());
+    for monomial in all(degree).filter(|monomial| monomial[axis] > 0) {
+        let mut lower = monomial;
+        lower[axis] -= 1;
+        slope[place(lower)] += monomial[axis] as f64 * coefficients[place(monomial)];
+    }
+    slope
+}
+
+/// `∂u_i/∂x_j`, row by row.
+fn slopes(flow: &Flow, semi_axes: [f64; 3], degree: usize) -> [DVector<f64>; 9] {
+    std::array::from_fn(|entry| slope(&flow[entry / 3], entry % 3, degree) / semi_axes[entry % 3])
+}
+
+/// `∫ξ^α ξ^β dV` over the ellipsoid, for monomials up to a degree.
+fn moments(semi_axes: [f64; 3], degree: usize) -> DMatrix<f64> {
+    let volume: f64 = semi_axes.iter().product();
+    let odd = |n: usize| (1..=n).rev().step_by(2).map(|factor| factor as f64).product::<f64>();
+    let moment = |[i, j, k]: [usize; 3]| {
+        let total = i + j + k;
+        // ∫ = 4π (i−1)!!(j−1)!!(k−1)!! / ((n+1)!! (n+3)), n = i + j + k, of even powers.
+        let doubles = [i, j, k].map(|n| odd(n.saturating_sub(1))).iter().product::<f64>();
+        4.0 * std::f64::consts::PI * doubles / (odd(total + 1) * (total + 3) as f64)
+    };
+    let list: Vec<[usize; 3]> = all(degree).collect();
+    DMatrix::from_fn(list.len(), list.len(), |row, column| {
+        let sum: [usize; 3] = std::array::from_fn(|axis| list[row][axis] + list[column][axis]);
+        if sum.iter().all(|power| power % 2 == 0) { volume * moment(sum) } else { 0.0 }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::elements::cavity::liquid::{Memory, Relaxations};
+
+    /// `P` of an ellipsoid about its first axis; Chernousko's tensor in closed form. (L8)
+    fn closed_form([a, b, c]: [f64; 3]) -> f64 {
+        let [a2, b2, c2] = [a, b, c].map(|x| x * x);
+        let sum = 3.0 * a2 * b2 * b2 + 2.0 * a2 * b2 * c2 + 3.0 * a2 * c2 * c2 + b2 * b2 * c2 + b2 * c2 * c2;
+        16.0 * PI * a.powi(3) * b.powi(5) * c.powi(5) / (105.0 * sum)
+    }
+
+    #[test]
+    fn the_slow_tensor_is_that_of_the_closed_form() {
+        for semi_axes in [[1.0, 1.0, 1.0], [0.6, 0.45, 0.3], [2e-3, 7e-3, 3e-3]] {
+            for (depth, degree) in [(1, 3), (2, 5), (1, 9)] {
+                let flow = EllipsoidFlow::new(semi_axes, degree).unwrap();
+                let found = Relaxations::of(&flow, Memory { depth, modes: 0 }, 1.0).unwrap().slow_tensor();
+                let [a, b, c] = semi_axes;
+                let exact = [[a, b, c], [b, c, a], [c, a, b]].map(closed_form);
+                for row in 0..3 {
+                    for column in 0..3 {
+                        let expected = if row == column { exact[row] } else { 0.0 };
+                        let gap = (found[(row, column)] - expected).abs();
+                        assert!(gap < 1e-12 * exact[0].max(exact[2]), "{semi_axes:?}: {gap:e}");
+                    }
+                }
+            }
+        }
+        assert!((closed_form([1.3; 3]) / (8.0 * PI * 1.3_f64.powi(7) / 525.0) - 1.0).abs() < 1e-14);
+    }
+
+    /// Relaxation times of the shells of a ball: `a²/(νk²)` with `tan k = k`.
+    #[test]
+    fn relaxations_of_a_ball_are_those_of_its_shells() {
+        let flow = EllipsoidFlow::new([2.0; 3], 15).unwrap();
+        let found = Relaxations::of(&flow, Memory { depth: 1, modes: 6 }, 1.0).unwrap();
+        for (shell, k) in [4.493_409_457_909_064, 7.725_251_836_937_707].into_iter().enumerate() {
+            for turn in 0..3 {
+                let ratio = found.friction[3 * shell + turn] / (k * k / 4.0);
+                assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+            }
+        }
+    }
+}

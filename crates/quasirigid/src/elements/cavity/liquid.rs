@@ -1,0 +1,141 @@
+use std::ops::Range;
+
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+use crate::math::eigen::{Dense, modes};
+use crate::math::krylov::dot;
+use crate::math::span::Span;
+
+/// Velocity fields in a cavity, solenoidal and zero on its wall, as vectors over a basis. (L3)
+pub(super) trait Liquid {
+    /// `∫ψ·(e × r) dV` for the unit vector of an axis, `r` from the middle of the cavity.
+    fn load(&self, axis: usize) -> Vec<f64>;
+
+    /// Stokes flows `u` with `∫∇ψ:∇u dV = load` for every solenoidal `ψ`. (L4)
+    fn flows(&self, loads: &[Vec<f64>]) -> Vec<Vec<f64>>;
+
+    /// `∫∇ψ:∇u dV`.
+    fn friction(&self, u: &[f64]) -> Vec<f64>;
+
+    /// `∫ψ·u dV`.
+    fn mass(&self, u: &[f64]) -> Vec<f64>;
+
+    /// `∫ψ·(e × u) dV` for the unit vector of an axis.
+    fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64>;
+}
+
+/// What is kept of the motions of a liquid: relaxations `∇²u − ∇p = −u/τ` within a space that holds its answers to the spin,
+/// per unit of density and of kinematic viscosity; each has the same `∫u² dV`. (L6)
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Relaxations {
+    /// `∫u² dV` of each.
+    pub mass: f64,
+    /// `∫|∇u|² dV` of each, ascending.
+    pub friction: Vec<f64>,
+    /// `∫r × u dV`.
+    pub momentum: Vec<Vector3<f64>>,
+    /// `∫u_j × u_k dV` by row and column.
+    pub turning: Vec<(usize, usize, Vector3<f64>)>,
+}
+
+/// How much is kept of the motions of a liquid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Memory {
+    /// Length of the chains of slow answers: the degree to which its momentum is kept is one more than twice as high.
+    pub depth: usize,
+    /// Length of the chains that only inertia makes: the more, the faster the motions that are still right.
+    pub modes: usize,
+}
+
+/// Entries of the coupling below this share of the largest are rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Relaxations {
+    /// Of a liquid, scaled to a value of `∫u² dV`; none if the eigenvalues are not found.
+    ///
+    /// The chains begin with the three slow flows that a change of spin drives. Each step answers the inertia of the flow before
+    /// it, and its turning with the body about each axis.
+    pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
+        let span = chains(liquid, memory);
+        let inertia = span.projected(|u| liquid.mass(u));
+        let size = inertia.size();
+        let mut unit = Dense::zero(size);
+        (0..size).for_each(|i| unit.add(i, i, 1.0));
+        let found = modes(&inertia, &unit).ok()?;
+        let fields: Vec<Vec<f64>> = (0..size)
+            .map(|mode| {
+                let shares: Vec<f64> =
+                    (0..size).map(|row| found.shapes.at(row, mode) * mass.sqrt()).collect();
+                span.combined(&shares)
+            })
+            .collect();
+        let loads: [Vec<f64>; 3] = std::array::from_fn(|axis| liquid.load(axis));
+        let momentum = |u: &Vec<f64>| Vector3::from_fn(|axis, _| dot(&loads[axis], u));
+        Some(Self {
+            mass,
+            friction: found.frequencies.iter().map(|frequency| mass * frequency * frequency).collect(),
+            momentum: fields.iter().map(momentum).collect(),
+            turning: turning(liquid, &fields),
+        })
+    }
+
+    /// `P = Σ h hᵀ/b`, the tensor of the slow answer, of which every choice of [`Memory`] holds the whole. (L5)
+    pub fn slow_tensor(&self) -> Matrix3<f64> {
+        let terms = self.momentum.iter().zip(&self.friction);
+        terms.map(|(h, friction)| h * h.transpose() / *friction).sum()
+    }
+}
+
+/// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`.
+fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Span {
+    let loads: Vec<Vec<f64>> = (0..3).map(|axis| liquid.load(axis)).collect();
+    let first = liquid.flows(&loads);
+    let mut kept = Vec::new();
+    let slow = grown(liquid, &mut kept, first);
+    let mut last = slow.clone();
+    for _ in 1..depth {
+        let after = |u: &Vec<f64>| {
+            std::iter::once(liquid.mass(u))
+                .chain((0..3).map(|axis| liquid.turned(axis, u)))
+                .collect::<Vec<_>>()
+        };
+        let loads: Vec<Vec<f64>> = kept[last].iter().flat_map(after).collect();
+        last = grown(liquid, &mut kept, liquid.flows(&loads));
+    }
+    let mut last = slow;
+    for _ in 0..modes {
+        let loads: Vec<Vec<f64>> = kept[last].iter().map(|u| liquid.mass(u)).collect();
+        last = grown(liquid, &mut kept, liquid.flows(&loads));
+    }
+    Span::orthonormal(kept, |u| liquid.friction(u))
+}
+
+/// Adds flows to orthonormal ones, without those that are combinations of the others; the places of the new ones.
+fn grown(liquid: &impl Liquid, kept: &mut Vec<Vec<f64>>, flows: Vec<Vec<f64>>) -> Range<usize> {
+    let start = kept.len();
+    let unit = |mut u: Vec<f64>| {
+        let length = dot(&u, &liquid.friction(&u)).sqrt();
+        u.iter_mut().for_each(|entry| *entry /= length);
+        u
+    };
+    let flows = flows.into_iter().filter(|u| u.iter().any(|entry| *entry != 0.0)).map(unit);
+    let all = std::mem::take(kept).into_iter().chain(flows).collect();
+    *kept = Span::orthonormal(all, |u| liquid.friction(u)).into_vectors();
+    start..kept.len()
+}
+
+fn turning(liquid: &impl Liquid, fields: &[Vec<f64>]) -> Vec<(usize, usize, Vector3<f64>)> {
+    let size = fields.len();
+    // ∫u_j × u_k · e = −∫u_j · (e × u_k)
+    let along: [DMatrix<f64>; 3] = std::array::from_fn(|axis| {
+        let turned: Vec<Vec<f64>> = fields.iter().map(|u| liquid.turned(axis, u)).collect();
+        DMatrix::from_fn(size, size, |j, k| 0.5 * (dot(&fields[k], &turned[j]) - dot(&fields[j], &turned[k])))
+    });
+    let largest = along.iter().map(|matrix| matrix.amax()).fold(0.0, f64::max);
+    let entry = |j: usize, k: usize| Vector3::from_fn(|axis, _| along[axis][(j, k)]);
+    (0..size)
+        .flat_map(|j| (0..size).map(move |k| (j, k)))
+        .map(|(j, k)| (j, k, entry(j, k)))
+        .filter(|(_, _, entry)| entry.amax() > ROUNDING * largest)
+        .collect()
+}

@@ -1,0 +1,36 @@
+use super::error::ElementError;
+use super::matrices::Entries;
+use crate::model::{Coordinate, Pair};
+
+/// What moves inside the carrier without moving its centre of mass or its inertia: a rotor, a liquid. Its coordinates are
+/// cyclic. (C1), (C2)
+#[derive(Clone, Debug, Default)]
+pub(super) struct Inner {
+    /// One per cyclic coordinate.
+    pub coordinates: Vec<Coordinate>,
+    /// Angular momentum of each.
+    pub h: Vec<[f64; 3]>,
+    /// Mass and gyroscopic coupling, by row and column.
+    pub pairs: Vec<(usize, usize, Pair)>,
+    /// Friction, by row and column.
+    pub friction: Entries,
+    /// Rates that the file gives for the start, by coordinate.
+    pub speeds: Vec<(usize, f64)>,
+}
+
+impl Inner {
+    /// Everything inside, numbered in order.
+    pub fn sum(elements: impl Iterator<Item = Result<Self, ElementError>>) -> Result<Self, ElementError> {
+        let mut sum = Self::default();
+        for element in elements {
+            let Self { coordinates, h, pairs, friction, speeds } = element?;
+            let start = sum.coordinates.len();
+            sum.coordinates.extend(coordinates);
+            sum.h.extend(h);
+            sum.pairs.extend(pairs.into_iter().map(|(j, k, pair)| (start + j, start + k, pair)));
+            sum.speeds.extend(speeds.into_iter().map(|(j, speed)| (start + j, speed)));
+            sum.friction.extend(friction.into_iter().map(|(j, k, entry)| (start + j, start + k, entry)));
+        }
+        Ok(sum)
+    }
+}

@@ -1,0 +1,83 @@
+use nalgebra::Vector3;
+
+use super::coefficient;
+use super::error::{ElementError, Field, Place, Problem, at};
+use super::inner::Inner;
+use crate::model::{Coordinate, Pair};
+
+/// A rotor that friction brakes relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
+///
+/// Its mass and, locked, its inertia belong to the carrier.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rotor {
+    /// Unique name.
+    pub name: String,
+    /// What turns.
+    pub kind: RotorKind,
+    /// Moment of inertia about its axis (kg·m²).
+    pub inertia: f64,
+    /// Friction coefficient `κ` (N·m·s/rad): the torque per relative speed.
+    pub friction: f64,
+    /// Speed relative to the carrier at the start (rad/s), one value per axis; none if it starts as the friction would have
+    /// it.
+    pub speed: Option<Vec<f64>>,
+}
+
+/// What a rotor turns about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RotorKind {
+    /// One axis of the carrier; any length but zero.
+    Flywheel {
+        /// Direction of the axis.
+        axis: [f64; 3],
+    },
+    /// Any axis: a ball whose inertia is the same about all.
+    Sphere,
+}
+
+impl Rotor {
+    pub(super) fn inner(&self, index: usize) -> Result<Inner, ElementError> {
+        let place = Place::Rotor(index);
+        coefficient::positive(self.inertia).map_err(at(place, Field::Inertia))?;
+        coefficient::positive(self.friction).map_err(at(place, Field::Friction))?;
+        let axes = self.axes().map_err(at(place, Field::Axis))?;
+        if let Some(speed) = &self.speed {
+            coefficient::finite(speed).map_err(at(place, Field::Speed))?;
+            if speed.len() != axes.len() {
+                let problem = Problem::ValuePerAxis { axes: axes.len(), values: speed.len() };
+                return Err(at(place, Field::Speed)(problem));
+            }
+        }
+        let name = |(i, _): (usize, &Vector3<f64>)| match self.kind {
+            RotorKind::Flywheel { .. } => format!("\"{}\"", self.name),
+            RotorKind::Sphere => format!("\"{}\" about {}", self.name, ["x", "y", "z"][i]),
+        };
+        let pair = |j: usize, k: usize| Pair {
+            A: self.inertia * axes[j].dot(&axes[k]),
+            Z: (self.inertia * axes[j].cross(&axes[k])).into(),
+            ..Pair::default()
+        };
+        let count = axes.len();
+        Ok(Inner {
+            coordinates: axes
+                .iter()
+                .enumerate()
+                .map(|axis| Coordinate { name: name(axis), unit: "rad" })
+                .collect(),
+            h: axes.iter().map(|axis| (self.inertia * axis).into()).collect(),
+            pairs: (0..count)
+                .flat_map(|j| (0..count).map(move |k| (j, k)))
+                .map(|(j, k)| (j, k, pair(j, k)))
+                .collect(),
+            friction: (0..count).map(|j| (j, j, self.friction)).collect(),
+            speeds: self.speed.iter().flatten().copied().enumerate().collect(),
+        })
+    }
+
+    fn axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {
+        match self.kind {
+            RotorKind::Flywheel { axis } => Ok(vec![coefficient::unit(axis)?]),
+            RotorKind::Sphere => Ok(vec![Vector3::x(), Vector3::y(), Vector3::z()]),
+        }
+    }
+}

@@ -1,0 +1,50 @@
+use crate::math::expression::Expression;
+use crate::math::scalar::Smooth;
+use crate::math::sym::{add, scale};
+use crate::math::taylor::Taylor;
+
+/// The momentum wheels of a body: motors keep them at given speeds relative to it, whatever it does. (C4)
+///
+/// The inertia of the body counts them as locked; what they add is a momentum that does not depend on the spin.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wheels {
+    /// Momentum relative to the body of the wheels of constant speed (N·m·s), body axes.
+    pub constant: [f64; 3],
+    /// Wheels of prescribed speed.
+    pub driven: Vec<DrivenWheel>,
+}
+
+/// A momentum wheel of prescribed speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenWheel {
+    /// Axial inertia times axis (kg·m²), body axes.
+    pub inertia: [f64; 3],
+    /// Speed relative to the body (rad/s): an expression of the single variable `t`.
+    pub speed: Expression,
+}
+
+impl Wheels {
+    /// Whether there is no momentum beside that of the body.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.constant == [0.0; 3] && self.driven.is_empty()
+    }
+
+    /// Momentum `k` relative to the body at a time (N·m·s), body axes. (C4)
+    #[must_use]
+    pub fn momentum<T: Smooth>(&self, t: T) -> [T; 3] {
+        let driven =
+            self.driven.iter().map(|wheel| scale(wheel.speed.value(&[t]), wheel.inertia.map(T::from)));
+        driven.fold(self.constant.map(T::from), add)
+    }
+
+    /// Rate `k̇` of the momentum relative to the body at a time (N·m): the torque of the motors on the wheels beyond what
+    /// turns them with the body.
+    #[must_use]
+    pub fn torque(&self, t: f64) -> [f64; 3] {
+        if self.driven.is_empty() {
+            return [0.0; 3];
+        }
+        self.momentum(Taylor::<2>::variable(t)).map(|k| k.coefficient(1))
+    }
+}

@@ -1,0 +1,39 @@
+use crate::math::eigen::{Dense, NoConvergence, modes};
+use crate::math::span::largest;
+use crate::model::FlexibleBody;
+
+/// How rotors and liquids come to rest in the body: the relaxations of its cyclic coordinates. (C7)
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Relaxation {
+    /// Times in which they decay by e with the attitude held (s), descending: `τ` of `A x = τ B x`.
+    pub times: Vec<f64>,
+    /// The coordinate that moves most in the slowest of them.
+    pub slowest: Option<String>,
+}
+
+impl Relaxation {
+    /// Relaxations of a body; none if it has no cyclic coordinates.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if the eigenvalue solver fails.
+    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+        let cyclic = body.cyclic();
+        if cyclic.is_empty() {
+            return Ok(Self::default());
+        }
+        let A = body.mass_matrix().block(cyclic.clone());
+        let found = modes(&A, &Dense::of(&body.damping().block(cyclic.clone())))?;
+        let slowest: Vec<f64> = (0..cyclic.len()).map(|row| found.shapes.at(row, 0)).collect();
+        let name = |row: usize| body.coordinates()[cyclic.start + row].name.clone();
+        Ok(Self {
+            times: found.frequencies.iter().map(|frequency| frequency.powi(-2)).collect(),
+            slowest: largest(&slowest).map(name),
+        })
+    }
+
+    /// The longest time (s); zero if there is none.
+    #[must_use]
+    pub fn longest(&self) -> f64 {
+        self.times.first().copied().unwrap_or(0.0)
+    }
+}

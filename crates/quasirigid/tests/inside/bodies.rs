@@ -1,0 +1,71 @@
+//! Bodies with something inside, off their axes.
+
+use std::ops::ControlFlow;
+
+use quasirigid::dynamics::Forced;
+use quasirigid::elements::{
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Rotor, RotorKind, Spring,
+    Wheel, WheelSpeed,
+};
+use quasirigid::model::Rheology;
+use quasirigid::verification::{Plan, Start, verify};
+
+/// A carrier alone.
+pub fn bare() -> Assembly {
+    Assembly {
+        carrier: Some(Carrier {
+            mass: 40.0,
+            center_of_mass: [0.02, 0.1, 0.4],
+            inertia: [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
+        }),
+        ..Assembly::default()
+    }
+}
+
+/// A sprung mass.
+pub fn sprung() -> (Point, Spring) {
+    let point = Point { name: "mass".into(), mass: 1.2, position: [0.8, 0.3, 0.9], motion: Motion::Free };
+    let law = Law::Spatial {
+        stiffness: Coefficient::Diagonal([900.0, 1000.0, 800.0]),
+        damping: Coefficient::Diagonal([48.0, 36.0, 40.0]),
+    };
+    let spring = Spring { from: End::Point(0), to: End::Carrier, law, rheology: Rheology::Elastic };
+    (point, spring)
+}
+
+pub fn flywheel(axis: [f64; 3], inertia: f64, friction: f64) -> Rotor {
+    Rotor { name: "flywheel".into(), kind: RotorKind::Flywheel { axis }, inertia, friction, speed: None }
+}
+
+pub fn wheel(axis: [f64; 3], speed: WheelSpeed) -> Wheel {
+    Wheel { name: "wheel".into(), axis, speed }
+}
+
+pub fn ball(inertia: f64, friction: f64) -> Rotor {
+    Rotor { name: "ball".into(), kind: RotorKind::Sphere, inertia, friction, speed: None }
+}
+
+pub fn start(omega: [f64; 3]) -> Start {
+    let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]);
+    Start { omega, attitude, place: [0.0; 3], velocity: [0.0; 3] }
+}
+
+pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
+    let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.4, -0.7, 0.2]);
+    let shape = CavityShape::Ellipsoid { semi_axes };
+    let center = [0.1, -0.3, 0.2];
+    Cavity { name: "tank".into(), shape, center, attitude, density, viscosity, modes: 0 }
+}
+
+/// The orders of `p = 0, 1, …`, measured.
+pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
+    let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+    let system = Forced { body: &body, forces: &forces };
+    let plan = Plan { orders: (0..=highest).collect(), rotations: 1.0, halvings: 3, samples: 40 };
+    let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
+    for row in &verification.rows {
+        let gaps: Vec<f64> = row.differences.iter().map(|difference| difference.omega).collect();
+        println!("p = {}: {:?} {gaps:?}", row.p, row.order);
+    }
+    verification.rows.iter().map(|row| row.order.unwrap()).collect()
+}

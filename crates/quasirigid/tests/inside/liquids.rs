@@ -1,0 +1,106 @@
+//! A liquid in a ball and an ellipsoid, against closed forms.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use quasirigid::elements::{Assembly, Cavity};
+use quasirigid::model::FlexibleBody;
+use quasirigid::reduction::reduce;
+
+use crate::bodies::{bare, cavity};
+
+const DENSITY: f64 = 1260.0;
+const VISCOSITY: f64 = 0.03;
+
+fn body(tank: Cavity, order: usize) -> FlexibleBody {
+    let mut assembly = Assembly { cavities: vec![tank], ..bare() };
+    assembly.reduction.order = order;
+    assembly.body().unwrap()
+}
+
+/// Mass matrix, friction, and momentum of the cyclic coordinates.
+fn matrices(body: &FlexibleBody) -> (DMatrix<f64>, DMatrix<f64>, Vec<Vector3<f64>>) {
+    let n = body.coordinates().len();
+    let (mut A, mut B) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
+    body.invariants().pairs.iter().for_each(|(j, k, pair)| A[(j, k)] = pair.A);
+    body.damping().iter().for_each(|(j, k, entry)| B[(j, k)] = *entry);
+    (A, B, body.invariants().h.iter().map(|h| Vector3::from(*h)).collect())
+}
+
+/// Coefficients of `1 − χ` in powers of `z² = s a²/ν`, by repeated answers of friction to inertia.
+fn moments(body: &FlexibleBody, axis: Vector3<f64>, count: usize) -> Vec<f64> {
+    let (A, B, h) = matrices(body);
+    let load = DVector::from_iterator(h.len(), h.iter().map(|h| h.dot(&axis)));
+    let solve = B.cholesky().unwrap();
+    let mut x = solve.solve(&load);
+    let mut found = Vec::new();
+    for power in 0..count {
+        found.push(load.dot(&x) * if power % 2 == 0 { 1.0 } else { -1.0 });
+        x = solve.solve(&(&A * x));
+    }
+    found
+}
+
+/// The series of the liquid ball, `χ = (5/z²)(z i₁′/i₁ − 1) = 1 − z²/35 + 2z⁴/1575 − 37z⁶/606375 + …` (anchors of the literature).
+#[test]
+fn a_ball_answers_as_the_series_of_the_unsteady_flow() {
+    let radius = 0.4;
+    let inertia = DENSITY * 8.0 / 15.0 * std::f64::consts::PI * f64::powi(radius, 5);
+    let series = [1.0 / 35.0, -2.0 / 1575.0, 37.0 / 606_375.0];
+    let tank = cavity([radius; 3], DENSITY, VISCOSITY);
+    let body = body(Cavity { modes: 1, ..tank }, 1);
+    let axis = Vector3::new(0.3, -0.5, 0.8).normalize();
+    for (power, (found, expected)) in moments(&body, axis, 3).into_iter().zip(series).enumerate() {
+        let scale = inertia * (radius * radius / VISCOSITY).powi(power as i32 + 1);
+        assert!((found / (expected * scale) - 1.0).abs() < 1e-11, "z^{}: {found}", 2 * power + 2);
+    }
+}
+
+/// `μ₃ = ω × Πω̇ + d/dt (Πω̇)` with Euler's `ω̇`, homogeneous and cubic, with the closed form of `P` in turned axes.
+#[test]
+fn the_torque_begins_with_a_cubic() {
+    let semi_axes = [0.6, 0.45, 0.3];
+    let tank = cavity(semi_axes, DENSITY, VISCOSITY);
+    let turn = {
+        let attitude = tank.attitude;
+        let column = |axis| Vector3::from(quasirigid::math::rotation::to_inertial(attitude, axis));
+        Matrix3::from_columns(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
+    };
+    let P = |a: f64, b: f64, c: f64| {
+        let (a2, b2, c2) = (a * a, b * b, c * c);
+        let sum = 3.0 * a2 * b2 * b2 + 2.0 * a2 * b2 * c2 + 3.0 * a2 * c2 * c2 + b2 * b2 * c2 + b2 * c2 * c2;
+        16.0 * std::f64::consts::PI * a.powi(3) * b.powi(5) * c.powi(5) / (105.0 * sum)
+    };
+    let [a, b, c] = semi_axes;
+    let own = Matrix3::from_diagonal(&Vector3::new(P(a, b, c), P(b, c, a), P(c, a, b)));
+    let Pi = DENSITY / VISCOSITY * (turn * own * turn.transpose());
+    let body = body(tank, 1);
+    let reduced = reduce(&body, 1).unwrap();
+    let J = Matrix3::from_row_slice(&body.inertia().concat());
+    let inverse = J.try_inverse().unwrap();
+    for w in [Vector3::new(0.3, -0.7, 0.2), Vector3::new(-1.1, 0.4, 0.9)] {
+        let euler = |w: Vector3<f64>| inverse * (J * w).cross(&w);
+        let first = euler(w);
+        let second = inverse * ((J * first).cross(&w) + (J * w).cross(&first));
+        let expected = w.cross(&(Pi * first)) + Pi * second;
+        let mut found = [0.0; 3];
+        reduced.mu(3).add_value(w.into(), &mut found);
+        assert!((Vector3::from(found) - expected).norm() < 1e-12 * expected.norm(), "{found:?} {expected:?}");
+    }
+    assert_eq!(reduced.mu(2).degree(), 2);
+}
+
+/// The liquid at rest is part of the body: mass, centre of mass and inertia.
+#[test]
+fn the_frozen_liquid_belongs_to_the_body() {
+    let tank = cavity([0.6, 0.45, 0.3], DENSITY, VISCOSITY);
+    let mass = DENSITY * 4.0 / 3.0 * std::f64::consts::PI * 0.6 * 0.45 * 0.3;
+    let (alone, center) = (bare().carrier.unwrap(), Vector3::from(tank.center));
+    let body = body(tank, 1);
+    assert!((body.invariants().mass / (alone.mass + mass) - 1.0).abs() < 1e-14);
+    let together = (alone.mass * Vector3::from(alone.center_of_mass) + mass * center) / (alone.mass + mass);
+    assert!((Vector3::from(body.center_of_mass()) - together).norm() < 1e-14);
+    let trace = |J: [[f64; 3]; 3]| J[0][0] + J[1][1] + J[2][2];
+    let own = 2.0 * mass / 5.0 * (0.36 + 0.2025 + 0.09);
+    let apart = alone.mass * mass / (alone.mass + mass)
+        * (Vector3::from(alone.center_of_mass) - center).norm_squared();
+    assert!((trace(body.inertia()) / (trace(alone.inertia) + own + 2.0 * apart) - 1.0).abs() < 1e-13);
+}

@@ -1,0 +1,76 @@
+//! Order `p`, the degree `p + 2` of `f`, is in error by `ε^{p+1}`; theory.md §9: 1, 2, 3, 4 for the degrees 2 to 5. (E4)
+
+use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
+use quasirigid::math::expression::Expression;
+use quasirigid::model::force::{Axes, Force, Law, Wave};
+
+use crate::bodies::{ball, bare, cavity, flywheel, orders, sprung, wheel};
+
+const OMEGA: [f64; 3] = [1.2, 0.35, 0.2];
+
+fn assert_orders(assembly: &Assembly, highest: usize) {
+    for (p, order) in orders(assembly, OMEGA, highest).into_iter().enumerate() {
+        assert!((order - (p + 1) as f64).abs() < 0.25, "p = {p}: {order}");
+    }
+}
+
+#[test]
+fn flywheel_orders() {
+    let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 6.0)];
+    assert_orders(&Assembly { rotors, ..bare() }, 3);
+}
+
+#[test]
+fn ball_orders() {
+    assert_orders(&Assembly { rotors: vec![ball(1.4, 16.0)], ..bare() }, 3);
+}
+
+#[test]
+fn rotors_beside_a_sprung_mass() {
+    let (point, spring) = sprung();
+    let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)];
+    assert_orders(&Assembly { rotors, points: vec![point], springs: vec![spring], ..bare() }, 3);
+}
+
+/// The momentum of a wheel counts as degree one, beside the spin.
+#[test]
+fn a_momentum_wheel_beside_rotor_and_sprung_mass() {
+    let (point, spring) = sprung();
+    let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0)];
+    let wheels = vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { momentum: 6.0 })];
+    assert_orders(&Assembly { rotors, wheels, points: vec![point], springs: vec![spring], ..bare() }, 3);
+}
+
+/// With forces, and a wheel whose speed changes, the slow motion is found by series in time.
+#[test]
+fn rotors_under_a_torque_and_a_driven_wheel() {
+    let (point, spring) = sprung();
+    let law = Law::<Station>::Torque {
+        torque: [0.8, -0.5, 0.3],
+        axes: Axes::Inertial,
+        wave: Wave { frequency: 1.3, phase: 0.4 },
+    };
+    let speed = Expression::parse("10 + 4 * sin(1.1 * t)", &["t"]).unwrap();
+    let assembly = Assembly {
+        rotors: vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)],
+        wheels: vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Prescribed { inertia: 0.2, speed })],
+        points: vec![point],
+        springs: vec![spring],
+        forces: vec![Force { name: "torque".into(), law }],
+        ..bare()
+    };
+    assert_orders(&assembly, 3);
+}
+
+#[test]
+fn a_ball_of_liquid_with_its_modes() {
+    let tank = Cavity { modes: 4, ..cavity([0.5; 3], 1500.0, 0.06) };
+    assert_orders(&Assembly { cavities: vec![tank], ..bare() }, 3);
+}
+
+#[test]
+fn an_ellipsoid_of_liquid_beside_a_sprung_mass() {
+    let (point, spring) = sprung();
+    let cavities = vec![cavity([0.6, 0.45, 0.3], 1500.0, 0.05)];
+    assert_orders(&Assembly { cavities, points: vec![point], springs: vec![spring], ..bare() }, 3);
+}

@@ -5,10 +5,12 @@ mod drift;
 mod euler_angles;
 mod evolution;
 mod harmonics;
+mod memory;
 mod observed;
 mod poinsot;
 mod power;
 mod response;
+mod rows;
 mod slow_torque;
 
 pub use crossing::Crossing;

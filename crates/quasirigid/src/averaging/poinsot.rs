@@ -189,6 +189,17 @@ impl FreeRotation {
         sum / points as f64
     }
 
+    /// Mean of the spin over a period of the polhode (rad/s), principal axes, on the positive side of the circled axis.
+    #[must_use]
+    pub fn mean_spin(&self) -> [f64; 3] {
+        let mut mean = [0.0; 3];
+        if self.polhode_period().is_finite() {
+            let axis = self.mode().circled();
+            mean[axis] = self.mean(1, |omega| omega[axis]).abs();
+        }
+        mean
+    }
+
     /// Period (s) of the spin in body axes; that of small motions at an axis, infinite on the separatrix. (A2)
     #[must_use]
     pub fn polhode_period(&self) -> f64 {

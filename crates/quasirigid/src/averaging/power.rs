@@ -27,10 +27,8 @@ impl MeanPower for Response {
 impl Response {
     /// Mean power of each harmonic (W), with its frequency (rad/s): harmonic 1 first. (G7)
     pub fn harmonic_powers(&self, motion: &FreeRotation) -> impl Iterator<Item = (f64, f64)> {
-        motion.harmonics().map(|harmonic| {
-            let power = self.uptake(harmonic.frequency).power(harmonic.frequency, &harmonic.products);
-            (harmonic.frequency, power)
-        })
+        let mean_spin = motion.mean_spin();
+        motion.harmonics().map(move |harmonic| (harmonic.frequency, self.power(&harmonic, mean_spin)))
     }
 }
 

@@ -1,39 +1,33 @@
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
-use crate::math::eigen::{Dense, NoConvergence, modes};
+use super::harmonics::Harmonic;
+use super::memory::turned_impedance;
+use super::rows::{Row, rows};
+use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
-use crate::math::span::{Span, largest};
 use crate::math::sym::{self, Sym};
-use crate::model::{FlexibleBody, Lossy, Principal, Rheology};
+use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
 
-/// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and the relaxations of
-/// rotors and liquids. (G6), (C10)
+/// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and what turns inside it.
+/// (G6), (C10)
 ///
-/// The loads of a free rotation are linear in the six products of the spin, so the answer at a frequency is a symmetric
-/// 6×6 compliance on these products, in principal axes.
+/// The loads of a free rotation are linear in the six products of the spin, and so is the answer.
 #[derive(Clone, Debug)]
 pub struct Response {
     principal: Principal,
-    modes: Vec<Mode>,
-    /// Modal masses: elastic modes and relaxations share some where the body recoils from both.
+    rows: Vec<Row>,
+    /// Mass of the rows, with the body free to recoil.
     mass: DMatrix<f64>,
     losses: Vec<Loss>,
-    /// Whether mass and losses act on each mode alone.
+    /// Gyroscopic coupling of what turns inside, per unit of mean spin about each principal axis.
+    turning: [DMatrix<f64>; 3],
+    /// Liquids whose force at a frequency is known, each with the row of its first axis.
+    memories: Vec<(usize, LiquidMemory)>,
+    /// Whether mass and losses act on each row alone.
     apart: bool,
 }
 
-/// An elastic mode or a relaxation, of unit modal mass.
-#[derive(Clone, Debug)]
-struct Mode {
-    /// Square of its frequency (rad²/s²); zero of a relaxation.
-    square: f64,
-    /// Load by xx, yy, zz, yz, zx, xy.
-    load: Sym,
-    /// Coordinate with the largest share.
-    name: String,
-}
-
-/// A matrix in the modes that a loss law multiplies.
+/// A matrix in the rows that a loss law multiplies.
 #[derive(Clone, Debug)]
 struct Loss {
     law: Law,
@@ -46,15 +40,6 @@ enum Law {
     Dashpots,
     /// The factor `modulus − 1`.
     Material(Rheology),
-}
-
-/// Power that a harmonic of unit frequency takes: minus the imaginary part of the compliance.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Uptake {
-    /// Over xx, yy, zz, as the entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
-    pub normal: Sym,
-    /// Of yz, zx, xy alone.
-    pub shear: [f64; 3],
 }
 
 /// Coordinates up to which every mode is kept; of a larger body only those that the loads excite at low frequency.
@@ -74,34 +59,29 @@ impl Response {
     /// The response in every mode of a body of up to `whole` elastic coordinates, of a larger one in those that are excited.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::of(body.invariants().J);
-        let loads = loads(body, &principal);
-        let vibrations = vibrations(body, &loads, whole)?;
-        let shapes: Vec<Shape> = vibrations.into_iter().chain(relaxations(body)?).collect();
-        let mode = |Shape { square, x }: &Shape| Mode {
-            square: *square,
-            load: loads.iter().zip(x).fold([0.0; 6], |mut sum, (load, x)| {
-                sum.iter_mut().zip(load).for_each(|(sum, load)| *sum += x * load);
-                sum
-            }),
-            name: largest(x).map_or_else(String::new, |row| body.coordinates()[row].name.clone()),
+        let rows = rows(body, &principal, whole)?;
+        let size = rows.len();
+        let in_rows = |times: &dyn Fn(&[f64]) -> Vec<f64>| {
+            let images: Vec<Vec<f64>> = rows.iter().map(|row| times(&row.shape)).collect();
+            DMatrix::from_fn(size, size, |row, column| dot(&rows[row].shape, &images[column]))
         };
-        let in_modes = |times: &dyn Fn(&[f64]) -> Vec<f64>| {
-            let images: Vec<Vec<f64>> = shapes.iter().map(|shape| times(&shape.x)).collect();
-            DMatrix::from_fn(shapes.len(), shapes.len(), |row, column| dot(&shapes[row].x, &images[column]))
-        };
-        let mass = in_modes(&|x| body.recoiling_mass_times(x));
-        let dashpots = Loss { law: Law::Dashpots, matrix: in_modes(&|x| body.damping().times(x)) };
+        let inverse = sym::inverse(body.invariants().J);
+        let recoil = |row: usize, column: usize| sym::dot(rows[row].h, sym::times(inverse, rows[column].h));
+        let mass = in_rows(&|x| body.mass_times(x)) - DMatrix::from_fn(size, size, recoil);
+        let dashpots = Loss { law: Law::Dashpots, matrix: in_rows(&|x| body.damping().times(x)) };
         let material = |Lossy { rheology, stiffness }: &Lossy| Loss {
             law: Law::Material(rheology.clone()),
-            matrix: in_modes(&|x| stiffness.times(x)),
+            matrix: in_rows(&|x| stiffness.times(x)),
         };
         let losses: Vec<Loss> = std::iter::once(dashpots)
             .chain(body.lossy().iter().map(material))
             .filter(|loss| loss.matrix.amax() > 0.0)
             .collect();
-        let apart = is_diagonal(&mass) && losses.iter().all(|loss| is_diagonal(&loss.matrix));
-        let modes = shapes.iter().map(mode).collect();
-        Ok(Self { principal, modes, mass, losses, apart }.without_idle())
+        let turning = principal.axes.map(|axis| in_rows(&|x| turned(body, axis, x)));
+        let memories = memories(body, &rows);
+        let alone = turning.iter().all(|matrix| matrix.amax() == 0.0) && memories.is_empty();
+        let apart = alone && is_diagonal(&mass) && losses.iter().all(|loss| is_diagonal(&loss.matrix));
+        Ok(Self { principal, rows, mass, losses, turning, memories, apart }.without_idle())
     }
 
     /// Principal moments and axes of the frozen body.
@@ -113,7 +93,7 @@ impl Response {
     /// Frequencies (rad/s) of the modes that a free rotation excites, the body free to recoil, each with the name of the
     /// coordinate that has the largest share in it; ascending.
     pub fn frequencies(&self) -> impl Iterator<Item = (f64, &str)> {
-        self.elastic().map(|mode| (mode.square.sqrt(), mode.name.as_str()))
+        self.elastic().map(|row| (row.square.sqrt(), row.name.as_str()))
     }
 
     /// Static compliance on the products xx, yy, zz, yz, zx, xy, in principal axes: `½ mᵀSm` is the elastic energy (J) at
@@ -121,7 +101,7 @@ impl Response {
     #[must_use]
     pub fn static_compliance(&self) -> [[f64; 6]; 6] {
         let mut sum = [[0.0; 6]; 6];
-        for Mode { square, load, .. } in self.elastic() {
+        for Row { square, load, .. } in self.elastic() {
             for (row, a) in sum.iter_mut().zip(load) {
                 row.iter_mut().zip(load).for_each(|(entry, b)| *entry += a * b / square);
             }
@@ -129,65 +109,89 @@ impl Response {
         sum
     }
 
-    fn elastic(&self) -> impl Iterator<Item = &Mode> {
-        self.modes.iter().filter(|mode| mode.square > 0.0)
+    fn elastic(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.square > 0.0)
     }
 
-    /// What a harmonic of this frequency (rad/s) takes.
-    pub(super) fn uptake(&self, frequency: f64) -> Uptake {
-        if self.apart { self.uptake_apart(frequency) } else { self.uptake_coupled(frequency) }
+    /// Mean power (W) that a harmonic takes from a rotation with this mean spin (rad/s, principal axes): `2ν` times minus the
+    /// imaginary part of `f̄ᵀx`, with the load `f` and the answer `x`. (G7), (C10)
+    pub(super) fn power(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> f64 {
+        let [real, imaginary] = &harmonic.products;
+        let part = |load: &Sym, products: &Sym| load.iter().zip(products).map(|(a, b)| a * b).sum::<f64>();
+        let loads: Vec<Complex<f64>> = self
+            .rows
+            .iter()
+            .map(|row| Complex::new(part(&row.load, real), part(&row.load, imaginary)))
+            .collect();
+        let lost = if self.apart {
+            self.lost_apart(harmonic.frequency, &loads)
+        } else {
+            self.lost_coupled(harmonic.frequency, mean_spin, &loads)
+        };
+        2.0 * harmonic.frequency * lost
     }
 
-    fn uptake_apart(&self, frequency: f64) -> Uptake {
+    fn lost_apart(&self, frequency: f64, loads: &[Complex<f64>]) -> f64 {
         let factors: Vec<[f64; 2]> = self.losses.iter().map(|loss| loss.law.factor(frequency)).collect();
-        let mut uptake = Uptake::default();
-        for (i, Mode { square, load, .. }) in self.modes.iter().enumerate() {
-            let mut stiffness = [square - frequency * frequency, 0.0];
+        let lost = |(i, row): (usize, &Row)| {
+            let mut stiffness = [row.square - frequency * frequency, 0.0];
             for (loss, factor) in self.losses.iter().zip(&factors) {
                 let share = loss.matrix[(i, i)];
                 stiffness[0] += share * factor[0];
                 stiffness[1] += share * factor[1];
             }
-            let lost = stiffness[1] / (stiffness[0].powi(2) + stiffness[1].powi(2));
-            uptake.add(load, load, lost);
-        }
-        uptake
+            loads[i].norm_sqr() * stiffness[1] / (stiffness[0].powi(2) + stiffness[1].powi(2))
+        };
+        self.rows.iter().enumerate().map(lost).sum()
     }
 
-    fn uptake_coupled(&self, frequency: f64) -> Uptake {
-        let size = self.modes.len();
-        let mut stiffness = DMatrix::from_fn(size, size, |row, column| {
-            let square = if row == column { self.modes[row].square } else { 0.0 };
-            Complex::from(square - frequency * frequency * self.mass[(row, column)])
-        });
+    fn lost_coupled(&self, frequency: f64, mean_spin: [f64; 3], loads: &[Complex<f64>]) -> f64 {
+        let stiffness = self.stiffness(frequency, mean_spin);
+        let loads = DVector::from_column_slice(loads);
+        stiffness.lu().solve(&loads).map_or(0.0, |answer| -loads.dotc(&answer).im)
+    }
+
+    /// `C − ν²M + iνB − iν ω̄·W`, with the moduli of materials and the forces of liquids. (C10), (C11)
+    fn stiffness(&self, frequency: f64, mean_spin: [f64; 3]) -> DMatrix<Complex<f64>> {
+        let mut stiffness = self.mass.map(|mass| Complex::from(-frequency * frequency * mass));
+        for (i, row) in self.rows.iter().enumerate() {
+            stiffness[(i, i)] += row.square;
+        }
         for Loss { law, matrix } in &self.losses {
             let [re, im] = law.factor(frequency);
             stiffness += matrix.map(|entry| Complex::new(re, im) * entry);
         }
-        let loads = DMatrix::from_fn(size, 6, |row, column| Complex::from(self.modes[row].load[column]));
-        let mut uptake = Uptake::default();
-        let Some(answer) = stiffness.lu().solve(&loads) else {
-            return uptake;
-        };
-        for (row, mode) in self.modes.iter().enumerate() {
-            let lost: Sym = std::array::from_fn(|column| -answer[(row, column)].im);
-            uptake.add(&mode.load, &lost, 1.0);
+        for (matrix, spin) in self.turning.iter().zip(mean_spin) {
+            stiffness += matrix.map(|entry| Complex::new(0.0, -frequency * spin * entry));
         }
-        uptake
+        let spin = (0..3)
+            .fold(Vector3::zeros(), |sum, i| sum + mean_spin[i] * Vector3::from(self.principal.axes[i]));
+        for (start, memory) in &self.memories {
+            let s = Complex::new(0.0, frequency);
+            let force = turned_impedance(memory, s, spin);
+            for (i, a) in memory.axes.iter().enumerate() {
+                for (j, b) in memory.axes.iter().enumerate() {
+                    let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));
+                    stiffness[(start + i, start + j)] += s * a.dot(&(force * b));
+                }
+            }
+        }
+        stiffness
     }
 
-    /// Without the vibrations that no load reaches, where all modes are apart.
+    /// Without the vibrations that no load reaches, where all rows are apart.
     fn without_idle(mut self) -> Self {
         if !self.apart {
             return self;
         }
-        let energy = |mode: &Mode| mode.load.iter().map(|load| load * load / mode.square).sum::<f64>();
+        let energy = |row: &Row| row.load.iter().map(|load| load * load / row.square).sum::<f64>();
         let largest = self.elastic().map(energy).fold(0.0, f64::max);
-        let alive = |mode: &Mode| mode.square == 0.0 || energy(mode) > ROUNDING.powi(2) * largest;
-        let kept: Vec<usize> = (0..self.modes.len()).filter(|i| alive(&self.modes[*i])).collect();
+        let alive = |row: &Row| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
+        let kept: Vec<usize> = (0..self.rows.len()).filter(|i| alive(&self.rows[*i])).collect();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
-        self.modes = kept.iter().map(|i| self.modes[*i].clone()).collect();
+        self.rows = kept.iter().map(|i| self.rows[*i].clone()).collect();
         self.mass = part(&self.mass);
+        self.turning = self.turning.each_ref().map(part);
         self.losses.iter_mut().for_each(|loss| loss.matrix = part(&loss.matrix));
         self
     }
@@ -205,113 +209,28 @@ impl Law {
     }
 }
 
-impl Uptake {
-    /// Adds the outer product of a load and an answer to it.
-    fn add(&mut self, load: &Sym, answer: &Sym, factor: f64) {
-        let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
-        for (entry, (a, b)) in self.normal.iter_mut().zip(pairs) {
-            *entry += 0.5 * factor * (load[a] * answer[b] + load[b] * answer[a]);
-        }
-        for (entry, i) in self.shear.iter_mut().zip(3..) {
-            *entry += factor * load[i] * answer[i];
-        }
-    }
-
-    /// Mean power of a harmonic: `2ν m*Um`, with the real and imaginary parts of `m`. (G7)
-    pub fn power(&self, frequency: f64, [real, imaginary]: &[[f64; 6]; 2]) -> f64 {
-        let stretching = |m: &[f64; 6]| {
-            let normal = [m[0], m[1], m[2]];
-            sym::dot(normal, sym::times(self.normal, normal))
-        };
-        let shearing: f64 =
-            (0..3).map(|i| self.shear[i] * (real[i + 3].powi(2) + imaginary[i + 3].powi(2))).sum();
-        2.0 * frequency * (stretching(real) + shearing)
-    }
-}
-
-/// Loads of a free rotation on each coordinate, by the products xx, yy, zz, yz, zx, xy of the spin in principal axes:
-/// `½ω·J_jω − h_j·ω̇` with Euler's `ω̇`. (G5)
-fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
-    let Principal { moments: [I1, I2, I3], axes } = principal;
-    let euler = [(I2 - I3) / I1, (I3 - I1) / I2, (I1 - I2) / I3];
-    let invariants = body.invariants();
-    let load = |(J, h): (&Sym, &[f64; 3])| -> Sym {
-        let turned = axes.map(|axis| sym::times(*J, axis));
-        let entry = |a: usize, b: usize| sym::dot(axes[a], turned[b]);
-        let recoil = [0, 1, 2].map(|i| euler[i] * sym::dot(axes[i], *h));
-        [
-            0.5 * entry(0, 0),
-            0.5 * entry(1, 1),
-            0.5 * entry(2, 2),
-            entry(1, 2) - recoil[0],
-            entry(2, 0) - recoil[1],
-            entry(0, 1) - recoil[2],
-        ]
-    };
-    invariants.J1.iter().zip(&invariants.h).map(load).collect()
-}
-
-/// A mode as a vector over all coordinates, with the square of its frequency.
-struct Shape {
-    square: f64,
-    x: Vec<f64>,
-}
-
-/// Elastic modes with what turns inside locked: all, or of a body of more coordinates those that the loads excite.
-fn vibrations(body: &FlexibleBody, loads: &[Sym], whole: usize) -> Result<Vec<Shape>, NoConvergence> {
-    let elastic = 0..body.elastic();
-    let span = (elastic.len() > whole).then(|| excited(body, loads));
-    let (A, C) = match &span {
-        None => (
-            body.recoiling_mass_matrix().block(elastic.clone()),
-            Dense::of(&body.stiffness().block(elastic.clone())),
-        ),
-        Some(span) => {
-            (span.projected(|x| body.recoiling_mass_times(x)), span.projected(|x| body.stiffness().times(x)))
-        }
-    };
-    let found = modes(&A, &C)?;
-    let shape = |(mode, frequency): (usize, &f64)| {
-        let shares: Vec<f64> = (0..A.size()).map(|row| found.shapes.at(row, mode)).collect();
-        let mut x = span.as_ref().map_or(shares.clone(), |span| span.combined(&shares));
-        x.resize(body.coordinates().len(), 0.0);
-        Shape { square: frequency * frequency, x }
-    };
-    Ok(found.frequencies.iter().enumerate().map(shape).collect())
-}
-
-/// Relaxations of the cyclic coordinates, elastic ones held and the body free to recoil. (C7)
-fn relaxations(body: &FlexibleBody) -> Result<Vec<Shape>, NoConvergence> {
+/// `e·W x` of the cyclic coordinates. (C2)
+fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64> {
+    let mut force = vec![0.0; x.len()];
     let cyclic = body.cyclic();
-    if cyclic.is_empty() {
-        return Ok(Vec::new());
+    for j in cyclic.clone() {
+        for (k, pair) in body.invariants().pairs.row(j).filter(|(k, _)| cyclic.contains(k)) {
+            force[j] += sym::dot(axis, pair.Z) * x[k];
+        }
     }
-    let A = body.recoiling_mass_matrix().block(cyclic.clone());
-    let found = modes(&A, &Dense::of(&body.damping().block(cyclic.clone())))?;
-    let shape = |mode: usize| {
-        let mut x = vec![0.0; cyclic.start];
-        x.extend((0..cyclic.len()).map(|row| found.shapes.at(row, mode)));
-        Shape { square: 0.0, x }
-    };
-    Ok((0..cyclic.len()).map(shape).collect())
+    force
 }
 
-/// Vectors that span the answers to the loads up to the second power of the frequency.
-fn excited(body: &FlexibleBody, loads: &[Sym]) -> Span {
-    let softened = |mut x: Vec<f64>| {
-        body.solve_stiffness(&mut x, 1);
-        x
+/// The liquids that have rows of their own: the last rows, in their order.
+fn memories(body: &FlexibleBody, rows: &[Row]) -> Vec<(usize, LiquidMemory)> {
+    let count: usize = body.memories().iter().map(|memory| memory.axes.len()).sum();
+    let mut next = rows.len() - count;
+    let place = |memory: &LiquidMemory| {
+        let start = next;
+        next += memory.axes.len();
+        (start, memory.clone())
     };
-    let first: Vec<Vec<f64>> = (0..6).map(|i| softened(loads.iter().map(|load| load[i]).collect())).collect();
-    let after = |x: &Vec<f64>| {
-        let mass = std::iter::once(body.recoiling_mass_times(x));
-        let damping = std::iter::once(body.damping().times(x));
-        let materials = body.lossy().iter().map(|part| part.stiffness.times(x));
-        mass.chain(damping).chain(materials).map(softened).collect::<Vec<_>>()
-    };
-    let second: Vec<Vec<f64>> = first.iter().flat_map(after).collect();
-    let third: Vec<Vec<f64>> = second.iter().flat_map(after).collect();
-    Span::orthonormal([first, second, third].concat(), |x| body.stiffness().times(x))
+    body.memories().iter().map(place).collect()
 }
 
 fn is_diagonal(matrix: &DMatrix<f64>) -> bool {
@@ -334,8 +253,8 @@ mod tests {
     fn excited_modes_take_the_power_of_all() {
         let body = ring_of_points(30).body().unwrap();
         let [whole, few] = [usize::MAX, 0].map(|whole| Response::within(&body, whole).unwrap());
-        assert!(few.modes.len() < 60, "{}", few.modes.len());
-        assert!(whole.modes.len() == 90 || whole.apart, "{}", whole.modes.len());
+        assert!(few.rows.len() < 60, "{}", few.rows.len());
+        assert!(whole.rows.len() == 90 || whole.apart, "{}", whole.rows.len());
         let slowest = whole.frequencies().next().unwrap().0;
         let gaps = [0.2, 0.1].map(|share| {
             let [I1, .., I3] = whole.principal.moments;

@@ -1,6 +1,6 @@
 use super::error::ElementError;
 use super::matrices::Entries;
-use crate::model::{Coordinate, Pair};
+use crate::model::{Coordinate, LiquidMemory, Pair};
 
 /// What moves inside the carrier without moving its centre of mass or its inertia: a rotor, a liquid. Its coordinates are
 /// cyclic. (C1), (C2)
@@ -14,6 +14,8 @@ pub(super) struct Inner {
     pub pairs: Vec<(usize, usize, Pair)>,
     /// Friction, by row and column.
     pub friction: Entries,
+    /// Liquids whose linear answer is known at every frequency.
+    pub memories: Vec<LiquidMemory>,
     /// Rates that the file gives for the start, by coordinate.
     pub speeds: Vec<(usize, f64)>,
 }
@@ -23,11 +25,15 @@ impl Inner {
     pub fn sum(elements: impl Iterator<Item = Result<Self, ElementError>>) -> Result<Self, ElementError> {
         let mut sum = Self::default();
         for element in elements {
-            let Self { coordinates, h, pairs, friction, speeds } = element?;
+            let Self { coordinates, h, pairs, friction, memories, speeds } = element?;
             let start = sum.coordinates.len();
             sum.coordinates.extend(coordinates);
             sum.h.extend(h);
             sum.pairs.extend(pairs.into_iter().map(|(j, k, pair)| (start + j, start + k, pair)));
+            sum.memories.extend(memories.into_iter().map(|memory| {
+                let coordinates = start + memory.coordinates.start..start + memory.coordinates.end;
+                LiquidMemory { coordinates, ..memory }
+            }));
             sum.speeds.extend(speeds.into_iter().map(|(j, speed)| (start + j, speed)));
             sum.friction.extend(friction.into_iter().map(|(j, k, entry)| (start + j, start + k, entry)));
         }

@@ -70,6 +70,7 @@ impl Rotor {
                 .map(|(j, k)| (j, k, pair(j, k)))
                 .collect(),
             friction: (0..count).map(|j| (j, j, self.friction)).collect(),
+            memories: Vec::new(),
             speeds: self.speed.iter().flatten().copied().enumerate().collect(),
         })
     }

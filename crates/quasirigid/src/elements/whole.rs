@@ -27,6 +27,7 @@ impl Whole {
             damping,
             stiffness,
             lossy,
+            memories: Vec::new(),
             coordinates,
             cyclic: 0,
             wheels: Wheels::default(),

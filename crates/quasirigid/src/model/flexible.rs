@@ -22,6 +22,7 @@ pub struct FlexibleBody {
     damping: SparseRows<f64>,
     stiffness: SparseRows<f64>,
     lossy: Vec<Lossy>,
+    memories: Vec<LiquidMemory>,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
     elastic: usize,
@@ -50,6 +51,22 @@ pub struct Lossy {
     pub rheology: Rheology,
     /// Its part of `C`.
     pub stiffness: SparseRows<f64>,
+}
+
+/// A liquid whose linear answer is known at every frequency, beside the coordinates that stand for it in the equations of motion.
+/// (C11)
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiquidMemory {
+    /// Its coordinates.
+    pub coordinates: Range<usize>,
+    /// Axes about which it turns, unit vectors, body axes: one, or three of a ball.
+    pub axes: Vec<[f64; 3]>,
+    /// Index of the Bessel functions of its flow: 0 in a slender ring, 1 in a long cylinder, 3/2 in a ball.
+    pub index: f64,
+    /// Moment of inertia of the frozen liquid (kg·m²).
+    pub inertia: f64,
+    /// `a²/ν` of its radius (s).
+    pub time: f64,
 }
 
 /// A place on the body: its displacement says whether the body stays nearly rigid, and a force may act there.
@@ -108,6 +125,8 @@ pub struct Parts {
     pub stiffness: SparseRows<f64>,
     /// Parts of `C` with a loss that is neither in `B` nor zero.
     pub lossy: Vec<Lossy>,
+    /// Liquids whose linear answer is known at every frequency.
+    pub memories: Vec<LiquidMemory>,
     /// One per coordinate.
     pub coordinates: Vec<Coordinate>,
     /// How many of them, the last ones, are cyclic: of these only the rates count, and `A`, `B`, `h` and the gyroscopic
@@ -131,7 +150,7 @@ impl FlexibleBody {
     /// [`FlexibleError`] names the coordinates that no spring holds, or no friction brakes.
     pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
         let Parts { support, pole, center_of_mass, invariants, damping, .. } = parts;
-        let Parts { stiffness, lossy, coordinates, cyclic, wheels, markers, .. } = parts;
+        let Parts { stiffness, lossy, memories, coordinates, cyclic, wheels, markers, .. } = parts;
         let elastic = coordinates.len() - cyclic;
         let (held, braked) = coordinates.split_at(elastic);
         let factor = Cholesky::new(&stiffness.block(0..elastic))
@@ -147,6 +166,7 @@ impl FlexibleBody {
             damping,
             stiffness,
             lossy,
+            memories,
             factor,
             elastic,
             friction,
@@ -169,6 +189,7 @@ impl FlexibleBody {
             damping: self.damping.scaled(epsilon.recip()),
             stiffness: self.stiffness.scaled(epsilon.powi(-2)),
             lossy: self.lossy.iter().map(|part| part.scaled(epsilon.powi(-2))).collect(),
+            memories: self.memories.iter().map(|memory| memory.scaled(epsilon)).collect(),
             coordinates: self.coordinates.clone(),
             cyclic: self.cyclic().len(),
             wheels: self.wheels.clone(),
@@ -210,6 +231,11 @@ impl FlexibleBody {
             damping: self.damping.block(kept.clone()),
             stiffness: self.stiffness.block(kept.clone()),
             lossy: self.lossy.iter().map(|part| part.block(kept.clone())).collect(),
+            memories: if cyclic > 0 {
+                self.memories.iter().map(|memory| memory.moved(kept.start)).collect()
+            } else {
+                Vec::new()
+            },
             coordinates: self.coordinates[kept.clone()].to_vec(),
             cyclic,
             wheels: self.wheels.clone(),
@@ -264,6 +290,12 @@ impl FlexibleBody {
     #[must_use]
     pub fn lossy(&self) -> &[Lossy] {
         &self.lossy
+    }
+
+    /// Liquids whose linear answer is known at every frequency.
+    #[must_use]
+    pub fn memories(&self) -> &[LiquidMemory] {
+        &self.memories
     }
 
     /// Internal coordinates.
@@ -357,6 +389,34 @@ impl FlexibleBody {
         A
     }
 
+    /// Mass matrix of the cyclic coordinates alone.
+    #[must_use]
+    pub fn cyclic_mass(&self) -> Dense {
+        let cyclic = self.cyclic();
+        let mut A = Dense::zero(cyclic.len());
+        for j in cyclic.clone() {
+            for (k, pair) in self.invariants.pairs.row(j).filter(|(k, _)| cyclic.contains(k)) {
+                A.add(j - cyclic.start, k - cyclic.start, pair.A);
+            }
+        }
+        A
+    }
+
+    /// The same with the body free to recoil in rotation. (V2)
+    #[must_use]
+    pub fn recoiling_cyclic_mass(&self) -> Dense {
+        let h = &self.invariants.h[self.cyclic()];
+        let inverse = sym::inverse(self.invariants.J);
+        let mut A = self.cyclic_mass();
+        for (row, h_row) in h.iter().enumerate() {
+            let turn = sym::times(inverse, *h_row);
+            for (column, h_column) in h.iter().enumerate() {
+                A.add(row, column, -sym::dot(turn, *h_column));
+            }
+        }
+        A
+    }
+
     /// The same with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
     #[must_use]
     pub fn recoiling_mass_matrix(&self) -> Dense {
@@ -380,6 +440,16 @@ impl Lossy {
 
     fn scaled(&self, factor: f64) -> Self {
         Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
+    }
+}
+
+impl LiquidMemory {
+    fn scaled(&self, factor: f64) -> Self {
+        Self { time: factor * self.time, ..self.clone() }
+    }
+
+    fn moved(&self, start: usize) -> Self {
+        Self { coordinates: self.coordinates.start - start..self.coordinates.end - start, ..self.clone() }
     }
 }
 

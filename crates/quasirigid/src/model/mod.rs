@@ -13,7 +13,7 @@ mod support;
 mod wheels;
 
 pub use equations::Motion;
-pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Lossy, Marker, Parts};
+pub use flexible::{Coordinate, FlexibleBody, FlexibleError, LiquidMemory, Lossy, Marker, Parts};
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};

@@ -21,8 +21,7 @@ impl Relaxation {
         if cyclic.is_empty() {
             return Ok(Self::default());
         }
-        let A = body.mass_matrix().block(cyclic.clone());
-        let found = modes(&A, &Dense::of(&body.damping().block(cyclic.clone())))?;
+        let found = modes(&body.cyclic_mass(), &Dense::of(&body.damping().block(cyclic.clone())))?;
         let slowest: Vec<f64> = (0..cyclic.len()).map(|row| found.shapes.at(row, 0)).collect();
         let name = |row: usize| body.coordinates()[cyclic.start + row].name.clone();
         Ok(Self {

@@ -57,6 +57,12 @@ pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
     Cavity { name: "tank".into(), shape, center, attitude, density, viscosity, modes: 0 }
 }
 
+/// A ball of liquid in line with the axes.
+pub fn tank(center: [f64; 3], radius: f64, density: f64, viscosity: f64) -> Cavity {
+    let attitude = quasirigid::math::rotation::ALIGNED;
+    Cavity { center, attitude, ..cavity([radius; 3], density, viscosity) }
+}
+
 /// The orders of `p = 0, 1, …`, measured.
 pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());

@@ -9,3 +9,4 @@ mod full;
 mod liquids;
 
 mod orders;
+mod wobble;

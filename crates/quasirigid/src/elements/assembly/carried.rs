@@ -1,4 +1,5 @@
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -16,7 +17,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
+    Coordinate, FlexibleBody, FlexibleError, Invariants, LiquidMemory, Marker, Pair, Parts, Support, Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -70,6 +71,7 @@ impl Assembly {
             damping,
             stiffness,
             lossy,
+            memories: whole.memories(),
             coordinates: whole.coordinates(),
             cyclic: whole.inner.coordinates.len(),
             wheels: self.spinning_wheels()?,
@@ -93,7 +95,7 @@ impl Assembly {
         if cyclic.is_empty() {
             return Ok(());
         }
-        let loose = body.recoiling_mass_matrix().block(cyclic.clone());
+        let loose = body.recoiling_cyclic_mass();
         let entry = |row: usize, column: usize| loose.at(row, column);
         if DMatrix::from_fn(cyclic.len(), cyclic.len(), entry).cholesky().is_some() {
             return Ok(());
@@ -161,6 +163,15 @@ impl Carried {
     /// Number of elastic coordinates.
     fn elastic(&self) -> usize {
         self.flexible() + self.component.as_ref().map_or(0, Component::size)
+    }
+
+    fn memories(&self) -> Vec<LiquidMemory> {
+        let place = |memory: &LiquidMemory| {
+            let Range { start, end } = memory.coordinates;
+            let coordinates = self.elastic() + start..self.elastic() + end;
+            LiquidMemory { coordinates, ..memory.clone() }
+        };
+        self.inner.memories.iter().map(place).collect()
     }
 
     fn speeds(&self) -> Vec<(usize, f64)> {

@@ -46,6 +46,7 @@ impl Assembly {
             damping,
             stiffness,
             lossy,
+            memories: Vec::new(),
             coordinates: component.coordinates(),
             cyclic: 0,
             wheels: Wheels::default(),

@@ -11,7 +11,7 @@ use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
-use crate::model::{Coordinate, Inertia, Pair};
+use crate::model::{Coordinate, Inertia, LiquidMemory, Pair};
 use liquid::{Memory, Relaxations};
 pub use shape::CavityShape;
 
@@ -103,6 +103,7 @@ impl Cavity {
         });
         let brake = self.density * self.viscosity;
         Ok(Inner {
+            memories: self.memory(friction.len()).into_iter().collect(),
             coordinates: (0..friction.len()).map(coordinate).collect(),
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
@@ -128,6 +129,20 @@ impl Cavity {
             radius: (2.5 * mean).sqrt(),
             tensor: std::array::from_fn(|row| std::array::from_fn(|column| tensor[(row, column)])),
             viscosity: self.viscosity,
+        })
+    }
+
+    /// The linear answer of a ball, whose coordinates are so many.
+    fn memory(&self, count: usize) -> Option<LiquidMemory> {
+        let radius = self.shape.radius()?;
+        let axes = Matrix3::<f64>::identity().data.0.to_vec();
+        let inertia = self.density * self.shape.extent().inertia()[(0, 0)];
+        Some(LiquidMemory {
+            coordinates: 0..count,
+            axes,
+            index: 1.5,
+            inertia,
+            time: radius * radius / self.viscosity,
         })
     }
 

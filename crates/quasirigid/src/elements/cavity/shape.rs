@@ -47,6 +47,13 @@ impl CavityShape {
         }
     }
 
+    /// Radius of a ball (m); none of another shape.
+    pub(super) fn radius(&self) -> Option<f64> {
+        match self {
+            Self::Ellipsoid { semi_axes: [a, b, c] } => (a == b && b == c).then_some(*a),
+        }
+    }
+
     /// Relaxations of the liquid in it, in the axes of the cavity.
     pub(super) fn relaxations(&self, memory: Memory) -> Result<Relaxations, Problem> {
         let mass = self.extent().inertia().trace() / 3.0;

@@ -72,6 +72,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         damping,
         stiffness,
         lossy,
+        memories: Vec::new(),
         coordinates: (0..size).map(|j| Coordinate { name: format!("{j}"), unit: "m" }).collect(),
         cyclic: 0,
         wheels: Wheels::default(),

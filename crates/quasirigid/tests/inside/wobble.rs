@@ -1,0 +1,102 @@
+//! Rate at which a small wobble dies, at any friction, against the linear equations of a body of revolution.
+
+use nalgebra::{Complex, Matrix2};
+use quasirigid::averaging::{Evolution, Response};
+use quasirigid::elements::{Assembly, Carrier};
+use quasirigid::model::Mode;
+
+use crate::bodies::{ball, tank};
+
+type C = Complex<f64>;
+
+const A: f64 = 3.0;
+const C3: f64 = 4.2;
+const SPIN: f64 = 0.8;
+
+fn carrier(moments: [f64; 3]) -> Carrier {
+    let [x, y, z] = moments;
+    Carrier {
+        mass: 30.0,
+        center_of_mass: [0.1, -0.2, 0.4],
+        inertia: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]],
+    }
+}
+
+fn rate(assembly: &Assembly) -> f64 {
+    let response = Response::of(&assembly.body().unwrap()).unwrap();
+    Evolution::new(&response, C3 * SPIN).wobble_rate(Mode::ShortAxis)
+}
+
+/// Decay of the nutation `s ≈ i n(C−A)/A` in `A ω̇ + I Q̇ = i n(C−A) ω − i n I Q`, `I ω̇ + I Q̇ = −(i n I + κ) Q`, where `ω` and `Q`
+/// are the spin across the axis and that of the ball relative to the body, as complex numbers.
+fn decay_with_ball(inertia: f64, friction: f64) -> f64 {
+    let i = C::i();
+    let mass = Matrix2::new(A, inertia, inertia, inertia).map(C::from);
+    let force = Matrix2::new(
+        i * SPIN * (C3 - A),
+        -i * SPIN * inertia,
+        C::from(0.0),
+        -(i * SPIN * inertia + friction),
+    );
+    let matrix = mass.try_inverse().unwrap() * force;
+    let (half, determinant) = (matrix.trace() / 2.0, matrix.determinant());
+    let root = (half * half - determinant).sqrt();
+    let nutation = i * SPIN * (C3 - A) / A;
+    let near = [half + root, half - root]
+        .into_iter()
+        .min_by(|a, b| (a - nutation).norm().total_cmp(&(b - nutation).norm()));
+    -near.unwrap().re
+}
+
+/// Whatever the friction, what the average leaves out is of the order of the ball's share of the inertia.
+#[test]
+fn a_ball_with_any_friction() {
+    for friction_per_inertia in [30.0, 0.7, 0.02] {
+        let gaps = [1e-3, 1e-4].map(|share| {
+            let (inertia, friction) = (share * A, friction_per_inertia * share * A);
+            let assembly = Assembly {
+                carrier: Some(carrier([A, A, C3])),
+                rotors: vec![ball(inertia, friction)],
+                ..Assembly::default()
+            };
+            (rate(&assembly) / decay_with_ball(inertia, friction) - 1.0).abs()
+        });
+        assert!(gaps[1] < 5e-4 && gaps[1] < 0.15 * gaps[0], "{friction_per_inertia}: {gaps:?}");
+    }
+}
+
+/// `1 − χ` of a liquid ball: `χ = (5/z²)(z i₁′/i₁ − 1)`, in hyperbolic functions.
+fn loose_share(z: C) -> C {
+    let decayed = (-2.0 * z).exp();
+    let tanh = (1.0 - decayed) / (1.0 + decayed);
+    let slope = (z * z * tanh - 2.0 * z + 2.0 * tanh) / (z - tanh);
+    1.0 - 5.0 / (z * z) * (slope - 1.0)
+}
+
+/// The same for a ball of liquid: `sA − i n(C−A) = I s (1 − χ)` at the frequency `s + i n` in space.
+fn decay_with_liquid(inertia: f64, time: f64) -> f64 {
+    let i = C::i();
+    let gap = |s: C| s * A - i * SPIN * (C3 - A) - inertia * s * loose_share(((s + i * SPIN) * time).sqrt());
+    let mut s = i * SPIN * (C3 - A) / A;
+    for _ in 0..60 {
+        s -= gap(s) / A;
+    }
+    assert!(gap(s).norm() < 1e-14);
+    -s.re
+}
+
+/// From a flow that follows at once to one that hardly follows: Reynolds numbers from 0.08 to 80 000.
+#[test]
+fn a_liquid_ball_at_any_reynolds_number() {
+    let density = 1000.0;
+    for time in [0.1, 10.0, 300.0, 1.0e5] {
+        let gaps = [0.1_f64, 0.0631].map(|radius| {
+            let inertia = density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5);
+            let own = [A - inertia, A - inertia, C3 - inertia];
+            let cavities = vec![tank([0.1, -0.2, 0.4], radius, density, radius * radius / time)];
+            let assembly = Assembly { carrier: Some(carrier(own)), cavities, ..Assembly::default() };
+            (rate(&assembly) / decay_with_liquid(inertia, time) - 1.0).abs()
+        });
+        assert!(gaps[1] < 1e-3 && gaps[1] < 0.2 * gaps[0], "{time}: {gaps:?}");
+    }
+}

@@ -5,7 +5,7 @@ pub mod elliptic;
 pub mod expression;
 pub mod mesh;
 pub mod ode;
-mod parts;
+pub(crate) mod parts;
 pub mod polynomial;
 pub mod quadrature;
 pub mod rotation;

@@ -1,7 +1,7 @@
 //! What hangs together.
 
 /// Elements that hang together by pairs, each part ascending, parts in the order of their first elements.
-pub(super) fn parts(size: usize, pairs: impl IntoIterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
+pub(crate) fn parts(size: usize, pairs: impl IntoIterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
     let mut root: Vec<usize> = (0..size).collect();
     let find = |root: &mut Vec<usize>, mut element: usize| {
         while root[element] != element {

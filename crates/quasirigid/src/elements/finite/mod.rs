@@ -7,6 +7,8 @@ mod element;
 mod lumped;
 pub(super) mod shell;
 pub(super) mod solid;
+#[cfg_attr(not(test), expect(dead_code, reason = "no part is made of liquid yet"))]
+pub(super) mod stokes;
 
 pub(super) use block::Block;
 pub(super) use element::{Element, Grain, Site, Turn};

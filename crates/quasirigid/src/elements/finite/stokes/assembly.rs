@@ -1,0 +1,93 @@
+use std::sync::Arc;
+
+use super::StokesError;
+use super::cell::{CORNERS, Matrices, NODES};
+use super::divergence::Divergence;
+use super::grid::Grid;
+use super::saddle::Saddle;
+use crate::math::factor::{Factor, Method, NotPositive};
+use crate::math::symmetric::{Pattern, Symmetric};
+
+/// The matrices of a cavity for one component of the velocity, over the nodes that move.
+pub(super) struct Assembly {
+    /// Number of each node among those that move.
+    pub unknowns: Vec<Option<u32>>,
+    /// `∫ ∇N_a·∇N_b dV` (m).
+    pub stiffness: Symmetric,
+    /// `∫ N_a N_b dV` (m³).
+    pub mass: Symmetric,
+    pub saddle: Saddle,
+}
+
+impl Assembly {
+    /// Adds up the cells and factors what is to be solved.
+    ///
+    /// # Errors
+    /// [`StokesError::NoInterior`], [`StokesError::Singular`].
+    pub fn new(grid: &Grid) -> Result<Self, StokesError> {
+        let nodes = grid.cells.iter().flatten().copied().filter(|node| !grid.walls[*node]);
+        let corners = grid.cells.iter().flat_map(|cell| cell[..CORNERS].iter().copied());
+        let (moving, vertices) = (Numbering::new(grid, nodes), Numbering::new(grid, corners));
+        if moving.nodes.is_empty() {
+            return Err(StokesError::NoInterior);
+        }
+        let mut stiffness = Symmetric::zero(moving.pattern(grid, NODES));
+        let mut mass = stiffness.clone();
+        let mut pressure = Symmetric::zero(vertices.pattern(grid, CORNERS));
+        let mut divergence = Divergence::new(moving.nodes.len(), vertices.nodes.len());
+        for cell in &grid.cells {
+            let matrices = Matrices::new(&cell.map(|node| grid.places[node]));
+            let unknowns = cell.map(|node| moving.of[node]);
+            let own = [0, 1, 2, 3].map(|corner| vertices.of[cell[corner]]);
+            add(&mut stiffness, &unknowns, matrices.stiffness.as_flattened());
+            add(&mut mass, &unknowns, matrices.mass.as_flattened());
+            add(&mut pressure, &own, matrices.pressure.as_flattened());
+            divergence.add(unknowns, own.map(Option::unwrap_or_default), matrices.divergence);
+        }
+        let factor = |matrix: &Symmetric, numbering: &Numbering| {
+            Factor::new(matrix, Method::default()).map_err(|soft| numbering.singular(grid, &soft))
+        };
+        let laplacian = factor(&stiffness, &moving)?;
+        let pressure = factor(&pressure, &vertices)?;
+        let saddle = Saddle { laplacian, divergence, pressure };
+        Ok(Self { unknowns: moving.of, stiffness, mass, saddle })
+    }
+}
+
+/// Some of the nodes, numbered.
+struct Numbering {
+    /// Number of each node.
+    of: Vec<Option<u32>>,
+    nodes: Vec<usize>,
+}
+
+impl Numbering {
+    fn new(grid: &Grid, nodes: impl Iterator<Item = usize>) -> Self {
+        let mut nodes: Vec<usize> = nodes.collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let mut of = vec![None; grid.places.len()];
+        nodes.iter().zip(0..).for_each(|(node, number)| of[*node] = Some(number));
+        Self { of, nodes }
+    }
+
+    /// The places that the matrices of cells over their first nodes fill.
+    fn pattern(&self, grid: &Grid, first: usize) -> Arc<Pattern> {
+        let joined = |cell: &[usize; NODES]| cell[..first].iter().filter_map(|node| self.of[*node]).collect();
+        let lists: Vec<Vec<u32>> = grid.cells.iter().map(joined).collect();
+        let ends: Vec<u32> = (0..=self.nodes.len() as u32).collect();
+        let pattern = Pattern::new(&ends, lists.iter().map(Vec::as_slice));
+        Arc::new(pattern.expect("numbers ascend and each list holds some of them"))
+    }
+
+    /// Where a matrix over these nodes is not positive.
+    fn singular(&self, grid: &Grid, soft: &NotPositive) -> StokesError {
+        let direction = soft.direction.iter().zip(&self.nodes);
+        let most = direction.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
+        StokesError::Singular { at: most.map(|(_, node)| grid.places[*node]).unwrap_or_default() }
+    }
+}
+
+fn add(sum: &mut Symmetric, unknowns: &[Option<u32>], matrix: &[f64]) {
+    sum.add(unknowns, matrix).expect("the pattern has the places of every cell");
+}

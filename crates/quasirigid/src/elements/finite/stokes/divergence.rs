@@ -1,0 +1,68 @@
+use super::cell::{CORNERS, NODES};
+
+/// Divergence of velocities that are zero on the walls, weighted with each pressure: `B u = ∫ λ_p ∇·u dV` (m²).
+///
+/// Velocities and pressures stand row by row, a row per component of a node or per vertex, `width` numbers to a row.
+pub(super) struct Divergence {
+    unknowns: usize,
+    pub vertices: usize,
+    cells: Vec<Part>,
+}
+
+/// The part of a cell.
+struct Part {
+    nodes: [Option<u32>; NODES],
+    vertices: [u32; CORNERS],
+    entries: [[[f64; 3]; CORNERS]; NODES],
+}
+
+impl Divergence {
+    /// Zero, for so many nodes that move and so many vertices.
+    pub fn new(unknowns: usize, vertices: usize) -> Self {
+        Self { unknowns, vertices, cells: Vec::new() }
+    }
+
+    /// Adds a cell.
+    pub fn add(
+        &mut self,
+        nodes: [Option<u32>; NODES],
+        vertices: [u32; CORNERS],
+        entries: [[[f64; 3]; CORNERS]; NODES],
+    ) {
+        self.cells.push(Part { nodes, vertices, entries });
+    }
+
+    /// `B u`.
+    pub fn times(&self, u: &[f64], width: usize) -> Vec<f64> {
+        let mut product = vec![0.0; self.vertices * width];
+        self.each(|vertex, unknown, entry| {
+            let row = &mut product[vertex * width..][..width];
+            row.iter_mut().zip(&u[unknown * width..][..width]).for_each(|(sum, u)| *sum += entry * u);
+        });
+        product
+    }
+
+    /// `Bᵀ p`.
+    pub fn transposed_times(&self, p: &[f64], width: usize) -> Vec<f64> {
+        let mut product = vec![0.0; 3 * self.unknowns * width];
+        self.each(|vertex, unknown, entry| {
+            let row = &mut product[unknown * width..][..width];
+            row.iter_mut().zip(&p[vertex * width..][..width]).for_each(|(sum, p)| *sum += entry * p);
+        });
+        product
+    }
+
+    /// Every part of an entry, with its row and column.
+    fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
+        for cell in &self.cells {
+            for (node, entries) in cell.nodes.iter().zip(&cell.entries) {
+                let Some(node) = node else { continue };
+                for (vertex, entries) in cell.vertices.iter().zip(entries) {
+                    for (axis, entry) in entries.iter().enumerate() {
+                        visit(*vertex as usize, 3 * *node as usize + axis, *entry);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -49,6 +49,11 @@ mod tests {
     }
 
     #[test]
+    fn cells_are_as_wide_as_asked() {
+        assert_eq!(cuboid([2.0, 1.0, 3.0], 2, 1.0).unwrap().cells.len(), 6 * 4 * 2 * 6);
+    }
+
+    #[test]
     fn boxes_without_a_mesh_are_refused() {
         assert!(matches!(cuboid([1.0, 0.0, 1.0], 2, 1.0), Err(MeshingError::Length { .. })));
         assert!(matches!(cuboid([1.0, 1.0, 1e-5], 2, 1.0), Err(MeshingError::Disparate { .. })));

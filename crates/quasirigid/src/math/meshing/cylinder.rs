@@ -126,6 +126,14 @@ mod tests {
     }
 
     #[test]
+    fn cells_are_as_wide_as_asked() {
+        assert_eq!(cylinder(1.0, 4.0, 4, 1.0).unwrap().cells.len(), 18 * 2 * 2 * 8);
+        assert_eq!(cylinder(2.0, 1.0, 2, 1.0).unwrap().cells.len(), 18 * 4 * 4 * 2);
+        // 1.5 π around, in widths of ¼, is 18.8.
+        assert_eq!(annulus([0.5, 1.0], 1.0, 2, 1.0).unwrap().cells.len(), 6 * 19 * 2 * 4);
+    }
+
+    #[test]
     fn cylinders_without_a_mesh_are_refused() {
         assert!(matches!(cylinder(1.0, -1.0, 2, 1.0), Err(MeshingError::Length { .. })));
         assert!(matches!(cylinder(1.0, 1.0, 200, 1.0), Err(MeshingError::TooMany { .. })));

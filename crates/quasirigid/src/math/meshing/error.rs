@@ -57,6 +57,31 @@ pub enum MeshingError {
         /// How many cells there are.
         cells: usize,
     },
+    /// A mesh without some of the volume, or with too much: its cells are too wide for thin parts and sharp edges.
+    #[error(
+        "the mesh has {:.1} % of the volume that the surface encloses, more than {} % off: cells are too wide for thin parts and sharp edges; try a resolution of {resolution}",
+        100.0 * found, 100.0 * allowed
+    )]
+    Volume {
+        /// Volume of the mesh over that of the surface.
+        found: f64,
+        /// Part of the volume that it may be off.
+        allowed: f64,
+        /// The resolution to try.
+        resolution: usize,
+    },
+    /// A mesh in more parts than the surface has bodies: a neck is thinner than its cells.
+    #[error(
+        "the mesh falls into {parts} parts where the surface has {bodies}: a neck is thinner than a cell; try a resolution of {resolution}"
+    )]
+    Severed {
+        /// Parts of the mesh.
+        parts: usize,
+        /// Bodies of the surface.
+        bodies: usize,
+        /// The resolution to try.
+        resolution: usize,
+    },
 }
 
 /// What to try when there are too many cells.

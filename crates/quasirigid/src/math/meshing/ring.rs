@@ -70,6 +70,12 @@ mod tests {
     }
 
     #[test]
+    fn cells_are_as_wide_as_asked() {
+        // 6 π around, in widths of ½, is 37.7.
+        assert_eq!(ring(3.0, 1.0, 4, 1.0).unwrap().cells.len(), 18 * 2 * 2 * 38);
+    }
+
+    #[test]
     fn rings_without_a_mesh_are_refused() {
         assert_eq!(ring(1.0, 1.0, 4, 1.0), Err(MeshingError::NotWithin { inner: 1.0, outer: 1.0 }));
         assert!(matches!(ring(f64::NAN, 1.0, 4, 1.0), Err(MeshingError::Length { .. })));

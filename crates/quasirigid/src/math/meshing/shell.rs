@@ -94,6 +94,12 @@ mod tests {
     }
 
     #[test]
+    fn cells_are_as_wide_as_asked() {
+        // Between neighbouring corners of the icosahedron are 1.107 × ¾, in widths of ⅙ 4.98.
+        assert_eq!(shell([1.0; 3], [0.5; 3], 3, 1.0).unwrap().cells.len(), 60 * 5 * 5 * 3);
+    }
+
+    #[test]
     fn shells_without_a_mesh_are_refused() {
         let refusal = shell([1.0, 0.5, 1.0], [0.4, 0.6, 0.4], 2, 1.0);
         assert_eq!(refusal, Err(MeshingError::NotWithin { inner: 0.6, outer: 0.5 }));

@@ -58,14 +58,19 @@ pub fn euler_characteristic(wall: &[[usize; 6]]) -> i64 {
     counted(0) - counted(3) + wall.len() as i64
 }
 
-/// Asks that a mesh is one of valid cells that fit, with a wall of some Euler characteristic, all nodes of which, and no
-/// others, are on what `distance` is zero on.
-pub fn assert_sound(mesh: &Mesh, euler: i64, distance: impl Fn([f64; 3]) -> f64) {
+/// Asks that a mesh is one of valid cells that fit, with a wall of some Euler characteristic. Returns its faces.
+pub fn assert_valid(mesh: &Mesh, euler: i64) -> Vec<[usize; 6]> {
     assert_eq!(mesh.check(), Ok(()));
     assert_eq!(mesh.notes(), []);
     assert!(mesh.cells.iter().all(|cell| least_jacobian(&places(mesh, &cell.nodes)) > 0.0));
     let wall = wall(mesh);
     assert_eq!(euler_characteristic(&wall), euler);
+    wall
+}
+
+/// Asks the same, and that all nodes of the wall, and no others, are on what `distance` is zero on.
+pub fn assert_sound(mesh: &Mesh, euler: i64, distance: impl Fn([f64; 3]) -> f64) {
+    let wall = assert_valid(mesh, euler);
     let size = mesh.nodes.iter().map(|node| norm(*node)).fold(0.0, f64::max);
     let mut on_wall = vec![false; mesh.nodes.len()];
     wall.iter().flatten().for_each(|node| on_wall[*node] = true);

@@ -4,6 +4,7 @@ pub mod bisection;
 pub mod elliptic;
 pub mod expression;
 pub mod mesh;
+pub mod meshing;
 pub mod ode;
 pub(crate) mod parts;
 pub mod polynomial;

@@ -42,7 +42,7 @@ const LINE: [[i8; 3]; 3] = [[-1, 0, 0], [1, 0, 0], [0, 0, 0]];
 /// Corners of a triangle and a tetrahedron.
 const SIMPLEX: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Ends of the edges of a triangle, then of the others of a tetrahedron.
-const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+pub(in crate::math) const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 
 impl Shape {
     /// Places of the nodes on the reference cell, in their order.

@@ -10,6 +10,7 @@ mod samples;
 mod shape;
 
 pub use fault::MeshFault;
+pub(super) use functions::EDGES;
 pub use functions::MOST;
 pub use note::MeshNote;
 pub use samples::{Rule, Sample};

@@ -82,6 +82,14 @@ impl ClosedSurface {
         std::array::from_fn(|axis| middle[axis] + unit[axis] * mean[axis])
     }
 
+    /// Number of bodies: shells that look outward. Those that share only vertices count each.
+    pub(in crate::math) fn bodies(&self) -> usize {
+        // Every edge has two triangles, as it had when the surface was accepted.
+        let neighbours = topology::neighbours(&self.triangles).unwrap_or_default();
+        let corners = normalised(&self.vertices, &self.triangles);
+        shells::outward(&corners, &neighbours)
+    }
+
     /// Moments of degrees 0 and 1 about the middle of the box, in half its sides; the middle and half the sides.
     fn first_moments(&self) -> ([[f64; 3]; 2], Moments) {
         let [low, high] = self.bounds;

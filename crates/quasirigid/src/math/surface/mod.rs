@@ -5,10 +5,14 @@ mod crossing;
 mod error;
 mod geometry;
 mod moments;
+mod proximity;
 mod shells;
+#[cfg(test)]
+pub(super) mod testing;
 mod topology;
 mod tree;
 
 pub use closed::ClosedSurface;
 pub use error::SurfaceError;
 pub use moments::Moments;
+pub(super) use proximity::Proximity;

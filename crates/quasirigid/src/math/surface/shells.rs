@@ -38,18 +38,25 @@ impl Shell {
 }
 
 /// Solid angle of a triangle seen from the origin; positive if it runs counterclockwise seen from its far side.
-fn solid_angle([a, b, c]: Corners) -> f64 {
+pub(super) fn solid_angle([a, b, c]: Corners) -> f64 {
     let [p, q, r] = [norm(a), norm(b), norm(c)];
     2.0 * triple(a, b, c).atan2(p * q * r + dot(a, b) * r + dot(b, c) * p + dot(c, a) * q)
+}
+
+fn shells(corners: &[Corners], neighbours: &[[usize; 2]]) -> Vec<Shell> {
+    let parts = parts(corners.len(), neighbours.iter().copied());
+    parts.into_iter().map(|part| Shell::new(corners, part)).collect()
+}
+
+/// Number of shells that look outward.
+pub(super) fn outward(corners: &[Corners], neighbours: &[[usize; 2]]) -> usize {
+    shells(corners, neighbours).iter().filter(|shell| shell.volume > 0.0).count()
 }
 
 /// Accepts shells that look outward where there is no body around them, and inward where there is: bodies side by side,
 /// cavities in a body, bodies in cavities. No two triangles may cross.
 pub(super) fn check(corners: &[Corners], neighbours: &[[usize; 2]]) -> Result<(), SurfaceError> {
-    let shells: Vec<Shell> = parts(corners.len(), neighbours.iter().copied())
-        .into_iter()
-        .map(|part| Shell::new(corners, part))
-        .collect();
+    let shells = shells(corners, neighbours);
     if !(shells.iter().map(|shell| shell.volume).sum::<f64>() > 0.0) {
         return Err(SurfaceError::Inward);
     }

@@ -1,4 +1,4 @@
-//! Pairs of boxes that overlap, by a tree of boxes around boxes.
+//! A tree of boxes around boxes, and pairs of boxes that overlap.
 
 use std::ops::{ControlFlow, Range};
 
@@ -11,17 +11,16 @@ pub(super) type Bounds = [[f64; 3]; 2];
 const LEAF: usize = 4;
 
 /// A box around some of the boxes; its children, if any, share them.
-struct Node {
-    bounds: Bounds,
-    items: Range<usize>,
-    children: Option<[usize; 2]>,
+pub(super) struct Node {
+    pub bounds: Bounds,
+    pub items: Range<usize>,
+    pub children: Option<[usize; 2]>,
 }
 
 /// Boxes in an order in which neighbours are close, and the nodes over them, the root last.
-struct Tree<'a> {
-    boxes: &'a [Bounds],
-    order: Vec<usize>,
-    nodes: Vec<Node>,
+pub(super) struct Tree {
+    pub order: Vec<usize>,
+    pub nodes: Vec<Node>,
 }
 
 /// Visits every pair of boxes that overlap or touch, until the visitor breaks off.
@@ -29,8 +28,8 @@ pub(super) fn overlapping(boxes: &[Bounds], mut visit: impl FnMut(usize, usize) 
     if boxes.is_empty() {
         return;
     }
-    let mut tree = Tree { boxes, order: (0..boxes.len()).collect(), nodes: Vec::new() };
-    let root = tree.build(0..boxes.len());
+    let tree = Tree::new(boxes);
+    let root = tree.nodes.len() - 1;
     let mut open = vec![[root, root]];
     while let Some([a, b]) = open.pop() {
         let [first, second] = [&tree.nodes[a], &tree.nodes[b]];
@@ -59,21 +58,27 @@ pub(super) fn overlapping(boxes: &[Bounds], mut visit: impl FnMut(usize, usize) 
     }
 }
 
-impl Tree<'_> {
+impl Tree {
+    /// The tree over at least one box.
+    pub fn new(boxes: &[Bounds]) -> Self {
+        let mut tree = Self { order: (0..boxes.len()).collect(), nodes: Vec::new() };
+        tree.build(boxes, 0..boxes.len());
+        tree
+    }
+
     /// Builds the node over a range of the order, halved at the median of the longest side.
-    fn build(&mut self, items: Range<usize>) -> usize {
-        let bounds = bounds(self.order[items.clone()].iter().flat_map(|item| self.boxes[*item]));
+    fn build(&mut self, boxes: &[Bounds], items: Range<usize>) -> usize {
+        let bounds = bounds(self.order[items.clone()].iter().flat_map(|item| boxes[*item]));
         let mut children = None;
         if items.len() > LEAF {
             let length = |axis: &usize| bounds[1][*axis] - bounds[0][*axis];
             let longest =
                 (0..3).fold(0, |best, axis| if length(&axis) > length(&best) { axis } else { best });
-            let boxes = self.boxes;
             let middle = |item: usize| boxes[item][0][longest] + boxes[item][1][longest];
             let half = items.len() / 2;
             self.order[items.clone()].select_nth_unstable_by(half, |a, b| middle(*a).total_cmp(&middle(*b)));
             let split = items.start + half;
-            children = Some([self.build(items.start..split), self.build(split..items.end)]);
+            children = Some([self.build(boxes, items.start..split), self.build(boxes, split..items.end)]);
         }
         self.nodes.push(Node { bounds, items, children });
         self.nodes.len() - 1

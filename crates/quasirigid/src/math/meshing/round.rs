@@ -90,4 +90,18 @@ mod tests {
             assert!((away.sqrt() / edge - 1.0).abs() < 1e-15);
         }
     }
+
+    #[test]
+    fn layers_become_thinner_towards_the_wall() {
+        let fineness = Fineness::new(8, 2.0).unwrap();
+        let graded = [0.0, 0.4375, 0.75, 0.9375, 1.0];
+        let on_layer = |rho: f64| graded.iter().any(|exact| (rho - exact).abs() < 1e-15);
+        let (disc, ball) = (hexagon(4, fineness), icosahedron(4, fineness));
+        assert!(disc.points.iter().all(|[_, _, rho]| on_layer(*rho)));
+        assert!(ball.points.iter().all(|[_, _, _, rho]| on_layer(*rho)));
+        // Along the line from the middle to a corner of the hexagon the points are as far as ρ says.
+        let along: Vec<f64> =
+            disc.points.iter().filter(|[x, y, _]| *x > 0.0 && *y == 0.0).map(|[x, ..]| *x).collect();
+        assert!(along.len() == 4 && along.iter().all(|x| on_layer(*x)), "{along:?}");
+    }
 }

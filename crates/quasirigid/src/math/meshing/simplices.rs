@@ -13,8 +13,7 @@ type Place<const K: usize> = [(usize, usize); K];
 
 impl<const K: usize, const N: usize> Simplices<K, N> {
     /// Divides every edge into `parts` equal ones after Freudenthal `[@freudenthal1942]`. Faces that simplices share
-    /// are divided alike; every part lies between two neighbouring planes parallel to the face opposite to the first
-    /// corner.
+    /// are divided alike; every part lies between two neighbouring planes parallel to each face.
     pub fn divided(&self, parts: usize) -> Self {
         let mut divided = Self { points: Vec::new(), cells: Vec::new() };
         let mut known: HashMap<Place<K>, usize> = HashMap::new();
@@ -139,13 +138,19 @@ mod tests {
     }
 
     #[test]
-    fn parts_lie_between_planes_parallel_to_the_face_opposite_to_the_first_corner() {
-        let points = vec![[0.0], [1.0], [1.0], [1.0]];
+    fn parts_lie_between_planes_parallel_to_the_faces() {
+        let points = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]];
         let divided = Simplices { points, cells: vec![[0, 1, 2, 3]] }.divided(5);
         for cell in divided.cells {
-            let heights = cell.map(|corner| 5.0 * divided.points[corner][0]);
-            let low = heights.into_iter().fold(5.0, f64::min).round();
-            assert!(heights.iter().all(|x| (x - low).abs() < 1e-12 || (x - low - 1.0).abs() < 1e-12));
+            let shares = |point: usize| {
+                let [x, y, z] = divided.points[point];
+                [x, y, z, 1.0 - x - y - z].map(|share| 5.0 * share)
+            };
+            for corner in 0..4 {
+                let heights = cell.map(|point| shares(point)[corner]);
+                let low = heights.into_iter().fold(5.0, f64::min).round();
+                assert!(heights.iter().all(|x| (x - low).abs() < 1e-12 || (x - low - 1.0).abs() < 1e-12));
+            }
         }
     }
 

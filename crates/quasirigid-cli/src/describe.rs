@@ -71,9 +71,7 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
             ),
         },
         Comparison::Residual => {
-            format!(
-                "Put into the full equations, the reduced ones leave {ratio} of the elastic load unbalanced."
-            )
+            format!("Put into the full equations, the reduced ones leave {ratio} of the load unbalanced.")
         }
         Comparison::Forgetting if verdict == Verdict::Holds => {
             "Vibrations excited at the start die out before the body has turned by a radian.".into()

@@ -1,36 +1,33 @@
 //! Liquids of a model at a spin, in words and numbers.
 
 use quasirigid::elements::SlowLiquid;
-use quasirigid_io::model::Model;
 use serde_json::{Value, json};
 
+use crate::commands::Loaded;
 use crate::describe::significant;
 use crate::layout::paragraph;
 
 /// A liquid of a model at a spin.
 pub struct Liquid<'a> {
     name: &'a str,
-    slow: SlowLiquid,
+    slow: &'a SlowLiquid,
     reynolds: f64,
 }
 
 /// The liquids of a model at a spin (rad/s).
-pub fn liquids(model: &Model, spin: f64) -> Vec<Liquid<'_>> {
-    let cavities = model.assembly.cavities.iter().enumerate();
+pub fn liquids(loaded: &Loaded, spin: f64) -> Vec<Liquid<'_>> {
+    let cavities = loaded.model.assembly.cavities.iter().zip(&loaded.liquids);
     cavities
-        .filter_map(|(index, cavity)| {
-            let slow = cavity.slow(index).ok()?;
-            Some(Liquid { name: &cavity.name, reynolds: slow.reynolds(spin), slow })
-        })
+        .map(|(cavity, slow)| Liquid { name: &cavity.name, reynolds: slow.reynolds(spin), slow })
         .collect()
 }
 
 impl Liquid<'_> {
     /// For a terminal.
     pub fn text(&self) -> String {
-        let SlowLiquid { mass, radius, tensor, .. } = &self.slow;
+        let SlowLiquid { mass, radius, tensor, errors, .. } = self.slow;
         let title = format!(
-            "{:?}: {} kg of liquid; Reynolds number |w| a^2/nu = {} with a = {} m, the radius of a ball of as much inertia.",
+            "{:?}: {} kg of liquid; Reynolds number |w| a^2/nu = {} with a = {} m, the radius of a ball of liquid that follows as slowly.",
             self.name,
             significant(*mass, 4),
             significant(self.reynolds, 3),
@@ -43,15 +40,22 @@ impl Liquid<'_> {
             format!("    {}\n", row.each_ref().map(|entry| format!("{:>13}", clean(entry))).join(" "))
         };
         let rows: String = tensor.iter().map(row).collect();
-        format!("\n{}\n  P of its slow flow, in m^7: Pi = (rho/nu) P\n{rows}", paragraph(&title, "", "  "))
+        let made = errors.map_or_else(String::new, |errors| {
+            let shares = errors.map(|error| format!("{} %", significant(100.0 * error, 1)));
+            format!("  finite elements, in error by about {}\n", shares.join(", "))
+        });
+        format!(
+            "\n{}\n  P of its slow flow, in m^7: Pi = (rho/nu) P\n{rows}{made}",
+            paragraph(&title, "", "  ")
+        )
     }
 
     /// For machines.
     pub fn object(&self) -> Value {
-        let SlowLiquid { mass, radius, tensor, viscosity } = &self.slow;
+        let SlowLiquid { mass, radius, tensor, errors, viscosity } = self.slow;
         json!({
             "name": self.name, "mass": mass, "radius": radius, "viscosity": viscosity,
-            "reynolds": self.reynolds, "P": tensor,
+            "reynolds": self.reynolds, "P": tensor, "errors": errors,
         })
     }
 }

@@ -13,6 +13,7 @@ use quasirigid_io::model::Displacements;
 use crate::args::System;
 use crate::commands::Loaded;
 use crate::failure::Failure;
+use crate::rotation::slaved_order;
 
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
@@ -107,6 +108,9 @@ impl<'a> Motion<'a> {
                     rate[cyclic.clone()].copy_from_slice(&settled.rate[cyclic]);
                 }
                 FullState { omega, attitude, q: q.clone(), rate, place, velocity }
+            }
+            None if slaved_order(self.body, 1, omega)? == 0 => {
+                FullState { place, velocity, ..FullState::at_rest(self.body, omega, attitude) }
             }
             None => self.start.settled(self.system(), self.order)?,
         };

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
+use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Principal};
-use quasirigid::reduction::reduce;
+use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce};
 use quasirigid_io::model::{Model, Rotation};
 
 use crate::failure::Failure;
@@ -28,6 +29,15 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
     };
     let spin = motion.omega(0.0);
     let K = principal.vector([0, 1, 2].map(|i| principal.moments[i] * spin[i]));
+    let order = slaved_order(body, order, spin)?;
     let omega = reduce(body, order)?.Omega.vector(K);
     Ok(SpinState { omega, attitude: model.initial.attitude })
+}
+
+/// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where something turns inside so
+/// freely that the spin does not slave it. It then turns with the body at the start.
+pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, Failure> {
+    let value = Relaxation::of(body)?.longest() * norm(spin);
+    let criterion = Criterion { comparison: Comparison::Relaxation, value };
+    Ok(if criterion.verdict() == Verdict::Fails { 0 } else { order })
 }

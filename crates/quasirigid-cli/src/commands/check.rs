@@ -6,7 +6,6 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
-use quasirigid_io::model::Model;
 use serde_json::json;
 
 use super::{Loaded, initial, load, lossless, notes};
@@ -22,20 +21,21 @@ const LISTED: usize = 9;
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
-    let Loaded { model, body, condensation, order, .. } = load(&arguments.common)?;
-    notes(&model, &arguments.common);
-    let omega = initial(&model, &body, order, &arguments.common.model)?.omega;
-    let validity = Validity::of(&body, order, omega)?;
-    let reduced = reduce(&body, order)?;
+    let loaded = load(&arguments.common)?;
+    let Loaded { model, body, condensation, order, .. } = &loaded;
+    notes(model, &arguments.common);
+    let omega = initial(model, body, *order, &arguments.common.model)?.omega;
+    let validity = Validity::of(body, *order, omega)?;
+    let reduced = reduce(body, *order)?;
     let text = if arguments.common.json {
-        object(&model, order, &validity, condensation)
+        object(&loaded, &validity)
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
-        if let Some(note) = lossless(&body) {
+        if let Some(note) = lossless(body) {
             text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
         }
-        liquids(&model, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
+        liquids(&loaded, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
         condensation.iter().for_each(|known| text.push_str(&condensed(known)));
@@ -46,7 +46,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
 }
 
-fn object(model: &Model, order: usize, validity: &Validity, condensation: Option<Condensation>) -> String {
+fn object(loaded: &Loaded, validity: &Validity) -> String {
     let criteria: Vec<_> = validity
         .criteria
         .iter()
@@ -60,8 +60,8 @@ fn object(model: &Model, order: usize, validity: &Validity, condensation: Option
         .collect();
     let finite = |value: f64| value.is_finite().then_some(value);
     let object = json!({
-        "name": model.name,
-        "order": order,
+        "name": loaded.model.name,
+        "order": loaded.order,
         "valid": validity.verdict() != Verdict::Fails,
         "verdict": word(validity.verdict()),
         "reasons": reasons(validity),
@@ -74,8 +74,8 @@ fn object(model: &Model, order: usize, validity: &Validity, condensation: Option
         "degrees": validity.degrees.iter()
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
-        "liquids": liquids(model, validity.T3.recip()).iter().map(Liquid::object).collect::<Vec<_>>(),
-        "condensation": condensation.map(|known| json!({
+        "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::object).collect::<Vec<_>>(),
+        "condensation": loaded.condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
         })),
     });

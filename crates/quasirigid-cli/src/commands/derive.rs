@@ -40,7 +40,7 @@ fn mechanisms(body: &FlexibleBody, order: usize) -> Result<Vec<Mechanism>, Reduc
     }
     let alone = |name, part: &FlexibleBody| {
         let sizes = degree_sizes(&reduce(part, order)?, [1.0, 0.0, 0.0]);
-        Ok(Mechanism { name, sizes })
+        Ok(Mechanism { name, sizes: sizes.iter().map(|each| (each.degree, each.size)).collect() })
     };
     Ok(vec![
         alone("liquids and rotors", &body.stiff_outside())?,

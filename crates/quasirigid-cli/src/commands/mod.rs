@@ -9,7 +9,7 @@ mod summary;
 pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
-use quasirigid::elements::{Built, Condensation};
+use quasirigid::elements::{Built, Condensation, SlowLiquid};
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
@@ -29,6 +29,8 @@ pub struct Loaded {
     pub forces: Vec<Force<Marker>>,
     /// Rates of cyclic coordinates at the start, where the file gives them.
     pub speeds: Vec<(usize, f64)>,
+    /// What each liquid does to a slow rotation.
+    pub liquids: Vec<SlowLiquid>,
     pub condensation: Option<Condensation>,
     pub order: usize,
 }
@@ -41,9 +43,9 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let Built { body, forces, condensation, speeds } =
+    let Built { body, forces, condensation, speeds, liquids } =
         model.assembly.build().map_err(|error| model.diagnose(&error))?;
-    Ok(Loaded { model, body, forces, speeds, condensation, order })
+    Ok(Loaded { model, body, forces, speeds, liquids, condensation, order })
 }
 
 /// Says what is suspect in the model, on standard error.

@@ -22,7 +22,7 @@ fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
     if record.validity.valid {
         let residual = significant(record.reduction.residual, 2);
         let order = record.reduction.order;
-        writeln!(out, "  Put into the full equations, order {order} leaves {residual} of the elastic load.")?;
+        writeln!(out, "  Put into the full equations, order {order} leaves {residual} of the load.")?;
     }
     for note in &record.notes {
         writeln!(out, "{}", paragraph(note, "  Note: ", "  "))?;

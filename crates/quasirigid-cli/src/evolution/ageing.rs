@@ -39,15 +39,16 @@ pub struct Ageing {
 }
 
 impl Ageing {
+    /// From the reduced equations, and those of the order to which the state follows its spin.
     pub fn new(
         body: &FlexibleBody,
-        reduced: &ReducedBody,
+        [reduced, slaved]: [&ReducedBody; 2],
         start: SpinState,
         power: Option<Power>,
     ) -> Result<Self, Failure> {
         let lossy = !body.lossy().is_empty();
         let principal = Principal::of(reduced.J);
-        let K = principal.components(reduced.momentum(start.omega));
+        let K = principal.components(slaved.momentum(start.omega));
         let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
         Ok(Self {

@@ -16,6 +16,7 @@ use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::progress::Bar;
+use crate::rotation::slaved_order;
 use ageing::Ageing;
 use rows::Rows;
 
@@ -66,7 +67,8 @@ pub fn follow(
         return Err(Failure::Wheels);
     }
     let torque = SlowTorque::of(forces)?;
-    let ageing = Ageing::new(body, &reduce(body, *order)?, start, asked.power)?;
+    let slaved = slaved_order(body, *order, start.omega)?;
+    let ageing = Ageing::new(body, [&reduce(body, *order)?, &reduce(body, slaved)?], start, asked.power)?;
     let evolution = ageing.evolution();
     let from = ageing.start(&evolution, asked.from)?;
     let mut rows = if torque.is_none() {

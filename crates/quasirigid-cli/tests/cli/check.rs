@@ -17,15 +17,18 @@ fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
         this spin.
       - The largest displacement, of whip -y, is 178 m: 302 of the size of the
         body.
-      - Put into the full equations, the reduced ones leave 0.977 of the elastic
-        load unbalanced.
+      - Put into the full equations, the reduced ones leave 0.977 of the load
+        unbalanced.
     "#);
     assert!(!checked.stdout.contains("grows e-fold"), "what does not hold is not predicted");
 }
 
 #[test]
 fn every_other_example_holds_and_exits_with_0() {
-    for example in EXAMPLES.iter().filter(|name| !["explorer1", "nutation-damper"].contains(name)) {
+    for example in EXAMPLES
+        .iter()
+        .filter(|name| !["explorer1", "mercury-ring", "nutation-damper", "spherical-tank"].contains(name))
+    {
         let checked = ran(&format!("check examples/{example}/model.toml"));
         assert_eq!((checked.code, &*checked.stderr), (Some(0), ""), "{example}");
         assert!(checked.stdout.lines().next().unwrap().ends_with("The reduced equations hold at this spin."));
@@ -47,6 +50,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
     Criteria                          symbol                 value  limit  verdict
       spin against slowest vibration  |w|/Omega_min         0.0535   0.15  holds
       spin against damping            beta |w|              0.0108   0.15  holds
+      spin against friction           tau |w|                    0   0.15  holds
       convergence of the series       Omega_d+2/Omega_d    0.00801    0.1  holds
       harmonics near resonance        nome^(n/2)                 0   0.15  holds
       displacement against size       max|r|/max|rho|      0.00155    0.1  holds

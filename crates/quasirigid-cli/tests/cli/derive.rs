@@ -38,7 +38,8 @@ fn json_has_every_field_of_the_contract() {
             assert_eq!(inertia[row][column], inertia[column][row], "{example}");
         }
         let frequencies = numbers(&json["frequencies"]);
-        assert!(!frequencies.is_empty() && frequencies.is_sorted(), "{frequencies:?}");
+        let vibrates = !["mercury-ring", "spherical-tank"].contains(&example);
+        assert!(frequencies.is_empty() != vibrates && frequencies.is_sorted(), "{frequencies:?}");
         assert_eq!(json["order"], 3);
     }
 }

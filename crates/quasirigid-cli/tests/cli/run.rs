@@ -38,7 +38,7 @@ fn summary_gives_spin_nutation_dissipation_and_drift_of_both_bodies() {
     let text = ran.stdout.lines().map(drift_is_rounding).collect::<Vec<_>>().join("\n");
     assert_snapshot!(text, @r"
     three masses: The reduced equations hold at this spin.
-      Put into the full equations, order 3 leaves 0.0030 of the elastic load.
+      Put into the full equations, order 3 leaves 0.0030 of the load.
 
     reduced body, 30.00 s (7.07891 turns; the run reached its end)
       spin at the start      0.723704      1.16382     0.561738 rad/s

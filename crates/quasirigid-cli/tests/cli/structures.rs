@@ -26,6 +26,13 @@ fn solar_panels_answer_as_their_page_shows() {
 }
 
 #[test]
+fn what_turns_inside_answers_as_its_pages_show() {
+    for example in ["friction-wheel", "mercury-ring", "spherical-tank"] {
+        assert_answers_as_shown(example, "evolve");
+    }
+}
+
+#[test]
 fn a_network_answers_as_its_page_shows() {
     assert_answers_as_shown("quillen-network", "evolve");
 }

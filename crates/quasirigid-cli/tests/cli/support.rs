@@ -6,17 +6,20 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 12] = [
+pub const EXAMPLES: [&str; 15] = [
     "apophis",
     "axial-mass",
     "boom-satellite",
     "duende",
     "explorer1",
     "explorer1-stiff",
+    "friction-wheel",
     "gravity-gradient",
     "heavy-top",
+    "mercury-ring",
     "nutation-damper",
     "oumuamua",
+    "spherical-tank",
     "three-masses",
     "toutatis",
 ];

@@ -1,14 +1,12 @@
 use std::fmt::{self, Write};
 
-use quasirigid::reduction::DegreeSize;
-
 /// A mechanism with the others locked: how large its torque is, degree by degree.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     /// What moves.
     pub name: &'static str,
-    /// Sizes of the degrees at a spin of 1 rad/s.
-    pub sizes: Vec<DegreeSize>,
+    /// Degrees with the size of each at a spin of 1 rad/s (rad/s²).
+    pub sizes: Vec<(usize, f64)>,
 }
 
 /// Degrees in words, from the first one that a torque can have.
@@ -26,9 +24,9 @@ pub(super) fn write(out: &mut String, mechanisms: &[Mechanism]) -> fmt::Result {
 }
 
 fn size(mechanism: &Mechanism, degree: usize) -> String {
-    match mechanism.sizes.iter().find(|size| size.degree == degree) {
+    match mechanism.sizes.iter().find(|(kept, _)| *kept == degree) {
         None => format!("{:>12}", "not kept"),
-        Some(found) if found.size == 0.0 => format!("{:>12}", "none"),
-        Some(found) => format!("{:>12.3e}", found.size),
+        Some((_, 0.0)) => format!("{:>12}", "none"),
+        Some((_, size)) => format!("{size:>12.3e}"),
     }
 }

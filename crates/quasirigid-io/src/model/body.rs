@@ -24,9 +24,9 @@ use super::value::Value;
 use super::wheel::{WHEEL, wheel};
 use crate::units::Dimension;
 
-const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"], later: &[] };
-const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"], later: &[] };
-const MOTION: Keys = Keys { known: &["line", "plane"], later: &[] };
+const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"] };
+const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"] };
+const MOTION: Keys = Keys { known: &["line", "plane"] };
 
 /// Points of a body without a carrier, at least: fewer have no inertia about some axis.
 const FEWEST_POINTS: usize = 3;
@@ -92,8 +92,7 @@ pub(super) fn body<'a>(
         &point_tables,
         &hinged_tables,
         [&ellipsoid_tables, &surface_tables, &network_tables],
-        [&rotor_tables, &wheel_tables],
-        &cavity_tables,
+        (&rotor_tables, &wheel_tables, &cavity_tables),
         &part_tables,
         &force_tables,
         problems,
@@ -136,7 +135,8 @@ pub(super) fn body<'a>(
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let rotors = every(rotor_tables.iter().zip(&names.rotors).map(|(table, name)| rotor(table, name)));
     let wheels = every(wheel_tables.iter().zip(&names.wheels).map(|(table, name)| wheel(table, name)));
-    let cavities = every(cavity_tables.iter().zip(&names.cavities).map(|(table, name)| table.cavity(name)));
+    let cavities =
+        every(cavity_tables.iter().zip(&names.cavities).map(|(table, name)| table.cavity(name, folder)));
     let support = match support {
         Some((table, kind)) => (kind.read)(&table),
         None => (!has_support).then(Support::default),

@@ -1,14 +1,20 @@
+use std::path::Path;
+
 use quasirigid::elements::{Cavity, CavityShape};
-use quasirigid::math::rotation::ALIGNED;
+use quasirigid::math::meshing::inside;
+use quasirigid::math::rotation::{ALIGNED, angle, turned};
+use quasirigid::math::sym::{cross, norm, scale};
 
 use super::initial::unit_quaternion;
 use super::kinds::{Kind, kind, opened};
 use super::spans::ElementSpans;
+use super::surface::{closed, unit};
 use super::table::{Keys, Table};
 use super::value::Value;
+use crate::mesh::read_mesh;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>) -> Option<CavityShape>;
+type Read = fn(&Table<'_>, &Source<'_>) -> Option<CavityShape>;
 
 /// Keys of every cavity.
 macro_rules! keys {
@@ -22,18 +28,52 @@ macro_rules! keys {
             "density",
             "kinematic_viscosity",
             "dynamic_viscosity",
+            "resolution",
             "modes",
         ]
     };
 }
 
-static SHAPES: [Kind<Read>; 2] = [
+static SHAPES: [Kind<Read>; 9] = [
     kind!("[[cavity]]", "shape", "sphere", keys!("radius"), sphere),
     kind!("[[cavity]]", "shape", "ellipsoid", keys!("semi_axes"), ellipsoid),
+    kind!("[[cavity]]", "shape", "cylinder", keys!("axis", "radius", "height"), cylinder),
+    kind!("[[cavity]]", "shape", "annulus", keys!("axis", "radii", "height"), annulus),
+    kind!("[[cavity]]", "shape", "ring", keys!("axis", "radius", "tube_radius"), ring),
+    kind!("[[cavity]]", "shape", "box", keys!("sides"), cuboid),
+    kind!("[[cavity]]", "shape", "shell", keys!("semi_axes", "inner_semi_axes"), shell),
+    kind!("[[cavity]]", "shape", "mesh", keys!("file", "unit"), mesh),
+    kind!("[[cavity]]", "shape", "surface", keys!("file", "unit"), surface),
 ];
 
 /// Keys of a cavity that does not say its shape.
-const ANY: Keys = Keys { known: keys!("radius", "semi_axes"), later: &[] };
+const ANY: Keys = Keys {
+    known: keys!(
+        "radius",
+        "semi_axes",
+        "axis",
+        "height",
+        "radii",
+        "tube_radius",
+        "sides",
+        "inner_semi_axes",
+        "file",
+        "unit"
+    ),
+};
+/// Cells across a cavity unless the file says how many.
+const RESOLUTION: usize = 8;
+/// Cells across the longest side of what a surface encloses.
+const RESOLUTION_INSIDE: usize = 16;
+
+/// Most cells across.
+const MOST_CELLS: usize = 1000;
+
+/// Where files stand, and how fine a mesh is to be.
+struct Source<'a> {
+    folder: &'a Path,
+    resolution: usize,
+}
 
 /// A `[[cavity]]` whose keys have been checked.
 pub(super) struct CavityTable<'a> {
@@ -51,15 +91,15 @@ pub(super) fn tables<'a>(file: &Table<'a>) -> Vec<CavityTable<'a>> {
 }
 
 impl CavityTable<'_> {
-    /// Reads it.
-    pub(super) fn cavity(&self, name: &str) -> Option<Cavity> {
+    /// Reads it; files stand in the `folder`.
+    pub(super) fn cavity(&self, name: &str, folder: &Path) -> Option<Cavity> {
         let table = &self.table;
-        let shape = (self.shape.read)(table);
+        let usual = if self.shape.word == "surface" { RESOLUTION_INSIDE } else { RESOLUTION };
+        let resolution =
+            table.get("resolution").map_or(Some(usual), |value| value.integer(1..=MOST_CELLS))?;
+        let shape = (self.shape.read)(table, &Source { folder, resolution });
         let center = table.vector_or_zero("center", Dimension::LENGTH);
-        let attitude = match table.get("attitude") {
-            Some(value) => unit_quaternion(&value, &mut Vec::new()),
-            None => Some(ALIGNED),
-        };
+        let attitude = attitude(table);
         let density = table
             .required("density", "density = 1000.0")
             .and_then(|value| value.positive(Dimension::DENSITY));
@@ -72,6 +112,7 @@ impl CavityTable<'_> {
             attitude: attitude?,
             density: density?,
             viscosity: viscosity?,
+            resolution,
             modes: modes?,
         })
     }
@@ -107,18 +148,96 @@ fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
     }
 }
 
-fn sphere(table: &Table<'_>) -> Option<CavityShape> {
+/// Attitude of the shape: given, or the one that turns z to a given axis.
+fn attitude(table: &Table<'_>) -> Option<[f64; 4]> {
+    match (table.get("attitude"), table.get("axis")) {
+        (Some(_), Some(axis)) => {
+            let message = "`axis` beside `attitude`: the attitude says it already".to_owned();
+            axis.refuse(message, "one of the two", Some("leave one of them out".to_owned()))
+        }
+        (Some(attitude), None) => unit_quaternion(&attitude, &mut Vec::new()),
+        (None, Some(value)) => {
+            let axis = value.vector(Dimension::NUMBER)?;
+            if axis == [0.0; 3] {
+                let help = "write a direction such as [0, 0, 1]; its length does not matter".to_owned();
+                return value.refuse("`axis` has no direction".to_owned(), "no direction", Some(help));
+            }
+            Some(upright(axis))
+        }
+        (None, None) => Some(ALIGNED),
+    }
+}
+
+/// The attitude that turns z to an axis.
+fn upright(axis: [f64; 3]) -> [f64; 4] {
+    const Z: [f64; 3] = [0.0, 0.0, 1.0];
+    let across = cross(Z, axis);
+    let about = if norm(across) > 0.0 { scale(norm(across).recip(), across) } else { [1.0, 0.0, 0.0] };
+    turned(ALIGNED, scale(angle(Z, axis), about))
+}
+
+fn sphere(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
     let radius = length(table, "radius", "radius = 0.3")?;
     Some(CavityShape::Ellipsoid { semi_axes: [radius; 3] })
 }
 
-fn ellipsoid(table: &Table<'_>) -> Option<CavityShape> {
-    let semi_axes = table
-        .required("semi_axes", "semi_axes = [0.6, 0.45, 0.3]")
-        .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)))?;
-    Some(CavityShape::Ellipsoid { semi_axes })
+fn ellipsoid(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    Some(CavityShape::Ellipsoid { semi_axes: lengths(table, "semi_axes", "semi_axes = [0.6, 0.45, 0.3]")? })
+}
+
+fn cylinder(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    let (radius, height) = (length(table, "radius", "radius = 0.2"), length(table, "height", "height = 0.5"));
+    Some(CavityShape::Cylinder { radius: radius?, height: height? })
+}
+
+fn annulus(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    let radii = lengths(table, "radii", "radii = [0.15, 0.2]");
+    let height = length(table, "height", "height = 0.05");
+    Some(CavityShape::Annulus { radii: radii?, height: height? })
+}
+
+fn ring(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    let radius = length(table, "radius", "radius = 0.3");
+    let tube_radius = length(table, "tube_radius", "tube_radius = \"5 mm\"");
+    Some(CavityShape::Ring { radius: radius?, tube_radius: tube_radius? })
+}
+
+fn cuboid(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    Some(CavityShape::Cuboid { sides: lengths(table, "sides", "sides = [0.4, 0.3, 0.2]")? })
+}
+
+fn shell(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
+    let outer = lengths(table, "semi_axes", "semi_axes = [0.6, 0.45, 0.3]");
+    let inner = lengths(table, "inner_semi_axes", "inner_semi_axes = [0.5, 0.35, 0.2]");
+    Some(CavityShape::Shell { outer: outer?, inner: inner? })
+}
+
+fn mesh(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
+    let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let value = table.required("file", "file = \"tank.msh\"")?;
+    let mut mesh = match read_mesh(&source.folder.join(value.text()?)) {
+        Ok(mesh) => mesh,
+        Err(error) => return value.refuse(format!("`file`: {error}"), "this file", None),
+    };
+    let length = length?;
+    mesh.nodes.iter_mut().flatten().for_each(|entry| *entry *= length);
+    Some(CavityShape::Mesh(Box::new(mesh)))
+}
+
+fn surface(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
+    let scale = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let value = table.required("file", "file = \"tank.stl\"")?;
+    let surface = closed(&value, source.folder, scale?)?;
+    match inside(&surface, source.resolution) {
+        Ok(mesh) => Some(CavityShape::Mesh(Box::new(mesh))),
+        Err(error) => value.refuse(format!("`file`: {error}"), "cannot be meshed", None),
+    }
 }
 
 fn length(table: &Table<'_>, key: &'static str, example: &str) -> Option<f64> {
     table.required(key, example).and_then(|value| value.positive(Dimension::LENGTH))
+}
+
+fn lengths<const N: usize>(table: &Table<'_>, key: &'static str, example: &str) -> Option<[f64; N]> {
+    table.required(key, example)?.array("numbers", |item| item.positive(Dimension::LENGTH))
 }

@@ -5,7 +5,7 @@ use super::rheology::Extremes;
 use super::table::{Keys, Table};
 use crate::units::Dimension;
 
-pub(super) const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"], later: &[] };
+pub(super) const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"] };
 
 /// Reads an `[[ellipsoid]]`, and its rheology at the ends of the range it is known to.
 pub(super) fn ellipsoid(

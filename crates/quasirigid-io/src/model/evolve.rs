@@ -8,7 +8,7 @@ use super::table::Keys;
 use super::value::Value;
 use crate::units::{Dimension, UnitError, quantity};
 
-const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power"], later: &[] };
+const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power"] };
 
 /// How the slow evolution of the rotation is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

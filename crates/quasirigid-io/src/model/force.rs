@@ -55,7 +55,6 @@ const ANY: Keys = Keys {
         "field",
         "dipole",
     ],
-    later: &[],
 };
 
 /// A `[[force]]` whose keys have been checked.

@@ -18,7 +18,6 @@ pub(super) const HINGED: Keys = Keys {
         "damping",
         "rheology",
     ],
-    later: &[],
 };
 
 /// Reads a `[[hinged]]` appendage, and its rheology at the ends of the range it is known to.

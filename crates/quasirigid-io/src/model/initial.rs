@@ -19,7 +19,6 @@ pub(super) const INITIAL: Keys = Keys {
         "position",
         "velocity",
     ],
-    later: &[],
 };
 
 /// Largest deviation of a quaternion's norm from one that is taken for rounding.

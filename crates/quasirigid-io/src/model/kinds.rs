@@ -22,7 +22,7 @@ macro_rules! kind {
         Kind {
             word: $word,
             title: concat!($table, " of ", $key, " \"", $word, "\""),
-            keys: Keys { known: $known, later: &[] },
+            keys: Keys { known: $known },
             read: $read,
         }
     };

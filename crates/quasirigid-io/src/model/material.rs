@@ -10,7 +10,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"], later: &[] };
+const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"] };
 
 /// What an element is made of, and its rheology at the ends of the range it is known to.
 pub(super) type Made = (Substance, Extremes);

@@ -79,7 +79,6 @@ const FILE: Keys = Keys {
         "initial",
         "run",
     ],
-    later: &[],
 };
 
 /// A model file, read.

@@ -55,7 +55,7 @@ pub(super) enum Part {
 }
 
 /// A node of a part, or several, where something is fixed to them.
-const NODES: Keys = Keys { known: &["part", "node", "set"], later: &[] };
+const NODES: Keys = Keys { known: &["part", "node", "set"] };
 
 /// What says which point it is fixed to.
 #[derive(Clone, Copy)]
@@ -87,45 +87,27 @@ impl<'a> Names<'a> {
         points: &[Table<'_>],
         hinged: &[Table<'_>],
         [ellipsoids, surfaces, networks]: [&[Table<'_>]; 3],
-        [rotors, wheels]: [&[Table<'_>]; 2],
-        cavities: &[CavityTable<'_>],
+        (rotors, wheels, cavities): (&[Table<'_>], &[Table<'_>], &[CavityTable<'_>]),
         flexible: &PartTables<'_>,
         forces: &[ForceTable<'_>],
         problems: &'a Problems<'a>,
     ) -> Self {
         let mut parts = Register { owners: HashMap::new(), problems };
-        let points = points.iter().enumerate();
-        let points = points
-            .map(|(index, table)| parts.enter(table, format!("point {}", index + 1), Part::Point(index)))
-            .collect();
-        let hinged = hinged.iter().enumerate();
-        let hinged = hinged
-            .map(|(index, table)| parts.enter(table, format!("appendage {}", index + 1), Part::Hinged(index)))
-            .collect();
-        let ellipsoids = ellipsoids.iter().enumerate();
-        let ellipsoids = ellipsoids
-            .map(|(index, table)| parts.enter(table, format!("ellipsoid {}", index + 1), Part::Throughout))
-            .collect();
-        let surfaces = surfaces.iter().enumerate();
-        let surfaces = surfaces
-            .map(|(index, table)| parts.enter(table, format!("surface {}", index + 1), Part::Throughout))
-            .collect();
-        let networks = networks.iter().enumerate();
-        let networks = networks
-            .map(|(index, table)| parts.enter(table, format!("network {}", index + 1), Part::Throughout))
-            .collect();
-        let rotors = rotors.iter().enumerate();
-        let rotors = rotors
-            .map(|(index, table)| parts.enter(table, format!("rotor {}", index + 1), Part::Inside))
-            .collect();
-        let wheels = wheels.iter().enumerate();
-        let wheels = wheels
-            .map(|(index, table)| parts.enter(table, format!("wheel {}", index + 1), Part::Inside))
-            .collect();
-        let cavities = cavities.iter().enumerate();
-        let cavities = cavities
-            .map(|(index, cavity)| parts.enter(&cavity.table, format!("cavity {}", index + 1), Part::Inside))
-            .collect();
+        let mut named = |tables: &[&Table<'_>], word: &str, part: fn(usize) -> Part| -> Vec<String> {
+            let tables = tables.iter().enumerate();
+            let enter =
+                |(i, table): (usize, &&Table<'_>)| parts.enter(table, format!("{word} {}", i + 1), part(i));
+            tables.map(enter).collect()
+        };
+        let points = named(&every(points), "point", Part::Point);
+        let hinged = named(&every(hinged), "appendage", Part::Hinged);
+        let ellipsoids = named(&every(ellipsoids), "ellipsoid", |_| Part::Throughout);
+        let surfaces = named(&every(surfaces), "surface", |_| Part::Throughout);
+        let networks = named(&every(networks), "network", |_| Part::Throughout);
+        let rotors = named(&every(rotors), "rotor", |_| Part::Inside);
+        let wheels = named(&every(wheels), "wheel", |_| Part::Inside);
+        let liquids: Vec<&Table<'_>> = cavities.iter().map(|cavity| &cavity.table).collect();
+        let cavities = named(&liquids, "cavity", |_| Part::Inside);
         let flexible = flexible.iter().enumerate();
         let flexible = flexible
             .map(|(index, (word, number, table))| {
@@ -252,6 +234,10 @@ impl<'a> Names<'a> {
         };
         value.refuse_at(key, format!("there is no point or appendage {name:?}"), "unknown name", Some(help))
     }
+}
+
+fn every<'t, 'f>(tables: &'t [Table<'f>]) -> Vec<&'t Table<'f>> {
+    tables.iter().collect()
 }
 
 /// Names that must differ, each with its owner and place.

@@ -15,7 +15,6 @@ pub(super) const ORBIT: Keys = Keys {
         "periapsis",
         "mean_anomaly",
     ],
-    later: &[],
 };
 
 /// Gravitational parameters (m³/s²): of the Earth as recommended by the IAU (2009), in TCG; of the others as in the

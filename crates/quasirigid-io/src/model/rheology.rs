@@ -41,7 +41,7 @@ static KINDS: [Kind<Read>; 6] = [
 
 /// Keys of a rheology that does not say its kind: those of every kind.
 const ANY: Keys =
-    Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"], later: &[] };
+    Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"] };
 
 /// Exponent of Andrade's law unless the file chooses another: his own, for metals.
 const ANDRADE: f64 = 1.0 / 3.0;

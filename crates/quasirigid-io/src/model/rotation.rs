@@ -6,8 +6,8 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-const PERIODS: Keys = Keys { known: &["rotation", "precession", "mode"], later: &[] };
-const WOBBLE: Keys = Keys { known: &["angle", "rate", "mode"], later: &[] };
+const PERIODS: Keys = Keys { known: &["rotation", "precession", "mode"] };
+const WOBBLE: Keys = Keys { known: &["angle", "rate", "mode"] };
 
 /// How the body turns at time zero.
 #[derive(Clone, Copy, Debug, PartialEq)]

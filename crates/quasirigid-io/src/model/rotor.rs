@@ -4,8 +4,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const ROTOR: Keys =
-    Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"], later: &[] };
+pub(super) const ROTOR: Keys = Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"] };
 
 /// Reads a `[[rotor]]`.
 pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {

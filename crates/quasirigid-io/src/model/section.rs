@@ -24,7 +24,6 @@ const ANY: Keys = Keys {
         "torsion",
         "shear_areas",
     ],
-    later: &[],
 };
 
 type Read = fn(&Table<'_>) -> Option<SectionShape>;

@@ -5,7 +5,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const BODY: Keys = Keys { known: &["name"], later: &[] };
+pub(super) const BODY: Keys = Keys { known: &["name"] };
 pub(super) const RUN: Keys = Keys {
     known: &[
         "order",
@@ -19,10 +19,9 @@ pub(super) const RUN: Keys = Keys {
         "verify",
         "evolve",
     ],
-    later: &[],
 };
-const STOP: Keys = Keys { known: &["energy", "nutation", "validity"], later: &[] };
-const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"], later: &[] };
+const STOP: Keys = Keys { known: &["energy", "nutation", "validity"] };
+const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"] };
 
 /// Order of the reduced equations unless the file chooses another.
 const ORDER: usize = 3;

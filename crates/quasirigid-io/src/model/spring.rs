@@ -7,7 +7,7 @@ use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const SPRING: Keys =
-    Keys { known: &["from", "to", "stiffness", "damping", "rheology", "axial", "anchor"], later: &[] };
+    Keys { known: &["from", "to", "stiffness", "damping", "rheology", "axial", "anchor"] };
 
 /// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
 pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<(Spring, Extremes)> {

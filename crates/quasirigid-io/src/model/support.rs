@@ -8,7 +8,7 @@ use crate::units::Dimension;
 pub(super) type Read = fn(&Table<'_>) -> Option<Support>;
 
 const KEYS: &[&str] = &["kind", "point", "acceleration", "velocity", "position"];
-const ANY: Keys = Keys { known: KEYS, later: &[] };
+const ANY: Keys = Keys { known: KEYS };
 
 static KINDS: [Kind<Read>; 3] = [
     kind!("[support]", "free", &["kind"], |_| Some(Support::Free)),

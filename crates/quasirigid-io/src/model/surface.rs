@@ -11,7 +11,7 @@ use super::value::Value;
 use crate::mesh::read_triangles;
 use crate::units::Dimension;
 
-pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree"], later: &[] };
+pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree"] };
 
 /// Reads a `[[surface]]` with its file, which is looked for beside the model, and its rheology at the ends of the range it is
 /// known to.
@@ -44,7 +44,7 @@ pub(super) fn unit_of(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
 }
 
 /// Reads a closed surface; what is wrong with its file is said at its name.
-fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> {
+pub(super) fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> {
     let path = folder.join(value.text()?);
     let refuse = |message: String, label: &str, help: &str| {
         value.refuse(format!("`file`: {message}"), label, Some(help.to_owned()))

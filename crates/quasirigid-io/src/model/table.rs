@@ -11,10 +11,8 @@ use crate::units::Dimension;
 
 /// The keys a table can have.
 pub(super) struct Keys {
-    /// Those this version reads.
+    /// Their names.
     pub(super) known: &'static [&'static str],
-    /// Those of the model format that this version does not read yet, as the user writes them.
-    pub(super) later: &'static [(&'static str, &'static str)],
 }
 
 /// A table of the file whose keys have been checked.
@@ -158,12 +156,6 @@ fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &
 }
 
 fn unknown_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, meant: Option<&str>) -> Diagnostic {
-    if let Some((_, written)) = keys.later.iter().find(|(later, _)| *later == key) {
-        let message = format!(
-            "`{written}` is part of the model format, but this version of quasirigid does not support it yet"
-        );
-        return Diagnostic::new(span, message, "not supported yet");
-    }
     let message = format!("unknown key {key:?} in {title}");
     let list = format!("the keys are {}", keys.known.join(", "));
     let help = match meant {

@@ -5,8 +5,8 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"], later: &[] };
-const PRESCRIBED: Keys = Keys { known: &["formula"], later: &[] };
+pub(super) const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"] };
+const PRESCRIBED: Keys = Keys { known: &["formula"] };
 
 /// Reads a `[[wheel]]`.
 pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {

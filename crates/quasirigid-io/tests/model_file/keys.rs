@@ -9,9 +9,9 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
       did you mean `stiffness`? the keys are from, to, stiffness, damping, rheology, axial, anchor
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
-    model.toml:9:3: unknown key "points" in the file
-      did you mean `point`? the keys are body, carrier, material, section, ellipsoid, surface, beam, panel, solid, matrices, modes, connection, network, reduction, point, spring, hinged, support, force, initial, run
-    "#);
+model.toml:9:3: unknown key "points" in the file
+  did you mean `point`? the keys are body, carrier, material, section, ellipsoid, surface, beam, panel, solid, matrices, modes, connection, network, reduction, point, spring, hinged, rotor, wheel, cavity, support, force, initial, run
+"#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]
       the keys are order, duration, tolerance, samples, form, systems, method, stop, verify, evolve
@@ -63,11 +63,17 @@ fn a_missing_key_is_refused_at_its_table() {
 }
 
 #[test]
-fn a_part_of_the_format_that_is_not_supported_yet_is_named() {
-    assert_snapshot!(refusal_of("[[cavity]]\nlength = 3\n[[rotor]]\naxis = [0, 0, 1]\n"), @"
-    model.toml:9:3: `[[cavity]]` is part of the model format, but this version of quasirigid does not support it yet
-    model.toml:11:3: `[[rotor]]` is part of the model format, but this version of quasirigid does not support it yet
-    ");
+fn a_table_of_several_kinds_says_which_there_are() {
+    assert_snapshot!(refusal_of("[[cavity]]\nlength = 3\n[[rotor]]\naxis = [0, 0, 1]\n"), @r#"
+model.toml:9:1: [[cavity]] has no `shape`
+  add a line such as: shape = "sphere", "ellipsoid", "cylinder", "annulus", "ring", "box", "shell", "mesh" or "surface"
+model.toml:10:1: unknown key "length" in [[cavity]]
+  the keys are shape, name, radius, semi_axes, axis, height, radii, tube_radius, sides, inner_semi_axes, file, unit, center, attitude, density, kinematic_viscosity, dynamic_viscosity, resolution, modes
+model.toml:11:1: [[rotor]] has no `inertia`
+  add a line such as: inertia = 0.2
+model.toml:11:1: [[rotor]] has no `friction`
+  add a line such as: friction = 0.05
+"#);
 }
 
 #[test]

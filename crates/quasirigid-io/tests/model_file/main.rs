@@ -11,6 +11,7 @@ mod files;
 mod forces;
 mod guide;
 mod initial;
+mod inside;
 mod keys;
 mod materials;
 mod matrices;

@@ -34,6 +34,7 @@ pub use error::{ElementError, Field, Place, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
 pub use finite::elasticity::{ElasticityError, Modulus};
 pub use finite::shell::{Constant, ShellError};
+pub use finite::stokes::StokesError;
 pub use hinged::{HingeCoefficient, Hinged};
 pub use material::Material;
 pub use network::Network;

@@ -24,6 +24,7 @@ fn tank(carrier: Carrier, radius: f64) -> Assembly {
         attitude: ALIGNED,
         density: DENSITY,
         viscosity: VISCOSITY,
+        resolution: 1,
         modes: 0,
     };
     Assembly { carrier: Some(carrier), cavities: vec![tank], ..Assembly::default() }

@@ -54,7 +54,7 @@ pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
     let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.4, -0.7, 0.2]);
     let shape = CavityShape::Ellipsoid { semi_axes };
     let center = [0.1, -0.3, 0.2];
-    Cavity { name: "tank".into(), shape, center, attitude, density, viscosity, modes: 0 }
+    Cavity { name: "tank".into(), shape, center, attitude, density, viscosity, resolution: 4, modes: 0 }
 }
 
 /// A ball of liquid in line with the axes.

@@ -9,4 +9,6 @@ mod full;
 mod liquids;
 
 mod orders;
+mod shapes;
+mod start;
 mod wobble;

@@ -10,7 +10,6 @@ pub(super) const BEAM: Keys = Keys {
     known: &[
         "name", "nodes", "lines", "section", "material", "up", "elements", "masses", "attach", "rayleigh",
     ],
-    later: &[],
 };
 
 /// Elements of a line unless the file chooses another number: the energy of a bent cantilever is then right to 4e-6.

@@ -7,7 +7,7 @@ use super::super::value::Value;
 use crate::units::Dimension;
 
 pub(in crate::model) const CONNECTION: Keys =
-    Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"], later: &[] };
+    Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"] };
 
 /// Axes of a ball joint.
 const BALL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

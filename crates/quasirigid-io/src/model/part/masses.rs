@@ -6,7 +6,7 @@ use super::super::value::Value;
 use super::Nodes;
 use crate::units::Dimension;
 
-const MASS: Keys = Keys { known: &["node", "mass", "inertia"], later: &[] };
+const MASS: Keys = Keys { known: &["node", "mass", "inertia"] };
 
 /// Reads the rigid bodies at nodes of a part, none if the table has none.
 pub(super) fn masses(table: &Table<'_>, nodes: &Nodes) -> Option<Vec<TipMass>> {

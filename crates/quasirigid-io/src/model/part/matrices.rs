@@ -20,7 +20,6 @@ pub(super) const MATRICES: Keys = Keys {
         "attach",
         "rayleigh",
     ],
-    later: &[],
 };
 
 /// Reads `[[matrices]]`: mass, stiffness and damping between the nodes of a table.

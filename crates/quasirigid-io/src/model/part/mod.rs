@@ -131,7 +131,7 @@ fn rheology_of(substance: &mut Substance) -> &mut Rheology {
     }
 }
 
-const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"], later: &[] };
+const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"] };
 
 /// Reads damping in proportion to mass (1/s) and to stiffness (s), none if the table has none.
 fn rayleigh(table: &Table<'_>) -> Option<[f64; 2]> {

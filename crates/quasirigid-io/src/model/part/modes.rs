@@ -30,10 +30,9 @@ pub(super) const MODES: Keys = Keys {
         "attach",
         "rayleigh",
     ],
-    later: &[],
 };
 
-const NUMBERS: Keys = Keys { known: &["file", "name", "unit"], later: &[] };
+const NUMBERS: Keys = Keys { known: &["file", "name", "unit"] };
 
 /// Reads `[[modes]]`: shapes over the nodes of a table, the mass there, and what resists the shapes.
 pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {

@@ -6,7 +6,6 @@ use crate::units::Dimension;
 
 pub(in crate::model) const NETWORK: Keys = Keys {
     known: &["name", "mass", "semi_axes", "center", "spacing", "reach", "stiffness", "rheology", "seed"],
-    later: &[],
 };
 
 /// Most points that a network may be expected to have.

@@ -9,7 +9,7 @@ use super::super::value::Value;
 use crate::matrix::{Freedom, MatrixFile, NodeTable, read_freedoms, read_matrix, read_nodes};
 use crate::units::Dimension;
 
-const FILE: Keys = Keys { known: &["file", "name"], later: &[] };
+const FILE: Keys = Keys { known: &["file", "name"] };
 
 /// Units of the numbers in the files of another program; the second is that of time.
 pub(super) struct Units {

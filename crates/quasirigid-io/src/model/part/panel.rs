@@ -26,10 +26,9 @@ pub(super) const PANEL: Keys = Keys {
         "attach",
         "rayleigh",
     ],
-    later: &[],
 };
-const RECTANGLE: Keys = Keys { known: &["sides", "cells"], later: &[] };
-const LAYER: Keys = Keys { known: &["material", "thickness", "angle"], later: &[] };
+const RECTANGLE: Keys = Keys { known: &["sides", "cells"] };
+const LAYER: Keys = Keys { known: &["material", "thickness", "angle"] };
 
 const MOST_CELLS: usize = 1000;
 

@@ -2,7 +2,7 @@ use quasirigid::elements::Reduction;
 
 use super::super::table::{Keys, Table};
 
-const REDUCTION: Keys = Keys { known: &["modes"], later: &[] };
+const REDUCTION: Keys = Keys { known: &["modes"] };
 
 const MOST_MODES: usize = 500;
 

@@ -25,7 +25,6 @@ pub(super) const SOLID: Keys = Keys {
         "attach",
         "rayleigh",
     ],
-    later: &[],
 };
 
 /// Reads a `[[solid]]`: of one material, or of several by sets of its cells.

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::net::Net;
 use super::{Assembly, Built, Mover};
 use crate::elements::affine::{Field as Shape, Piece};
+use crate::elements::cavity::Filled;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::inner::Inner;
 use crate::elements::matrices::Matrices;
@@ -40,13 +41,15 @@ impl Assembly {
         let movers = self.movers()?;
         let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
         let component = net.as_ref().map(|net| net.component(false)).transpose()?;
-        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.frozen(i));
-        let rigid = std::iter::once(Ok((carrier.piece()?, carrier.position()))).chain(liquids);
-        let rigid = rigid.collect::<Result<Vec<_>, _>>()?;
-        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| rotor.inner(i));
         let order = self.reduction.order;
-        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.inner(i, order));
-        let inner = Inner::sum(rotors.chain(liquids))?;
+        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.filled(i, order));
+        let liquids = liquids.collect::<Result<Vec<Filled>, _>>()?;
+        let mut rigid = vec![(carrier.piece()?, carrier.position())];
+        rigid.extend(liquids.iter().map(|liquid| (liquid.piece, liquid.center)));
+        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| rotor.inner(i));
+        let (motions, slow): (Vec<_>, Vec<_>) =
+            liquids.into_iter().map(|liquid| (Ok(liquid.inner), liquid.slow)).unzip();
+        let inner = Inner::sum(rotors.chain(motions))?;
         let whole = Carried { rigid, starts: starts(&movers), movers, component, inner };
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
@@ -80,7 +83,7 @@ impl Assembly {
         let body = body.map_err(|error| self.blame(error))?;
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
-        Ok(Built { body, forces, condensation, speeds: whole.speeds() })
+        Ok(Built { body, forces, condensation, speeds: whole.speeds(), liquids: slow })
     }
 
     fn spinning_wheels(&self) -> Result<Wheels, ElementError> {

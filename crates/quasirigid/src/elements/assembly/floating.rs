@@ -55,7 +55,13 @@ impl Assembly {
         let body = body.map_err(|error| {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
         })?;
-        Ok(Built { body, forces, condensation: Some(component.condensation()), speeds: Vec::new() })
+        Ok(Built {
+            body,
+            forces,
+            condensation: Some(component.condensation()),
+            speeds: Vec::new(),
+            liquids: Vec::new(),
+        })
     }
 }
 

@@ -13,8 +13,8 @@ pub(super) use mover::Mover;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
-    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Rotor, Spring, Station, Surface, Wheel,
-    coefficient, force,
+    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Rotor, SlowLiquid, Spring, Station,
+    Surface, Wheel, coefficient, force,
 };
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -74,6 +74,8 @@ pub struct Built {
     pub condensation: Option<Condensation>,
     /// Rates of cyclic coordinates at the start (rad/s) where they are given, each with its coordinate.
     pub speeds: Vec<(usize, f64)>,
+    /// What each of its liquids does to a slow rotation.
+    pub liquids: Vec<SlowLiquid>,
 }
 
 /// An element that is a whole body, elastic throughout.
@@ -169,6 +171,7 @@ impl Assembly {
             body,
             condensation: None,
             speeds: Vec::new(),
+            liquids: Vec::new(),
         })
     }
 

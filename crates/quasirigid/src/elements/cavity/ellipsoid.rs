@@ -60,9 +60,9 @@ impl Liquid for EllipsoidFlow {
         self.loads[axis].as_slice().to_vec()
     }
 
-    fn flows(&self, loads: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    fn flows(&self, loads: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
         let solved = |load: &Vec<f64>| self.factor.solve(&DVector::from_column_slice(load));
-        loads.iter().map(|load| solved(load).as_slice().to_vec()).collect()
+        Some(loads.iter().map(|load| solved(load).as_slice().to_vec()).collect())
     }
 
     fn friction(&self, u: &[f64]) -> Vec<f64> {

@@ -12,7 +12,9 @@ pub(super) trait Liquid {
     fn load(&self, axis: usize) -> Vec<f64>;
 
     /// Stokes flows `u` with `∫∇ψ:∇u dV = load` for every solenoidal `ψ`. (L4)
-    fn flows(&self, loads: &[Vec<f64>]) -> Vec<Vec<f64>>;
+    ///
+    /// None if they are not found.
+    fn flows(&self, loads: &[Vec<f64>]) -> Option<Vec<Vec<f64>>>;
 
     /// `∫∇ψ:∇u dV`.
     fn friction(&self, u: &[f64]) -> Vec<f64>;
@@ -51,12 +53,12 @@ pub struct Memory {
 const ROUNDING: f64 = 1e-12;
 
 impl Relaxations {
-    /// Of a liquid, scaled to a value of `∫u² dV`; none if the eigenvalues are not found.
+    /// Of a liquid, scaled to a value of `∫u² dV`; none if flows or eigenvalues are not found.
     ///
     /// The chains begin with the three slow flows that a change of spin drives. Each step answers the inertia of the flow before
     /// it, and its turning with the body about each axis.
     pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
-        let span = chains(liquid, memory);
+        let span = chains(liquid, memory)?;
         let inertia = span.projected(|u| liquid.mass(u));
         let size = inertia.size();
         let mut unit = Dense::zero(size);
@@ -87,9 +89,9 @@ impl Relaxations {
 }
 
 /// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`.
-fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Span {
+fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<Span> {
     let loads: Vec<Vec<f64>> = (0..3).map(|axis| liquid.load(axis)).collect();
-    let first = liquid.flows(&loads);
+    let first = liquid.flows(&loads)?;
     let mut kept = Vec::new();
     let slow = grown(liquid, &mut kept, first);
     let mut last = slow.clone();
@@ -100,14 +102,15 @@ fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Span {
                 .collect::<Vec<_>>()
         };
         let loads: Vec<Vec<f64>> = kept[last].iter().flat_map(after).collect();
-        last = grown(liquid, &mut kept, liquid.flows(&loads));
+        last = grown(liquid, &mut kept, liquid.flows(&loads)?);
     }
+    let mut inert = kept[slow.clone()].to_vec();
     let mut last = slow;
     for _ in 0..modes {
-        let loads: Vec<Vec<f64>> = kept[last].iter().map(|u| liquid.mass(u)).collect();
-        last = grown(liquid, &mut kept, liquid.flows(&loads));
+        let loads: Vec<Vec<f64>> = inert[last].iter().map(|u| liquid.mass(u)).collect();
+        last = grown(liquid, &mut inert, liquid.flows(&loads)?);
     }
-    Span::orthonormal(kept, |u| liquid.friction(u))
+    Some(Span::orthonormal([kept, inert].concat(), |u| liquid.friction(u)))
 }
 
 /// Adds flows to orthonormal ones, without those that are combinations of the others; the places of the new ones.

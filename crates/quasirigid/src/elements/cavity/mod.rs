@@ -2,6 +2,8 @@
 
 mod ellipsoid;
 mod liquid;
+mod meshed;
+mod pipe;
 mod shape;
 
 use nalgebra::{Matrix3, Vector3};
@@ -9,11 +11,16 @@ use nalgebra::{Matrix3, Vector3};
 use super::affine::Piece;
 use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
+use super::finite::stokes::StokesError;
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
 use crate::model::{Coordinate, Inertia, LiquidMemory, Pair};
+use ellipsoid::EllipsoidFlow;
 use liquid::{Memory, Relaxations};
+use meshed::MeshedFlow;
+use pipe::PipeFlow;
 pub use shape::CavityShape;
+use shape::{Extent, Turning};
 
 /// A cavity of the carrier, full of a viscous liquid. (L1)–(L6)
 ///
@@ -33,6 +40,8 @@ pub struct Cavity {
     pub density: f64,
     /// Kinematic viscosity of the liquid (m²/s).
     pub viscosity: f64,
+    /// Cells across the narrowest width, where the flow is found by finite elements and the shape is no mesh.
+    pub resolution: usize,
     /// Relaxations that are kept beside those that the slow motion needs, as the length of a chain.
     pub modes: usize,
 }
@@ -42,12 +51,25 @@ pub struct Cavity {
 pub struct SlowLiquid {
     /// Mass (kg).
     pub mass: f64,
-    /// Radius of the ball of as much mass and mean moment of inertia (m).
+    /// Radius of the ball of liquid that would follow as slowly, `√(35 P/I)` for the axis about which this is most (m).
     pub radius: f64,
     /// Tensor `P` (m⁷), in the file's axes. (L5)
     pub tensor: [[f64; 3]; 3],
+    /// Estimate of the error of finite elements in `P` about each axis of the shape, relative; none of exact flows.
+    pub errors: Option<[f64; 3]>,
     /// Kinematic viscosity (m²/s).
     pub viscosity: f64,
+}
+
+/// A liquid as a body needs it.
+pub(super) struct Filled {
+    /// The liquid at rest.
+    pub piece: Piece,
+    /// Its centre of mass (m), in the file's frame.
+    pub center: Vector3<f64>,
+    /// Its motions.
+    pub inner: Inner,
+    pub slow: SlowLiquid,
 }
 
 /// Most steps of a chain of relaxations.
@@ -73,25 +95,60 @@ impl Cavity {
         Ok(())
     }
 
-    /// The liquid at rest in the cavity, and its centre of mass (m), in the file's frame.
-    pub(super) fn frozen(&self, index: usize) -> Result<(Piece, Vector3<f64>), ElementError> {
+    /// The liquid with its motions, to as many steps as an order of the reduction needs.
+    pub(super) fn filled(&self, index: usize, order: usize) -> Result<Filled, ElementError> {
         self.check(index)?;
         let place = Place::Cavity(index);
+        let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
+        let Flowing { extent, relaxations, errors } =
+            self.flowing(memory).map_err(|(field, problem)| at(place, field)(problem))?;
         let turn = self.turn();
-        let extent = self.shape.extent();
         let inertia = self.density * (turn * extent.inertia() * turn.transpose());
-        let rows = std::array::from_fn(|row| std::array::from_fn(|column| inertia[(row, column)]));
-        let inertia = Inertia::new(rows).map_err(|error| at(place, Field::Density)(error.into()))?;
-        let center = Vector3::from(self.center) + turn * extent.center;
-        Ok((Piece::rigid(self.density * extent.volume, Vector3::zeros(), &inertia), center))
+        let inertia =
+            Inertia::new(rows(&inertia)).map_err(|error| at(place, Field::Density)(error.into()))?;
+        let mass = self.density * extent.volume;
+        let (P, inertia_of_unit) = (relaxations.slow_tensor(), extent.inertia());
+        let slowest = (0..3).map(|k| P[(k, k)] / inertia_of_unit[(k, k)]).fold(0.0, f64::max);
+        Ok(Filled {
+            piece: Piece::rigid(mass, Vector3::zeros(), &inertia),
+            center: Vector3::from(self.center) + turn * extent.center,
+            slow: SlowLiquid {
+                mass,
+                radius: (35.0 * slowest).sqrt(),
+                tensor: rows(&(turn * P * turn.transpose())),
+                errors,
+                viscosity: self.viscosity,
+            },
+            inner: self.inner(&extent, relaxations),
+        })
     }
 
-    /// The motions of the liquid, to as many steps as an order of the reduction needs.
-    pub(super) fn inner(&self, index: usize, order: usize) -> Result<Inner, ElementError> {
-        self.check(index)?;
-        let place = Place::Cavity(index);
+    fn flowing(&self, memory: Memory) -> Result<Flowing, (Field, Problem)> {
+        let unresolved = || (Field::Shape, Problem::LiquidUnresolved);
+        let Some(mesh) = self.shape.mesh(self.resolution) else {
+            let extent = self.shape.extent().ok_or_else(unresolved)?;
+            let steps = memory.depth.saturating_sub(1).max(memory.modes);
+            let mass = extent.inertia().trace() / 3.0;
+            let relaxations = match self.shape {
+                CavityShape::Ellipsoid { semi_axes } => EllipsoidFlow::new(semi_axes, 3 + 2 * steps)
+                    .and_then(|flow| Relaxations::of(&flow, memory, mass)),
+                CavityShape::Ring { radius, tube_radius } => PipeFlow::new(radius, tube_radius, 1 + steps)
+                    .and_then(|flow| Relaxations::of(&flow, memory, mass)),
+                _ => None,
+            };
+            return Ok(Flowing { extent, relaxations: relaxations.ok_or_else(unresolved)?, errors: None });
+        };
+        let mesh = mesh.map_err(|error| (Field::Shape, error.into()))?;
+        let stokes = |error: StokesError| (Field::Shape, error.into());
+        let flow = MeshedFlow::new(&mesh).map_err(stokes)?;
+        let extent = self.shape.extent().unwrap_or_else(|| flow.extent());
+        let relaxations =
+            Relaxations::of(&flow, memory, extent.inertia().trace() / 3.0).ok_or_else(unresolved)?;
+        Ok(Flowing { extent, relaxations, errors: Some(flow.errors().map_err(stokes)?) })
+    }
+
+    fn inner(&self, extent: &Extent, relaxations: Relaxations) -> Inner {
         let turn = self.turn();
-        let relaxations = self.relaxations(order).map_err(at(place, Field::Shape))?;
         let Relaxations { mass, friction, momentum, turning } = relaxations;
         let coordinate = |number: usize| Coordinate {
             name: format!("\"{}\" relaxation {}", self.name, number + 1),
@@ -102,53 +159,28 @@ impl Cavity {
             (j, k, Pair { Z: (2.0 * self.density * (turn * turning)).into(), ..Pair::default() })
         });
         let brake = self.density * self.viscosity;
-        Ok(Inner {
-            memories: self.memory(friction.len()).into_iter().collect(),
+        Inner {
+            memories: self.memory(extent, friction.len()).into_iter().collect(),
             coordinates: (0..friction.len()).map(coordinate).collect(),
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
             friction: friction.iter().enumerate().map(|(j, friction)| (j, j, brake * friction)).collect(),
             speeds: Vec::new(),
-        })
+        }
     }
 
-    /// What the liquid does to a slow rotation.
-    ///
-    /// # Errors
-    /// [`ElementError`] if no liquid is like this; `index` is that of the cavity.
-    pub fn slow(&self, index: usize) -> Result<SlowLiquid, ElementError> {
-        self.check(index)?;
-        let place = Place::Cavity(index);
+    /// The linear answer of a liquid that turns as one, whose coordinates are so many.
+    fn memory(&self, extent: &Extent, count: usize) -> Option<LiquidMemory> {
+        let Turning { index, radius, axes } = self.shape.turning()?;
         let turn = self.turn();
-        let extent = self.shape.extent();
-        let relaxations = self.relaxations(1).map_err(at(place, Field::Shape))?;
-        let tensor = turn * relaxations.slow_tensor() * turn.transpose();
-        let mean = extent.inertia().trace() / (3.0 * extent.volume);
-        Ok(SlowLiquid {
-            mass: self.density * extent.volume,
-            radius: (2.5 * mean).sqrt(),
-            tensor: std::array::from_fn(|row| std::array::from_fn(|column| tensor[(row, column)])),
-            viscosity: self.viscosity,
-        })
-    }
-
-    /// The linear answer of a ball, whose coordinates are so many.
-    fn memory(&self, count: usize) -> Option<LiquidMemory> {
-        let radius = self.shape.radius()?;
-        let axes = Matrix3::<f64>::identity().data.0.to_vec();
-        let inertia = self.density * self.shape.extent().inertia()[(0, 0)];
+        let first = *axes.first()?;
         Some(LiquidMemory {
             coordinates: 0..count,
-            axes,
-            index: 1.5,
-            inertia,
+            axes: axes.iter().map(|axis| turn.column(*axis).into_owned().into()).collect(),
+            index,
+            inertia: self.density * extent.inertia()[(first, first)],
             time: radius * radius / self.viscosity,
         })
-    }
-
-    fn relaxations(&self, order: usize) -> Result<Relaxations, Problem> {
-        let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
-        self.shape.relaxations(memory)
     }
 
     /// Turns components along the axes of the shape into those along the file's.
@@ -157,6 +189,17 @@ impl Cavity {
             Matrix3::<f64>::identity().data.0.map(|axis| Vector3::from(to_inertial(self.attitude, axis)));
         Matrix3::from_columns(&columns)
     }
+}
+
+/// The flows in a cavity, in its axes.
+struct Flowing {
+    extent: Extent,
+    relaxations: Relaxations,
+    errors: Option<[f64; 3]>,
+}
+
+fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
+    std::array::from_fn(|row| std::array::from_fn(|column| matrix[(row, column)]))
 }
 
 impl SlowLiquid {

@@ -67,6 +67,20 @@ pub enum Field {
     Viscosity,
     /// Shape of a cavity.
     Shape,
+    /// Radius of a cylinder or a ring.
+    Radius,
+    /// Radii of an annulus.
+    Radii,
+    /// Radius of the tube of a ring.
+    TubeRadius,
+    /// Height of a cylinder.
+    Height,
+    /// Sides of a box.
+    Sides,
+    /// Semi-axes of the inner ellipsoid of a shell.
+    InnerSemiAxes,
+    /// Number of cells across a cavity.
+    Resolution,
     /// Attitude of a cavity.
     Attitude,
     /// Speed of a rotor.
@@ -165,6 +179,13 @@ impl std::fmt::Display for Field {
             Self::Friction => "friction",
             Self::Viscosity => "viscosity",
             Self::Shape => "shape",
+            Self::Radius => "radius",
+            Self::Radii => "radii",
+            Self::TubeRadius => "tube_radius",
+            Self::Height => "height",
+            Self::Sides => "sides",
+            Self::InnerSemiAxes => "inner_semi_axes",
+            Self::Resolution => "resolution",
             Self::Attitude => "attitude",
             Self::Speed => "speed",
             Self::Momentum => "momentum",

@@ -3,8 +3,10 @@ use thiserror::Error;
 use crate::elements::finite::beam::BeamError;
 use crate::elements::finite::elasticity::ElasticityError;
 use crate::elements::finite::shell::ShellError;
+use crate::elements::finite::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::mesh::{MeshFault, MeshNote};
+use crate::math::meshing::MeshingError;
 use crate::model::{InertiaError, RheologyError};
 
 /// What can be wrong with a value of an element.
@@ -65,6 +67,12 @@ pub enum Problem {
         "what turns inside has more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked"
     )]
     HeavyInside,
+    /// A cavity that cannot be meshed.
+    #[error(transparent)]
+    Meshing(#[from] MeshingError),
+    /// A cavity whose flows cannot be found.
+    #[error(transparent)]
+    Stokes(#[from] StokesError),
     /// Flows in a cavity that rounding cannot tell apart.
     #[error("the flows of the liquid cannot be told apart in a cavity of this shape")]
     LiquidUnresolved,

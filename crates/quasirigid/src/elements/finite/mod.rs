@@ -7,7 +7,6 @@ mod element;
 mod lumped;
 pub(super) mod shell;
 pub(super) mod solid;
-#[cfg_attr(not(test), expect(dead_code, reason = "no part is made of liquid yet"))]
 pub(super) mod stokes;
 
 pub(super) use block::Block;

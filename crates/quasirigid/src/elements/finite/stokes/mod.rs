@@ -120,6 +120,7 @@ impl StokesFlow {
     }
 
     /// Discrete divergence beside the gradient, in the mean square; zero where nothing flows.
+    #[cfg(test)]
     pub fn divergence(&self, u: &[f64]) -> f64 {
         let gradient = u.iter().zip(self.stiffness_times(u)).map(|(u, force)| u * force).sum::<f64>().sqrt();
         if gradient > 0.0 { self.assembly.saddle.divergence_of(u) / gradient } else { 0.0 }

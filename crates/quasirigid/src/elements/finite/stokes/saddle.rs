@@ -78,6 +78,7 @@ impl Saddle {
     }
 
     /// `√∫|d|² dV` of the discrete divergence `d` of a flow.
+    #[cfg(test)]
     pub fn divergence_of(&self, u: &[f64]) -> f64 {
         let (residual, weighted) = self.residual(u, 1);
         dots(&residual, &weighted, 1)[0].max(0.0).sqrt()

@@ -119,7 +119,7 @@ impl Cavity {
                 errors,
                 viscosity: self.viscosity,
             },
-            inner: self.inner(&extent, relaxations),
+            inner: self.inner(relaxations),
         })
     }
 
@@ -147,7 +147,7 @@ impl Cavity {
         Ok(Flowing { extent, relaxations, errors: Some(flow.errors().map_err(stokes)?) })
     }
 
-    fn inner(&self, extent: &Extent, relaxations: Relaxations) -> Inner {
+    fn inner(&self, relaxations: Relaxations) -> Inner {
         let turn = self.turn();
         let Relaxations { mass, friction, momentum, turning } = relaxations;
         let coordinate = |number: usize| Coordinate {
@@ -160,7 +160,7 @@ impl Cavity {
         });
         let brake = self.density * self.viscosity;
         Inner {
-            memories: self.memory(extent, friction.len()).into_iter().collect(),
+            memories: self.memory(friction.len()).into_iter().collect(),
             coordinates: (0..friction.len()).map(coordinate).collect(),
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
@@ -170,15 +170,14 @@ impl Cavity {
     }
 
     /// The linear answer of a liquid that turns as one, whose coordinates are so many.
-    fn memory(&self, extent: &Extent, count: usize) -> Option<LiquidMemory> {
-        let Turning { index, radius, axes } = self.shape.turning()?;
+    fn memory(&self, count: usize) -> Option<LiquidMemory> {
+        let Turning { index, radius, inertia, axes } = self.shape.turning()?;
         let turn = self.turn();
-        let first = *axes.first()?;
         Some(LiquidMemory {
             coordinates: 0..count,
             axes: axes.iter().map(|axis| turn.column(*axis).into_owned().into()).collect(),
             index,
-            inertia: self.density * extent.inertia()[(first, first)],
+            inertia: self.density * inertia,
             time: radius * radius / self.viscosity,
         })
     }

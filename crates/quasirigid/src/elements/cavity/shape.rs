@@ -58,6 +58,8 @@ pub(super) struct Turning {
     pub index: f64,
     /// Distance from the wall to the middle of the flow (m).
     pub radius: f64,
+    /// Moment of inertia of what turns, of unit density (m⁵).
+    pub inertia: f64,
     /// Numbers of the axes.
     pub axes: Vec<usize>,
 }
@@ -109,10 +111,12 @@ impl CavityShape {
     pub(super) fn turning(&self) -> Option<Turning> {
         match self {
             Self::Ellipsoid { semi_axes: [a, b, c] } if a == b && b == c => {
-                Some(Turning { index: 1.5, radius: *a, axes: vec![0, 1, 2] })
+                let inertia = 8.0 / 15.0 * PI * a.powi(5);
+                Some(Turning { index: 1.5, radius: *a, inertia, axes: vec![0, 1, 2] })
             }
             Self::Ring { radius, tube_radius } if *tube_radius <= SLENDER * radius => {
-                Some(Turning { index: 0.0, radius: *tube_radius, axes: vec![2] })
+                let inertia = 2.0 * PI * PI * radius.powi(3) * tube_radius * tube_radius;
+                Some(Turning { index: 0.0, radius: *tube_radius, inertia, axes: vec![2] })
             }
             _ => None,
         }

@@ -67,8 +67,10 @@ pub fn follow(
         return Err(Failure::Wheels);
     }
     let torque = SlowTorque::of(forces)?;
+    let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
-    let ageing = Ageing::new(body, [&reduce(body, *order)?, &reduce(body, slaved)?], start, asked.power)?;
+    let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
+    let ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
     let evolution = ageing.evolution();
     let from = ageing.start(&evolution, asked.from)?;
     let mut rows = if torque.is_none() {

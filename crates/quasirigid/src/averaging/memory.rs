@@ -20,14 +20,15 @@ pub(super) fn impedance(memory: &LiquidMemory, s: Complex<f64>) -> Complex<f64> 
     s * inertia / share
 }
 
-/// The same for a ball in a body that turns with the mean spin `spin` (rad/s): a frequency in the body is another one in
-/// space for motions that circle the spin. (C11)
+/// The same in a body that turns with the mean spin `spin` (rad/s): a frequency in the body is another one in space for the
+/// motions of a ball that circle the spin. A liquid with one axis, as in a ring, flows along its tube, where the force of Coriolis
+/// has no part. (C11)
 pub(super) fn turned_impedance(
     memory: &LiquidMemory,
     s: Complex<f64>,
     spin: Vector3<f64>,
 ) -> Matrix3<Complex<f64>> {
-    let rate = spin.norm();
+    let rate = if memory.axes.len() > 1 { spin.norm() } else { 0.0 };
     let along = impedance(memory, s);
     if rate == 0.0 {
         return Matrix3::from_diagonal_element(along);
@@ -68,13 +69,14 @@ mod tests {
     use super::*;
 
     fn ball(time: f64) -> LiquidMemory {
-        LiquidMemory { coordinates: 0..3, axes: vec![[1.0, 0.0, 0.0]], index: 1.5, inertia: 1.0, time }
+        let axes = Matrix3::<f64>::identity().data.0.to_vec();
+        LiquidMemory { coordinates: 0..3, axes, index: 1.5, inertia: 1.0, time }
     }
 
     /// `χ = (5/z²)(z i₁′/i₁ − 1)` of a ball, with hyperbolic functions.
     fn share(z: Complex<f64>) -> Complex<f64> {
         let tanh = (Complex::from(1.0) - (-2.0 * z).exp()) / (Complex::from(1.0) + (-2.0 * z).exp());
-        // i₁ = (z cosh z − sinh z)/z², z i₁′ = sinh z·z… : z i₁′/i₁ = (z² tanh z − 2z + 2 tanh z)/(z − tanh z)
+        // i₁ = (z cosh z − sinh z)/z², hence z i₁′/i₁ = (z² tanh z − 2z + 2 tanh z)/(z − tanh z).
         let slope = (z * z * tanh - 2.0 * z + 2.0 * tanh) / (z - tanh);
         5.0 / (z * z) * (slope - 1.0)
     }

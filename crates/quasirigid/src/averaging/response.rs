@@ -65,9 +65,14 @@ impl Response {
             let images: Vec<Vec<f64>> = rows.iter().map(|row| times(&row.shape)).collect();
             DMatrix::from_fn(size, size, |row, column| dot(&rows[row].shape, &images[column]))
         };
+        let inside = !body.cyclic().is_empty();
         let inverse = sym::inverse(body.invariants().J);
         let recoil = |row: usize, column: usize| sym::dot(rows[row].h, sym::times(inverse, rows[column].h));
-        let mass = in_rows(&|x| body.mass_times(x)) - DMatrix::from_fn(size, size, recoil);
+        let mass = if inside {
+            in_rows(&|x| body.mass_times(x)) - DMatrix::from_fn(size, size, recoil)
+        } else {
+            DMatrix::identity(size, size)
+        };
         let dashpots = Loss { law: Law::Dashpots, matrix: in_rows(&|x| body.damping().times(x)) };
         let material = |Lossy { rheology, stiffness }: &Lossy| Loss {
             law: Law::Material(rheology.clone()),
@@ -77,7 +82,11 @@ impl Response {
             .chain(body.lossy().iter().map(material))
             .filter(|loss| loss.matrix.amax() > 0.0)
             .collect();
-        let turning = principal.axes.map(|axis| in_rows(&|x| turned(body, axis, x)));
+        let turning = if inside {
+            principal.axes.map(|axis| in_rows(&|x| turned(body, axis, x)))
+        } else {
+            [(); 3].map(|()| DMatrix::zeros(size, size))
+        };
         let memories = memories(body, &rows);
         let alone = turning.iter().all(|matrix| matrix.amax() == 0.0) && memories.is_empty();
         let apart = alone && is_diagonal(&mass) && losses.iter().all(|loss| is_diagonal(&loss.matrix));

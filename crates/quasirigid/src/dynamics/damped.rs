@@ -1,6 +1,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors, modes};
+use crate::math::krylov::dot;
 use crate::model::FlexibleBody;
 
 /// A damped mode: `q(t) = Re(shape · e^{λt})`.
@@ -33,15 +34,15 @@ pub(super) fn damped_modes(
     for (k, shape) in shapes.iter().enumerate() {
         let force = body.damping().times(shape);
         for (row, other) in shapes.iter().enumerate() {
-            system.add(elastic + row, elastic + k, -product(other, &force));
+            system.add(elastic + row, elastic + k, -dot(other, &force));
         }
     }
     // Modal coordinates by orthogonality, Xᵀ M X = 1.
     let (inertia, moving) = (mass.times(q), mass.times(rate));
     let start = (0..size).map(|i| {
         Complex::from(match i.checked_sub(elastic) {
-            None => frequencies[i] * product(&shapes[i], &inertia),
-            Some(mode) => product(&shapes[mode], &moving),
+            None => frequencies[i] * dot(&shapes[i], &inertia),
+            Some(mode) => dot(&shapes[mode], &moving),
         })
     });
     let (values, vectors) = eigenvectors(&system)?;
@@ -103,17 +104,13 @@ fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence
         let mut shape: Vec<f64> = (0..elastic).map(|row| held.shapes.at(row, k)).collect();
         shape.resize(cyclic.end, 0.0);
         for (loose, momentum) in loose.iter().zip(&momenta) {
-            let amount = product(&momentum[..elastic], &shape[..elastic]);
+            let amount = dot(&momentum[..elastic], &shape[..elastic]);
             cyclic.clone().for_each(|row| shape[row] -= amount * loose[row]);
         }
         shape
     };
     let shapes = (0..elastic).map(vibration).collect::<Vec<_>>();
     Ok(Undamped { shapes: [shapes, loose].concat(), frequencies: held.frequencies })
-}
-
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn complex([re, im]: [f64; 2]) -> Complex<f64> {

@@ -21,12 +21,15 @@ pub(super) struct Inner {
 }
 
 impl Inner {
-    /// Everything inside, numbered in order.
-    pub fn sum(elements: impl Iterator<Item = Result<Self, ElementError>>) -> Result<Self, ElementError> {
+    /// Everything inside, numbered in order from `first`.
+    pub fn sum(
+        first: usize,
+        elements: impl Iterator<Item = Result<Self, ElementError>>,
+    ) -> Result<Self, ElementError> {
         let mut sum = Self::default();
         for element in elements {
             let Self { coordinates, h, pairs, friction, memories, speeds } = element?;
-            let start = sum.coordinates.len();
+            let start = first + sum.coordinates.len();
             sum.coordinates.extend(coordinates);
             sum.h.extend(h);
             sum.pairs.extend(pairs.into_iter().map(|(j, k, pair)| (start + j, start + k, pair)));

@@ -1,5 +1,4 @@
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -18,7 +17,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Invariants, LiquidMemory, Marker, Pair, Parts, Support, Wheels,
+    Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -49,8 +48,9 @@ impl Assembly {
         let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| rotor.inner(i));
         let (motions, slow): (Vec<_>, Vec<_>) =
             liquids.into_iter().map(|liquid| (Ok(liquid.inner), liquid.slow)).unzip();
-        let inner = Inner::sum(rotors.chain(motions))?;
-        let whole = Carried { rigid, starts: starts(&movers), movers, component, inner };
+        let mut whole =
+            Carried { rigid, starts: starts(&movers), movers, component, inner: Inner::default() };
+        whole.inner = Inner::sum(whole.elastic(), rotors.chain(motions))?;
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
@@ -74,7 +74,7 @@ impl Assembly {
             damping,
             stiffness,
             lossy,
-            memories: whole.memories(),
+            memories: whole.inner.memories.clone(),
             coordinates: whole.coordinates(),
             cyclic: whole.inner.coordinates.len(),
             wheels: self.spinning_wheels()?,
@@ -83,7 +83,7 @@ impl Assembly {
         let body = body.map_err(|error| self.blame(error))?;
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
-        Ok(Built { body, forces, condensation, speeds: whole.speeds(), liquids: slow })
+        Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow })
     }
 
     fn spinning_wheels(&self) -> Result<Wheels, ElementError> {
@@ -135,11 +135,10 @@ impl Assembly {
         let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
-        let (start, inside) = (whole.flexible(), whole.elastic());
+        let start = whole.flexible();
         let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
-        let friction = whole.inner.friction.iter().map(|(j, k, entry)| (inside + j, inside + k, *entry));
-        let size = inside + whole.inner.coordinates.len();
-        Matrices::sum(size, springs.chain(hinges).chain(parts), friction.collect())
+        let size = whole.elastic() + whole.inner.coordinates.len();
+        Matrices::sum(size, springs.chain(hinges).chain(parts), whole.inner.friction.clone())
     }
 
     /// Lays a mechanism at the door of the first element it moves.
@@ -166,19 +165,6 @@ impl Carried {
     /// Number of elastic coordinates.
     fn elastic(&self) -> usize {
         self.flexible() + self.component.as_ref().map_or(0, Component::size)
-    }
-
-    fn memories(&self) -> Vec<LiquidMemory> {
-        let place = |memory: &LiquidMemory| {
-            let Range { start, end } = memory.coordinates;
-            let coordinates = self.elastic() + start..self.elastic() + end;
-            LiquidMemory { coordinates, ..memory.clone() }
-        };
-        self.inner.memories.iter().map(place).collect()
-    }
-
-    fn speeds(&self) -> Vec<(usize, f64)> {
-        self.inner.speeds.iter().map(|(j, speed)| (self.elastic() + j, *speed)).collect()
     }
 
     fn mass_center(&self) -> (f64, Vector3<f64>) {
@@ -227,13 +213,12 @@ impl Carried {
             }
             pairs.extend(component.pairs(pole, self.flexible()));
         }
-        let inside = self.elastic();
         for h_j in &self.inner.h {
             S.push([0.0; 3]);
             h.push(*h_j);
             J1.push([0.0; 6]);
         }
-        pairs.extend(self.inner.pairs.iter().map(|(j, k, pair)| (inside + j, inside + k, *pair)));
+        pairs.extend(&self.inner.pairs);
         let pairs = SparseRows::sum(S.len(), pairs);
         Invariants { mass, J, S, h, J1, pairs }
     }

@@ -16,6 +16,11 @@ pub(super) trait Liquid {
     /// None if they are not found.
     fn flows(&self, loads: &[Vec<f64>]) -> Option<Vec<Vec<f64>>>;
 
+    /// The three slow flows that a change of spin drives; none if they are not found.
+    fn slow(&self) -> Option<Vec<Vec<f64>>> {
+        self.flows(&[0, 1, 2].map(|axis| self.load(axis)))
+    }
+
     /// `∫∇ψ:∇u dV`.
     fn friction(&self, u: &[f64]) -> Vec<f64>;
 
@@ -42,7 +47,7 @@ pub(super) struct Relaxations {
 
 /// How much is kept of the motions of a liquid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Memory {
+pub(super) struct Memory {
     /// Length of the chains of slow answers: the degree to which its momentum is kept is one more than twice as high.
     pub depth: usize,
     /// Length of the chains that only inertia makes: the more, the faster the motions that are still right.
@@ -90,10 +95,8 @@ impl Relaxations {
 
 /// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`.
 fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<Span> {
-    let loads: Vec<Vec<f64>> = (0..3).map(|axis| liquid.load(axis)).collect();
-    let first = liquid.flows(&loads)?;
     let mut kept = Vec::new();
-    let slow = grown(liquid, &mut kept, first);
+    let slow = grown(liquid, &mut kept, liquid.slow()?);
     let mut last = slow.clone();
     for _ in 1..depth {
         let after = |u: &Vec<f64>| {

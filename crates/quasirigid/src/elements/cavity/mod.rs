@@ -11,7 +11,6 @@ use nalgebra::{Matrix3, Vector3};
 use super::affine::Piece;
 use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
-use super::finite::stokes::StokesError;
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
 use crate::model::{Coordinate, Inertia, LiquidMemory, Pair};
@@ -139,12 +138,11 @@ impl Cavity {
             return Ok(Flowing { extent, relaxations: relaxations.ok_or_else(unresolved)?, errors: None });
         };
         let mesh = mesh.map_err(|error| (Field::Shape, error.into()))?;
-        let stokes = |error: StokesError| (Field::Shape, error.into());
-        let flow = MeshedFlow::new(&mesh).map_err(stokes)?;
+        let flow = MeshedFlow::new(&mesh).map_err(|error| (Field::Shape, error.into()))?;
         let extent = self.shape.extent().unwrap_or_else(|| flow.extent());
         let relaxations =
             Relaxations::of(&flow, memory, extent.inertia().trace() / 3.0).ok_or_else(unresolved)?;
-        Ok(Flowing { extent, relaxations, errors: Some(flow.errors().map_err(stokes)?) })
+        Ok(Flowing { extent, relaxations, errors: Some(flow.errors()) })
     }
 
     fn inner(&self, relaxations: Relaxations) -> Inner {

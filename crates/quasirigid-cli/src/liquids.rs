@@ -42,7 +42,7 @@ impl Liquid<'_> {
         let rows: String = tensor.iter().map(row).collect();
         let made = errors.map_or_else(String::new, |errors| {
             let shares = errors.map(|error| format!("{} %", significant(100.0 * error, 1)));
-            format!("  finite elements, in error by about {}\n", shares.join(", "))
+            format!("  found numerically, in error by about {}\n", shares.join(", "))
         });
         format!(
             "\n{}\n  P of its slow flow, in m^7: Pi = (rho/nu) P\n{rows}{made}",

@@ -92,6 +92,7 @@ fn label(problem: &Problem) -> &'static str {
         Problem::InsideNothing => "held by no carrier",
         Problem::HeavyInside => "less than what turns inside",
         Problem::LiquidUnresolved => "not resolved",
+        Problem::FlowDegree { .. } => "not offered",
         Problem::TooManyModes { .. } => "too many",
         Problem::NotAttitude { .. } => "not a unit quaternion",
         Problem::HeldWhole => "cannot be held",
@@ -163,6 +164,7 @@ fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
             "add the inertia of what turns inside to that of the carrier, or check the units of both"
         }
         Problem::LiquidUnresolved => "choose a shape whose sides differ less, or fewer `modes`",
+        Problem::FlowDegree { .. } => "8 is enough for six digits; leave `resolution` out",
         Problem::TooManyModes { .. } => "the slow motion needs none of them",
         Problem::NotAttitude { .. } => "write four numbers, scalar first, whose squares add up to 1",
         Problem::HeldWhole => "leave [support] out",

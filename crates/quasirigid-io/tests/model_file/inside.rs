@@ -108,8 +108,12 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
       leave one of them out
     ");
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nradius = 1\nmodes = 7\n{LIQUID}"))), @r#"
-    model.toml:8:9: `modes` of cavity "cavity 1": chains of 7 relaxations are not offered; choose 0 to 6
+    model.toml:8:9: `modes` of cavity "cavity 1": the answers to 7 rates of change are not offered; choose 0 to 6
       the slow motion needs none of them
+    "#);
+    assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"cylinder\"\nradius = 1\nheight = 2\nresolution = 30\n{LIQUID}"))), @r#"
+    model.toml:9:14: `resolution` of cavity "cavity 1": the flow in this shape has polynomials of degree 4 to 24, not 30
+      8 is enough for six digits; leave `resolution` out
     "#);
     let afloat = "[[ellipsoid]]\nsemi_axes = [3, 2, 1]\nmaterial = \"rock\"\n[material.rock]\ndensity = 2500\nyoung = 1e9\npoisson = 0.25\n\
                   [[rotor]]\naxis = [0, 0, 1]\ninertia = 0.2\nfriction = 1\n";

@@ -104,6 +104,33 @@ pub fn gauss_legendre(points: usize) -> Vec<[f64; 2]> {
     rule
 }
 
+/// Nodes on −1 to 1, ascending, and weights of Lobatto's rule of `points` points, the ends among them: exact up to degree
+/// `2·points − 3`. At least two points.
+///
+/// The inner nodes are where the slope of Legendre's polynomial `P_n`, `n = points − 1`, vanishes.
+#[must_use]
+pub fn gauss_lobatto(points: usize) -> Vec<[f64; 2]> {
+    let n = points - 1;
+    let mut rule = vec![[0.0; 2]; points];
+    let factor = (n * points) as f64;
+    for i in 0..points.div_ceil(2) {
+        let mut x = if 2 * i == n { 0.0 } else { (PI * i as f64 / n as f64).cos() };
+        if i > 0 && 2 * i != n {
+            for _ in 0..NEWTON {
+                let [value, slope] = legendre(n, x);
+                // (1 − x²) P″ = 2x P′ − n(n+1) P
+                let curvature = (2.0 * x * slope - factor * value) / ((1.0 - x) * (1.0 + x));
+                x -= slope / curvature;
+            }
+        }
+        let value = if i == 0 { 1.0 } else { legendre(n, x)[0] };
+        let weight = 2.0 / (factor * value * value);
+        rule[i] = [-x, weight];
+        rule[n - i] = [x, weight];
+    }
+    rule
+}
+
 /// Steps of Newton's method; from these starts three are enough for any number of points.
 const NEWTON: usize = 5;
 
@@ -134,6 +161,22 @@ mod tests {
         }
         let missed: f64 = gauss_legendre(3).iter().map(|[x, weight]| weight * x.powi(6)).sum();
         assert!((missed - 0.24).abs() < 1e-15, "2·5/9·(3/5)³ = 6/25, not 2/7");
+    }
+
+    #[test]
+    fn lobatto_is_exact_up_to_twice_its_inner_points_and_one() {
+        for points in 2..30 {
+            let rule = gauss_lobatto(points);
+            assert_eq!((rule[0][0], rule[points - 1][0]), (-1.0, 1.0));
+            assert!(rule.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+            for power in 0..2 * points as i32 - 2 {
+                let sum: f64 = rule.iter().map(|[x, weight]| weight * x.powi(power)).sum();
+                let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
+                assert!((sum - exact).abs() < 1e-14, "{points} points: x^{power} gives {sum}");
+            }
+        }
+        let missed: f64 = gauss_lobatto(3).iter().map(|[x, weight]| weight * x.powi(4)).sum();
+        assert!((missed - 2.0 / 3.0).abs() < 1e-15, "Simpson's rule gives 2/3, not 2/5");
     }
 
     #[test]

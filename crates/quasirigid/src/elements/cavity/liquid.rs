@@ -11,14 +11,15 @@ pub(super) trait Liquid {
     /// `∫ψ·(e × r) dV` for the unit vector of an axis, `r` from the middle of the cavity.
     fn load(&self, axis: usize) -> Vec<f64>;
 
-    /// Stokes flows `u` with `∫∇ψ:∇u dV = load` for every solenoidal `ψ`. (L4)
+    /// Flows `u` with `∫∇ψ:∇u dV + rate ∫ψ·u dV = load` for every solenoidal `ψ`, with a rate of change over the kinematic
+    /// viscosity (1/m²). (L4), (L11)
     ///
     /// None if they are not found.
-    fn flows(&self, loads: &[Vec<f64>]) -> Option<Vec<Vec<f64>>>;
+    fn flows(&self, loads: &[Vec<f64>], rate: f64) -> Option<Vec<Vec<f64>>>;
 
     /// The three slow flows that a change of spin drives; none if they are not found.
     fn slow(&self) -> Option<Vec<Vec<f64>>> {
-        self.flows(&[0, 1, 2].map(|axis| self.load(axis)))
+        self.flows(&[0, 1, 2].map(|axis| self.load(axis)), 0.0)
     }
 
     /// `∫∇ψ:∇u dV`.
@@ -50,9 +51,14 @@ pub(super) struct Relaxations {
 pub(super) struct Memory {
     /// Length of the chains of slow answers: the degree to which its momentum is kept is one more than twice as high.
     pub depth: usize,
-    /// Length of the chains that only inertia makes: the more, the faster the motions that are still right.
+    /// Number of the rates of change whose answers are kept: the more, the faster the motions that are still right.
     pub modes: usize,
 }
+
+/// The first rate of change over the slowest rate of relaxation.
+const FIRST: f64 = 5.0;
+/// Each rate of change over the one before.
+const STEP: f64 = 8.0;
 
 /// Entries of the coupling below this share of the largest are rounding.
 const ROUNDING: f64 = 1e-12;
@@ -61,7 +67,7 @@ impl Relaxations {
     /// Of a liquid, scaled to a value of `∫u² dV`; none if flows or eigenvalues are not found.
     ///
     /// The chains begin with the three slow flows that a change of spin drives. Each step answers the inertia of the flow before
-    /// it, and its turning with the body about each axis.
+    /// it, and its turning with the body about each axis. The answers to faster changes of the spin join them.
     pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
         let span = chains(liquid, memory)?;
         let inertia = span.projected(|u| liquid.mass(u));
@@ -105,15 +111,16 @@ fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<Span>
                 .collect::<Vec<_>>()
         };
         let loads: Vec<Vec<f64>> = kept[last].iter().flat_map(after).collect();
-        last = grown(liquid, &mut kept, liquid.flows(&loads)?);
+        last = grown(liquid, &mut kept, liquid.flows(&loads, 0.0)?);
     }
-    let mut inert = kept[slow.clone()].to_vec();
-    let mut last = slow;
+    let slowest = kept[slow].iter().map(|u| 1.0 / dot(u, &liquid.mass(u))).fold(f64::INFINITY, f64::min);
+    let loads = [0, 1, 2].map(|axis| liquid.load(axis));
+    let mut rate = FIRST * slowest;
     for _ in 0..modes {
-        let loads: Vec<Vec<f64>> = inert[last].iter().map(|u| liquid.mass(u)).collect();
-        last = grown(liquid, &mut inert, liquid.flows(&loads)?);
+        grown(liquid, &mut kept, liquid.flows(&loads, rate)?);
+        rate *= STEP;
     }
-    Some(Span::orthonormal([kept, inert].concat(), |u| liquid.friction(u)))
+    Some(Span::orthonormal(kept, |u| liquid.friction(u)))
 }
 
 /// Adds flows to orthonormal ones, without those that are combinations of the others; the places of the new ones.

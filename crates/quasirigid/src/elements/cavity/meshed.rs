@@ -23,7 +23,7 @@ impl MeshedFlow {
         let flow = StokesFlow::new(mesh)?;
         let center = scale(-1.0, flow.center());
         let loads = AXES.map(|axis| flow.load(|place| cross(axis, add(place, center))));
-        let slow = flow.solve(&loads)?;
+        let slow = flow.solve(&loads, 0.0)?;
         Ok(Self { flow, loads, slow })
     }
 
@@ -51,8 +51,8 @@ impl Liquid for MeshedFlow {
         self.loads[axis].clone()
     }
 
-    fn flows(&self, loads: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-        self.flow.solve(loads).ok()
+    fn flows(&self, loads: &[Vec<f64>], rate: f64) -> Option<Vec<Vec<f64>>> {
+        self.flow.solve(loads, rate).ok()
     }
 
     fn slow(&self) -> Option<Vec<Vec<f64>>> {

@@ -1,10 +1,14 @@
 //! Cavities full of a viscous liquid.
 
 mod ellipsoid;
+mod flowing;
 mod liquid;
 mod meshed;
 mod pipe;
+mod revolved;
 mod shape;
+#[cfg(test)]
+mod tests;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,12 +18,10 @@ use super::error::{ElementError, Field, Place, Problem, at};
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
 use crate::model::{Coordinate, Inertia, LiquidMemory, Pair};
-use ellipsoid::EllipsoidFlow;
+use flowing::Flowing;
 use liquid::{Memory, Relaxations};
-use meshed::MeshedFlow;
-use pipe::PipeFlow;
 pub use shape::CavityShape;
-use shape::{Extent, Turning};
+use shape::Turning;
 
 /// A cavity of the carrier, full of a viscous liquid. (L1)–(L6)
 ///
@@ -39,9 +41,10 @@ pub struct Cavity {
     pub density: f64,
     /// Kinematic viscosity of the liquid (m²/s).
     pub viscosity: f64,
-    /// Cells across the narrowest width, where the flow is found by finite elements and the shape is no mesh.
+    /// Degree of the polynomials in a cavity of revolution, 4 to 24, or the cells across the narrowest width of a box or a shell that
+    /// is none; other shapes do not ask for it.
     pub resolution: usize,
-    /// Relaxations that are kept beside those that the slow motion needs, as the length of a chain.
+    /// Rates of change, 0 to 6, of which the answers are kept beside the slow ones, each eight times as fast as the one before. (L11)
     pub modes: usize,
 }
 
@@ -71,7 +74,7 @@ pub(super) struct Filled {
     pub slow: SlowLiquid,
 }
 
-/// Most steps of a chain of relaxations.
+/// Most rates of change whose answers are kept.
 const MOST_MODES: usize = 6;
 /// The square of the norm of an attitude is one but for this.
 const UNIT: f64 = 1e-9;
@@ -99,8 +102,8 @@ impl Cavity {
         self.check(index)?;
         let place = Place::Cavity(index);
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
-        let Flowing { extent, relaxations, errors } =
-            self.flowing(memory).map_err(|(field, problem)| at(place, field)(problem))?;
+        let Flowing { extent, relaxations, errors } = Flowing::new(&self.shape, self.resolution, memory)
+            .map_err(|(field, problem)| at(place, field)(problem))?;
         let turn = self.turn();
         let inertia = self.density * (turn * extent.inertia() * turn.transpose());
         let inertia =
@@ -120,29 +123,6 @@ impl Cavity {
             },
             inner: self.inner(relaxations),
         })
-    }
-
-    fn flowing(&self, memory: Memory) -> Result<Flowing, (Field, Problem)> {
-        let unresolved = || (Field::Shape, Problem::LiquidUnresolved);
-        let Some(mesh) = self.shape.mesh(self.resolution) else {
-            let extent = self.shape.extent().ok_or_else(unresolved)?;
-            let steps = memory.depth.saturating_sub(1).max(memory.modes);
-            let mass = extent.inertia().trace() / 3.0;
-            let relaxations = match self.shape {
-                CavityShape::Ellipsoid { semi_axes } => EllipsoidFlow::new(semi_axes, 3 + 2 * steps)
-                    .and_then(|flow| Relaxations::of(&flow, memory, mass)),
-                CavityShape::Ring { radius, tube_radius } => PipeFlow::new(radius, tube_radius, 1 + steps)
-                    .and_then(|flow| Relaxations::of(&flow, memory, mass)),
-                _ => None,
-            };
-            return Ok(Flowing { extent, relaxations: relaxations.ok_or_else(unresolved)?, errors: None });
-        };
-        let mesh = mesh.map_err(|error| (Field::Shape, error.into()))?;
-        let flow = MeshedFlow::new(&mesh).map_err(|error| (Field::Shape, error.into()))?;
-        let extent = self.shape.extent().unwrap_or_else(|| flow.extent());
-        let relaxations =
-            Relaxations::of(&flow, memory, extent.inertia().trace() / 3.0).ok_or_else(unresolved)?;
-        Ok(Flowing { extent, relaxations, errors: Some(flow.errors()) })
     }
 
     fn inner(&self, relaxations: Relaxations) -> Inner {
@@ -186,13 +166,6 @@ impl Cavity {
             Matrix3::<f64>::identity().data.0.map(|axis| Vector3::from(to_inertial(self.attitude, axis)));
         Matrix3::from_columns(&columns)
     }
-}
-
-/// The flows in a cavity, in its axes.
-struct Flowing {
-    extent: Extent,
-    relaxations: Relaxations,
-    errors: Option<[f64; 3]>,
 }
 
 fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {

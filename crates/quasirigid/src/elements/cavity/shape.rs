@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{Field, Problem};
+use crate::elements::finite::revolution::Outline;
 use crate::math::mesh::Mesh;
 use crate::math::meshing::{self, MeshingError};
 
@@ -79,7 +80,7 @@ pub(super) struct Extent {
 }
 
 impl CavityShape {
-    /// Accepts lengths that are positive.
+    /// Accepts lengths that are positive, inner ones less than the outer.
     pub(super) fn check(&self) -> Result<(), (Field, Problem)> {
         let lengths = match self {
             Self::Ellipsoid { semi_axes } => vec![(Field::SemiAxes, semi_axes.to_vec())],
@@ -104,7 +105,44 @@ impl CavityShape {
                 .try_for_each(|value| coefficient::positive(*value))
                 .map_err(|problem| (field, problem))?;
         }
-        Ok(())
+        let pairs = match *self {
+            Self::Annulus { radii, .. } => vec![radii],
+            Self::Ring { radius, tube_radius } => vec![[tube_radius, radius]],
+            Self::Shell { outer, inner } => [0, 1, 2].map(|axis| [inner[axis], outer[axis]]).to_vec(),
+            _ => Vec::new(),
+        };
+        match pairs.into_iter().find(|[inner, outer]| !(inner < outer)) {
+            Some([inner, outer]) => Err((Field::Shape, MeshingError::NotWithin { inner, outer }.into())),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether its flows are known exactly.
+    pub(super) fn is_known(&self) -> bool {
+        match self {
+            Self::Ellipsoid { .. } => true,
+            Self::Ring { radius, tube_radius } => *tube_radius <= SLENDER * radius,
+            _ => false,
+        }
+    }
+
+    /// Its meridian and the number of the axis it turns about, if it is a cavity of revolution.
+    pub(super) fn revolution(&self) -> Option<(Outline, usize)> {
+        match *self {
+            Self::Ellipsoid { semi_axes } => {
+                let [axis, across] = round_about(&[semi_axes])?;
+                Some((Outline::Spheroid { across: semi_axes[across], along: semi_axes[axis] }, axis))
+            }
+            Self::Cylinder { radius, height } => Some((Outline::Cylinder { radius, height }, 2)),
+            Self::Annulus { radii, height } => Some((Outline::Annulus { radii, height }, 2)),
+            Self::Ring { radius, tube_radius } => Some((Outline::Ring { radius, tube_radius }, 2)),
+            Self::Shell { outer, inner } => {
+                let [axis, across] = round_about(&[inner, outer])?;
+                let pair = |axis: usize| [inner[axis], outer[axis]];
+                Some((Outline::Shell { across: pair(across), along: pair(axis) }, axis))
+            }
+            Self::Cuboid { .. } | Self::Mesh(_) => None,
+        }
     }
 
     /// How the liquid in it turns as one, where that is known at every frequency. (C11)
@@ -145,20 +183,28 @@ impl CavityShape {
         Some(Extent { volume, center: Vector3::zeros(), second })
     }
 
-    /// Tetrahedra that fill it, so many across its narrowest width; none of an ellipsoid, which needs none, as a slender ring.
-    pub(super) fn mesh(&self, resolution: usize) -> Option<Result<Mesh, MeshingError>> {
-        let even = 1.0;
-        Some(match self {
-            Self::Ellipsoid { .. } => return None,
-            Self::Ring { radius, tube_radius } if *tube_radius <= SLENDER * radius => return None,
-            Self::Cylinder { radius, height } => meshing::cylinder(*radius, *height, resolution, even),
-            Self::Annulus { radii, height } => meshing::annulus(*radii, *height, resolution, even),
-            Self::Ring { radius, tube_radius } => meshing::ring(*radius, *tube_radius, resolution, even),
-            Self::Cuboid { sides } => meshing::cuboid(*sides, resolution, even),
-            Self::Shell { outer, inner } => meshing::shell(*outer, *inner, resolution, even),
+    /// Tetrahedra that fill it, so many across its narrowest width, with a grading towards the walls.
+    pub(super) fn mesh(&self, resolution: usize, grading: f64) -> Result<Mesh, MeshingError> {
+        match self {
+            Self::Ellipsoid { semi_axes } => meshing::ellipsoid(*semi_axes, resolution, grading),
+            Self::Cylinder { radius, height } => meshing::cylinder(*radius, *height, resolution, grading),
+            Self::Annulus { radii, height } => meshing::annulus(*radii, *height, resolution, grading),
+            Self::Ring { radius, tube_radius } => meshing::ring(*radius, *tube_radius, resolution, grading),
+            Self::Cuboid { sides } => meshing::cuboid(*sides, resolution, grading),
+            Self::Shell { outer, inner } => meshing::shell(*outer, *inner, resolution, grading),
             Self::Mesh(mesh) => Ok(Mesh::clone(mesh)),
-        })
+        }
     }
+}
+
+/// An axis about which all these semi-axes are those of a body of revolution, and one across it.
+fn round_about(all: &[[f64; 3]]) -> Option<[usize; 2]> {
+    let across = |axis: usize| [(axis + 1) % 3, (axis + 2) % 3];
+    let is_round = |axis: &usize| {
+        let [a, b] = across(*axis);
+        all.iter().all(|semi_axes| semi_axes[a] == semi_axes[b])
+    };
+    [2, 1, 0].into_iter().find(is_round).map(|axis| [axis, across(axis)[0]])
 }
 
 /// Volume of an ellipsoid and the mean squares of the coordinates in it.
@@ -178,5 +224,10 @@ impl Extent {
     /// Inertia tensor about the centre of volume, of unit density (m⁵).
     pub fn inertia(&self) -> Matrix3<f64> {
         Matrix3::from_diagonal_element(self.second.trace()) - self.second
+    }
+
+    /// Mean of its principal moments (m⁵).
+    pub fn mean_inertia(&self) -> f64 {
+        2.0 / 3.0 * self.second.trace()
     }
 }

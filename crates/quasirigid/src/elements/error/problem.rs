@@ -76,12 +76,22 @@ pub enum Problem {
     /// Flows in a cavity that rounding cannot tell apart.
     #[error("the flows of the liquid cannot be told apart in a cavity of this shape")]
     LiquidUnresolved,
-    /// More relaxations than are offered.
-    #[error("chains of {modes} relaxations are not offered; choose 0 to {most}")]
+    /// Polynomials of a degree that is not offered.
+    #[error("the flow in this shape has polynomials of degree {least} to {most}, not {degree}")]
+    FlowDegree {
+        /// Degree asked for.
+        degree: usize,
+        /// Lowest one offered.
+        least: usize,
+        /// Highest one offered.
+        most: usize,
+    },
+    /// More rates of change than are offered.
+    #[error("the answers to {modes} rates of change are not offered; choose 0 to {most}")]
     TooManyModes {
-        /// Length asked for.
+        /// Number asked for.
         modes: usize,
-        /// Longest one offered.
+        /// Most that are offered.
         most: usize,
     },
     /// A quaternion that is no attitude.

@@ -5,6 +5,7 @@ use super::cell::{CORNERS, Matrices, NODES};
 use super::divergence::Divergence;
 use super::grid::Grid;
 use super::saddle::Saddle;
+use crate::elements::finite::incompressible;
 use crate::math::factor::{Factor, Method, NotPositive};
 use crate::math::symmetric::{Pattern, Symmetric};
 
@@ -16,8 +17,15 @@ pub(super) struct Assembly {
     pub stiffness: Symmetric,
     /// `∫ N_a N_b dV` (m³).
     pub mass: Symmetric,
-    pub saddle: Saddle,
+    /// `∫ ∇λ_p·∇λ_q dV` (m) and `∫ λ_p λ_q dV` (m³) of the pressure.
+    pressure: [Symmetric; 2],
+    divergence: Divergence,
+    laplacian: Factor,
+    weight: Factor,
 }
+
+/// Share of the pressure's mass in its Laplacian, which alone would leave the constant free.
+const ANCHOR: f64 = 1e-6;
 
 impl Assembly {
     /// Adds up the cells and factors what is to be solved.
@@ -33,7 +41,7 @@ impl Assembly {
         }
         let mut stiffness = Symmetric::zero(moving.pattern(grid, NODES));
         let mut mass = stiffness.clone();
-        let mut pressure = Symmetric::zero(vertices.pattern(grid, CORNERS));
+        let mut pressure = [(); 2].map(|()| Symmetric::zero(vertices.pattern(grid, CORNERS)));
         let mut divergence = Divergence::new(moving.nodes.len(), vertices.nodes.len());
         for cell in &grid.cells {
             let matrices = Matrices::new(&cell.map(|node| grid.places[node]));
@@ -41,16 +49,44 @@ impl Assembly {
             let own = [0, 1, 2, 3].map(|corner| vertices.of[cell[corner]]);
             add(&mut stiffness, &unknowns, matrices.stiffness.as_flattened());
             add(&mut mass, &unknowns, matrices.mass.as_flattened());
-            add(&mut pressure, &own, matrices.pressure.as_flattened());
+            add(&mut pressure[0], &own, matrices.pressure_stiffness.as_flattened());
+            add(&mut pressure[1], &own, matrices.pressure.as_flattened());
             divergence.add(unknowns, own.map(Option::unwrap_or_default), matrices.divergence);
         }
         let factor = |matrix: &Symmetric, numbering: &Numbering| {
             Factor::new(matrix, Method::default()).map_err(|soft| numbering.singular(grid, &soft))
         };
         let laplacian = factor(&stiffness, &moving)?;
-        let pressure = factor(&pressure, &vertices)?;
-        let saddle = Saddle { laplacian, divergence, pressure };
-        Ok(Self { unknowns: moving.of, stiffness, mass, saddle })
+        let weight = factor(&pressure[1], &vertices)?;
+        Ok(Self { unknowns: moving.of, stiffness, mass, pressure, divergence, laplacian, weight })
+    }
+
+    /// Flows under forces stored row by row, `width` to a row, in place; with inertia `rate ∫ N_a N_b dV` (1/m²).
+    ///
+    /// # Errors
+    /// [`StokesError::NoConvergence`], [`StokesError::Singular`].
+    pub fn solve(&self, forces: &mut [f64], width: usize, rate: f64) -> Result<(), StokesError> {
+        let (divergence, pressure) = (&self.divergence, &self.weight);
+        if rate == 0.0 {
+            let saddle = Saddle { laplacian: &self.laplacian, divergence, pressure, inertia: None };
+            return incompressible::solve(&saddle, forces, width);
+        }
+        let factor = |stiffness: &Symmetric, share: f64, mass: &Symmetric| {
+            let sum = stiffness.plus(share, mass).expect("both stand on one pattern");
+            Factor::new(&sum, Method::default()).map_err(|_| StokesError::NoInterior)
+        };
+        let laplacian = factor(&self.stiffness, rate, &self.mass)?;
+        let anchor = ANCHOR * self.pressure[0].norm() / self.pressure[1].norm();
+        let inert = factor(&self.pressure[0], anchor, &self.pressure[1])?;
+        let saddle = Saddle { laplacian: &laplacian, divergence, pressure, inertia: Some((rate, &inert)) };
+        incompressible::solve(&saddle, forces, width)
+    }
+
+    /// `√∫|d|² dV` of the discrete divergence `d` of a flow.
+    #[cfg(test)]
+    pub fn divergence_of(&self, u: &[f64]) -> f64 {
+        let (laplacian, divergence, pressure) = (&self.laplacian, &self.divergence, &self.weight);
+        incompressible::divergence_of(&Saddle { laplacian, divergence, pressure, inertia: None }, u)
     }
 }
 

@@ -75,6 +75,8 @@ pub(super) struct Matrices {
     pub divergence: [[[f64; 3]; CORNERS]; NODES],
     /// `∫ λ_p λ_q dV` (m³).
     pub pressure: [[f64; CORNERS]; CORNERS],
+    /// `∫ ∇λ_p·∇λ_q dV` (m), of the tetrahedron with straight edges.
+    pub pressure_stiffness: [[f64; CORNERS]; CORNERS],
 }
 
 impl Matrices {
@@ -97,6 +99,12 @@ impl Matrices {
                 }
             }
         }
+        let [a, b, c, d] = [0, 1, 2, 3].map(|corner| nodes[corner]);
+        let edges = [b, c, d].map(|corner| add(corner, scale(-1.0, a)));
+        let faces = [0, 1, 2].map(|k| cross(edges[(k + 1) % 3], edges[(k + 2) % 3]));
+        let volume = dot(edges[0], faces[0]) / 6.0;
+        let across = [scale(-1.0, faces.into_iter().fold([0.0; 3], add)), faces[0], faces[1], faces[2]];
+        sum.pressure_stiffness = across.map(|p| across.map(|q| dot(p, q) / (36.0 * volume)));
         sum
     }
 }

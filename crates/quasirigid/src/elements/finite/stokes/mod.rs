@@ -88,18 +88,19 @@ impl StokesFlow {
         load
     }
 
-    /// The flows under loads: each is that of least `½∫|∇u|² dV − load·u` among those without discrete divergence. (L4)
+    /// The flows under loads: each is that of least `½∫|∇u|² + rate |u|² dV − load·u` among those without discrete divergence, with
+    /// a rate of inertia in 1/m². (L4)
     ///
     /// # Errors
     /// [`StokesError::NoConvergence`] if cells are so thin that the pressure is not found.
-    pub fn solve(&self, loads: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, StokesError> {
+    pub fn solve(&self, loads: &[Vec<f64>], rate: f64) -> Result<Vec<Vec<f64>>, StokesError> {
         let width = loads.len();
         if width == 0 {
             return Ok(Vec::new());
         }
         let rows = 0..self.unknowns();
         let mut flows: Vec<f64> = rows.flat_map(|row| loads.iter().map(move |load| load[row])).collect();
-        self.assembly.saddle.solve(&mut flows, width)?;
+        self.assembly.solve(&mut flows, width, rate)?;
         Ok((0..width).map(|flow| flows.iter().skip(flow).step_by(width).copied().collect()).collect())
     }
 
@@ -123,7 +124,7 @@ impl StokesFlow {
     #[cfg(test)]
     pub fn divergence(&self, u: &[f64]) -> f64 {
         let gradient = u.iter().zip(self.stiffness_times(u)).map(|(u, force)| u * force).sum::<f64>().sqrt();
-        if gradient > 0.0 { self.assembly.saddle.divergence_of(u) / gradient } else { 0.0 }
+        if gradient > 0.0 { self.assembly.divergence_of(u) / gradient } else { 0.0 }
     }
 
     /// Estimate of `∫ |∇(v − u)|² dV`, where `v` is the exact flow in this cavity and `u` the one found.

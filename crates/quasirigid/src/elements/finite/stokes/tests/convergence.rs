@@ -101,7 +101,7 @@ impl Eddy {
             .iter_mut()
             .for_each(|x| *x = std::array::from_fn(|axis| self.0[axis] * x[axis] / SIDES[axis]));
         let flow = StokesFlow::new(&mesh).unwrap();
-        let u = flow.solve(&[flow.load(|x| self.force(x))]).unwrap().remove(0);
+        let u = flow.solve(&[flow.load(|x| self.force(x))], 0.0).unwrap().remove(0);
         [distance(&flow, &u, |x| self.gradient(x)), flow.error_energy(&u)]
     }
 }

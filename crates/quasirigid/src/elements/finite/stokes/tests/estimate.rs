@@ -11,7 +11,7 @@ use crate::math::sym::{add, cross, dot as scalar, scale};
 fn the_estimate_is_that_of_the_gradient_in_a_ball() {
     for n in [3, 6] {
         let flow = StokesFlow::new(&ball(n, |x| x)).unwrap();
-        let flows = flow.solve(&loads(&flow)).unwrap();
+        let flows = flow.solve(&loads(&flow), 0.0).unwrap();
         for (axis, u) in AXES.into_iter().zip(&flows) {
             let exact = |x: [f64; 3]| {
                 let (swirl, share) = (cross(axis, x), 0.1 * (scalar(x, x) - 1.0));
@@ -34,7 +34,7 @@ fn the_estimate_is_of_the_size_of_the_error_of_the_tensor() {
     for (exact, mesh, axis) in [round, upright, square] {
         let flow = StokesFlow::new(&mesh).unwrap();
         let load = loads(&flow).swap_remove(axis);
-        let u = flow.solve(std::slice::from_ref(&load)).unwrap().remove(0);
+        let u = flow.solve(std::slice::from_ref(&load), 0.0).unwrap().remove(0);
         let (estimate, error) = (flow.error_energy(&u), exact - dot(&load, &u));
         assert!((0.3..3.0).contains(&(estimate / error)), "{estimate:e} for {error:e}");
     }

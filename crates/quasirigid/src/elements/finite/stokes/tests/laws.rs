@@ -77,7 +77,7 @@ fn flows_have_no_divergence() {
     for mesh in [ball(4, |x| x), cylinder(3), block(3)] {
         let flow = StokesFlow::new(&mesh).unwrap();
         let loads = loads(&flow);
-        for u in flow.solve(&loads).unwrap() {
+        for u in flow.solve(&loads, 0.0).unwrap() {
             assert!(flow.divergence(&u) < 1e-11, "{:e}", flow.divergence(&u));
         }
         assert!(flow.divergence(&loads[0]) > 1e-2);
@@ -93,7 +93,7 @@ fn the_work_of_the_load_is_dissipated() {
     let push = flow.load(|_| [1.0, 2.0, -3.0]);
     loads.push(loads[1].iter().zip(&push).map(|(a, b)| a + b).collect());
     loads.push(vec![0.0; flow.unknowns()]);
-    let flows = flow.solve(&loads).unwrap();
+    let flows = flow.solve(&loads, 0.0).unwrap();
     for (load, u) in loads.iter().zip(&flows).take(3) {
         let [work, dissipated] = [dot(load, u), dot(u, &flow.stiffness_times(u))];
         assert!(work > 0.0 && (work / dissipated - 1.0).abs() < 1e-11, "{work} {dissipated}");
@@ -101,7 +101,7 @@ fn the_work_of_the_load_is_dissipated() {
     let largest = flows[1].iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
     assert!(flows[1].iter().zip(&flows[3]).all(|(a, b)| (a - b).abs() < 1e-10 * largest));
     assert!(flows[4].iter().all(|u| *u == 0.0));
-    assert!(flow.solve(&[]).unwrap().is_empty());
+    assert!(flow.solve(&[], 0.0).unwrap().is_empty());
 }
 
 #[test]
@@ -125,7 +125,7 @@ fn middle_nodes_are_made_where_cells_have_none() {
 #[test]
 fn products_of_flows_converge_in_a_ball() {
     let flow = StokesFlow::new(&ball(6, |x| x)).unwrap();
-    let flows = flow.solve(&loads(&flow)).unwrap();
+    let flows = flow.solve(&loads(&flow), 0.0).unwrap();
     let product = dot(&flows[2], &flow.turned(AXES[1], &flows[0]));
     // ∫ r⁴ (1 − r²)² dr = 1/5 − 2/7 + 1/9 = 8/315, times 4π/3 · 1/100.
     let exact = -8.0 / 315.0 * 4.0 * std::f64::consts::PI / 300.0;

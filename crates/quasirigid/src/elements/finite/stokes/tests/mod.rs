@@ -22,7 +22,7 @@ fn loads(flow: &StokesFlow) -> Vec<Vec<f64>> {
 /// `P_kl = −e_k·∫ r × u_l dV`. (L5)
 fn tensor(flow: &StokesFlow) -> [[f64; 3]; 3] {
     let loads = loads(flow);
-    let flows = flow.solve(&loads).unwrap();
+    let flows = flow.solve(&loads, 0.0).unwrap();
     [0, 1, 2].map(|k| [0, 1, 2].map(|l| dot(&loads[k], &flows[l])))
 }
 

@@ -150,5 +150,5 @@ fn loads_beyond_numbers_are_refused() {
     let flow = StokesFlow::new(&block(1)).unwrap();
     let mut load = flow.load(|x| x);
     load[1] = f64::INFINITY;
-    assert!(matches!(flow.solve(&[load]), Err(StokesError::NoConvergence { iterations: 0, .. })));
+    assert!(matches!(flow.solve(&[load], 0.0), Err(StokesError::NoConvergence { iterations: 0, .. })));
 }

@@ -1,0 +1,92 @@
+use super::ellipsoid::EllipsoidFlow;
+use super::liquid::{Memory, Relaxations};
+use super::meshed::MeshedFlow;
+use super::pipe::PipeFlow;
+use super::revolved::MeridianFlow;
+use super::shape::{CavityShape, Extent};
+use crate::elements::error::{Field, Problem};
+use crate::elements::finite::revolution::Outline;
+use crate::math::mesh::Mesh;
+
+/// The flows in a cavity, in its axes.
+pub(super) struct Flowing {
+    pub extent: Extent,
+    pub relaxations: Relaxations,
+    /// Estimate of the error in `P` about each axis, relative; none of exact flows.
+    pub errors: Option<[f64; 3]>,
+}
+
+/// Lowest and highest degree of the polynomials in a cavity of revolution.
+const DEGREES: [usize; 2] = [4, 24];
+/// Rates of change that the exact flows resolve; polynomials of higher degree lose their digits.
+const KNOWN: usize = 2;
+/// Grading of the cells of a mesh: none, and that for the boundary layers of fast changes.
+const EVEN: f64 = 1.0;
+const LAYERS: f64 = 2.0;
+
+impl Flowing {
+    /// The flows in a shape, exact where they are known, else of polynomials or finite elements.
+    pub fn new(shape: &CavityShape, resolution: usize, memory: Memory) -> Result<Self, (Field, Problem)> {
+        let unresolved = (Field::Shape, Problem::LiquidUnresolved);
+        if shape.is_known() && memory.modes <= KNOWN {
+            return Self::exact(shape, memory).ok_or(unresolved);
+        }
+        if let Some((outline, axis)) = shape.revolution() {
+            let extent = shape.extent().ok_or(unresolved)?;
+            return Self::revolved(extent, &outline, axis, resolution, memory);
+        }
+        let grading = if memory.modes > 0 { LAYERS } else { EVEN };
+        let mesh = shape.mesh(resolution, grading).map_err(|error| (Field::Shape, error.into()))?;
+        Self::meshed(&mesh, shape.extent(), memory)
+    }
+
+    fn exact(shape: &CavityShape, memory: Memory) -> Option<Self> {
+        let extent = shape.extent()?;
+        let steps = memory.depth.saturating_sub(1).max(3 * memory.modes);
+        let mass = extent.mean_inertia();
+        let relaxations = match *shape {
+            CavityShape::Ellipsoid { semi_axes } => {
+                Relaxations::of(&EllipsoidFlow::new(semi_axes, 3 + 2 * steps)?, memory, mass)
+            }
+            CavityShape::Ring { radius, tube_radius } => {
+                Relaxations::of(&PipeFlow::new(radius, tube_radius, 1 + steps)?, memory, mass)
+            }
+            _ => None,
+        };
+        Some(Self { extent, relaxations: relaxations?, errors: None })
+    }
+
+    fn revolved(
+        extent: Extent,
+        outline: &Outline,
+        axis: usize,
+        degree: usize,
+        memory: Memory,
+    ) -> Result<Self, (Field, Problem)> {
+        let [least, most] = DEGREES;
+        if !(least..=most).contains(&degree) {
+            return Err((Field::Resolution, Problem::FlowDegree { degree, least, most }));
+        }
+        let stokes = |error| (Field::Shape, Problem::Stokes(error));
+        let flow = MeridianFlow::new(outline, axis, degree, memory.depth).map_err(stokes)?;
+        let coarse = MeridianFlow::new(outline, axis, degree - 1, 1).map_err(stokes)?;
+        let [fine, coarse] = [flow.answers().map_err(stokes)?, coarse.answers().map_err(stokes)?];
+        let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
+        Ok(Self {
+            extent,
+            relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
+            errors: Some([0, 1, 2].map(|axis| (coarse[axis] / fine[axis] - 1.0).abs())),
+        })
+    }
+
+    fn meshed(mesh: &Mesh, extent: Option<Extent>, memory: Memory) -> Result<Self, (Field, Problem)> {
+        let flow = MeshedFlow::new(mesh).map_err(|error| (Field::Shape, error.into()))?;
+        let extent = extent.unwrap_or_else(|| flow.extent());
+        let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
+        Ok(Self {
+            extent,
+            relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
+            errors: Some(flow.errors()),
+        })
+    }
+}

@@ -1,0 +1,52 @@
+use super::liquid::Liquid;
+use crate::elements::finite::revolution::{Outline, RevolvedFlow};
+use crate::elements::finite::stokes::StokesError;
+use crate::math::krylov::dot;
+
+/// Flows in a cavity of revolution, of high degree.
+pub(super) struct MeridianFlow {
+    flow: RevolvedFlow,
+    /// The axis of revolution.
+    axis: usize,
+}
+
+impl MeridianFlow {
+    /// The flows in a cavity about an axis, of a degree in each patch of its meridian, with harmonics up to `most`.
+    pub fn new(outline: &Outline, axis: usize, degree: usize, most: usize) -> Result<Self, StokesError> {
+        Ok(Self { flow: RevolvedFlow::new(outline, degree, most)?, axis })
+    }
+
+    /// The slow answer about each axis, `∫|∇u|² dV`.
+    pub fn answers(&self) -> Result<[f64; 3], StokesError> {
+        let loads = [0, 1, 2].map(|axis| self.load(axis));
+        let flows = self.flow.solve(&loads, 0.0)?;
+        Ok([0, 1, 2].map(|axis| dot(&loads[axis], &flows[axis])))
+    }
+
+    /// The number of an axis where that of revolution is the last.
+    fn own(&self, axis: usize) -> usize {
+        (axis + 2 - self.axis) % 3
+    }
+}
+
+impl Liquid for MeridianFlow {
+    fn load(&self, axis: usize) -> Vec<f64> {
+        self.flow.load(self.own(axis))
+    }
+
+    fn flows(&self, loads: &[Vec<f64>], rate: f64) -> Option<Vec<Vec<f64>>> {
+        self.flow.solve(loads, rate).ok()
+    }
+
+    fn friction(&self, u: &[f64]) -> Vec<f64> {
+        self.flow.stiffness_times(u)
+    }
+
+    fn mass(&self, u: &[f64]) -> Vec<f64> {
+        self.flow.mass_times(u)
+    }
+
+    fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
+        self.flow.turned(self.own(axis), u)
+    }
+}

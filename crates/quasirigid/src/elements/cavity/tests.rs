@@ -1,0 +1,150 @@
+//! Answers of liquids to changes of the spin at a frequency, and two roads to the same flows.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Complex, Vector3};
+
+use super::flowing::Flowing;
+use super::liquid::{Liquid, Memory, Relaxations};
+use super::meshed::MeshedFlow;
+use super::revolved::MeridianFlow;
+use super::shape::CavityShape;
+use crate::math::krylov::dot;
+use crate::math::meshing;
+
+type C = Complex<f64>;
+
+const AXES: [usize; 3] = [0, 1, 2];
+
+fn relaxations(shape: &CavityShape, depth: usize, modes: usize) -> Relaxations {
+    Flowing::new(shape, 10, Memory { depth, modes }).unwrap().relaxations
+}
+
+/// Momentum about an axis that the liquid lacks beside what it would have if it were frozen, of unit density and viscosity, when the
+/// body turns about it with `e^{st}`.
+fn lacking(relaxations: &Relaxations, axis: usize, s: C) -> C {
+    let pairs = relaxations.momentum.iter().zip(&relaxations.friction);
+    pairs.map(|(h, friction)| s * h[axis] * h[axis] / (s * relaxations.mass + friction)).sum()
+}
+
+/// `I_{n+1}(z)/I_n(z)` by the continued fraction of Bessel's functions.
+fn ratio(n: f64, z: C) -> C {
+    let last = 60 + 2 * z.norm() as i32;
+    let next = |tail: C, k: i32| C::from(1.0) / (2.0 * (n + f64::from(k)) / z + tail);
+    (1..last).rev().fold(C::ZERO, next)
+}
+
+/// What a ball, a slender ring or an endless cylinder lacks, by the index of its Bessel functions. (C11)
+fn closed_form(index: f64, inertia: f64, radius: f64, s: C) -> C {
+    let z = s.sqrt() * radius;
+    inertia * ratio(index, z) * ratio(index + 1.0, z)
+}
+
+/// What a cylinder lacks about its axis: the series of sines along the axis.
+fn cylinder(radius: f64, height: f64, s: C) -> C {
+    let term = |k: i32| {
+        let n = f64::from(2 * k + 1);
+        let x = radius * (s + (n * PI / height).powi(2)).sqrt();
+        32.0 * radius.powi(6) * height / (PI * n * n * x * x) * (0.125 - 0.5 * ratio(1.0, x) / x)
+    };
+    s * (0..400).map(term).sum::<C>()
+}
+
+/// Largest relative error of the power, the imaginary part, at frequencies over the slowest rate of relaxation.
+fn worst(found: &Relaxations, axis: usize, frequencies: &[f64], exact: impl Fn(C) -> C) -> f64 {
+    let gap = |frequency: &f64| {
+        let s = C::i() * frequency;
+        (lacking(found, axis, s).im / exact(s).im - 1.0).abs()
+    };
+    frequencies.iter().map(gap).fold(0.0, f64::max)
+}
+
+/// With `n` rates the power is right to a tenth up to `5·8^{n−1}` times the slowest rate. (L11)
+#[test]
+fn answers_to_fast_changes_reach_as_far_as_their_rates() {
+    let (a, tube, height) = (0.3, 0.01, 0.4);
+    let ball = CavityShape::Ellipsoid { semi_axes: [a; 3] };
+    let ring = CavityShape::Ring { radius: a, tube_radius: tube };
+    let can = CavityShape::Cylinder { radius: a, height };
+    let tall = CavityShape::Cylinder { radius: a, height: 200.0 * a };
+    let frozen = 8.0 / 15.0 * PI * a.powi(5);
+    let pipe = 2.0 * PI * PI * a.powi(3) * tube * tube;
+    let endless = 0.5 * PI * a.powi(4) * 200.0 * a;
+    for modes in [0, 1, 2, 3, 5] {
+        let reach = |slowest: f64| {
+            let most = if modes == 0 { 0.3 } else { 5.0 * 8.0_f64.powi(modes - 1) };
+            [0.01, 0.1, 0.3, 1.0, 1.0 / 8.0, 1.0 / 64.0].map(|share| share * most * slowest)
+        };
+        let kept = |shape: &CavityShape| relaxations(shape, 1 + usize::from(modes == 0), modes as usize);
+        let gaps = [
+            worst(&kept(&ball), 0, &reach(20.19 / (a * a)), |s| closed_form(1.5, frozen, a, s)),
+            worst(&kept(&ring), 2, &reach(5.783 / (tube * tube)), |s| closed_form(0.0, pipe, tube, s)),
+            worst(&kept(&can), 2, &reach(14.68 / (a * a) + (PI / height).powi(2)), |s| {
+                cylinder(a, height, s)
+            }),
+            worst(&kept(&tall), 2, &reach(14.68 / (a * a)), |s| closed_form(1.0, endless, a, s)),
+        ];
+        println!("{modes}: {gaps:?}");
+        // The ends of the tall cylinder are half a percent of it.
+        let most = if modes == 0 { 3e-3 } else { 0.1 };
+        assert!(gaps.iter().all(|gap| *gap < most), "{modes}: {gaps:?}");
+    }
+}
+
+/// Finite elements and polynomials of the meridian agree on a cylinder: momenta, inertia and turning of the slow flows and of
+/// those that they drive.
+#[test]
+fn two_roads_to_the_flows_of_a_cylinder() {
+    let (radius, height) = (0.4, 0.7);
+    let mesh = meshing::cylinder(radius, height, 8, 1.0).unwrap();
+    let (outline, axis) = CavityShape::Cylinder { radius, height }.revolution().unwrap();
+    let (cells, meridian) =
+        (MeshedFlow::new(&mesh).unwrap(), MeridianFlow::new(&outline, axis, 8, 2).unwrap());
+    let [by_cells, by_meridian] = [products(&cells), products(&meridian)];
+    for (place, (cells, meridian)) in by_cells.iter().zip(&by_meridian).enumerate() {
+        let gap = (cells - meridian).amax() / meridian.amax();
+        assert!(gap < 8e-3, "{place}: {gap}");
+    }
+}
+
+/// `load·u`, `u·u` and `u_j·(e × u_k)` of the slow flows and of those that they drive.
+fn products(liquid: &impl Liquid) -> Vec<nalgebra::DMatrix<f64>> {
+    let slow = liquid.slow().unwrap();
+    let loads: Vec<Vec<f64>> =
+        AXES.iter().flat_map(|axis| slow.iter().map(|u| liquid.turned(*axis, u))).collect();
+    let driven = liquid.flows(&loads, 30.0).unwrap();
+    let all = |from: &[Vec<f64>], image: &dyn Fn(&Vec<f64>) -> Vec<f64>| {
+        let images: Vec<Vec<f64>> = from.iter().map(image).collect();
+        nalgebra::DMatrix::from_fn(from.len(), from.len(), |j, k| dot(&from[j], &images[k]))
+    };
+    let mut products = vec![
+        nalgebra::DMatrix::from_fn(3, 3, |j, k| dot(&liquid.load(j), &slow[k])),
+        all(&slow, &|u| liquid.mass(u)),
+        nalgebra::DMatrix::from_fn(9, 9, |j, k| dot(&loads[j], &driven[k])),
+        all(&driven, &|u| liquid.mass(u)),
+    ];
+    products.extend(AXES.map(|axis| all(&slow, &|u| liquid.turned(axis, u))));
+    products.extend(AXES.map(|axis| all(&driven, &|u| liquid.turned(axis, u))));
+    products
+}
+
+/// A shell of revolution about each of its axes.
+#[test]
+fn shells_of_revolution_may_lie_along_any_axis() {
+    let tensor =
+        |outer: [f64; 3], inner: [f64; 3]| {
+            Vector3::from(AXES.map(|axis| {
+                relaxations(&CavityShape::Shell { outer, inner }, 1, 0).slow_tensor()[(axis, axis)]
+            }))
+        };
+    let about_z = tensor([0.5, 0.5, 0.8], [0.2, 0.2, 0.6]);
+    assert!((about_z.x / about_z.y - 1.0).abs() < 1e-10 && (about_z.z / about_z.x - 1.0).abs() > 0.1);
+    assert!(
+        (tensor([0.8, 0.5, 0.5], [0.6, 0.2, 0.2]) - Vector3::new(about_z.z, about_z.x, about_z.x)).amax()
+            < 1e-12 * about_z.amax()
+    );
+    assert!(
+        (tensor([0.5, 0.8, 0.5], [0.2, 0.6, 0.2]) - Vector3::new(about_z.x, about_z.z, about_z.x)).amax()
+            < 1e-12 * about_z.amax()
+    );
+}

@@ -1,0 +1,160 @@
+//! Slow viscous flow in a cavity of revolution: harmonics round the axis, polynomials of high degree in the meridian, the
+//! pressure two degrees lower `[@bernardi1999]`.
+
+mod grid;
+mod harmonic;
+mod lagrange;
+mod layout;
+mod matrices;
+mod outline;
+#[cfg(test)]
+mod tests;
+mod turning;
+
+pub(in crate::elements) use self::outline::Outline;
+
+use std::ops::Range;
+
+use self::grid::Grid;
+use self::harmonic::Harmonic;
+use self::layout::Layout;
+use self::matrices::{Dense, Scalar};
+use self::turning::Nodal;
+use super::incompressible;
+use super::stokes::StokesError;
+use crate::math::factor::{Factor, Method};
+use crate::math::symmetric::Symmetric;
+
+/// A cavity of revolution about z, discretised. Velocities and loads are vectors in the order of a [`Layout`].
+pub(in crate::elements) struct RevolvedFlow {
+    grid: Grid,
+    blocks: Vec<Dense>,
+    /// Of what does not turn round the axis, and of what does.
+    scalars: [Scalar; 2],
+    /// Of what turns 0, 1, 2, … times.
+    stiffness: Vec<Symmetric>,
+    layout: Layout,
+}
+
+impl RevolvedFlow {
+    /// A cavity with polynomials of a degree (4 at least) and harmonics round the axis up to `most` (1 at least).
+    ///
+    /// # Errors
+    /// [`StokesError::NoInterior`] if floating point cannot tell its places apart.
+    pub fn new(outline: &Outline, degree: usize, most: usize) -> Result<Self, StokesError> {
+        let grid = Grid::new(outline, degree);
+        let blocks: Option<Vec<Dense>> = grid.patches.iter().map(Dense::new).collect();
+        let blocks = blocks.ok_or(StokesError::NoInterior)?;
+        let scalars = [
+            Scalar::new(&grid, &blocks, |node| !grid.walls[node]),
+            Scalar::new(&grid, &blocks, |node| !grid.walls[node] && !grid.axis[node]),
+        ];
+        let layout = Layout { most, counts: scalars.each_ref().map(|scalar| scalar.nodes.len()) };
+        let stiffness = (0..=most + 1).map(|k| scalars[usize::from(k > 0)].stiffness(k)).collect();
+        Ok(Self { grid, blocks, scalars, stiffness, layout })
+    }
+
+    /// `∫ ψ·(e × r) dV` for the unit vector of an axis.
+    pub fn load(&self, axis: usize) -> Vec<f64> {
+        // e_z × r turns round the axis; e_x × r = −z e_y + y e_z and e_y × r = z e_x − x e_z are of the first harmonic.
+        let (m, kind, parts): (_, _, [fn([f64; 2]) -> f64; 3]) = match axis {
+            0 => (1, 1, [|_| 0.0, |[_, z]| -2.0 * z, |[r, _]| r]),
+            1 => (1, 0, [|_| 0.0, |[_, z]| 2.0 * z, |[r, _]| -r]),
+            _ => (0, 0, [|[r, _]| r, |[r, _]| -r, |_| 0.0]),
+        };
+        let mut load = vec![0.0; self.layout.size()];
+        let families = self.layout.parts(m, kind).into_iter().zip(Layout::turns(m)).zip(Layout::weights(m));
+        for (((own, k), weight), value) in families.zip(parts) {
+            let (scalar, load) = (self.scalar(k), &mut load[own]);
+            for patch in &self.grid.patches {
+                for point in &patch.points {
+                    let force = weight * point.area * point.at[0] * value(point.at);
+                    for (node, function) in patch.nodes.iter().zip(&point.functions) {
+                        if let Some(unknown) = scalar.unknowns[*node] {
+                            load[unknown as usize] += force * function[0];
+                        }
+                    }
+                }
+            }
+        }
+        load
+    }
+
+    /// The flows under loads, with a rate of inertia in 1/m². (L4)
+    ///
+    /// # Errors
+    /// [`StokesError::NoConvergence`] if the pressure is not found, [`StokesError::NoInterior`] if the range of numbers is left.
+    pub fn solve(&self, loads: &[Vec<f64>], rate: f64) -> Result<Vec<Vec<f64>>, StokesError> {
+        let factor = |(k, stiffness): (usize, &Symmetric)| {
+            let sum = stiffness.plus(rate, &self.scalar(k).mass).expect("both stand on one pattern");
+            Factor::new(&sum, Method::default()).map_err(|_| StokesError::NoInterior)
+        };
+        let factors = self.stiffness.iter().enumerate().map(factor).collect::<Result<Vec<_>, _>>()?;
+        let mut flows = loads.to_vec();
+        for (m, kind) in self.layout.families() {
+            let own = self.layout.family(m, kind);
+            let acts = |load: &usize| loads[*load][own.clone()].iter().any(|force| *force != 0.0);
+            let acting: Vec<usize> = (0..loads.len()).filter(acts).collect();
+            if acting.is_empty() {
+                continue;
+            }
+            let rows = own.clone().flat_map(|row| acting.iter().map(move |load| (row, *load)));
+            let mut forces: Vec<f64> = rows.clone().map(|(row, load)| loads[load][row]).collect();
+            let harmonic = Harmonic {
+                m,
+                grid: &self.grid,
+                blocks: &self.blocks,
+                scalars: &self.scalars,
+                factors: Layout::turns(m).map(|k| &factors[k]),
+            };
+            incompressible::solve(&harmonic, &mut forces, acting.len())?;
+            rows.zip(&forces).for_each(|((row, load), value)| flows[load][row] = *value);
+        }
+        Ok(flows)
+    }
+
+    /// `∫ ∇ψ:∇u dV`.
+    pub fn stiffness_times(&self, u: &[f64]) -> Vec<f64> {
+        self.by_parts(|k, _, own| self.stiffness[k].times(&u[own]))
+    }
+
+    /// `∫ ψ·u dV`.
+    pub fn mass_times(&self, u: &[f64]) -> Vec<f64> {
+        self.by_parts(|k, _, own| self.scalar(k).mass.times(&u[own]))
+    }
+
+    /// `∫ ψ·(e × u) dV` for the unit vector of an axis, without what leaves the harmonics.
+    pub fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
+        let spread = |m: usize, kind: usize, place: usize| {
+            let mut values = vec![0.0; self.grid.places.len()];
+            let nodes = &self.scalar(Layout::turns(m)[place]).nodes;
+            let own = &u[self.layout.parts(m, kind)[place].clone()];
+            nodes.iter().zip(own).for_each(|(node, value)| values[*node] = *value);
+            values
+        };
+        let turned = Nodal::new(&self.layout, self.grid.places.len(), spread).turned(axis);
+        self.by_parts(|k, (m, kind, place), _| {
+            let scalar = self.scalar(k);
+            let values = &turned.parts(m, kind)[place];
+            scalar.mass.times(&scalar.nodes.iter().map(|node| values[*node]).collect::<Vec<_>>())
+        })
+    }
+
+    /// A vector from its parts, each times the factor of its squares: of each, how often it turns, its harmonic, kind and place,
+    /// and where it stands are given.
+    fn by_parts(&self, part: impl Fn(usize, (usize, usize, usize), Range<usize>) -> Vec<f64>) -> Vec<f64> {
+        let mut vector = Vec::with_capacity(self.layout.size());
+        for (m, kind) in self.layout.families() {
+            for (place, own) in self.layout.parts(m, kind).into_iter().enumerate() {
+                let weight = Layout::weights(m)[place];
+                let values = part(Layout::turns(m)[place], (m, kind, place), own);
+                vector.extend(values.into_iter().map(|value| weight * value));
+            }
+        }
+        vector
+    }
+
+    fn scalar(&self, k: usize) -> &Scalar {
+        &self.scalars[usize::from(k > 0)]
+    }
+}

@@ -25,7 +25,7 @@ pub fn liquids(loaded: &Loaded, spin: f64) -> Vec<Liquid<'_>> {
 impl Liquid<'_> {
     /// For a terminal.
     pub fn text(&self) -> String {
-        let SlowLiquid { mass, radius, tensor, errors, .. } = self.slow;
+        let SlowLiquid { mass, radius, tensor, errors, equivalent, .. } = self.slow;
         let title = format!(
             "{:?}: {} kg of liquid; Reynolds number |w| a^2/nu = {} with a = {} m, the radius of a ball of liquid that follows as slowly.",
             self.name,
@@ -33,29 +33,36 @@ impl Liquid<'_> {
             significant(self.reynolds, 3),
             significant(*radius, 3)
         );
-        let largest = tensor.iter().flatten().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-        let clean =
-            |entry: &f64| if entry.abs() > 1e-12 * largest { significant(*entry, 6) } else { "0".into() };
-        let row = |row: &[f64; 3]| {
-            format!("    {}\n", row.each_ref().map(|entry| format!("{:>13}", clean(entry))).join(" "))
-        };
-        let rows: String = tensor.iter().map(row).collect();
         let made = errors.map_or_else(String::new, |errors| {
             let shares = errors.map(|error| format!("{} %", significant(100.0 * error, 1)));
             format!("  found numerically, in error by about {}\n", shares.join(", "))
         });
-        format!(
-            "\n{}\n  P of its slow flow, in m^7: Pi = (rho/nu) P\n{rows}{made}",
-            paragraph(&title, "", "  ")
-        )
+        let answer = match equivalent {
+            Some(inertia) => format!(
+                "  Ideal behind a boundary layer: inertia of the equivalent body, in kg m^2\n{}",
+                rows(inertia)
+            ),
+            None => format!("  P of its slow flow, in m^7: Pi = (rho/nu) P\n{}{made}", rows(tensor)),
+        };
+        format!("\n{}\n{answer}", paragraph(&title, "", "  "))
     }
 
     /// For machines.
     pub fn object(&self) -> Value {
-        let SlowLiquid { mass, radius, tensor, errors, viscosity } = self.slow;
+        let SlowLiquid { mass, radius, tensor, errors, equivalent, viscosity } = self.slow;
         json!({
             "name": self.name, "mass": mass, "radius": radius, "viscosity": viscosity,
-            "reynolds": self.reynolds, "P": tensor, "errors": errors,
+            "reynolds": self.reynolds, "P": tensor, "errors": errors, "equivalent_inertia": equivalent,
         })
     }
+}
+
+/// A matrix for a terminal, without the rounding of its zeros.
+fn rows(matrix: &[[f64; 3]; 3]) -> String {
+    let largest = matrix.iter().flatten().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    let clean = |entry: &f64| if entry.abs() > 1e-12 * largest { significant(*entry, 6) } else { "0".into() };
+    let row = |row: &[f64; 3]| {
+        format!("    {}\n", row.each_ref().map(|entry| format!("{:>13}", clean(entry))).join(" "))
+    };
+    matrix.iter().map(row).collect()
 }

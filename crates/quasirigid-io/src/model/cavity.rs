@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use quasirigid::elements::{Cavity, CavityShape};
+use quasirigid::elements::{Cavity, CavityShape, Regime};
 use quasirigid::math::meshing::inside;
 use quasirigid::math::rotation::{ALIGNED, angle, turned};
 use quasirigid::math::sym::{cross, norm, scale};
@@ -28,6 +28,7 @@ macro_rules! keys {
             "density",
             "kinematic_viscosity",
             "dynamic_viscosity",
+            "flow",
             "resolution",
             "modes",
         ]
@@ -66,6 +67,9 @@ const RESOLUTION: usize = 8;
 /// Cells across the longest side of what a surface encloses.
 const RESOLUTION_INSIDE: usize = 16;
 
+/// Words for how a liquid moves.
+const REGIMES: [(&str, Option<Regime>); 2] =
+    [("viscous", Some(Regime::Viscous)), ("boundary-layer", Some(Regime::BoundaryLayer))];
 /// Most cells across.
 const MOST_CELLS: usize = 1000;
 
@@ -104,6 +108,7 @@ impl CavityTable<'_> {
             .required("density", "density = 1000.0")
             .and_then(|value| value.positive(Dimension::DENSITY));
         let viscosity = viscosity(table, density);
+        let regime = table.get("flow").map_or(Some(Regime::Viscous), |value| value.choice(&REGIMES));
         let modes = table.get("modes").map_or(Some(0), |value| value.integer(0..=usize::MAX));
         Some(Cavity {
             name: name.to_owned(),
@@ -113,6 +118,7 @@ impl CavityTable<'_> {
             density: density?,
             viscosity: viscosity?,
             resolution,
+            regime: regime?,
             modes: modes?,
         })
     }

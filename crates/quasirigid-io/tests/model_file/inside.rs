@@ -1,7 +1,7 @@
 //! Rotors, momentum wheels and liquids.
 
 use insta::assert_snapshot;
-use quasirigid::elements::{CavityShape, RotorKind, WheelSpeed};
+use quasirigid::elements::{CavityShape, Regime, RotorKind, WheelSpeed};
 use quasirigid::math::rotation::to_inertial;
 
 use super::{CARRIER, read, verdict, written};
@@ -57,7 +57,9 @@ fn cavities_of_every_shape_are_read() {
     assert!((to_inertial(over.attitude, [0.0, 0.0, 1.0])[2] + 1.0).abs() < 1e-15);
     let annulus = cavity("shape = \"annulus\"\nradii = [0.1, 0.2]\nheight = 0.1\nresolution = 4\nmodes = 2");
     assert_eq!(annulus.shape, CavityShape::Annulus { radii: [0.1, 0.2], height: 0.1 });
-    assert_eq!((annulus.resolution, annulus.modes), (4, 2));
+    assert_eq!((annulus.resolution, annulus.modes, annulus.regime), (4, 2, Regime::Viscous));
+    let tank = cavity("shape = \"box\"\nsides = [1, 2, 3]\nflow = \"boundary-layer\"");
+    assert_eq!(tank.regime, Regime::BoundaryLayer);
     let cuboid = cavity("shape = \"box\"\nsides = [0.1, 0.2, 0.3]\ncenter = [1, 2, 3]");
     assert_eq!(cuboid.shape, CavityShape::Cuboid { sides: [0.1, 0.2, 0.3] });
     assert_eq!(cuboid.center, [1.0, 2.0, 3.0]);
@@ -100,7 +102,7 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
     ");
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nheight = 2\nradius = 1\n{LIQUID}"))), @r#"
     model.toml:7:1: `height` is not a key of [[cavity]] of shape "sphere"
-      it is for shape = "cylinder" or shape = "annulus"; the keys here are shape, name, radius, center, attitude, density, kinematic_viscosity, dynamic_viscosity, resolution, modes
+      it is for shape = "cylinder" or shape = "annulus"; the keys here are shape, name, radius, center, attitude, density, kinematic_viscosity, dynamic_viscosity, flow, resolution, modes
     "#);
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"annulus\"\nradii = [0.2, 0.1]\nheight = 0.1\n{LIQUID}"))), @r#"model.toml:6:9: `shape` of cavity "cavity 1": the inner length 2e-1 is not less than the outer 1e-1"#);
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nradius = 1\nkinematic_viscosity = 1\n{LIQUID}"))), @r"
@@ -114,6 +116,10 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"cylinder\"\nradius = 1\nheight = 2\nresolution = 30\n{LIQUID}"))), @r#"
     model.toml:9:14: `resolution` of cavity "cavity 1": the flow in this shape has polynomials of degree 4 to 24, not 30
       8 is enough for six digits; leave `resolution` out
+    "#);
+    assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nradius = 1\nflow = \"ideal\"\n{LIQUID}"))), @r#"
+    model.toml:8:8: `flow` cannot be "ideal"
+      write "viscous" or "boundary-layer"
     "#);
     let afloat = "[[ellipsoid]]\nsemi_axes = [3, 2, 1]\nmaterial = \"rock\"\n[material.rock]\ndensity = 2500\nyoung = 1e9\npoisson = 0.25\n\
                   [[rotor]]\naxis = [0, 0, 1]\ninertia = 0.2\nfriction = 1\n";

@@ -19,6 +19,7 @@ mod part;
 mod point;
 mod ritz;
 mod rotor;
+mod slip;
 mod spring;
 mod station;
 mod structure;
@@ -28,7 +29,7 @@ mod whole;
 
 pub use assembly::{Assembly, Built, Reduction};
 pub use carrier::Carrier;
-pub use cavity::{Cavity, CavityShape, SlowLiquid};
+pub use cavity::{Cavity, CavityShape, Regime, SlowLiquid};
 pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Place, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};

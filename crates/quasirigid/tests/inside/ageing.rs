@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, Stage};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Spring,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Spring,
 };
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
@@ -25,6 +25,7 @@ fn tank(carrier: Carrier, radius: f64) -> Assembly {
         density: DENSITY,
         viscosity: VISCOSITY,
         resolution: 1,
+        regime: Regime::default(),
         modes: 0,
     };
     Assembly { carrier: Some(carrier), cavities: vec![tank], ..Assembly::default() }

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::Forced;
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Rotor, RotorKind, Spring,
-    Wheel, WheelSpeed,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Rotor, RotorKind,
+    Spring, Wheel, WheelSpeed,
 };
 use quasirigid::model::Rheology;
 use quasirigid::verification::{Plan, Start, verify};
@@ -54,7 +54,17 @@ pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
     let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.4, -0.7, 0.2]);
     let shape = CavityShape::Ellipsoid { semi_axes };
     let center = [0.1, -0.3, 0.2];
-    Cavity { name: "tank".into(), shape, center, attitude, density, viscosity, resolution: 4, modes: 0 }
+    Cavity {
+        name: "tank".into(),
+        shape,
+        center,
+        attitude,
+        density,
+        viscosity,
+        resolution: 4,
+        regime: Regime::default(),
+        modes: 0,
+    }
 }
 
 /// A ball of liquid in line with the axes.

@@ -1,30 +1,56 @@
+use nalgebra::Matrix3;
+
 use super::ellipsoid::EllipsoidFlow;
 use super::liquid::{Memory, Relaxations};
 use super::meshed::MeshedFlow;
 use super::pipe::PipeFlow;
 use super::revolved::MeridianFlow;
 use super::shape::{CavityShape, Extent};
+use super::{ideal, layer};
 use crate::elements::error::{Field, Problem};
-use crate::elements::finite::revolution::Outline;
+use crate::elements::finite::revolution::{self, Fineness, Outline};
+use crate::elements::finite::stokes;
 use crate::math::mesh::Mesh;
 
 /// The flows in a cavity, in its axes.
 pub(super) struct Flowing {
     pub extent: Extent,
     pub relaxations: Relaxations,
-    /// Estimate of the error in `P` about each axis, relative; none of exact flows.
+    /// Estimate of the error in `P` about each axis, relative; none of exact and of ideal flows.
     pub errors: Option<[f64; 3]>,
+    /// Inertia tensor of the body that an ideal liquid is equivalent to, of unit density (m⁵).
+    pub equivalent: Option<Matrix3<f64>>,
 }
 
 /// Lowest and highest degree of the polynomials in a cavity of revolution.
 const DEGREES: [usize; 2] = [4, 24];
 /// Rates of change that the exact flows resolve; polynomials of higher degree lose their digits.
 const KNOWN: usize = 2;
+/// Rates of change that one layer of patches along walls resolves.
+const FAST: usize = 3;
 /// Grading of the cells of a mesh: none, and that for the boundary layers of fast changes.
 const EVEN: f64 = 1.0;
 const LAYERS: f64 = 2.0;
 
 impl Flowing {
+    /// An ideal liquid behind a boundary layer.
+    pub fn layered(shape: &CavityShape, resolution: usize, modes: usize) -> Result<Self, (Field, Problem)> {
+        let unresolved = (Field::Shape, Problem::LiquidUnresolved);
+        let (extent, slip) = if let CavityShape::Ellipsoid { semi_axes } = *shape {
+            (shape.extent(), Some(ideal::in_ellipsoid(semi_axes)))
+        } else if let Some((outline, axis)) = shape.revolution() {
+            let degree = polynomial_degree(resolution)?;
+            (shape.extent(), revolution::slip(&outline, degree).map(|slip| slip.about(axis)))
+        } else {
+            let mesh = shape.mesh(resolution, EVEN).map_err(|error| (Field::Shape, error.into()))?;
+            let (moments, slip) = stokes::slip(&mesh).map_err(|error| (Field::Shape, error.into()))?;
+            (Some(shape.extent().unwrap_or_else(|| (&moments).into())), Some(slip))
+        };
+        let (extent, slip) = extent.zip(slip).ok_or(unresolved.clone())?;
+        let relaxations = layer::relaxations(&slip, modes + 1, extent.mean_inertia()).ok_or(unresolved)?;
+        Ok(Self { extent, relaxations, errors: None, equivalent: Some(slip.equivalent(extent.inertia())) })
+    }
+
     /// The flows in a shape, exact where they are known, else of polynomials or finite elements.
     pub fn new(shape: &CavityShape, resolution: usize, memory: Memory) -> Result<Self, (Field, Problem)> {
         let unresolved = (Field::Shape, Problem::LiquidUnresolved);
@@ -53,7 +79,7 @@ impl Flowing {
             }
             _ => None,
         };
-        Some(Self { extent, relaxations: relaxations?, errors: None })
+        Some(Self { extent, relaxations: relaxations?, errors: None, equivalent: None })
     }
 
     fn revolved(
@@ -63,19 +89,20 @@ impl Flowing {
         degree: usize,
         memory: Memory,
     ) -> Result<Self, (Field, Problem)> {
-        let [least, most] = DEGREES;
-        if !(least..=most).contains(&degree) {
-            return Err((Field::Resolution, Problem::FlowDegree { degree, least, most }));
-        }
-        let stokes = |error| (Field::Shape, Problem::Stokes(error));
-        let flow = MeridianFlow::new(outline, axis, degree, memory.depth).map_err(stokes)?;
-        let coarse = MeridianFlow::new(outline, axis, degree - 1, 1).map_err(stokes)?;
-        let [fine, coarse] = [flow.answers().map_err(stokes)?, coarse.answers().map_err(stokes)?];
+        let degree = polynomial_degree(degree)?;
+        let refused = |error| (Field::Shape, Problem::Stokes(error));
+        let layers = if memory.modes > FAST { 2 } else { 1 };
+        let fine = Fineness { degree, layers, harmonics: memory.depth };
+        let coarse = Fineness { degree: degree - 1, layers: 1, harmonics: 1 };
+        let flow = MeridianFlow::new(outline, axis, fine).map_err(refused)?;
+        let coarse = MeridianFlow::new(outline, axis, coarse).map_err(refused)?;
+        let [fine, coarse] = [flow.answers().map_err(refused)?, coarse.answers().map_err(refused)?];
         let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
         Ok(Self {
             extent,
             relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
             errors: Some([0, 1, 2].map(|axis| (coarse[axis] / fine[axis] - 1.0).abs())),
+            equivalent: None,
         })
     }
 
@@ -87,6 +114,16 @@ impl Flowing {
             extent,
             relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
             errors: Some(flow.errors()),
+            equivalent: None,
         })
+    }
+}
+
+fn polynomial_degree(resolution: usize) -> Result<usize, (Field, Problem)> {
+    let ([least, most], degree) = (DEGREES, resolution);
+    if (least..=most).contains(&degree) {
+        Ok(degree)
+    } else {
+        Err((Field::Resolution, Problem::FlowDegree { degree, least, most }))
     }
 }

@@ -1,5 +1,3 @@
-use nalgebra::Matrix3;
-
 use super::liquid::Liquid;
 use super::shape::Extent;
 use crate::elements::finite::stokes::{StokesError, StokesFlow};
@@ -21,7 +19,7 @@ impl MeshedFlow {
     /// The flows in a mesh of tetrahedra.
     pub fn new(mesh: &Mesh) -> Result<Self, StokesError> {
         let flow = StokesFlow::new(mesh)?;
-        let center = scale(-1.0, flow.center());
+        let center = scale(-1.0, flow.moments().center);
         let loads = AXES.map(|axis| flow.load(|place| cross(axis, add(place, center))));
         let slow = flow.solve(&loads, 0.0)?;
         Ok(Self { flow, loads, slow })
@@ -29,12 +27,7 @@ impl MeshedFlow {
 
     /// What the mesh fills.
     pub fn extent(&self) -> Extent {
-        let second = self.flow.second_moments();
-        Extent {
-            volume: self.flow.volume(),
-            center: self.flow.center().into(),
-            second: Matrix3::from_fn(|row, column| second[row][column]),
-        }
+        self.flow.moments().into()
     }
 
     /// Estimate of the error of the slow answers about each axis, relative to what they are.

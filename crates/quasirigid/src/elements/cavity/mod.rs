@@ -2,6 +2,8 @@
 
 mod ellipsoid;
 mod flowing;
+mod ideal;
+mod layer;
 mod liquid;
 mod meshed;
 mod pipe;
@@ -44,8 +46,21 @@ pub struct Cavity {
     /// Degree of the polynomials in a cavity of revolution, 4 to 24, or the cells across the narrowest width of a box or a shell that
     /// is none; other shapes do not ask for it.
     pub resolution: usize,
-    /// Rates of change, 0 to 6, of which the answers are kept beside the slow ones, each eight times as fast as the one before. (L11)
+    /// How the liquid moves.
+    pub regime: Regime,
+    /// Rates of change, 0 to 6, of which the answers are kept beside the slow ones, each eight times as fast as the one before (L11); of a boundary
+    /// layer panels of rates, each sixteen times as fast, beside the first two (L14).
     pub modes: usize,
+}
+
+/// How the motion of a liquid is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Regime {
+    /// Viscous throughout. (L1)–(L11)
+    #[default]
+    Viscous,
+    /// Ideal but for a thin boundary layer, at high Reynolds numbers. (L12)–(L14)
+    BoundaryLayer,
 }
 
 /// What a liquid does to a slow rotation.
@@ -59,6 +74,9 @@ pub struct SlowLiquid {
     pub tensor: [[f64; 3]; 3],
     /// Estimate of the error of finite elements in `P` about each axis of the shape, relative; none of exact flows.
     pub errors: Option<[f64; 3]>,
+    /// Inertia tensor of the body that the liquid is equivalent to at high Reynolds numbers (kg m²), in the file's axes; none of a
+    /// liquid that is viscous throughout. (L12)
+    pub equivalent: Option<[[f64; 3]; 3]>,
     /// Kinematic viscosity (m²/s).
     pub viscosity: f64,
 }
@@ -102,8 +120,12 @@ impl Cavity {
         self.check(index)?;
         let place = Place::Cavity(index);
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
-        let Flowing { extent, relaxations, errors } = Flowing::new(&self.shape, self.resolution, memory)
-            .map_err(|(field, problem)| at(place, field)(problem))?;
+        let flowing = match self.regime {
+            Regime::Viscous => Flowing::new(&self.shape, self.resolution, memory),
+            Regime::BoundaryLayer => Flowing::layered(&self.shape, self.resolution, self.modes),
+        };
+        let Flowing { extent, relaxations, errors, equivalent } =
+            flowing.map_err(|(field, problem)| at(place, field)(problem))?;
         let turn = self.turn();
         let inertia = self.density * (turn * extent.inertia() * turn.transpose());
         let inertia =
@@ -119,6 +141,8 @@ impl Cavity {
                 radius: (35.0 * slowest).sqrt(),
                 tensor: rows(&(turn * P * turn.transpose())),
                 errors,
+                equivalent: equivalent
+                    .map(|inertia| rows(&(self.density * (turn * inertia * turn.transpose())))),
                 viscosity: self.viscosity,
             },
             inner: self.inner(relaxations),
@@ -149,6 +173,9 @@ impl Cavity {
 
     /// The linear answer of a liquid that turns as one, whose coordinates are so many.
     fn memory(&self, count: usize) -> Option<LiquidMemory> {
+        if self.regime == Regime::BoundaryLayer {
+            return None;
+        }
         let Turning { index, radius, inertia, axes } = self.shape.turning()?;
         let turn = self.turn();
         Some(LiquidMemory {

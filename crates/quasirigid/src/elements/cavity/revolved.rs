@@ -1,5 +1,5 @@
 use super::liquid::Liquid;
-use crate::elements::finite::revolution::{Outline, RevolvedFlow};
+use crate::elements::finite::revolution::{Fineness, Outline, RevolvedFlow};
 use crate::elements::finite::stokes::StokesError;
 use crate::math::krylov::dot;
 
@@ -11,9 +11,9 @@ pub(super) struct MeridianFlow {
 }
 
 impl MeridianFlow {
-    /// The flows in a cavity about an axis, of a degree in each patch of its meridian, with harmonics up to `most`.
-    pub fn new(outline: &Outline, axis: usize, degree: usize, most: usize) -> Result<Self, StokesError> {
-        Ok(Self { flow: RevolvedFlow::new(outline, degree, most)?, axis })
+    /// The flows in a cavity about an axis, as fine as asked for.
+    pub fn new(outline: &Outline, axis: usize, fineness: Fineness) -> Result<Self, StokesError> {
+        Ok(Self { flow: RevolvedFlow::new(outline, fineness)?, axis })
     }
 
     /// The slow answer about each axis, `∫|∇u|² dV`.

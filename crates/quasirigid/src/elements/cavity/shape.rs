@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::elements::coefficient;
 use crate::elements::error::{Field, Problem};
 use crate::elements::finite::revolution::Outline;
+use crate::elements::finite::stokes::Moments;
 use crate::math::mesh::Mesh;
 use crate::math::meshing::{self, MeshingError};
 
@@ -218,6 +219,13 @@ fn tube([inner, outer]: [f64; 2], height: f64) -> (f64, [f64; 3]) {
     let (near, far) = (inner * inner, outer * outer);
     let across = 0.25 * (near + far);
     (PI * (far - near) * height, [across, across, height * height / 12.0])
+}
+
+impl From<&Moments> for Extent {
+    fn from(moments: &Moments) -> Self {
+        let second = Matrix3::from_fn(|row, column| moments.second[row][column]);
+        Self { volume: moments.volume, center: moments.center.into(), second }
+    }
 }
 
 impl Extent {

@@ -11,20 +11,22 @@ pub(super) struct Grid {
     /// Whether each node is on the axis.
     pub axis: Vec<bool>,
     pub patches: Vec<Patch>,
+    /// The patches along walls, with points of quadrature there.
+    pub edges: Vec<Patch>,
 }
 
 /// A patch of a meridian.
 pub(super) struct Patch {
     /// Its nodes.
     pub nodes: Vec<usize>,
-    /// Its points of quadrature.
+    /// Points of quadrature.
     pub points: Vec<Point>,
 }
 
 /// A point of quadrature.
 pub(super) struct Point {
-    /// Its share of the area of the meridian (m²).
-    pub area: f64,
+    /// Its share of the area of the meridian (m²), or of the length of a wall (m).
+    pub share: f64,
     /// Distance from the axis, and height (m).
     pub at: [f64; 2],
     /// The polynomials of the nodes: value, `∂/∂r` and `∂/∂z` (1, 1/m, 1/m).
@@ -37,12 +39,18 @@ pub(super) struct Point {
 const BEYOND: usize = 4;
 
 impl Grid {
-    /// The meridian, with polynomials of a degree (2 at least) along each side of a patch.
-    pub fn new(outline: &Outline, degree: usize) -> Self {
-        let cuts = outline.cuts();
+    /// The meridian, with polynomials of a degree (2 at least) along each side of a patch and so many layers of patches at walls.
+    pub fn new(outline: &Outline, degree: usize, layers: usize) -> Self {
+        let cuts = outline.cuts(layers);
         let size = cuts.each_ref().map(|cuts| (cuts.len() - 1) * degree);
         let numbers = Numbers::new(outline.sides(), size);
-        let mut grid = Self { places: Vec::new(), walls: Vec::new(), axis: Vec::new(), patches: Vec::new() };
+        let mut grid = Self {
+            places: Vec::new(),
+            walls: Vec::new(),
+            axis: Vec::new(),
+            patches: Vec::new(),
+            edges: Vec::new(),
+        };
         let lobatto: Vec<f64> = gauss_lobatto(degree + 1).iter().map(|[x, _]| 0.5 * (1.0 + x)).collect();
         let lines = cuts.each_ref().map(|cuts| {
             let along = cuts.windows(2).flat_map(|ends| {
@@ -59,9 +67,18 @@ impl Grid {
         for (i, s) in cuts[0].windows(2).enumerate() {
             for (j, t) in cuts[1].windows(2).enumerate() {
                 let local = (0..=degree).flat_map(|a| (0..=degree).map(move |b| [a, b]));
-                let nodes = local.map(|[a, b]| numbers.of([i * degree + a, j * degree + b])).collect();
-                let points = template.points(outline, [[s[0], s[1]], [t[0], t[1]]]);
-                grid.patches.push(Patch { nodes, points });
+                let nodes: Vec<usize> =
+                    local.map(|[a, b]| numbers.of([i * degree + a, j * degree + b])).collect();
+                let range = [[s[0], s[1]], [t[0], t[1]]];
+                for (way, sides) in outline.sides().iter().enumerate() {
+                    for (end, side) in sides.iter().enumerate() {
+                        if *side == Side::Wall && range[way][end] == end as f64 {
+                            let points = template.edge(outline, range, way, end);
+                            grid.edges.push(Patch { nodes: nodes.clone(), points });
+                        }
+                    }
+                }
+                grid.patches.push(Patch { nodes, points: template.points(outline, range) });
             }
         }
         grid
@@ -121,8 +138,18 @@ impl Numbers {
 
 /// Polynomials along a side and the rule that integrates them, 0 to 1.
 struct Template {
-    /// Place and weight of each point, values and slopes of the polynomials of the nodes there, values of those of the pressure.
-    points: Vec<([f64; 2], Vec<[f64; 2]>, Vec<f64>)>,
+    points: Vec<Line>,
+    ends: [Line; 2],
+}
+
+/// A point of a side.
+struct Line {
+    at: f64,
+    weight: f64,
+    /// Values and slopes of the polynomials of the nodes.
+    functions: Vec<[f64; 2]>,
+    /// Values of those of the pressure.
+    pressures: Vec<f64>,
 }
 
 impl Template {
@@ -130,39 +157,63 @@ impl Template {
         let unit = |[x, weight]: &[f64; 2]| [0.5 * (1.0 + x), 0.5 * weight];
         let nodes: Vec<f64> = gauss_lobatto(degree + 1).iter().map(|point| unit(point)[0]).collect();
         let pressures: Vec<f64> = gauss_legendre(degree - 1).iter().map(|point| unit(point)[0]).collect();
-        let point = |point: [f64; 2]| {
-            let values = lagrange(&pressures, point[0]).into_iter().map(|[value, _]| value).collect();
-            (point, lagrange(&nodes, point[0]), values)
+        let line = |[at, weight]: [f64; 2]| Line {
+            at,
+            weight,
+            functions: lagrange(&nodes, at),
+            pressures: lagrange(&pressures, at).into_iter().map(|[value, _]| value).collect(),
         };
-        Self { points: gauss_legendre(degree + BEYOND).iter().map(unit).map(point).collect() }
+        Self {
+            points: gauss_legendre(degree + BEYOND).iter().map(unit).map(line).collect(),
+            ends: [0.0, 1.0].map(|end| line([end, 1.0])),
+        }
     }
 
-    /// The points of a patch between values of `s` and of `t`.
-    fn points(&self, outline: &Outline, [s, t]: [[f64; 2]; 2]) -> Vec<Point> {
+    /// The points of a patch between values of `s` and of `t`, with their shares of its area.
+    fn points(&self, outline: &Outline, range: [[f64; 2]; 2]) -> Vec<Point> {
+        let pairs = self.points.iter().flat_map(|a| self.points.iter().map(move |b| [a, b]));
+        let area = |[[r_s, r_t], [z_s, z_t]]: [[f64; 2]; 2]| (r_s * z_t - r_t * z_s).abs();
+        pairs.map(|lines| Point::new(outline, range, lines, area)).collect()
+    }
+
+    /// The points where one of `s` and `t` ends, with their shares of the length.
+    fn edge(&self, outline: &Outline, range: [[f64; 2]; 2], way: usize, end: usize) -> Vec<Point> {
+        let along = 1 - way;
+        let width = range[way][1] - range[way][0];
+        let length = |[r, z]: [[f64; 2]; 2]| r[along].hypot(z[along]) / width;
+        let lines = self.points.iter().map(|point| match way {
+            0 => [&self.ends[end], point],
+            _ => [point, &self.ends[end]],
+        });
+        lines.map(|lines| Point::new(outline, range, lines, length)).collect()
+    }
+}
+
+impl Point {
+    /// The point of a patch at places along its sides; `measure` is that of the slopes of the outline there.
+    fn new(
+        outline: &Outline,
+        [s, t]: [[f64; 2]; 2],
+        [by_s, by_t]: [&Line; 2],
+        measure: impl Fn([[f64; 2]; 2]) -> f64,
+    ) -> Self {
         let (width, height) = (s[1] - s[0], t[1] - t[0]);
-        let pairs = self.points.iter().flat_map(|a| self.points.iter().map(move |b| (a, b)));
-        pairs
-            .map(|((at_s, along_s, pressures_s), (at_t, along_t, pressures_t))| {
-                let place = outline.place([s[0] + width * at_s[0], t[0] + height * at_t[0]]);
-                let [[r_s, r_t], [z_s, z_t]] = place.slopes;
-                let determinant = r_s * z_t - r_t * z_s;
-                let functions = along_s.iter().flat_map(|[f, f_s]| {
-                    along_t.iter().map(move |[g, g_t]| {
-                        let (by_s, by_t) = (f_s * g / width, f * g_t / height);
-                        let by_r = (z_t * by_s - z_s * by_t) / determinant;
-                        [f * g, by_r, (r_s * by_t - r_t * by_s) / determinant]
-                    })
-                });
-                Point {
-                    area: at_s[1] * at_t[1] * width * height * determinant.abs(),
-                    at: place.at,
-                    functions: functions.collect(),
-                    pressures: pressures_s
-                        .iter()
-                        .flat_map(|f| pressures_t.iter().map(move |g| f * g))
-                        .collect(),
-                }
+        let place = outline.place([s[0] + width * by_s.at, t[0] + height * by_t.at]);
+        let [[r_s, r_t], [z_s, z_t]] = place.slopes;
+        let determinant = r_s * z_t - r_t * z_s;
+        let functions = by_s.functions.iter().flat_map(|[f, f_s]| {
+            by_t.functions.iter().map(move |[g, g_t]| {
+                let (slope_s, slope_t) = (f_s * g / width, f * g_t / height);
+                let slope_r = (z_t * slope_s - z_s * slope_t) / determinant;
+                [f * g, slope_r, (r_s * slope_t - r_t * slope_s) / determinant]
             })
-            .collect()
+        });
+        let pressures = by_s.pressures.iter().flat_map(|f| by_t.pressures.iter().map(move |g| f * g));
+        Self {
+            share: by_s.weight * by_t.weight * width * height * measure(place.slopes),
+            at: place.at,
+            functions: functions.collect(),
+            pressures: pressures.collect(),
+        }
     }
 }

@@ -74,7 +74,7 @@ impl Dense {
         let weighted = |matrix: &DMatrix<f64>, power: i32| {
             let mut product = matrix.clone();
             for (mut row, point) in product.row_iter_mut().zip(points) {
-                row *= point.area * point.at[0].powi(power);
+                row *= point.share * point.at[0].powi(power);
             }
             product
         };

@@ -7,11 +7,13 @@ mod lagrange;
 mod layout;
 mod matrices;
 mod outline;
+mod potential;
 #[cfg(test)]
 mod tests;
 mod turning;
 
 pub(in crate::elements) use self::outline::Outline;
+pub(in crate::elements) use self::potential::slip;
 
 use std::ops::Range;
 
@@ -25,6 +27,17 @@ use super::stokes::StokesError;
 use crate::math::factor::{Factor, Method};
 use crate::math::symmetric::Symmetric;
 
+/// How finely the flow in a cavity of revolution is resolved.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::elements) struct Fineness {
+    /// Degree of the polynomials along each side of a patch, 4 at least.
+    pub degree: usize,
+    /// Layers of patches along walls, 1 at least.
+    pub layers: usize,
+    /// The highest harmonic round the axis, 1 at least.
+    pub harmonics: usize,
+}
+
 /// A cavity of revolution about z, discretised. Velocities and loads are vectors in the order of a [`Layout`].
 pub(in crate::elements) struct RevolvedFlow {
     grid: Grid,
@@ -37,12 +50,13 @@ pub(in crate::elements) struct RevolvedFlow {
 }
 
 impl RevolvedFlow {
-    /// A cavity with polynomials of a degree (4 at least) and harmonics round the axis up to `most` (1 at least).
+    /// A cavity, as fine as asked for.
     ///
     /// # Errors
     /// [`StokesError::NoInterior`] if floating point cannot tell its places apart.
-    pub fn new(outline: &Outline, degree: usize, most: usize) -> Result<Self, StokesError> {
-        let grid = Grid::new(outline, degree);
+    pub fn new(outline: &Outline, fineness: Fineness) -> Result<Self, StokesError> {
+        let Fineness { degree, layers, harmonics: most } = fineness;
+        let grid = Grid::new(outline, degree, layers);
         let blocks: Option<Vec<Dense>> = grid.patches.iter().map(Dense::new).collect();
         let blocks = blocks.ok_or(StokesError::NoInterior)?;
         let scalars = [
@@ -68,7 +82,7 @@ impl RevolvedFlow {
             let (scalar, load) = (self.scalar(k), &mut load[own]);
             for patch in &self.grid.patches {
                 for point in &patch.points {
-                    let force = weight * point.area * point.at[0] * value(point.at);
+                    let force = weight * point.share * point.at[0] * value(point.at);
                     for (node, function) in patch.nodes.iter().zip(&point.functions) {
                         if let Some(unknown) = scalar.unknowns[*node] {
                             load[unknown as usize] += force * function[0];

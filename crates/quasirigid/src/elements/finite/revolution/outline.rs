@@ -61,7 +61,8 @@ pub(super) struct Place {
     pub slopes: [[f64; 2]; 2],
 }
 
-/// Depth of the patches along walls, as a share of the narrowest width: corners and boundary layers need them.
+/// Depth of the patches along walls, as a share of the narrowest width, and of each further layer: corners and boundary layers need
+/// them.
 const LAYER: f64 = 0.1;
 /// Patches grow by this factor with their distance from the ends of a long meridian.
 const GROWTH: f64 = 3.0;
@@ -100,22 +101,26 @@ impl Outline {
         }
     }
 
-    /// Where lines of `s`, then of `t`, cut the square into patches, with 0 and 1.
-    pub(super) fn cuts(&self) -> [Vec<f64>; 2] {
+    /// Where lines of `s`, then of `t`, cut the square into patches, with 0 and 1; `layers` (at least 1) along each wall.
+    pub(super) fn cuts(&self, layers: usize) -> [Vec<f64>; 2] {
         let even = || (0..=ROUND).map(|cut| cut as f64 / ROUND as f64).collect();
         match *self {
             // The axis is the middle of a cylinder: the half beyond it is the mirror image.
             Self::Cylinder { radius, height } => {
-                let whole = graded(2.0 * radius / height).into_iter().map(|cut| 2.0 * cut - 1.0);
+                let whole = graded(2.0 * radius / height, layers).into_iter().map(|cut| 2.0 * cut - 1.0);
                 let half: Vec<f64> = whole.filter(|cut| *cut > 0.0).collect();
-                [[vec![0.0], half].concat(), graded(height / (2.0 * radius))]
+                [[vec![0.0], half].concat(), graded(height / (2.0 * radius), layers)]
             }
             Self::Annulus { radii: [inner, outer], height } => {
                 let width = outer - inner;
-                [graded(width / height), graded(height / width)]
+                [graded(width / height, layers), graded(height / width, layers)]
             }
-            Self::Ring { .. } | Self::Spheroid { .. } => [vec![0.0, 1.0 - 2.0 * LAYER, 1.0], even()],
-            Self::Shell { .. } => [graded(1.0), even()],
+            Self::Ring { .. } | Self::Spheroid { .. } => {
+                let mut outer: Vec<f64> = depths(layers).map(|depth| 1.0 - 2.0 * depth).collect();
+                outer.reverse();
+                [[vec![0.0], outer, vec![1.0]].concat(), even()]
+            }
+            Self::Shell { .. } => [graded(1.0, layers), even()],
         }
     }
 }
@@ -134,12 +139,17 @@ fn round(across: [f64; 2], along: [f64; 2], [s, t]: [f64; 2]) -> Place {
     }
 }
 
-/// Cuts of a side that is so many times as long as the other. Beyond a layer at its ends the flow changes within the other's
+/// Depths of the patches along a wall as shares of the narrowest width, ascending.
+fn depths(layers: usize) -> impl Iterator<Item = f64> {
+    (1..=layers as i32).rev().map(|layer| LAYER.powi(layer))
+}
+
+/// Cuts of a side that is so many times as long as the other. Beyond the layers at its ends the flow changes within the other's
 /// length of them only.
-fn graded(ratio: f64) -> Vec<f64> {
+fn graded(ratio: f64, layers: usize) -> Vec<f64> {
     let width = 1.0 / ratio.max(1.0);
+    let mut ends: Vec<f64> = depths(layers).map(|depth| depth * width).collect();
     let (mut reach, mut step) = (LAYER * width, width);
-    let mut ends = vec![reach];
     while reach + step < 0.5 {
         reach += step;
         step *= GROWTH;

@@ -30,8 +30,12 @@ fn between_balls(inner: f64, outer: f64) -> f64 {
     8.0 * PI / 3.0 * (-0.1 * moment(7) + a * moment(5) + b * moment(2))
 }
 
+fn fine(degree: usize, harmonics: usize) -> Fineness {
+    Fineness { degree, layers: 1, harmonics }
+}
+
 fn answers(outline: &Outline, degree: usize, rate: f64) -> [f64; 3] {
-    let flow = RevolvedFlow::new(outline, degree, 1).unwrap();
+    let flow = RevolvedFlow::new(outline, fine(degree, 1)).unwrap();
     let loads = AXES.map(|axis| flow.load(axis));
     let flows = flow.solve(&loads, rate).unwrap();
     AXES.map(|axis| dot(&loads[axis], &flows[axis]))
@@ -106,7 +110,7 @@ fn outlines() -> [Outline; 5] {
 #[test]
 fn flows_keep_their_volume_and_are_symmetric() {
     for outline in outlines() {
-        let flow = RevolvedFlow::new(&outline, 6, 3).unwrap();
+        let flow = RevolvedFlow::new(&outline, fine(6, 3)).unwrap();
         let loads = AXES.map(|axis| flow.load(axis));
         let slow = flow.solve(&loads, 0.0).unwrap();
         let turned: Vec<Vec<f64>> = AXES
@@ -128,7 +132,7 @@ fn flows_keep_their_volume_and_are_symmetric() {
 #[test]
 fn turning_takes_no_power() {
     for outline in outlines() {
-        let flow = RevolvedFlow::new(&outline, 5, 3).unwrap();
+        let flow = RevolvedFlow::new(&outline, fine(5, 3)).unwrap();
         let loads = AXES.map(|axis| flow.load(axis));
         let slow = flow.solve(&loads, 0.0).unwrap();
         let along = |axis: usize, a: usize, b: usize| dot(&slow[a], &flow.turned(axis, &slow[b]));
@@ -151,7 +155,8 @@ fn turning_takes_no_power() {
 /// Between concentric balls no axis is singled out, whatever the harmonics.
 #[test]
 fn turning_between_concentric_balls_is_the_same_about_all_axes() {
-    let flow = RevolvedFlow::new(&Outline::Shell { across: [0.4, 1.0], along: [0.4, 1.0] }, 10, 3).unwrap();
+    let flow =
+        RevolvedFlow::new(&Outline::Shell { across: [0.4, 1.0], along: [0.4, 1.0] }, fine(10, 3)).unwrap();
     let loads = AXES.map(|axis| flow.load(axis));
     let slow = flow.solve(&loads, 0.0).unwrap();
     let along = |[axis, a, b]: [usize; 3]| dot(&slow[a], &flow.turned(axis, &slow[b]));

@@ -9,7 +9,7 @@ use crate::math::sym::{add, scale};
 /// Ends of the edges of a tetrahedron, in the order of their middle nodes.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 /// Nodes of the faces of a tetrahedron, corners first.
-const FACES: [[usize; 6]; 4] =
+pub(super) const FACES: [[usize; 6]; 4] =
     [[1, 2, 3, 5, 8, 9], [0, 2, 3, 6, 7, 9], [0, 1, 3, 4, 7, 8], [0, 1, 2, 4, 5, 6]];
 
 /// Quadratic tetrahedra that fill a cavity.
@@ -20,6 +20,8 @@ pub(super) struct Grid {
     pub cells: Vec<[usize; NODES]>,
     /// Whether each node is on a wall.
     pub walls: Vec<bool>,
+    /// Cell and place in [`FACES`] of each face that is a wall.
+    pub faces: Vec<(usize, usize)>,
 }
 
 impl Grid {
@@ -31,7 +33,8 @@ impl Grid {
         let mesh = tetrahedra(mesh)?;
         mesh.check().map_err(StokesError::Mesh)?;
         let middles = middles(&mesh)?;
-        let mut grid = Self { places: mesh.nodes.clone(), cells: Vec::new(), walls: Vec::new() };
+        let mut grid =
+            Self { places: mesh.nodes.clone(), cells: Vec::new(), walls: Vec::new(), faces: Vec::new() };
         grid.complete(&mesh, middles);
         grid.enclose(&mesh.node_labels)?;
         Ok(grid)
@@ -70,6 +73,7 @@ impl Grid {
         for same in faces.chunk_by(|a, b| a.0 == b.0) {
             match *same {
                 [(_, cell, face)] => {
+                    self.faces.push((cell, face));
                     FACES[face].iter().for_each(|node| self.walls[self.cells[cell][*node]] = true);
                 }
                 [(_, a, _), (_, b, _)] => pairs.push([a, b]),

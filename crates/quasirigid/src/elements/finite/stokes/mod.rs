@@ -10,17 +10,19 @@ mod divergence;
 mod error;
 mod grid;
 mod moments;
+mod potential;
 mod recovery;
 mod saddle;
 #[cfg(test)]
 mod tests;
 
 pub use error::StokesError;
+pub(in crate::elements) use moments::Moments;
+pub(in crate::elements) use potential::slip;
 
 use self::assembly::Assembly;
 use self::cell::points;
 use self::grid::Grid;
-use self::moments::Moments;
 use crate::math::mesh::Mesh;
 use crate::math::sym::{cross, scale};
 
@@ -56,19 +58,9 @@ impl StokesFlow {
         3 * self.assembly.mass.size()
     }
 
-    /// Volume (m³).
-    pub fn volume(&self) -> f64 {
-        self.moments.volume
-    }
-
-    /// Centre of the volume (m).
-    pub fn center(&self) -> [f64; 3] {
-        self.moments.center
-    }
-
-    /// `∫ r rᵀ dV` (m⁵), `r` from the centre.
-    pub fn second_moments(&self) -> [[f64; 3]; 3] {
-        self.moments.second
+    /// What the mesh fills.
+    pub fn moments(&self) -> &Moments {
+        &self.moments
     }
 
     /// `∫ ψ·f dV` of a field by place; exact for polynomials of degree 2 where edges are straight.

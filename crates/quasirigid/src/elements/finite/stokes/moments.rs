@@ -3,7 +3,7 @@ use super::grid::Grid;
 use crate::math::sym::{add, scale};
 
 /// Volume of a cavity and what follows from it.
-pub(super) struct Moments {
+pub(in crate::elements) struct Moments {
     /// Volume (m³).
     pub volume: f64,
     /// Its centre (m).
@@ -13,7 +13,7 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    pub fn of(grid: &Grid) -> Self {
+    pub(super) fn of(grid: &Grid) -> Self {
         // Places are taken from a point of the cavity, so that its distance from the origin costs no digits.
         let start = grid.cells.first().map(|cell| grid.places[cell[0]]).unwrap_or_default();
         let (mut volume, mut first) = (0.0, [0.0; 3]);
@@ -35,7 +35,7 @@ impl Moments {
     }
 
     /// Whether floating point holds them.
-    pub fn in_range(&self) -> bool {
+    pub(super) fn in_range(&self) -> bool {
         let squares = [0, 1, 2].map(|axis| self.second[axis][axis]);
         self.volume.is_normal() && squares.iter().all(|square| square.is_normal())
     }

@@ -128,6 +128,10 @@ impl Vibrator {
 
     /// Solves the first-order form `s x − y = g`, `M (s y) + B y + C x = f` in place: `g` and `f` become `x` and `M y`.
     pub fn solve(&self, stiffness: &mut DynamicStiffness, right: &mut [[f64; 2]]) {
+        // A rigid body has no coordinates.
+        if right.is_empty() {
+            return;
+        }
         let DynamicStiffness { s, inverse, right: given } = stiffness;
         given.clear();
         given.extend(right.iter().map(|[re, im]| Complex::new(*re, *im)));

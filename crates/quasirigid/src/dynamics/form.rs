@@ -1,8 +1,9 @@
 //! The two forms of the reduced equations, compiled for integration.
 
+use super::conserved::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{self, Sym, cross, dot};
+use crate::math::sym::{self, Sym, cross, dot, norm};
 use crate::model::ReducedBody;
 
 /// Which variable the reduced equations are integrated in.
@@ -11,8 +12,18 @@ pub enum Form {
     /// The momentum in body axes, `K̇ = K × Ω(K)`: `|K|` is exact. (P1)
     #[default]
     Momentum,
-    /// The spin, `J ω̇ + ω × Jω = μ(ω)`, as in the paper. (P2)
+    /// The spin, `J ω̇ + ω × (Jω + k) = μ(ω)`, as in the paper, with the momentum `k` of wheels. (P2)
     Paper,
+}
+
+impl Form {
+    /// What errors of the state `x` are measured by, with this momentum inside.
+    pub(super) fn size(self, x: [f64; 3], inside: [f64; 3]) -> f64 {
+        match self {
+            Self::Momentum => size(x, inside),
+            Self::Paper => norm(x),
+        }
+    }
 }
 
 /// A form of the reduced equations: how its state `x` moves, and what it means.
@@ -85,11 +96,12 @@ impl Equations for MomentumForm {
     }
 }
 
-/// `J ω̇ + ω × Jω = μ(ω)`. (P2)
+/// `J ω̇ + ω × (Jω + k) = μ(ω)`, with the momentum `k` of wheels. (P2), (C4)
 #[derive(Clone, Debug)]
 pub(super) struct PaperForm {
     J: Sym,
     inverse: Sym,
+    wheels: [f64; 3],
     mu: Kernel,
     /// `∇E − Jω`.
     gradient: Kernel,
@@ -108,6 +120,7 @@ impl PaperForm {
         Self {
             J: body.J,
             inverse: sym::inverse(body.J),
+            wheels: body.wheels(),
             mu: Kernel::new(&mu),
             gradient: Kernel::new(&gradient),
             energy: body.energy.clone(),
@@ -125,7 +138,7 @@ impl Equations for PaperForm {
     #[inline(always)]
     fn rate<A: Arithmetic>(&self, omega: [f64; 3], _: [f64; 3]) -> [f64; 3] {
         let mu = vector(self.mu.value::<A>(omega));
-        let gyroscopic = cross(sym::times(self.J, omega), omega);
+        let gyroscopic = cross(sym::add(sym::times(self.J, omega), self.wheels), omega);
         sym::times(self.inverse, sym::add(gyroscopic, mu))
     }
 

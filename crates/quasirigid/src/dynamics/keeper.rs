@@ -1,6 +1,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
+use super::conserved::Conserved;
 use super::event::Alarm;
 use super::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, WORK, attitude, triple};
 use super::run::{Observer, Options, PROGRESS, Sample};
@@ -45,8 +46,8 @@ pub(super) enum Invariant {
 /// Keeps the invariants and the accounts of a run.
 pub(super) struct Keeper<'o, F> {
     motion: F,
-    /// Inertial momentum at the start.
-    K_N: [f64; 3],
+    /// Momentum at the start.
+    momentum: Conserved,
     /// Energy at the start.
     energy: f64,
     /// `Σ ln(|K|/G)` of the projections made. (P6)
@@ -56,11 +57,19 @@ pub(super) struct Keeper<'o, F> {
 }
 
 impl<'o, F: Motion> Keeper<'o, F> {
-    pub fn new(mut motion: F, y: &[f64], options: &Options, observer: &'o mut dyn Observer) -> Self {
+    /// From the first state, and the momentum that what turns inside has there (N·m·s).
+    pub fn new(
+        mut motion: F,
+        y: &[f64],
+        inside: [f64; 3],
+        options: &Options,
+        observer: &'o mut dyn Observer,
+    ) -> Self {
         let start = motion.look(0.0, y);
         let K_N = rotation::to_inertial(attitude(y), start.momentum);
+        let momentum = Conserved::new(K_N, norm(K_N), inside);
         let alarm = Alarm::new(&options.events);
-        let mut keeper = Self { motion, K_N, energy: start.energy, drift: 0.0, alarm, observer };
+        let mut keeper = Self { motion, momentum, energy: start.energy, drift: 0.0, alarm, observer };
         let sample = keeper.sample(0.0, y);
         keeper.alarm.set(&sample);
         keeper
@@ -75,12 +84,13 @@ impl<'o, F: Motion> Keeper<'o, F> {
         let (momentum, energy) = (look.momentum, look.energy);
         let attitude = self.aligned(y, momentum);
         let momentum_drift = match self.motion.invariant() {
-            Invariant::Momentum => self.drift,
-            Invariant::Direction => norm(momentum) / norm(self.K_N) - 1.0,
+            Invariant::Momentum if self.momentum.held() => self.drift,
+            Invariant::Momentum | Invariant::Direction => self.momentum.change(momentum),
             Invariant::Impulse => {
-                let expected = add(self.K_N, triple(y, IMPULSE));
+                let K_N = self.momentum.K_N;
+                let expected = add(K_N, triple(y, IMPULSE));
                 let gap = norm(add(rotation::to_inertial(attitude, momentum), scale(-1.0, expected)));
-                if gap > 0.0 { gap / norm(expected).max(norm(self.K_N)) } else { gap }
+                if gap > 0.0 { gap / norm(expected).max(norm(K_N)) } else { gap }
             }
         };
         Sample {
@@ -101,11 +111,8 @@ impl<'o, F: Motion> Keeper<'o, F> {
     fn aligned(&self, y: &[f64], momentum: [f64; 3]) -> [f64; 4] {
         let attitude = attitude(y);
         match self.motion.invariant() {
-            Invariant::Momentum | Invariant::Direction => rotation::aligned(attitude, momentum, self.K_N),
-            Invariant::Impulse => {
-                let size = attitude.iter().map(|part| part * part).sum::<f64>().sqrt();
-                attitude.map(|part| part / size)
-            }
+            Invariant::Momentum | Invariant::Direction => self.momentum.aligned(attitude, momentum),
+            Invariant::Impulse => rotation::normalized(attitude),
         }
     }
 
@@ -116,10 +123,12 @@ impl<'o, F: Motion> Keeper<'o, F> {
         let momentum = match self.motion.invariant() {
             Invariant::Momentum => {
                 let K = triple(y, MOMENTUM);
-                let drift = (norm(K) / norm(self.K_N)).ln();
-                self.drift += drift;
-                for axis in 0..3 {
-                    change.as_mut()[MOMENTUM + axis] = -drift * K[axis];
+                if self.momentum.held() {
+                    let drift = self.momentum.drift(K);
+                    self.drift += drift;
+                    for axis in 0..3 {
+                        change.as_mut()[MOMENTUM + axis] = -drift * K[axis];
+                    }
                 }
                 K
             }

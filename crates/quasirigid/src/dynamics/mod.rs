@@ -1,5 +1,6 @@
 //! Motion of a body: full, reduced, rigid.
 
+mod conserved;
 mod damped;
 mod event;
 mod external;

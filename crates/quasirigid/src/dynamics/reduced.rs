@@ -1,6 +1,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
+use super::conserved::{Conserved, inside};
 use super::event::Alarm;
 use super::form::{Equations, Form, MomentumForm, PaperForm};
 use super::run::{Observer, Options, Outcome, PROGRESS, PropagateError, Run, Sample, SpinState, check};
@@ -27,7 +28,8 @@ pub fn propagate(
     check(norm(initial.omega), times, options.tolerance)?;
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let power = Kernel::new(&body.power);
-    let plan = Plan { power: &power, x, initial, times, options: &options, observer };
+    let inside = inside(body.momentum(initial.omega), body.J, initial.omega);
+    let plan = Plan { power: &power, x, inside, initial, times, options: &options, observer };
     Ok(match options.form {
         Form::Momentum => dispatch(Propagation { equations: &MomentumForm::new(body), plan }),
         Form::Paper => dispatch(Propagation { equations: &PaperForm::new(body), plan }),
@@ -38,6 +40,7 @@ pub fn propagate(
 struct Plan<'a> {
     power: &'a Kernel,
     x: [f64; 3],
+    inside: [f64; 3],
     initial: SpinState,
     times: &'a [f64],
     options: &'a Options,
@@ -54,20 +57,21 @@ impl<E: Equations> Task for Propagation<'_, E> {
 
     #[inline(always)]
     fn run<A: Arithmetic>(self) -> Run {
-        let Self { equations, plan: Plan { power, x, initial, times, options, observer } } = self;
+        let Self { equations, plan } = self;
+        let Plan { power, x, inside, initial, times, options, observer } = plan;
         let system = Accounted { equations, power };
         let start =
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
-        let (error, attitude, free) = (options.tolerance * norm(x), options.tolerance, f64::INFINITY);
+        let K = equations.momentum(x);
+        let first = options.form.size(x, inside);
+        let (error, attitude, free) = (options.tolerance * first, options.tolerance, f64::INFINITY);
         let allowed =
             [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, start.pack(), allowed);
-        let K = equations.momentum(x);
         let mut keeper = Keeper {
             equations,
             form: options.form,
-            K_N: rotation::to_inertial(initial.attitude, K),
-            G: norm(K),
+            momentum: Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside),
             energy: equations.energy(x),
             drift: 0.0,
             alarm: Alarm::new(&options.events),
@@ -84,10 +88,8 @@ impl<E: Equations> Task for Propagation<'_, E> {
 struct Keeper<'a, E> {
     equations: &'a E,
     form: Form,
-    /// Inertial momentum.
-    K_N: [f64; 3],
-    /// `|K|` at the start.
-    G: f64,
+    /// Momentum at the start.
+    momentum: Conserved,
     /// Energy at the start.
     energy: f64,
     /// `Σ ln(|K|/G)` of the projections made. (P6)
@@ -104,15 +106,15 @@ impl<E: Equations> Keeper<'_, E> {
         Sample {
             t,
             omega: self.equations.omega::<Plain>(x),
-            attitude: rotation::aligned(accounts.attitude, K, self.K_N),
+            attitude: self.momentum.aligned(accounts.attitude, K),
             momentum: K,
             energy,
             dissipated: accounts.dissipated,
             work: 0.0,
             energy_drift: energy - self.energy - accounts.energy_change,
             momentum_drift: match self.form {
-                Form::Momentum => self.drift,
-                Form::Paper => norm(K) / self.G - 1.0,
+                Form::Momentum if self.momentum.held() => self.drift,
+                Form::Momentum | Form::Paper => self.momentum.change(K),
             },
             turns: accounts.angle / TAU,
         }
@@ -123,12 +125,12 @@ impl<E: Equations> Keeper<'_, E> {
     fn hold_invariants(&mut self, solver: &mut impl Solver<State = [f64; 12]>) {
         let Accounts { x, attitude, .. } = Accounts::unpack(*solver.y());
         let mut change = Accounts { x: [0.0; 3], attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
-        if self.form == Form::Momentum {
-            let drift = (norm(x) / self.G).ln();
+        if self.form == Form::Momentum && self.momentum.held() {
+            let drift = self.momentum.drift(x);
             self.drift += drift;
             change.x = x.map(|K| -drift * K);
         }
-        let aligned = rotation::aligned(attitude, self.equations.momentum(x), self.K_N);
+        let aligned = self.momentum.aligned(attitude, self.equations.momentum(x));
         change.attitude = std::array::from_fn(|i| aligned[i] - attitude[i]);
         solver.correct(&change.pack());
     }

@@ -77,8 +77,9 @@ pub struct Sample {
     /// truncation too. (P4)
     pub energy_drift: f64,
     /// Relative change of `|K|`: in the momentum form and the full system what the integrator made before it was
-    /// projected away (P6), in the paper's form the whole change, most of it the truncation of the series. Under external
-    /// forces the change of the inertial momentum beyond their impulse.
+    /// projected away (P6), in the paper's form the whole change, most of it the truncation of the series; where what
+    /// turns inside takes the momentum up, the whole change relative to its own. Under external forces the change of the
+    /// inertial momentum beyond their impulse.
     pub momentum_drift: f64,
     /// Turns made, `∫|ω| dt / 2π`.
     pub turns: f64,

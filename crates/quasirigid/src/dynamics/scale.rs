@@ -1,5 +1,6 @@
+use super::conserved::{inside, size};
 use super::external::{Forced, Pose};
-use crate::math::sym::norm;
+use crate::math::sym::{add, norm, scale};
 use crate::model::{Motion, Support};
 
 /// Sizes that errors are measured by.
@@ -7,10 +8,12 @@ use crate::model::{Motion, Support};
 pub(super) struct Scales {
     /// Sum of the moments of inertia (kg·m²).
     pub inertia: f64,
-    /// Spin (rad/s): at the start, or what the moments on the body as it stands there would give it within a radian, at any
-    /// of its times.
+    /// Spin (rad/s): at the start, or what the moments on the body as it stands there, those of motors too, would give it
+    /// within a radian, at any of its times.
     pub spin: f64,
-    /// Momentum (N·m·s).
+    /// Momentum of what turns inside (N·m·s), body axes.
+    pub inside: [f64; 3],
+    /// Momentum (N·m·s), of the whole or of what takes it up.
     pub momentum: f64,
     /// Place (m) and velocity (m/s); infinite where the place does not matter.
     pub place: f64,
@@ -26,10 +29,12 @@ impl Scales {
         let invariants = system.body.invariants();
         let [xx, yy, zz, ..] = invariants.J;
         let inertia = xx + yy + zz;
+        let inside = inside(K, invariants.J, omega);
         let mut scales = Self {
             inertia,
             spin: norm(omega),
-            momentum: norm(K),
+            inside,
+            momentum: size(K, inside),
             place: f64::INFINITY,
             velocity: f64::INFINITY,
         };
@@ -37,15 +42,16 @@ impl Scales {
             let still = vec![0.0; system.body.coordinates().len()];
             let moment = |look: usize| {
                 let t = pose.t + (end - pose.t) * look as f64 / (LOOKS - 1) as f64;
-                norm(system.loads(&Pose { t, ..pose }, Motion { omega, q: &still, rate: &still }).moment)
+                let loads = system.loads(&Pose { t, ..pose }, Motion { omega, q: &still, rate: &still });
+                norm(add(loads.moment, scale(-1.0, system.body.wheels().torque(t))))
             };
             let largest = (0..LOOKS).map(moment).fold(0.0, f64::max);
             scales.spin = scales.spin.max((largest / inertia).sqrt());
             scales.momentum = scales.momentum.max(scales.spin * inertia / 3.0);
             if !matches!(system.body.support(), Support::FixedPoint { .. }) {
-                let size = (inertia / invariants.mass).sqrt();
-                scales.place = size.max(norm(pose.place));
-                scales.velocity = (scales.spin * size).max(norm(pose.velocity));
+                let gyration = (inertia / invariants.mass).sqrt();
+                scales.place = gyration.max(norm(pose.place));
+                scales.velocity = (scales.spin * gyration).max(norm(pose.velocity));
             }
         }
         scales

@@ -1,5 +1,6 @@
 use std::ops::ControlFlow;
 
+use super::conserved::inside;
 use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
 use super::run::{Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
@@ -32,15 +33,21 @@ pub fn spin_path(
 ) -> Result<SpinPath, PropagateError> {
     check(norm(omega), times, options.tolerance)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
+    let error = options.tolerance * options.form.size(x, inside(body.momentum(omega), body.J, omega));
     Ok(match options.form {
-        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, times, options: &options }),
-        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, times, options: &options }),
+        Form::Momentum => {
+            dispatch(Path { equations: &MomentumForm::new(body), x, error, times, options: &options })
+        }
+        Form::Paper => {
+            dispatch(Path { equations: &PaperForm::new(body), x, error, times, options: &options })
+        }
     })
 }
 
 struct Path<'a, E> {
     equations: &'a E,
     x: [f64; 3],
+    error: f64,
     times: &'a [f64],
     options: &'a Options,
 }
@@ -50,9 +57,8 @@ impl<E: Equations> Task for Path<'_, E> {
 
     #[inline(always)]
     fn run<A: Arithmetic>(self) -> SpinPath {
-        let Self { equations, x: [x, y, z], times, options } = self;
+        let Self { equations, x: [x, y, z], error, times, options } = self;
         let system = SpinOnly(equations);
-        let error = options.tolerance * norm(self.x);
         let allowed = [error, error, error, f64::INFINITY];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };

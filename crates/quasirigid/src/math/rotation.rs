@@ -79,6 +79,14 @@ pub fn aligned(attitude: Attitude, body: [f64; 3], inertial: [f64; 3]) -> Attitu
     [q.w, q.i, q.j, q.k]
 }
 
+/// The attitude as a unit quaternion, which it must nearly be already.
+#[inline(always)]
+#[must_use]
+pub fn normalized(attitude: Attitude) -> Attitude {
+    let size = attitude.iter().map(|part| part * part).sum::<f64>().sqrt();
+    attitude.map(|part| part / size)
+}
+
 /// The attitude reached from `attitude` by a rotation vector in inertial axes (rad).
 #[must_use]
 pub fn turned(attitude: Attitude, rotation: [f64; 3]) -> Attitude {

@@ -62,10 +62,16 @@ impl ReducedBody {
         [0, 1, 2].map(|row| mu.row(row)[index(exponents)] / orderings)
     }
 
+    /// Momentum `k` of the wheels relative to the body (N·m·s), body axes. (C4)
+    #[must_use]
+    pub fn wheels(&self) -> [f64; 3] {
+        [0, 1, 2].map(|row| self.K.coefficient(row, [0; 3]))
+    }
+
     /// Whether momentum wheels turn in the body.
     #[must_use]
     pub fn has_wheels(&self) -> bool {
-        (0..3).any(|row| self.K.coefficient(row, [0; 3]) != 0.0)
+        self.wheels() != [0.0; 3]
     }
 
     /// The whole deviation torque `μ(ω)` (N·m) at a spin (rad/s).

@@ -1,20 +1,23 @@
 use crate::math::polynomial::Series;
 use crate::math::scalar::Jet;
-use crate::math::sym::{add, cross, norm};
-use crate::model::{FlexibleBody, Motion, ReducedBody};
+use crate::math::sym::{self, Sym, add, cross, norm};
+use crate::model::{FlexibleBody, Invariants, Motion, ReducedBody};
 
 /// How far the reduced equations are from solving the full ones at one spin. (R12)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
     /// Left-over force on the coordinates over the elastic load, both measured by the energy they would store;
-    /// of order `ω^{p−1}`. Zero where nothing loads the coordinates.
+    /// of order `ω^{p−1}`. Zero where nothing but rounding loads the coordinates.
     pub elastic: f64,
     /// Left-over force on the cyclic coordinates over their load, both measured by the power they would dissipate; of
-    /// order `ω^p`. Zero where nothing loads them.
+    /// order `ω^p`. Zero where nothing but rounding loads them.
     pub cyclic: f64,
     /// Left-over torque `|K̇ + ω × K|` (N·m), of order `ω^{p+3}`.
     pub torque: f64,
 }
+
+/// A load below this share of what the spin could do to the coordinates is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Puts the slow manifold into the full equations (S3), (S4) at a spin (rad/s).
 ///
@@ -39,11 +42,21 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
     let dashpot = body.damping().times(&rate.iter().map(|rate| rate.value).collect::<Vec<_>>());
     let left: Vec<f64> = (0..q.len()).map(|j| inertial[j] - dashpot[j] - spring[j]).collect();
+    let possible = possible(body, omega);
     let share = |size: fn(&FlexibleBody, &[f64]) -> f64| {
         let whole = size(body, &inertial);
-        if whole > 0.0 { size(body, &left) / whole } else { 0.0 }
+        if whole > ROUNDING * size(body, &possible) { size(body, &left) / whole } else { 0.0 }
     };
     Residual { elastic: share(stored), cyclic: share(dissipated), torque }
+}
+
+/// The size that the load on each coordinate has where the axis of a spin (rad/s) is in no special place.
+fn possible(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
+    let Invariants { J, J1, h, .. } = body.invariants();
+    let (spin, wheels) = (norm(omega), norm(sym::times(sym::inverse(*J), body.wheels().momentum(0.0))));
+    let stretch = |J1: &Sym| J1.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+    let load = |(J1, h): (&Sym, &[f64; 3])| spin * (spin * stretch(J1) + (spin + wheels) * norm(*h));
+    J1.iter().zip(h).map(load).collect()
 }
 
 /// Spin as a Taylor series in time along `ω̇ = f(ω)`.

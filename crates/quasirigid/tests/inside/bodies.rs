@@ -73,6 +73,28 @@ pub fn tank(center: [f64; 3], radius: f64, density: f64, viscosity: f64) -> Cavi
     Cavity { center, attitude, ..cavity([radius; 3], density, viscosity) }
 }
 
+/// Sprung masses, a flywheel, a ball, a wheel, and liquids in a ball and in an ellipsoid, none in line with another.
+pub fn everything() -> Assembly {
+    let (point, spring) = sprung();
+    let other = Point { name: "other".into(), mass: 0.7, position: [-0.5, 0.9, -0.2], ..point.clone() };
+    let law = Law::Spatial {
+        stiffness: Coefficient::Isotropic(600.0),
+        damping: Coefficient::Diagonal([20.0, 30.0, 25.0]),
+    };
+    let between = Spring { from: End::Point(1), to: End::Point(0), law, ..spring.clone() };
+    let held = Spring { from: End::Point(1), ..spring.clone() };
+    let round =
+        Cavity { name: "round".into(), center: [0.4, 0.2, -0.5], modes: 1, ..cavity([0.3; 3], 400.0, 0.2) };
+    Assembly {
+        points: vec![point, other],
+        springs: vec![spring, between, held],
+        rotors: vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)],
+        wheels: vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { momentum: 6.0 })],
+        cavities: vec![cavity([0.4, 0.3, 0.2], 500.0, 0.1), round],
+        ..bare()
+    }
+}
+
 /// The orders of `p = 0, 1, …`, measured.
 pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());

@@ -2,13 +2,18 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod bodies;
+mod description;
 mod oracle;
 
 mod ageing;
+mod balance;
 mod full;
 mod liquids;
 
 mod orders;
+mod parts;
+mod properties;
 mod shapes;
 mod start;
+mod without_momentum;
 mod wobble;

@@ -1,10 +1,13 @@
 //! Order `p`, the degree `p + 2` of `f`, is in error by `ε^{p+1}`; theory.md §9: 1, 2, 3, 4 for the degrees 2 to 5. (E4)
 
+use quasirigid::dynamics::{Form, Options, spin_path};
 use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
 use quasirigid::math::expression::Expression;
+use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::reduction::reduce;
 
-use crate::bodies::{ball, bare, cavity, flywheel, orders, sprung, wheel};
+use crate::bodies::{ball, bare, cavity, everything, flywheel, orders, sprung, wheel};
 
 const OMEGA: [f64; 3] = [1.2, 0.35, 0.2];
 
@@ -73,4 +76,27 @@ fn an_ellipsoid_of_liquid_beside_a_sprung_mass() {
     let (point, spring) = sprung();
     let cavities = vec![cavity([0.6, 0.45, 0.3], 1500.0, 0.05)];
     assert_orders(&Assembly { cavities, points: vec![point], springs: vec![spring], ..bare() }, 3);
+}
+
+/// The paper's form and that of the momentum differ by what the order leaves out, and of a rigid body with a wheel not at all.
+/// (P1), (P2), (C4)
+#[test]
+fn both_forms_of_the_equations_know_of_the_wheel() {
+    let body = everything().body().unwrap();
+    let spin = |order: usize, form: Form, epsilon: f64| {
+        let reduced = reduce(&body.stiffened(epsilon).unwrap(), order).unwrap();
+        let options = Options { form, tolerance: 1e-14, ..Options::default() };
+        spin_path(&reduced, scale(0.5, OMEGA), &[6.0], options).unwrap().omega[0]
+    };
+    let gap = |order, epsilon| {
+        let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| spin(order, form, epsilon));
+        norm(add(momentum, scale(-1.0, paper))) / norm(momentum)
+    };
+    assert!(gap(0, 1.0) < 1e-12, "{:e}", gap(0, 1.0));
+    for p in 1..=3 {
+        let gaps = [0.5, 0.25, 0.125].map(|epsilon| gap(p, epsilon));
+        let order = (gaps[1] / gaps[2]).log2();
+        println!("p = {p}: {order} {gaps:?}");
+        assert!((order - (p + 1) as f64).abs() < 0.25, "p = {p}: {order} {gaps:?}");
+    }
 }

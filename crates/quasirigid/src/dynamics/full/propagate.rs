@@ -31,7 +31,7 @@ pub fn propagate_full(
     check(scales.spin, times, options.tolerance)?;
     let allowed = allowed(system.body, &scales, options.tolerance);
     let full = FullSystem::new(system);
-    let mut keeper = Keeper::new(full.clone(), &y, &options, observer);
+    let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
     let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
     let last = keeper.sample(solver.t(), solver.y());

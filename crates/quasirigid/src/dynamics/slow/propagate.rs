@@ -50,7 +50,7 @@ pub fn propagate_forced(
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
     let slow = SlowSystem { system, order, form: options.form };
-    let mut keeper = Keeper::new(slow, &y, &options, observer);
+    let mut keeper = Keeper::new(slow, &y, scales.inside, &options, observer);
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
     let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
     let last = keeper.sample(solver.t(), solver.y());

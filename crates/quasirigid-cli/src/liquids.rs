@@ -1,7 +1,7 @@
 //! Liquids of a model at a spin, in words and numbers.
 
 use quasirigid::elements::SlowLiquid;
-use serde_json::{Value, json};
+use quasirigid_io::record::LiquidRecord;
 
 use crate::commands::Loaded;
 use crate::describe::significant;
@@ -20,6 +20,23 @@ pub fn liquids(loaded: &Loaded, spin: f64) -> Vec<Liquid<'_>> {
     cavities
         .map(|(cavity, slow)| Liquid { name: &cavity.name, reynolds: slow.reynolds(spin), slow })
         .collect()
+}
+
+/// Reynolds numbers above this let waves live in a liquid that spins.
+const WAVES: f64 = 100.0;
+
+/// What to know of waves in spinning liquids (rad/s) that the answers leave out, if any lives long enough.
+pub fn waves(loaded: &Loaded, spin: f64) -> Option<String> {
+    let cavities = loaded.model.assembly.cavities.iter().zip(&loaded.liquids);
+    let lively = cavities.filter(|(cavity, slow)| cavity.leaves_out_waves() && slow.reynolds(spin) > WAVES);
+    let names: Vec<String> = lively.map(|(cavity, _)| format!("{:?}", cavity.name)).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Spinning liquid has waves of its own at frequencies below twice the spin; in {} they are weakly damped and mostly left out. \
+             Where the times differ at --order 1, 3 and 5, they decide.",
+            names.join(", ")
+        )
+    })
 }
 
 impl Liquid<'_> {
@@ -47,13 +64,19 @@ impl Liquid<'_> {
         format!("\n{}\n{answer}", paragraph(&title, "", "  "))
     }
 
-    /// For machines.
-    pub fn object(&self) -> Value {
-        let SlowLiquid { mass, radius, tensor, errors, equivalent, viscosity } = self.slow;
-        json!({
-            "name": self.name, "mass": mass, "radius": radius, "viscosity": viscosity,
-            "reynolds": self.reynolds, "P": tensor, "errors": errors, "equivalent_inertia": equivalent,
-        })
+    /// For a record, and for machines.
+    pub fn record(&self) -> LiquidRecord {
+        let SlowLiquid { mass, radius, tensor, errors, equivalent, viscosity } = *self.slow;
+        LiquidRecord {
+            name: self.name.into(),
+            mass,
+            radius,
+            viscosity,
+            reynolds: self.reynolds,
+            P: tensor,
+            errors,
+            equivalent_inertia: equivalent,
+        }
     }
 }
 

@@ -66,6 +66,7 @@ pub fn validity(validity: &Validity) -> ValidityRecord {
         T3: validity.T3,
         frequencies: validity.vibrations.frequencies.clone(),
         decay_rates: validity.vibrations.decay_rates.clone(),
+        relaxations: validity.relaxation.times.clone(),
         criteria: criteria.collect(),
     }
 }
@@ -83,10 +84,11 @@ pub fn reduction(
         size: degree.size,
         relative: if euler > 0.0 { degree.size / euler } else { 0.0 },
     });
+    let residual = residual(flexible, reduced, omega);
     ReductionRecord {
         order: reduced.order,
         optimal_order: validity.optimal_order,
-        residual: residual(flexible, reduced, omega).elastic,
+        residual: residual.elastic.max(residual.cyclic),
         degrees: degrees.collect(),
         power: reduced.dissipated_power(omega),
     }

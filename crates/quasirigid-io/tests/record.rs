@@ -36,9 +36,20 @@ prop_compose! {
 prop_compose! {
     fn validity()(
         valid: bool, verdict in ".*", T1 in ANY, T2 in option::of(ANY), T3 in ANY,
-        frequencies in vec(ANY, 0..4), decay_rates in vec(ANY, 0..4), criteria in vec(criterion(), 0..3),
+        frequencies in vec(ANY, 0..4), decay_rates in vec(ANY, 0..4), relaxations in vec(ANY, 0..4),
+        criteria in vec(criterion(), 0..3),
     ) -> ValidityRecord {
-        ValidityRecord { valid, verdict, T1, T2, T3, frequencies, decay_rates, criteria }
+        ValidityRecord { valid, verdict, T1, T2, T3, frequencies, decay_rates, relaxations, criteria }
+    }
+}
+
+prop_compose! {
+    fn liquid()(
+        name in ".*", mass in ANY, radius in ANY, viscosity in ANY, reynolds in ANY, P in [[ANY; 3], [ANY; 3], [ANY; 3]],
+        errors in option::of([ANY; 3]),
+        equivalent_inertia in option::of([[ANY; 3], [ANY; 3], [ANY; 3]]),
+    ) -> LiquidRecord {
+        LiquidRecord { name, mass, radius, viscosity, reynolds, P, errors, equivalent_inertia }
     }
 }
 
@@ -122,12 +133,12 @@ prop_compose! {
 prop_compose! {
     fn record()(
         version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
-        body in body(), validity in validity(), reduction in reduction(),
+        body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
     ) -> RunRecord {
         RunRecord {
-            version, model: ModelRecord { name, file, sha256 }, notes, body, validity, reduction,
+            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
     }
@@ -154,6 +165,7 @@ fn sample() -> RunRecord {
             principal_axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             coordinates: vec!["tip.x".into()],
         },
+        liquids: vec![],
         validity: ValidityRecord {
             valid: true,
             verdict: "The reduced equations hold.".into(),
@@ -162,6 +174,7 @@ fn sample() -> RunRecord {
             T3: 0.1 + 0.2,
             frequencies: vec![5e-324],
             decay_rates: vec![],
+            relaxations: vec![],
             criteria: vec![],
         },
         reduction: ReductionRecord {
@@ -376,7 +389,7 @@ fn broken_json_is_located() {
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
-        matches!(&error, RecordError::Json { line: 68, problem, .. }
+        matches!(&error, RecordError::Json { line: 69, problem, .. }
         if problem == "invalid value: string \"large\", expected a number, \"NaN\", \"inf\" or \"-inf\""),
         "{error}"
     );

@@ -5,7 +5,7 @@ use crate::rows::main_history;
 use crate::sphere;
 
 use crate::sections::{
-    answer, body, evolution, figures, head, provenance, reduction, validity, verification,
+    answer, body, evolution, figures, head, liquids, provenance, reduction, validity, verification,
 };
 
 const STYLE: &str = include_str!("assets/page.css");
@@ -43,6 +43,7 @@ pub fn page(record: &RunRecord) -> String {
                     @if let Some(verification) = &record.verification { (verification::section(verification)) }
                     (reduction::section(&record.reduction))
                     (body::section(&record.body))
+                    @if !record.liquids.is_empty() { (liquids::section(&record.liquids)) }
                     (provenance::section(record))
                 }
                 script { (PreEscaped(SCRIPT)) }

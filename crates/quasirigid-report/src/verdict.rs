@@ -93,6 +93,7 @@ mod tests {
             T3: 0.0,
             frequencies: vec![],
             decay_rates: vec![],
+            relaxations: vec![],
             criteria,
         }
     }

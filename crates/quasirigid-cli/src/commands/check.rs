@@ -74,7 +74,7 @@ fn object(loaded: &Loaded, validity: &Validity) -> String {
         "degrees": validity.degrees.iter()
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
-        "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::object).collect::<Vec<_>>(),
+        "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
         "condensation": loaded.condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
         })),

@@ -12,6 +12,7 @@ use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::liquids::{Liquid, liquids};
 use crate::message::remark;
 use crate::motion::Motion;
 use crate::output::Folder;
@@ -55,6 +56,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         model: record::model(model),
         notes,
         body: record::body(body),
+        liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,

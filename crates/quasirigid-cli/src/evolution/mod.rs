@@ -7,6 +7,7 @@ mod words;
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, SlowTorque, Stage};
 use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
+use quasirigid::math::sym::norm;
 use quasirigid::model::Support;
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{Model, Power, Target};
@@ -15,6 +16,7 @@ use quasirigid_io::record::EvolutionRecord;
 use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::liquids::waves;
 use crate::progress::Bar;
 use crate::rotation::slaved_order;
 use ageing::Ageing;
@@ -88,7 +90,8 @@ pub fn follow(
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
-    let notes = words::notes(&ageing, [from, rows.last().stage], unranged);
+    let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
+    notes.extend(waves(loaded, norm(start.omega)));
     Ok((ageing.record(&evolution, from, &rows, time_range, columns), notes))
 }
 

@@ -28,6 +28,9 @@ pub struct RunRecord {
     pub notes: Vec<String>,
     /// The frozen body `S*` and its coordinates.
     pub body: BodyRecord,
+    /// Liquids in cavities.
+    #[serde(default)]
+    pub liquids: Vec<LiquidRecord>,
     /// How far the reduced equations hold.
     pub validity: ValidityRecord,
     /// The reduced equations at the initial spin.
@@ -80,6 +83,35 @@ pub struct BodyRecord {
     pub coordinates: Vec<String>,
 }
 
+/// A liquid in a cavity, at the initial spin.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct LiquidRecord {
+    /// Name of the cavity.
+    pub name: String,
+    /// Mass (kg).
+    #[serde(with = "number")]
+    pub mass: f64,
+    /// Radius of a ball of liquid that follows as slowly (m).
+    #[serde(with = "number")]
+    pub radius: f64,
+    /// Kinematic viscosity (m²/s).
+    #[serde(with = "number")]
+    pub viscosity: f64,
+    /// Reynolds number of the spin.
+    #[serde(with = "number")]
+    pub reynolds: f64,
+    /// Tensor `P` of the slow flow (m⁷), in the file's axes.
+    #[serde(with = "number")]
+    pub P: [[f64; 3]; 3],
+    /// Estimate of the relative error in `P` about each axis of the cavity; none of exact flows.
+    #[serde(with = "number")]
+    pub errors: Option<[f64; 3]>,
+    /// Inertia tensor of the body that an ideal liquid is equivalent to (kg·m²), in the file's axes; none of a liquid that is viscous
+    /// throughout.
+    #[serde(with = "number")]
+    pub equivalent_inertia: Option<[[f64; 3]; 3]>,
+}
+
 /// How far the reduced equations hold.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ValidityRecord {
@@ -102,6 +134,9 @@ pub struct ValidityRecord {
     /// Decay rates of the free vibrations (1/s), ascending.
     #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
+    /// Times in which what turns inside comes to rest while the attitude is held (s), descending.
+    #[serde(with = "number", default)]
+    pub relaxations: Vec<f64>,
     /// Every criterion with its number.
     pub criteria: Vec<CriterionRecord>,
 }

@@ -6,6 +6,7 @@ mod curve;
 pub mod evolution;
 pub mod figures;
 pub mod head;
+pub mod liquids;
 pub mod provenance;
 pub mod reduction;
 mod table;

@@ -25,6 +25,10 @@ pub fn section(validity: &ValidityRecord) -> Markup {
                 (vibrations("Natural frequencies, undamped", ["No.", "Ω [rad/s]", "Period [s]"], &validity.frequencies, TAU))
                 (vibrations("Decay rates of free vibrations", ["No.", "Rate [1/s]", "Decay time [s]"], &validity.decay_rates, 1.0))
             }
+            @if !validity.relaxations.is_empty() {
+                @let rates: Vec<f64> = validity.relaxations.iter().map(|time| 1.0 / time).collect();
+                (vibrations("Relaxations of what turns inside, attitude held", ["No.", "Rate [1/s]", "Time [s]"], &rates, 1.0))
+            }
         }
     }
 }
@@ -52,7 +56,7 @@ fn times(validity: &ValidityRecord) -> Markup {
     facts(
         "Times",
         &[
-            ("T₁, longest period of free vibration", seconds(validity.T1)),
+            ("T₁, longest period of free vibration", longest(validity)),
             (
                 "T₂, decay of the slowest free vibration by e",
                 validity.T2.map_or_else(|| html! { "none: it does not decay" }, seconds),
@@ -60,6 +64,14 @@ fn times(validity: &ValidityRecord) -> Markup {
             ("T₃, time of the spin 1/|ω|", seconds(validity.T3)),
         ],
     )
+}
+
+fn longest(validity: &ValidityRecord) -> Markup {
+    if validity.frequencies.is_empty() {
+        html! { "none: nothing vibrates" }
+    } else {
+        seconds(validity.T1)
+    }
 }
 
 /// In seconds, and in a longer unit where that says more.

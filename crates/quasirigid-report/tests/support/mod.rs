@@ -170,6 +170,7 @@ fn validity() -> ValidityRecord {
         T3: 0.752,
         frequencies: vec![23.871, 24.466, 24.503, 31.209, 33.8, 47.25],
         decay_rates: vec![0.2079, 0.3, 0.3002, 0.51, 0.58, 1.1],
+        relaxations: vec![24.53, 3.846],
         criteria: vec![
             criterion(
                 "Spin against the slowest vibration",
@@ -203,6 +204,23 @@ fn validity() -> ValidityRecord {
     }
 }
 
+/// A viscous liquid, and one behind its boundary layer.
+fn liquids() -> Vec<LiquidRecord> {
+    let tank = LiquidRecord {
+        name: "glycerine".into(),
+        mass: 31.67,
+        radius: 0.1861,
+        viscosity: 1.119e-3,
+        reynolds: 0.976,
+        P: [[2.4426e-7, 1e-24, 0.0], [1e-24, 2.4426e-7, 0.0], [0.0, 0.0, 3.1e-7]],
+        errors: Some([1e-9, 2.3e-8, 1e-9]),
+        equivalent_inertia: None,
+    };
+    let equivalent_inertia = Some([[0.802, 0.0, 0.0], [0.0, 1.116, 0.0], [0.0, 0.0, 1.441]]);
+    let water = LiquidRecord { name: "water".into(), errors: None, equivalent_inertia, ..tank.clone() };
+    vec![tank, water]
+}
+
 /// A record with a damped and a rigid history.
 pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
     let histories = vec![history("reduced", rows, duration, alpha), history("rigid", rows, duration, 0.0)];
@@ -224,6 +242,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
             principal_axes: axes(),
             coordinates: ["tip.x", "tip.y", "tip.z", "panel.angle"].map(String::from).into(),
         },
+        liquids: liquids(),
         validity: validity(),
         reduction: ReductionRecord {
             order: 3,

@@ -115,6 +115,15 @@ impl Cavity {
         Ok(())
     }
 
+    /// Whether a liquid that spins with the body has waves that its coordinates do not hold: all but a ball, and a viscous slender ring.
+    #[must_use]
+    pub fn leaves_out_waves(&self) -> bool {
+        match self.shape.turning() {
+            Some(turning) => turning.axes.len() == 1 && self.regime == Regime::BoundaryLayer,
+            None => true,
+        }
+    }
+
     /// The liquid with its motions, to as many steps as an order of the reduction needs.
     pub(super) fn filled(&self, index: usize, order: usize) -> Result<Filled, ElementError> {
         self.check(index)?;

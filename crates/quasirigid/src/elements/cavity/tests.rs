@@ -89,7 +89,6 @@ fn answers_to_fast_changes_reach_as_far_as_their_rates() {
             let slowest = 14.68 / (a * a);
             gaps.push(worst(&kept(&tall), 2, &reach(slowest), |s| closed_form(1.0, endless, a, s)));
         }
-        println!("{modes}: {gaps:?}");
         // The ends of the tall cylinder are half a percent of it.
         let most = if modes == 0 { 3e-3 } else { 0.1 };
         assert!(gaps.iter().all(|gap| *gap < most), "{modes}: {gaps:?}");
@@ -176,7 +175,6 @@ fn a_boundary_layer_is_the_answer_at_high_frequency() {
             (lacking(&can.relaxations, 2, s).im / cylinder(a, height, s).im - 1.0).abs(),
         ]
     });
-    println!("{gaps:?}");
     for gap in 0..2 {
         assert!(gaps[0][gap] < 0.02 && gaps[2][gap] < 3e-3, "{gaps:?}");
     }
@@ -203,7 +201,6 @@ fn three_roads_to_an_ideal_liquid() {
             (found.surface - exact.surface).amax() / exact.surface.amax(),
             turning.fold(0.0, f64::max),
         ];
-        println!("{gaps:?}");
         assert!(gaps.iter().all(|gap| *gap < most), "{gaps:?}");
     }
     let equivalent = layers(&CavityShape::Ellipsoid { semi_axes: [0.9, 0.5, 0.7] }, 0).equivalent.unwrap();

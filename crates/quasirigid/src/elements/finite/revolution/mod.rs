@@ -27,6 +27,9 @@ use super::stokes::StokesError;
 use crate::math::factor::{Factor, Method};
 use crate::math::symmetric::Symmetric;
 
+/// A part of a load by distance from the axis and height.
+type Profile = fn([f64; 2]) -> f64;
+
 /// How finely the flow in a cavity of revolution is resolved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::elements) struct Fineness {
@@ -71,7 +74,7 @@ impl RevolvedFlow {
     /// `∫ ψ·(e × r) dV` for the unit vector of an axis.
     pub fn load(&self, axis: usize) -> Vec<f64> {
         // e_z × r turns round the axis; e_x × r = −z e_y + y e_z and e_y × r = z e_x − x e_z are of the first harmonic.
-        let (m, kind, parts): (_, _, [fn([f64; 2]) -> f64; 3]) = match axis {
+        let (m, kind, parts): (_, _, [Profile; 3]) = match axis {
             0 => (1, 1, [|_| 0.0, |[_, z]| -2.0 * z, |[r, _]| r]),
             1 => (1, 0, [|_| 0.0, |[_, z]| 2.0 * z, |[r, _]| -r]),
             _ => (0, 0, [|[r, _]| r, |[r, _]| -r, |_| 0.0]),

@@ -49,7 +49,6 @@ fn cylinders_answer_as_the_series() {
         let outline = Outline::Cylinder { radius, height: radius * height };
         let exact = axial(radius, radius * height, rate);
         let gaps = [6, 8, 10].map(|degree| (answers(&outline, degree, rate)[2] / exact - 1.0).abs());
-        println!("{height} {rate}: {gaps:?}");
         assert!(
             gaps[1] < 0.1 * gaps[0] && gaps[2] < 0.2 * gaps[1] && gaps[2] < 1e-7,
             "{height} {rate}: {gaps:?}"
@@ -65,7 +64,6 @@ fn between_concentric_balls_all_axes_are_alike() {
         let outline = Outline::Shell { across: [inner, outer], along: [inner, outer] };
         let answers = answers(&outline, 12, 0.0);
         let gaps = answers.map(|answer| (answer / exact - 1.0).abs());
-        println!("{inner} {outer}: {gaps:?}");
         assert!(gaps.iter().all(|gap| *gap < 2e-8), "{gaps:?}");
     }
 }
@@ -172,6 +170,5 @@ fn turning_between_concentric_balls_is_the_same_about_all_axes() {
     let turned: Vec<Vec<f64>> = pairs.iter().map(|[axis, of]| flow.turned(*axis, &slow[*of])).collect();
     let next = flow.solve(&turned, 0.0).unwrap();
     let work: Vec<f64> = turned.iter().zip(&next).map(|(load, u)| dot(load, u)).collect();
-    println!("{work:?}");
     assert!(work.iter().all(|own| (own / work[0] - 1.0).abs() < 1e-7), "{work:?}");
 }

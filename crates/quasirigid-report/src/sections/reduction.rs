@@ -12,7 +12,7 @@ pub fn section(reduction: &ReductionRecord) -> Markup {
             (facts("Reduction", &[
                 ("Order p", html! { (reduction.order) }),
                 ("Order with the smallest terms at this spin", html! { (reduction.optimal_order) }),
-                ("Residual of the invariance equation, relative to the elastic load", html! { (short(reduction.residual)) }),
+                ("Residual of the invariance equation, relative to the load", html! { (short(reduction.residual)) }),
                 ("Mean power dissipated", html! { (short(reduction.power)) " W" }),
             ]))
             @if reduction.degrees.is_empty() {

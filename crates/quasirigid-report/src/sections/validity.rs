@@ -24,10 +24,10 @@ pub fn section(validity: &ValidityRecord) -> Markup {
             div.pair {
                 (vibrations("Natural frequencies, undamped", ["No.", "Ω [rad/s]", "Period [s]"], &validity.frequencies, TAU))
                 (vibrations("Decay rates of free vibrations", ["No.", "Rate [1/s]", "Decay time [s]"], &validity.decay_rates, 1.0))
-            }
-            @if !validity.relaxations.is_empty() {
-                @let rates: Vec<f64> = validity.relaxations.iter().map(|time| 1.0 / time).collect();
-                (vibrations("Relaxations of what turns inside, attitude held", ["No.", "Rate [1/s]", "Time [s]"], &rates, 1.0))
+                @if !validity.relaxations.is_empty() {
+                    @let rates: Vec<f64> = validity.relaxations.iter().map(|time| 1.0 / time).collect();
+                    (vibrations("Relaxations of what turns inside, attitude held", ["No.", "Rate [1/s]", "Time [s]"], &rates, 1.0))
+                }
             }
         }
     }

@@ -130,15 +130,17 @@ impl<'a> Motion<'a> {
         let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
         Ok(still.with_spin(self.system(), order, omega)?)
     }
-}
 
-/// The equations integrated, in words.
-pub fn form(system: System, forced: bool, form: Form) -> &'static str {
-    match (system, forced, form) {
-        (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
-        (_, false, Form::Momentum) => "momentum in body axes, K' = K x Omega(K)",
-        (_, true, Form::Momentum) => "momentum in body axes, K' = K x w + M",
-        (_, false, Form::Paper) => "spin, J w' + w x Jw = mu(w)",
-        (_, true, Form::Paper) => "spin, J w' + w x Jw = M + mu",
+    /// The equations integrated, in words.
+    pub fn equations(&self, system: System, form: Form) -> &'static str {
+        let forces = self.system();
+        match (system, forces.acts(), form) {
+            (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
+            (_, false, Form::Momentum) => "momentum in body axes, K' = K x Omega(K)",
+            (_, true, Form::Momentum) => "momentum in body axes, K' = K x w + M",
+            (_, false, Form::Paper) if !forces.body.wheels().is_none() => "spin, J w' + w x (Jw + k) = mu(w)",
+            (_, false, Form::Paper) => "spin, J w' + w x Jw = mu(w)",
+            (_, true, Form::Paper) => "spin, J w' + w x Jw = M + mu",
+        }
     }
 }

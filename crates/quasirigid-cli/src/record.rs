@@ -14,7 +14,7 @@ use quasirigid_io::record::{
 };
 
 use crate::args::System;
-use crate::{describe, motion};
+use crate::describe;
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -118,10 +118,10 @@ pub fn verification(plan: &Plan, verification: &Verification) -> VerificationRec
     }
 }
 
-/// A spin history; nutation is counted from the `axis` (body axes).
+/// A spin history of some `equations`, in words; nutation is counted from the `axis` (body axes).
 pub fn history(
     system: System,
-    forced: bool,
+    equations: &str,
     options: &Options,
     samples: &[Sample],
     run: &Run,
@@ -130,7 +130,7 @@ pub fn history(
     let (status, message) = status(run.outcome, run.last.t);
     HistoryRecord {
         system: name(system).into(),
-        form: motion::form(system, forced, options.form).into(),
+        form: equations.into(),
         method: method(system, run.work),
         status: status.into(),
         message,

@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 use quasirigid::dynamics::{SteadySpin, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
 use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{self, dot, norm};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use serde_json::json;
@@ -170,12 +170,28 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result {
     let principal = Principal::of(reduced.J);
     let K = reduced.momentum(omega);
+    if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
+        return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
+    }
     writeln!(out, "\nSteady spins at this momentum, after the reduced equations")?;
     let names = ["least", "middle", "greatest"];
-    let steady = steady_spins(reduced, norm(K));
-    for ((name, moment), steady) in names.iter().zip(principal.moments).zip(steady) {
+    let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));
+    for (place, name) in names.into_iter().enumerate() {
+        let moment = principal.moments[place];
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
-        writeln!(out, "  {about:<51} {}", steady.map_or("two moments are equal".into(), |spin| fate(&spin)))?;
+        let same = |other: &f64| (other - moment).abs() <= EQUAL * principal.moments[2];
+        let equal = principal.moments.iter().filter(|other| same(other)).count() > 1;
+        let word = |spin: Option<SteadySpin>| match spin {
+            Some(spin) => fate(&spin),
+            None if equal => "two moments are equal".into(),
+            None => "none is near it".into(),
+        };
+        let senses = if dot(K, principal.axes[place]) < 0.0 { [1, 0] } else { [0, 1] };
+        let [this, other] = senses.map(|sense| word(steady[sense][place]));
+        writeln!(out, "  {about:<51} {this}")?;
+        if reduced.has_wheels() {
+            writeln!(out, "  {:<51} {other}", "  the other way round:")?;
+        }
     }
     let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
         let off = angle(K, *axis);
@@ -184,6 +200,11 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
     writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
 }
+
+/// A momentum below this share of that of the frozen body is zero.
+const ROUNDING: f64 = 1e-12;
+/// Moments closer than this, relative to the greatest, are equal.
+const EQUAL: f64 = 1e-9;
 
 /// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
 fn self_gravity(ellipsoid: &Ellipsoid) -> String {

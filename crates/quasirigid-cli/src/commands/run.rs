@@ -207,8 +207,8 @@ impl<'a> Plan<'a> {
         if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
             remark(&format!("{name}: {}", record::status(run.outcome, run.last.t).1));
         }
-        let forced = self.motion.system().acts();
-        Ok(record::history(system, forced, &self.options, &samples, &run, self.axis))
+        let equations = self.motion.equations(system, self.options.form);
+        Ok(record::history(system, equations, &self.options, &samples, &run, self.axis))
     }
 }
 

@@ -173,3 +173,30 @@ fn note_on_the_model_goes_to_standard_error_unless_quiet() {
         assert_eq!(quiet.stdout, shown.stdout, "{command}");
     }
 }
+
+/// Its steady spins along the wheel and against it differ.
+const GYROSTAT: &str = "[carrier]\nmass = 100.0\ncenter_of_mass = [0.0, 0.0, 0.0]\ninertia = [10.0, 20.0, 30.0]\n\
+    [[wheel]]\naxis = [0, 0, 1]\nmomentum = MOMENTUM\n[[rotor]]\naxis = [0, 1, 0]\ninertia = 0.5\nfriction = 20.0\n\
+    [initial]\nangular_velocity = [0.0, 0.0, 0.1]\n";
+
+#[test]
+fn steady_spins_of_a_gyrostat_have_two_senses() {
+    let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "2.0"), "check model.toml");
+    let (_, spins) = checked.stdout.split_once("Steady spins").unwrap();
+    assert_snapshot!(spins, @"
+    at this momentum, after the reduced equations
+     about the axis of least inertia, 10.000 kg m^2:     grows e-fold in 11.11 h
+       the other way round:                              grows e-fold in 11.11 h
+     about the axis of middle inertia, 20.000 kg m^2:    grows e-fold in 11.55 s
+       the other way round:                              grows e-fold in 11.55 s
+     about the axis of greatest inertia, 30.000 kg m^2:  decays e-fold in 8.889 h
+       the other way round:                              decays e-fold in 13.33 h
+     now 0 degrees from the axis of greatest inertia
+    ");
+    let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "-3.0"), "check model.toml");
+    assert!(
+        checked.stdout.ends_with("The momentum is zero: what turns inside takes it up.\n"),
+        "{}",
+        checked.stdout
+    );
+}

@@ -167,7 +167,7 @@ pub struct ReductionRecord {
     pub order: usize,
     /// Order at which the terms are smallest at this spin.
     pub optimal_order: usize,
-    /// Residual of the invariance equation relative to the elastic load.
+    /// Residual of the invariance equation relative to the load on what is inside.
     #[serde(with = "number")]
     pub residual: f64,
     /// Size of each degree of `ω̇` at this spin.

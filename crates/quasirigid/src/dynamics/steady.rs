@@ -23,7 +23,8 @@ const ROUNDING: f64 = 1e-12;
 const DISTINCT: f64 = 1e-9;
 
 /// Steady spins of a reduced body with the momentum `|K|` (N·m·s), one near each principal axis, in the order of
-/// ascending moments. None where the axis is not determined, as across the axis of a body of revolution.
+/// ascending moments; a negative momentum turns all axes round, which matters where wheels turn. None where the axis is not
+/// determined, as across the axis of a body of revolution, or no steady spin is near it.
 #[must_use]
 pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3] {
     let Principal { moments: [I1, I2, I3], axes } = Principal::of(body.J);
@@ -56,7 +57,9 @@ fn steady_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64
         let step = system.lu().solve(&right)?;
         K += step.fixed_rows::<3>(0);
         rate += step[3];
-        if !(K - G * Vector3::from(axis)).norm().is_finite() || K.dot(&Vector3::from(axis)) < 0.5 * G {
+        if !(K - G * Vector3::from(axis)).norm().is_finite()
+            || K.dot(&Vector3::from(axis)) * G.signum() < 0.5 * G.abs()
+        {
             return None;
         }
     }

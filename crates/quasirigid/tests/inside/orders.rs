@@ -1,6 +1,6 @@
 //! Order `p`, the degree `p + 2` of `f`, is in error by `ε^{p+1}`; theory.md §9: 1, 2, 3, 4 for the degrees 2 to 5. (E4)
 
-use quasirigid::dynamics::{Form, Options, spin_path};
+use quasirigid::dynamics::{Form, Options, spin_path, steady_spins};
 use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
 use quasirigid::math::expression::Expression;
 use quasirigid::math::sym::{add, norm, scale};
@@ -99,4 +99,24 @@ fn both_forms_of_the_equations_know_of_the_wheel() {
         println!("p = {p}: {order} {gaps:?}");
         assert!((order - (p + 1) as f64).abs() < 0.25, "p = {p}: {order} {gaps:?}");
     }
+}
+
+/// A wheel tells the two senses of an axis apart: the steady spin against it is the one along the reversed wheel.
+#[test]
+fn steady_spins_against_a_wheel_are_those_along_the_reversed_one() {
+    let spins = |momentum: f64, sense: f64| {
+        let wheels = vec![wheel([0.2, 1.0, 0.3], WheelSpeed::Constant { momentum })];
+        let assembly = Assembly { rotors: vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0)], wheels, ..bare() };
+        steady_spins(&reduce(&assembly.body().unwrap(), 3).unwrap(), sense * 40.0)
+    };
+    let [against, reversed, along] = [spins(3.0, -1.0), spins(-3.0, 1.0), spins(3.0, 1.0)];
+    for axis in 0..3 {
+        let [against, reversed, along] = [against, reversed, along].map(|spins| spins[axis].unwrap());
+        let spin = norm(along.omega);
+        assert!((against.frequency - reversed.frequency).abs() < 1e-10 * spin, "{against:?} {reversed:?}");
+        assert!((against.growth - reversed.growth).abs() < 1e-10 * spin, "{against:?} {reversed:?}");
+        assert!(norm(add(against.omega, reversed.omega)) < 1e-10 * spin, "{against:?} {reversed:?}");
+        assert!(norm(add(against.omega, along.omega)) > 0.01 * spin, "{against:?} {along:?}");
+    }
+    assert!(spins(3.0, 0.0).iter().all(Option::is_none));
 }

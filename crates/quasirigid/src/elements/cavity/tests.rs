@@ -134,6 +134,31 @@ fn products(liquid: &impl Liquid) -> Vec<nalgebra::DMatrix<f64>> {
     products
 }
 
+/// The equivalent body and the momenta behind a boundary layer of a shell of revolution about each of its axes.
+#[test]
+fn layers_may_lie_along_any_axis() {
+    let found = |outer: [f64; 3], inner: [f64; 3]| {
+        let flowing = layers(&CavityShape::Shell { outer, inner }, 0);
+        let momenta = flowing.relaxations.momentum.iter().map(|h| h.component_mul(h)).sum::<Vector3<f64>>();
+        (flowing.equivalent.unwrap().diagonal(), momenta, flowing.relaxations.slow_tensor().diagonal())
+    };
+    let [z, x, y] = [
+        found([0.5, 0.5, 0.8], [0.2, 0.2, 0.6]),
+        found([0.8, 0.5, 0.5], [0.6, 0.2, 0.2]),
+        found([0.5, 0.8, 0.5], [0.2, 0.6, 0.2]),
+    ];
+    for (along, axis) in [(x, 0), (y, 1)] {
+        let place = |own: usize| if own == axis { 2 } else { own % 2 };
+        for (found, known) in [(along.0, z.0), (along.1, z.1), (along.2, z.2)] {
+            for own in AXES {
+                let gap = (found[own] - known[place(own)]).abs();
+                assert!(gap < 1e-10 * known.amax(), "{axis} {own}: {found} {known}");
+            }
+        }
+    }
+    assert!(z.0.z.abs() < 1e-12 * z.0.x && z.1.x > 1.05 * z.1.z, "{} {}", z.0, z.1);
+}
+
 /// A shell of revolution about each of its axes.
 #[test]
 fn shells_of_revolution_may_lie_along_any_axis() {

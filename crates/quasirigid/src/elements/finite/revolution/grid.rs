@@ -85,6 +85,13 @@ impl Grid {
     }
 }
 
+impl Patch {
+    /// Volume of its turn round the axis (m³).
+    pub fn volume(&self) -> f64 {
+        2.0 * std::f64::consts::PI * self.points.iter().map(|point| point.share * point.at[0]).sum::<f64>()
+    }
+}
+
 /// The nodes of a square, numbered; those that are one place have one number.
 struct Numbers {
     sides: [[Side; 2]; 2],

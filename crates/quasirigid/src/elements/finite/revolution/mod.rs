@@ -17,7 +17,7 @@ pub(in crate::elements) use self::potential::slip;
 
 use std::ops::Range;
 
-use self::grid::Grid;
+use self::grid::{Grid, Patch};
 use self::harmonic::Harmonic;
 use self::layout::Layout;
 use self::matrices::{Dense, Scalar};
@@ -50,25 +50,28 @@ pub(in crate::elements) struct RevolvedFlow {
     /// Of what turns 0, 1, 2, … times.
     stiffness: Vec<Symmetric>,
     layout: Layout,
+    /// Volume (m³).
+    volume: f64,
 }
 
 impl RevolvedFlow {
     /// A cavity, as fine as asked for.
     ///
     /// # Errors
-    /// [`StokesError::NoInterior`] if floating point cannot tell its places apart.
+    /// [`StokesError::OutOfRange`] if floating point cannot tell its places apart.
     pub fn new(outline: &Outline, fineness: Fineness) -> Result<Self, StokesError> {
         let Fineness { degree, layers, harmonics: most } = fineness;
         let grid = Grid::new(outline, degree, layers);
         let blocks: Option<Vec<Dense>> = grid.patches.iter().map(Dense::new).collect();
-        let blocks = blocks.ok_or(StokesError::NoInterior)?;
+        let volume = grid.patches.iter().map(Patch::volume).sum();
+        let blocks = blocks.ok_or(StokesError::OutOfRange { volume })?;
         let scalars = [
             Scalar::new(&grid, &blocks, |node| !grid.walls[node]),
             Scalar::new(&grid, &blocks, |node| !grid.walls[node] && !grid.axis[node]),
         ];
         let layout = Layout { most, counts: scalars.each_ref().map(|scalar| scalar.nodes.len()) };
         let stiffness = (0..=most + 1).map(|k| scalars[usize::from(k > 0)].stiffness(k)).collect();
-        Ok(Self { grid, blocks, scalars, stiffness, layout })
+        Ok(Self { grid, blocks, scalars, stiffness, layout, volume })
     }
 
     /// `∫ ψ·(e × r) dV` for the unit vector of an axis.
@@ -100,11 +103,11 @@ impl RevolvedFlow {
     /// The flows under loads, with a rate of inertia in 1/m². (L4)
     ///
     /// # Errors
-    /// [`StokesError::NoConvergence`] if the pressure is not found, [`StokesError::NoInterior`] if the range of numbers is left.
+    /// [`StokesError::NoConvergence`] if the pressure is not found, [`StokesError::OutOfRange`] if the range of numbers is left.
     pub fn solve(&self, loads: &[Vec<f64>], rate: f64) -> Result<Vec<Vec<f64>>, StokesError> {
         let factor = |(k, stiffness): (usize, &Symmetric)| {
             let sum = stiffness.plus(rate, &self.scalar(k).mass).expect("both stand on one pattern");
-            Factor::new(&sum, Method::default()).map_err(|_| StokesError::NoInterior)
+            Factor::new(&sum, Method::default()).map_err(|_| StokesError::OutOfRange { volume: self.volume })
         };
         let factors = self.stiffness.iter().enumerate().map(factor).collect::<Result<Vec<_>, _>>()?;
         let mut flows = loads.to_vec();

@@ -22,6 +22,8 @@ pub(super) struct Assembly {
     divergence: Divergence,
     laplacian: Factor,
     weight: Factor,
+    /// A place of the cavity (m).
+    middle: [f64; 3],
 }
 
 /// Share of the pressure's mass in its Laplacian, which alone would leave the constant free.
@@ -58,7 +60,8 @@ impl Assembly {
         };
         let laplacian = factor(&stiffness, &moving)?;
         let weight = factor(&pressure[1], &vertices)?;
-        Ok(Self { unknowns: moving.of, stiffness, mass, pressure, divergence, laplacian, weight })
+        let middle = grid.places[moving.nodes[0]];
+        Ok(Self { unknowns: moving.of, stiffness, mass, pressure, divergence, laplacian, weight, middle })
     }
 
     /// Flows under forces stored row by row, `width` to a row, in place; with inertia `rate ∫ N_a N_b dV` (1/m²).
@@ -73,7 +76,7 @@ impl Assembly {
         }
         let factor = |stiffness: &Symmetric, share: f64, mass: &Symmetric| {
             let sum = stiffness.plus(share, mass).expect("both stand on one pattern");
-            Factor::new(&sum, Method::default()).map_err(|_| StokesError::NoInterior)
+            Factor::new(&sum, Method::default()).map_err(|_| StokesError::Singular { at: self.middle })
         };
         let laplacian = factor(&self.stiffness, rate, &self.mass)?;
         let anchor = ANCHOR * self.pressure[0].norm() / self.pressure[1].norm();

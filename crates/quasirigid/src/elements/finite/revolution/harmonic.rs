@@ -36,7 +36,7 @@ impl Harmonic<'_> {
     }
 
     fn pressures(&self) -> usize {
-        self.blocks.iter().map(|block| block.pressure.l_dirty().nrows()).sum()
+        self.blocks.iter().map(Dense::pressures).sum()
     }
 }
 
@@ -57,7 +57,7 @@ impl Incompressible for Harmonic<'_> {
         let parts = self.parts(u, width);
         let mut divergence = Vec::with_capacity(self.pressures() * width);
         for (patch, block) in self.grid.patches.iter().zip(self.blocks) {
-            let mut sum = DMatrix::zeros(block.pressure.l_dirty().nrows(), width);
+            let mut sum = DMatrix::zeros(block.pressures(), width);
             for ((scalar, part), matrix) in self.scalars().into_iter().zip(parts).zip(self.divergences(block))
             {
                 let value = |node: usize, column: usize| match scalar.unknowns[patch.nodes[node]] {
@@ -75,7 +75,7 @@ impl Incompressible for Harmonic<'_> {
         let mut pushes = self.scalars().map(|scalar| vec![0.0; scalar.nodes.len() * width]);
         let mut start = 0;
         for (patch, block) in self.grid.patches.iter().zip(self.blocks) {
-            let count = block.pressure.l_dirty().nrows();
+            let count = block.pressures();
             let own = DMatrix::from_row_slice(count, width, &p[start..start + count * width]);
             start += count * width;
             for ((scalar, push), matrix) in
@@ -99,7 +99,7 @@ impl Incompressible for Harmonic<'_> {
     fn weigh(&self, divergence: &mut [f64], width: usize) {
         let mut rest = divergence;
         for block in self.blocks {
-            let count = block.pressure.l_dirty().nrows();
+            let count = block.pressures();
             let (own, others) = rest.split_at_mut(count * width);
             let solved = block.pressure.solve(&DMatrix::from_row_slice(count, width, own));
             let values = solved.transpose() / Layout::round(self.m);

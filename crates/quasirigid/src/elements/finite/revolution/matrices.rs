@@ -87,4 +87,9 @@ impl Dense {
             pressure: pressure.tr_mul(&pushed).cholesky()?,
         })
     }
+
+    /// Polynomials of the pressure.
+    pub fn pressures(&self) -> usize {
+        self.divergence[0].nrows()
+    }
 }

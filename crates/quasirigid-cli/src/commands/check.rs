@@ -179,12 +179,10 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
     for (place, name) in names.into_iter().enumerate() {
         let moment = principal.moments[place];
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
-        let same = |other: &f64| (other - moment).abs() <= EQUAL * principal.moments[2];
-        let equal = principal.moments.iter().filter(|other| same(other)).count() > 1;
         let word = |spin: Option<SteadySpin>| match spin {
             Some(spin) => fate(&spin),
-            None if equal => "two moments are equal".into(),
-            None => "none is near it".into(),
+            None if principal.determined()[place] => "none is near it".into(),
+            None => "two moments are equal".into(),
         };
         let senses = if dot(K, principal.axes[place]) < 0.0 { [1, 0] } else { [0, 1] };
         let [this, other] = senses.map(|sense| word(steady[sense][place]));
@@ -203,8 +201,6 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
 
 /// A momentum below this share of that of the frozen body is zero.
 const ROUNDING: f64 = 1e-12;
-/// Moments closer than this, relative to the greatest, are equal.
-const EQUAL: f64 = 1e-9;
 
 /// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
 fn self_gravity(ellipsoid: &Ellipsoid) -> String {

@@ -19,17 +19,14 @@ pub struct SteadySpin {
 const NEWTON_STEPS: usize = 30;
 /// Entries of a symmetric matrix may differ by this much, relative to themselves.
 const ROUNDING: f64 = 1e-12;
-/// Moments closer than this, relative to the largest, are those of a body of revolution.
-const DISTINCT: f64 = 1e-9;
 
 /// Steady spins of a reduced body with the momentum `|K|` (N·m·s), one near each principal axis, in the order of
 /// ascending moments; a negative momentum turns all axes round, which matters where wheels turn. None where the axis is not
 /// determined, as across the axis of a body of revolution, or no steady spin is near it.
 #[must_use]
 pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3] {
-    let Principal { moments: [I1, I2, I3], axes } = Principal::of(body.J);
-    let (lower, upper) = (I2 - I1 > DISTINCT * I3, I3 - I2 > DISTINCT * I3);
-    let determined = [lower, lower && upper, upper];
+    let principal = Principal::of(body.J);
+    let (determined, axes) = (principal.determined(), principal.axes);
     std::array::from_fn(|i| {
         let K = determined[i].then(|| steady_momentum(&body.Omega, axes[i], momentum))??;
         Some(nutation(&body.Omega, K))

@@ -42,6 +42,9 @@ impl Mode {
     }
 }
 
+/// Moments closer than this, relative to the largest, are those of a body of revolution.
+const DISTINCT: f64 = 1e-9;
+
 impl Principal {
     /// Principal axes of a tensor.
     #[must_use]
@@ -59,6 +62,14 @@ impl Principal {
             moments: order.map(|i| eigen.eigenvalues[i]),
             axes: [first, second, sym::cross(first, second)],
         }
+    }
+
+    /// Which axes are determined: not those of moments that are equal.
+    #[must_use]
+    pub fn determined(&self) -> [bool; 3] {
+        let [I1, I2, I3] = self.moments;
+        let (lower, upper) = (I2 - I1 > DISTINCT * I3, I3 - I2 > DISTINCT * I3);
+        [lower, lower && upper, upper]
     }
 
     /// Components of a vector along the principal axes.

@@ -220,4 +220,16 @@ mod tests {
         }
         assert!((closed_form([1.3; 3]) / (8.0 * PI * 1.3_f64.powi(7) / 525.0) - 1.0).abs() < 1e-14);
     }
+
+    /// Relaxation times of the shells of a ball among those of all flows: `a²/(νk²)` with `tan k = k`.
+    #[test]
+    fn relaxations_of_a_ball_are_those_of_its_shells() {
+        let flow = EllipsoidFlow::new([2.0; 3], 15).unwrap();
+        let root = flow.friction.clone().cholesky().unwrap().l().try_inverse().unwrap();
+        let times = (&root * &flow.mass * root.transpose()).symmetric_eigenvalues();
+        for k in [4.493_409_457_909_064_f64, 7.725_251_836_937_707] {
+            let same = times.iter().filter(|time| (*time * k * k / 4.0 - 1.0).abs() < 1e-6);
+            assert_eq!(same.count(), 3, "{k}");
+        }
+    }
 }

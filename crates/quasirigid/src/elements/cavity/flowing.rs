@@ -1,3 +1,5 @@
+use std::borrow::Cow;
+
 use nalgebra::Matrix3;
 
 use super::ellipsoid::EllipsoidFlow;
@@ -42,7 +44,7 @@ impl Flowing {
             let degree = polynomial_degree(resolution)?;
             (shape.extent(), revolution::slip(&outline, degree).map(|slip| slip.about(axis)))
         } else {
-            let mesh = shape.mesh(resolution, EVEN).map_err(|error| (Field::Shape, error.into()))?;
+            let mesh = cells(shape, resolution, EVEN)?;
             let (moments, slip) = stokes::slip(&mesh).map_err(|error| (Field::Shape, error.into()))?;
             (Some(shape.extent().unwrap_or_else(|| (&moments).into())), Some(slip))
         };
@@ -62,7 +64,7 @@ impl Flowing {
             return Self::revolved(extent, &outline, axis, resolution, memory);
         }
         let grading = if memory.modes > 0 { LAYERS } else { EVEN };
-        let mesh = shape.mesh(resolution, grading).map_err(|error| (Field::Shape, error.into()))?;
+        let mesh = cells(shape, resolution, grading)?;
         Self::meshed(&mesh, shape.extent(), memory)
     }
 
@@ -96,7 +98,7 @@ impl Flowing {
         let coarse = Fineness { degree: degree - 1, layers: 1, harmonics: 1 };
         let flow = MeridianFlow::new(outline, axis, fine).map_err(refused)?;
         let coarse = MeridianFlow::new(outline, axis, coarse).map_err(refused)?;
-        let [fine, coarse] = [flow.answers().map_err(refused)?, coarse.answers().map_err(refused)?];
+        let [fine, coarse] = [flow.answers(), coarse.answers()];
         let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
         Ok(Self {
             extent,
@@ -117,6 +119,11 @@ impl Flowing {
             equivalent: None,
         })
     }
+}
+
+fn cells(shape: &CavityShape, resolution: usize, grading: f64) -> Result<Cow<'_, Mesh>, (Field, Problem)> {
+    let mesh = shape.mesh(resolution, grading).ok_or((Field::Shape, Problem::LiquidUnresolved))?;
+    mesh.map_err(|error| (Field::Shape, error.into()))
 }
 
 fn polynomial_degree(resolution: usize) -> Result<usize, (Field, Problem)> {

@@ -78,4 +78,17 @@ mod tests {
         assert!((P[(2, 2)] / exact - 1.0).abs() < 1e-12);
         assert_eq!((P[(0, 0)], P[(1, 2)]), (0.0, 0.0));
     }
+
+    /// Relaxations at the zeros of `J₀`.
+    #[test]
+    fn relaxations_of_a_ring_are_those_of_a_pipe() {
+        let (radius, tube) = (0.7, 0.02);
+        let flow = PipeFlow::new(radius, tube, 9).unwrap();
+        let root = flow.friction.clone().cholesky().unwrap().l().try_inverse().unwrap();
+        let times = (&root * &flow.mass * root.transpose()).symmetric_eigenvalues();
+        for zero in [2.404_825_557_695_773_f64, 5.520_078_110_286_311] {
+            let found = times.iter().filter(|time| (*time * (zero / tube).powi(2) - 1.0).abs() < 1e-9);
+            assert_eq!(found.count(), 1, "{zero}");
+        }
+    }
 }

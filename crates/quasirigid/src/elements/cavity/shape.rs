@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
@@ -184,17 +185,21 @@ impl CavityShape {
         Some(Extent { volume, center: Vector3::zeros(), second })
     }
 
-    /// Tetrahedra that fill it, so many across its narrowest width, with a grading towards the walls.
-    pub(super) fn mesh(&self, resolution: usize, grading: f64) -> Result<Mesh, MeshingError> {
-        match self {
+    /// Tetrahedra that fill it, so many across its narrowest width, with a grading towards the walls; none of a cavity that is of
+    /// revolution whatever its lengths.
+    pub(super) fn mesh(
+        &self,
+        resolution: usize,
+        grading: f64,
+    ) -> Option<Result<Cow<'_, Mesh>, MeshingError>> {
+        let made = match self {
             Self::Ellipsoid { semi_axes } => meshing::ellipsoid(*semi_axes, resolution, grading),
-            Self::Cylinder { radius, height } => meshing::cylinder(*radius, *height, resolution, grading),
-            Self::Annulus { radii, height } => meshing::annulus(*radii, *height, resolution, grading),
-            Self::Ring { radius, tube_radius } => meshing::ring(*radius, *tube_radius, resolution, grading),
             Self::Cuboid { sides } => meshing::cuboid(*sides, resolution, grading),
             Self::Shell { outer, inner } => meshing::shell(*outer, *inner, resolution, grading),
-            Self::Mesh(mesh) => Ok(Mesh::clone(mesh)),
-        }
+            Self::Mesh(mesh) => return Some(Ok(Cow::Borrowed(mesh))),
+            Self::Cylinder { .. } | Self::Annulus { .. } | Self::Ring { .. } => return None,
+        };
+        Some(made.map(Cow::Owned))
     }
 }
 

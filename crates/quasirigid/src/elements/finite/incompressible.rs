@@ -12,8 +12,10 @@ pub(super) trait Incompressible {
     fn push(&self, p: &[f64], width: usize) -> Vec<f64>;
     /// `M⁻¹ d` with the mass matrix of the pressure, in place.
     fn weigh(&self, divergence: &mut [f64], width: usize);
-    /// What is close to `(B A⁻¹ Bᵀ)⁻¹ d`, given `M⁻¹ d`.
-    fn pressure(&self, divergence: &[f64], weighted: &[f64], width: usize) -> Vec<f64>;
+    /// What is close to `(B A⁻¹ Bᵀ)⁻¹ d`, given `M⁻¹ d`, which is close to it unless inertia rules.
+    fn pressure(&self, _divergence: &[f64], weighted: &[f64], _width: usize) -> Vec<f64> {
+        weighted.to_vec()
+    }
 }
 
 /// Divergence that counts as none, beside the gradient of the flow without pressure, in the mean square.

@@ -107,8 +107,4 @@ impl Incompressible for Harmonic<'_> {
             rest = others;
         }
     }
-
-    fn pressure(&self, _: &[f64], weighted: &[f64], _: usize) -> Vec<f64> {
-        weighted.to_vec()
-    }
 }

@@ -15,8 +15,6 @@ mod turning;
 pub(in crate::elements) use self::outline::Outline;
 pub(in crate::elements) use self::potential::slip;
 
-use std::ops::Range;
-
 use self::grid::{Grid, Patch};
 use self::harmonic::Harmonic;
 use self::layout::Layout;
@@ -49,6 +47,8 @@ pub(in crate::elements) struct RevolvedFlow {
     scalars: [Scalar; 2],
     /// Of what turns 0, 1, 2, … times.
     stiffness: Vec<Symmetric>,
+    /// Of the same.
+    factors: Vec<Factor>,
     layout: Layout,
     /// Volume (m³).
     volume: f64,
@@ -70,8 +70,10 @@ impl RevolvedFlow {
             Scalar::new(&grid, &blocks, |node| !grid.walls[node] && !grid.axis[node]),
         ];
         let layout = Layout { most, counts: scalars.each_ref().map(|scalar| scalar.nodes.len()) };
-        let stiffness = (0..=most + 1).map(|k| scalars[usize::from(k > 0)].stiffness(k)).collect();
-        Ok(Self { grid, blocks, scalars, stiffness, layout, volume })
+        let stiffness: Vec<Symmetric> =
+            (0..=most + 1).map(|k| scalars[usize::from(k > 0)].stiffness(k)).collect();
+        let factors = stiffness.iter().map(|matrix| factor(matrix, volume)).collect::<Result<_, _>>()?;
+        Ok(Self { grid, blocks, scalars, stiffness, factors, layout, volume })
     }
 
     /// `∫ ψ·(e × r) dV` for the unit vector of an axis.
@@ -105,11 +107,13 @@ impl RevolvedFlow {
     /// # Errors
     /// [`StokesError::NoConvergence`] if the pressure is not found, [`StokesError::OutOfRange`] if the range of numbers is left.
     pub fn solve(&self, loads: &[Vec<f64>], rate: f64) -> Result<Vec<Vec<f64>>, StokesError> {
-        let factor = |(k, stiffness): (usize, &Symmetric)| {
-            let sum = stiffness.plus(rate, &self.scalar(k).mass).expect("both stand on one pattern");
-            Factor::new(&sum, Method::default()).map_err(|_| StokesError::OutOfRange { volume: self.volume })
+        let inert;
+        let factors = if rate == 0.0 {
+            &self.factors
+        } else {
+            inert = self.inert(rate)?;
+            &inert
         };
-        let factors = self.stiffness.iter().enumerate().map(factor).collect::<Result<Vec<_>, _>>()?;
         let mut flows = loads.to_vec();
         for (m, kind) in self.layout.families() {
             let own = self.layout.family(m, kind);
@@ -133,14 +137,29 @@ impl RevolvedFlow {
         Ok(flows)
     }
 
+    /// Factors of what turns 0, 1, 2, … times, with a rate of inertia.
+    fn inert(&self, rate: f64) -> Result<Vec<Factor>, StokesError> {
+        let sum = |(k, stiffness): (usize, &Symmetric)| {
+            let sum = stiffness.plus(rate, &self.scalar(k).mass).expect("both stand on one pattern");
+            factor(&sum, self.volume)
+        };
+        self.stiffness.iter().enumerate().map(sum).collect()
+    }
+
     /// `∫ ∇ψ:∇u dV`.
     pub fn stiffness_times(&self, u: &[f64]) -> Vec<f64> {
-        self.by_parts(|k, _, own| self.stiffness[k].times(&u[own]))
+        self.by_families(|m, kind| {
+            let (turns, parts) = (Layout::turns(m), self.layout.parts(m, kind));
+            [0, 1, 2].map(|place| self.stiffness[turns[place]].times(&u[parts[place].clone()]))
+        })
     }
 
     /// `∫ ψ·u dV`.
     pub fn mass_times(&self, u: &[f64]) -> Vec<f64> {
-        self.by_parts(|k, _, own| self.scalar(k).mass.times(&u[own]))
+        self.by_families(|m, kind| {
+            let (turns, parts) = (Layout::turns(m), self.layout.parts(m, kind));
+            [0, 1, 2].map(|place| self.scalar(turns[place]).mass.times(&u[parts[place].clone()]))
+        })
     }
 
     /// `∫ ψ·(e × u) dV` for the unit vector of an axis, without what leaves the harmonics.
@@ -153,21 +172,20 @@ impl RevolvedFlow {
             values
         };
         let turned = Nodal::new(&self.layout, self.grid.places.len(), spread).turned(axis);
-        self.by_parts(|k, (m, kind, place), _| {
-            let scalar = self.scalar(k);
-            let values = &turned.parts(m, kind)[place];
-            scalar.mass.times(&scalar.nodes.iter().map(|node| values[*node]).collect::<Vec<_>>())
+        self.by_families(|m, kind| {
+            let (turns, values) = (Layout::turns(m), turned.parts(m, kind));
+            [0, 1, 2].map(|place| {
+                let scalar = self.scalar(turns[place]);
+                scalar.mass.times(&scalar.nodes.iter().map(|node| values[place][*node]).collect::<Vec<_>>())
+            })
         })
     }
 
-    /// A vector from its parts, each times the factor of its squares: of each, how often it turns, its harmonic, kind and place,
-    /// and where it stands are given.
-    fn by_parts(&self, part: impl Fn(usize, (usize, usize, usize), Range<usize>) -> Vec<f64>) -> Vec<f64> {
+    /// A vector from the parts of its families, by harmonic and kind, each times the factor of its squares.
+    fn by_families(&self, parts: impl Fn(usize, usize) -> [Vec<f64>; 3]) -> Vec<f64> {
         let mut vector = Vec::with_capacity(self.layout.size());
         for (m, kind) in self.layout.families() {
-            for (place, own) in self.layout.parts(m, kind).into_iter().enumerate() {
-                let weight = Layout::weights(m)[place];
-                let values = part(Layout::turns(m)[place], (m, kind, place), own);
+            for (values, weight) in parts(m, kind).into_iter().zip(Layout::weights(m)) {
                 vector.extend(values.into_iter().map(|value| weight * value));
             }
         }
@@ -177,4 +195,8 @@ impl RevolvedFlow {
     fn scalar(&self, k: usize) -> &Scalar {
         &self.scalars[usize::from(k > 0)]
     }
+}
+
+fn factor(matrix: &Symmetric, volume: f64) -> Result<Factor, StokesError> {
+    Factor::new(matrix, Method::default()).map_err(|_| StokesError::OutOfRange { volume })
 }

@@ -26,7 +26,7 @@ pub(super) struct Assembly {
     middle: [f64; 3],
 }
 
-/// Share of the pressure's mass in its Laplacian, which alone would leave the constant free.
+/// Share of the pressure's mass in its Laplacian.
 const ANCHOR: f64 = 1e-6;
 
 impl Assembly {
@@ -79,8 +79,8 @@ impl Assembly {
             Factor::new(&sum, Method::default()).map_err(|_| StokesError::Singular { at: self.middle })
         };
         let laplacian = factor(&self.stiffness, rate, &self.mass)?;
-        let anchor = ANCHOR * self.pressure[0].norm() / self.pressure[1].norm();
-        let inert = factor(&self.pressure[0], anchor, &self.pressure[1])?;
+        let [stiffness, mass] = &self.pressure;
+        let inert = factor(stiffness, anchor(ANCHOR, stiffness, mass), mass)?;
         let saddle = Saddle { laplacian: &laplacian, divergence, pressure, inertia: Some((rate, &inert)) };
         incompressible::solve(&saddle, forces, width)
     }
@@ -93,15 +93,20 @@ impl Assembly {
     }
 }
 
+/// The rate of inertia that is a share of a Laplacian, which alone would leave the constant free.
+pub(super) fn anchor(share: f64, stiffness: &Symmetric, mass: &Symmetric) -> f64 {
+    share * stiffness.norm() / mass.norm()
+}
+
 /// Some of the nodes, numbered.
-struct Numbering {
+pub(super) struct Numbering {
     /// Number of each node.
-    of: Vec<Option<u32>>,
+    pub of: Vec<Option<u32>>,
     nodes: Vec<usize>,
 }
 
 impl Numbering {
-    fn new(grid: &Grid, nodes: impl Iterator<Item = usize>) -> Self {
+    pub fn new(grid: &Grid, nodes: impl Iterator<Item = usize>) -> Self {
         let mut nodes: Vec<usize> = nodes.collect();
         nodes.sort_unstable();
         nodes.dedup();
@@ -110,8 +115,12 @@ impl Numbering {
         Self { of, nodes }
     }
 
+    pub fn size(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// The places that the matrices of cells over their first nodes fill.
-    fn pattern(&self, grid: &Grid, first: usize) -> Arc<Pattern> {
+    pub fn pattern(&self, grid: &Grid, first: usize) -> Arc<Pattern> {
         let joined = |cell: &[usize; NODES]| cell[..first].iter().filter_map(|node| self.of[*node]).collect();
         let lists: Vec<Vec<u32>> = grid.cells.iter().map(joined).collect();
         let ends: Vec<u32> = (0..=self.nodes.len() as u32).collect();
@@ -120,13 +129,13 @@ impl Numbering {
     }
 
     /// Where a matrix over these nodes is not positive.
-    fn singular(&self, grid: &Grid, soft: &NotPositive) -> StokesError {
+    pub fn singular(&self, grid: &Grid, soft: &NotPositive) -> StokesError {
         let direction = soft.direction.iter().zip(&self.nodes);
         let most = direction.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
         StokesError::Singular { at: most.map(|(_, node)| grid.places[*node]).unwrap_or_default() }
     }
 }
 
-fn add(sum: &mut Symmetric, unknowns: &[Option<u32>], matrix: &[f64]) {
+pub(super) fn add(sum: &mut Symmetric, unknowns: &[Option<u32>], matrix: &[f64]) {
     sum.add(unknowns, matrix).expect("the pattern has the places of every cell");
 }

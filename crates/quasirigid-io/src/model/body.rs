@@ -89,8 +89,7 @@ pub(super) fn body<'a>(
     let cavity_tables = cavity::tables(file);
     let force_tables = force::tables(file);
     let mut names = Names::new(
-        &point_tables,
-        &hinged_tables,
+        [&point_tables, &spring_tables, &hinged_tables],
         [&ellipsoid_tables, &surface_tables, &network_tables],
         (&rotor_tables, &wheel_tables, &cavity_tables),
         &part_tables,
@@ -131,7 +130,8 @@ pub(super) fn body<'a>(
     let points = every(point_tables.iter().zip(&names.points).map(|(table, name)| point(table, name)));
     let networks =
         every(network_tables.iter().zip(&names.networks).map(|(table, name)| network(table, name)));
-    let springs = every(spring_tables.iter().map(|table| spring(table, &names)));
+    let springs = spring_tables.iter().zip(&names.springs);
+    let springs = every(springs.map(|(table, name)| spring(table, name, &names)));
     let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
     let rotors = every(rotor_tables.iter().zip(&names.rotors).map(|(table, name)| rotor(table, name)));
     let wheels = every(wheel_tables.iter().zip(&names.wheels).map(|(table, name)| wheel(table, name)));

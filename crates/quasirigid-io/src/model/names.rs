@@ -17,10 +17,12 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, appendages, ellipsoids, surfaces, networks, rotors, wheels, cavities, parts and forces of a file.
+/// Names of the points, springs, appendages, ellipsoids, surfaces, networks, rotors, wheels, cavities, parts and forces of a file.
 pub(super) struct Names<'a> {
     /// Names of the points, in the order of the file.
     pub(super) points: Vec<String>,
+    /// Names of the springs, in the order of the file; empty for those without.
+    pub(super) springs: Vec<String>,
     /// Names of the hinged appendages, in the order of the file.
     pub(super) hinged: Vec<String>,
     /// Names of the ellipsoids, in the order of the file.
@@ -48,6 +50,7 @@ pub(super) struct Names<'a> {
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     Point(usize),
+    Spring,
     Hinged(usize),
     Flexible(usize),
     Throughout,
@@ -84,8 +87,7 @@ impl<'a> Names<'a> {
     /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`,
     /// `ellipsoid 1`, `surface 1`, `network 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
     pub(super) fn new(
-        points: &[Table<'_>],
-        hinged: &[Table<'_>],
+        [points, springs, hinged]: [&[Table<'_>]; 3],
         [ellipsoids, surfaces, networks]: [&[Table<'_>]; 3],
         (rotors, wheels, cavities): (&[Table<'_>], &[Table<'_>], &[CavityTable<'_>]),
         flexible: &PartTables<'_>,
@@ -114,6 +116,8 @@ impl<'a> Names<'a> {
                 parts.enter(table, format!("{word} {number}"), Part::Flexible(index))
             })
             .collect();
+        let springs = springs.iter().map(|table| parts.enter_named(table, Part::Spring).unwrap_or_default());
+        let springs = springs.collect();
         let mut register = Register { owners: HashMap::new(), problems };
         let forces = forces.iter().enumerate();
         let forces = forces
@@ -121,6 +125,7 @@ impl<'a> Names<'a> {
             .collect();
         Self {
             points,
+            springs,
             hinged,
             ellipsoids,
             surfaces,
@@ -154,6 +159,11 @@ impl<'a> Names<'a> {
         }
         match self.parts.owner(name) {
             Some(Part::Point(index)) => Some(End::Point(index)),
+            Some(Part::Spring) => value.refuse(
+                format!("{name:?} is a spring, but {}", what.rule()),
+                "not a point",
+                Some("name what one of its ends is fixed to".to_owned()),
+            ),
             Some(Part::Hinged(_)) => value.refuse(
                 format!("{name:?} is a hinged appendage, but {}", what.rule()),
                 "not a point",
@@ -256,18 +266,31 @@ impl<T: Copy> Register<'_, T> {
         let given = table.get("name");
         let span = given.map_or_else(|| table.header(), |value| value.span());
         let name = given.and_then(|value| value.text()).map_or(number, str::to_owned);
+        self.claim(&name, span, owner);
+        name
+    }
+
+    /// The name that a table gives, if it gives one.
+    fn enter_named(&mut self, table: &Table<'_>, owner: T) -> Option<String> {
+        let given = table.get("name")?;
+        let name = given.text()?.to_owned();
+        self.claim(&name, given.span(), owner);
+        Some(name)
+    }
+
+    /// Gives a name, which stands in a place, to its owner.
+    fn claim(&mut self, name: &str, span: Range<usize>, owner: T) {
         if name == CARRIER {
             let message = format!("the name {CARRIER:?} is that of the carrier");
             self.problems.report(Diagnostic::new(span, message, "taken").help("choose another name"));
-        } else if let Some((_, first)) = self.owners.get(&name) {
+        } else if let Some((_, first)) = self.owners.get(name) {
             let line = self.problems.line(first.clone());
             let message = format!("the name {name:?} is used twice; it stands first in line {line}");
             self.problems
                 .report(Diagnostic::new(span, message, "used before").help("give each element its own name"));
         } else {
-            self.owners.insert(name.clone(), (owner, span));
+            self.owners.insert(name.to_owned(), (owner, span));
         }
-        name
     }
 }
 

@@ -7,10 +7,10 @@ use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const SPRING: Keys =
-    Keys { known: &["from", "to", "stiffness", "damping", "rheology", "axial", "anchor"] };
+    Keys { known: &["name", "from", "to", "stiffness", "damping", "rheology", "axial", "anchor"] };
 
 /// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
-pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<(Spring, Extremes)> {
+pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option<(Spring, Extremes)> {
     let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Spring));
     let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Spring));
     let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
@@ -33,7 +33,7 @@ pub(super) fn spring(table: &Table<'_>, names: &Names<'_>) -> Option<(Spring, Ex
         );
     }
     let known = known?;
-    Some((Spring { from, to, law: law?, rheology: known.rheology }, known.extremes))
+    Some((Spring { name: name.to_owned(), from, to, law: law?, rheology: known.rheology }, known.extremes))
 }
 
 fn in_space(table: &Table<'_>) -> Option<Law> {

@@ -170,6 +170,7 @@ impl Ellipsoid {
             }
         }
         Block {
+            name: self.name.clone(),
             columns: (0..shapes.len()).collect(),
             stiffness,
             damping: Vec::new(),

@@ -87,6 +87,7 @@ impl Hinged {
         };
         self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
         Ok(Block {
+            name: self.name.clone(),
             rheology: self.rheology.clone(),
             columns: (start..start + count).collect(),
             stiffness: rows(stiffness),

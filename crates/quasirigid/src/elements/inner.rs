@@ -12,8 +12,8 @@ pub(super) struct Inner {
     pub h: Vec<[f64; 3]>,
     /// Mass and gyroscopic coupling, by row and column.
     pub pairs: Vec<(usize, usize, Pair)>,
-    /// Friction, by row and column.
-    pub friction: Entries,
+    /// Friction of each element, by row and column, with its name.
+    pub friction: Vec<(String, Entries)>,
     /// Liquids whose linear answer is known at every frequency.
     pub memories: Vec<LiquidMemory>,
     /// Rates that the file gives for the start, by coordinate.
@@ -38,7 +38,9 @@ impl Inner {
                 LiquidMemory { coordinates, ..memory }
             }));
             sum.speeds.extend(speeds.into_iter().map(|(j, speed)| (start + j, speed)));
-            sum.friction.extend(friction.into_iter().map(|(j, k, entry)| (start + j, start + k, entry)));
+            sum.friction.extend(friction.into_iter().map(|(name, entries)| {
+                (name, entries.into_iter().map(|(j, k, entry)| (start + j, start + k, entry)).collect())
+            }));
         }
         Ok(sum)
     }

@@ -82,6 +82,7 @@ impl Network {
             motion: Motion::Free,
         };
         let spring = |[from, to]: &[usize; 2]| Spring {
+            name: self.name.clone(),
             from: End::Point(before + from),
             to: End::Point(before + to),
             law: Law::Axial { stiffness: self.stiffness, damping: 0.0, anchor: None },

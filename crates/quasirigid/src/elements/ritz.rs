@@ -181,8 +181,9 @@ impl Polynomials {
 
 impl Ritz {
     /// Stiffness as a block of coordinates numbered from zero.
-    pub fn block(&self, rheology: &Rheology) -> Block {
+    pub fn block(&self, name: &str, rheology: &Rheology) -> Block {
         Block {
+            name: name.to_owned(),
             columns: (0..self.stiffness.len()).collect(),
             stiffness: self.stiffness.clone(),
             damping: Vec::new(),

@@ -69,7 +69,7 @@ impl Rotor {
                 .flat_map(|j| (0..count).map(move |k| (j, k)))
                 .map(|(j, k)| (j, k, pair(j, k)))
                 .collect(),
-            friction: (0..count).map(|j| (j, j, self.friction)).collect(),
+            friction: vec![(self.name.clone(), (0..count).map(|j| (j, j, self.friction)).collect())],
             memories: Vec::new(),
             speeds: self.speed.iter().flatten().copied().enumerate().collect(),
         })

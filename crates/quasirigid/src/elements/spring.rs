@@ -14,6 +14,8 @@ use crate::model::{Marker, Rheology};
 /// steadily does not work it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
+    /// Name; empty if it is called after its ends. Springs of the same name are one dissipator.
+    pub name: String,
     /// One end.
     pub from: End,
     /// The other end.
@@ -102,11 +104,12 @@ impl Spring {
         };
         let nodes = [self.from, self.to].into_iter().filter_map(named).map(pulled).collect();
         let starts = vec![0; body.points.len()];
-        self.block(index, &Ends { points: &body.points, starts: &starts, nodes: &nodes }).map(drop)
+        let ends = Ends { points: &body.points, starts: &starts, nodes: &nodes };
+        self.block(index, String::new(), &ends).map(drop)
     }
 
-    /// Stiffness and damping over the coordinates of both ends. (I9)
-    pub(super) fn block(&self, index: usize, ends: &Ends<'_>) -> Result<Block, ElementError> {
+    /// Stiffness and damping over the coordinates of both ends, as a dissipator of this name. (I9)
+    pub(super) fn block(&self, index: usize, name: String, ends: &Ends<'_>) -> Result<Block, ElementError> {
         let place = Place::Spring(index);
         if self.from == self.to {
             return Err(at(place, Field::To)(Problem::SameEnds));
@@ -124,6 +127,7 @@ impl Spring {
             moved.iter().map(|(_, e)| row(e)).collect()
         };
         Ok(Block {
+            name,
             rheology: self.rheology.clone(),
             stiffness: form(stiffness),
             damping: form(damping),

@@ -46,7 +46,7 @@ impl Surface {
     pub fn body(&self, index: usize) -> Result<FlexibleBody, ElementError> {
         let (ritz, _) = self.resolved(index)?;
         let center = self.surface.centroid();
-        let block = ritz.block(&self.material.rheology);
+        let block = ritz.block(&self.name, &self.material.rheology);
         let coordinate =
             |number| Coordinate { name: format!("\"{}\" shape {}", self.name, number + 1), unit: "m" };
         let whole = Whole {

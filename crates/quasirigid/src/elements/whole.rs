@@ -17,8 +17,8 @@ impl Whole {
     /// The body.
     pub fn body(self) -> Result<FlexibleBody, ElementError> {
         let Self { place, center, invariants, block, coordinates, markers } = self;
-        let Matrices { stiffness, damping, lossy } =
-            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), Vec::new())?;
+        let Matrices { stiffness, damping, lossy, dissipators } =
+            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), &[])?;
         FlexibleBody::new(Parts {
             support: Support::Free,
             pole: center,
@@ -27,6 +27,7 @@ impl Whole {
             damping,
             stiffness,
             lossy,
+            dissipators,
             memories: Vec::new(),
             coordinates,
             cyclic: 0,

@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{Invariants, Rheology, Support, Wheels};
+use super::{Dissipator, Invariants, Rheology, Support, Wheels};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -22,6 +22,7 @@ pub struct FlexibleBody {
     damping: SparseRows<f64>,
     stiffness: SparseRows<f64>,
     lossy: Vec<Lossy>,
+    dissipators: Vec<Dissipator>,
     memories: Vec<LiquidMemory>,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
@@ -125,6 +126,8 @@ pub struct Parts {
     pub stiffness: SparseRows<f64>,
     /// Parts of `C` with a loss that is neither in `B` nor zero.
     pub lossy: Vec<Lossy>,
+    /// What takes energy: their parts of `B` sum to it, their losses to the lossy parts of `C`. (D1)
+    pub dissipators: Vec<Dissipator>,
     /// Liquids whose linear answer is known at every frequency.
     pub memories: Vec<LiquidMemory>,
     /// One per coordinate.
@@ -150,7 +153,8 @@ impl FlexibleBody {
     /// [`FlexibleError`] names the coordinates that no spring holds, or no friction brakes.
     pub fn new(parts: Parts) -> Result<Self, FlexibleError> {
         let Parts { support, pole, center_of_mass, invariants, damping, .. } = parts;
-        let Parts { stiffness, lossy, memories, coordinates, cyclic, wheels, markers, .. } = parts;
+        let Parts { stiffness, lossy, dissipators, memories, coordinates, cyclic, wheels, markers, .. } =
+            parts;
         let elastic = coordinates.len() - cyclic;
         let (held, braked) = coordinates.split_at(elastic);
         let factor = Cholesky::new(&stiffness.block(0..elastic))
@@ -166,6 +170,7 @@ impl FlexibleBody {
             damping,
             stiffness,
             lossy,
+            dissipators,
             memories,
             factor,
             elastic,
@@ -189,6 +194,7 @@ impl FlexibleBody {
             damping: self.damping.scaled(epsilon.recip()),
             stiffness: self.stiffness.scaled(epsilon.powi(-2)),
             lossy: self.lossy.iter().map(|part| part.scaled(epsilon.powi(-2))).collect(),
+            dissipators: self.dissipators.iter().map(|part| part.stiffened(epsilon)).collect(),
             memories: self.memories.iter().map(|memory| memory.scaled(epsilon)).collect(),
             coordinates: self.coordinates.clone(),
             cyclic: self.cyclic().len(),
@@ -231,6 +237,7 @@ impl FlexibleBody {
             damping: self.damping.block(kept.clone()),
             stiffness: self.stiffness.block(kept.clone()),
             lossy: self.lossy.iter().map(|part| part.block(kept.clone())).collect(),
+            dissipators: self.dissipators.iter().filter_map(|part| part.block(kept.clone())).collect(),
             memories: if cyclic > 0 {
                 self.memories.iter().map(|memory| memory.moved(kept.start)).collect()
             } else {
@@ -290,6 +297,12 @@ impl FlexibleBody {
     #[must_use]
     pub fn lossy(&self) -> &[Lossy] {
         &self.lossy
+    }
+
+    /// What takes energy from the motion of the coordinates; their parts of the damping matrix sum to it. (D1)
+    #[must_use]
+    pub fn dissipators(&self) -> &[Dissipator] {
+        &self.dissipators
     }
 
     /// Liquids whose linear answer is known at every frequency.
@@ -434,11 +447,11 @@ impl FlexibleBody {
 }
 
 impl Lossy {
-    fn block(&self, kept: Range<usize>) -> Self {
+    pub(super) fn block(&self, kept: Range<usize>) -> Self {
         Self { stiffness: self.stiffness.block(kept), ..self.clone() }
     }
 
-    fn scaled(&self, factor: f64) -> Self {
+    pub(super) fn scaled(&self, factor: f64) -> Self {
         Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
     }
 }

@@ -1,5 +1,6 @@
 //! What a body *is*.
 
+mod dissipator;
 mod equations;
 mod flexible;
 pub mod force;
@@ -12,6 +13,7 @@ mod rheology;
 mod support;
 mod wheels;
 
+pub use dissipator::Dissipator;
 pub use equations::Motion;
 pub use flexible::{Coordinate, FlexibleBody, FlexibleError, LiquidMemory, Lossy, Marker, Parts};
 pub use inertia::{Inertia, InertiaError};

@@ -42,6 +42,7 @@ impl AxialMass {
                 motion: Motion::Free,
             }],
             springs: vec![Spring {
+                name: String::new(),
                 from: End::Point(0),
                 to: End::Carrier,
                 law: Law::Spatial {

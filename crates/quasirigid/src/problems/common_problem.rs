@@ -62,6 +62,7 @@ impl CommonProblem {
                 motion: Motion::Free,
             }],
             springs: vec![Spring {
+                name: String::new(),
                 from: End::Point(0),
                 to: End::Carrier,
                 law: Law::Spatial {

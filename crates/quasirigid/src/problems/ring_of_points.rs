@@ -36,6 +36,7 @@ fn spring(from: usize, to: End, k: f64) -> Spring {
     let lean = 0.2 * (from as f64).cos();
     let matrix = |k: f64| [[k, lean * k, 0.0], [lean * k, 1.3 * k, 0.1 * k], [0.0, 0.1 * k, 0.8 * k]];
     Spring {
+        name: String::new(),
         from: End::Point(from),
         to,
         law: Law::Spatial {

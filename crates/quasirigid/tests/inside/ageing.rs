@@ -88,8 +88,13 @@ fn everything() -> Assembly {
         stiffness: Coefficient::Isotropic(STIFF),
         damping: Coefficient::Isotropic(TIME * STIFF),
     };
-    let spring =
-        |i: usize| Spring { from: End::Point(i), to: End::Carrier, law, rheology: Rheology::Elastic };
+    let spring = |i: usize| Spring {
+        name: String::new(),
+        from: End::Point(i),
+        to: End::Carrier,
+        law,
+        rheology: Rheology::Elastic,
+    };
     let springs = (0..points.len()).map(spring).collect();
     let mass = 30.0;
     let inertia = [[30.0, 0.0, 0.0], [0.0, 30.0, 0.0], [0.0, 0.0, 44.0]];

@@ -29,7 +29,13 @@ pub fn sprung() -> (Point, Spring) {
         stiffness: Coefficient::Diagonal([900.0, 1000.0, 800.0]),
         damping: Coefficient::Diagonal([48.0, 36.0, 40.0]),
     };
-    let spring = Spring { from: End::Point(0), to: End::Carrier, law, rheology: Rheology::Elastic };
+    let spring = Spring {
+        name: String::new(),
+        from: End::Point(0),
+        to: End::Carrier,
+        law,
+        rheology: Rheology::Elastic,
+    };
     (point, spring)
 }
 

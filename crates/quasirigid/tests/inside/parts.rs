@@ -73,6 +73,7 @@ fn cut_mass(assembly: &mut Assembly, index: usize, share: f64) {
     for spring in assembly.springs.iter_mut().filter(|spring| spring.from == old || spring.to == old) {
         let moved = |end: End| if end == old { new } else { end };
         let part = Spring {
+            name: String::new(),
             from: moved(spring.from),
             to: moved(spring.to),
             law: times(spring.law, share),

@@ -106,6 +106,7 @@ fn chain() -> FlexibleBody {
         .collect();
     let mut assembly = sprung_body(carrier(), &masses);
     assembly.springs.extend((1..20).map(|next| Spring {
+        name: String::new(),
         from: End::Point(next - 1),
         to: End::Point(next),
         law: Law::Spatial {

@@ -136,6 +136,7 @@ fn with_damper(stiffness: f64, damping: f64, mass: f64) -> Assembly {
             motion: Motion::Line([0.0, 0.0, 1.0]),
         }],
         springs: vec![Spring {
+            name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
             law: Law::Spatial {

@@ -19,11 +19,17 @@ fn isotropic(from: End, to: End, stiffness: f64) -> Spring {
         stiffness: Coefficient::Isotropic(stiffness),
         damping: Coefficient::Isotropic(0.01 * stiffness),
     };
-    Spring { from, to, law, rheology: Rheology::Elastic }
+    Spring { name: String::new(), from, to, law, rheology: Rheology::Elastic }
 }
 
 fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
-    Spring { from, to, law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor }, rheology: Rheology::Elastic }
+    Spring {
+        name: String::new(),
+        from,
+        to,
+        law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor },
+        rheology: Rheology::Elastic,
+    }
 }
 
 fn body(points: Vec<Point>, springs: Vec<Spring>) -> Assembly {
@@ -109,7 +115,13 @@ fn a_hinge_axis_without_stiffness_is_a_mechanism() {
 #[test]
 fn a_dashpot_alone_is_a_mechanism() {
     let law = Law::Spatial { stiffness: Coefficient::Isotropic(0.0), damping: Coefficient::Isotropic(3.0) };
-    let spring = Spring { from: End::Point(0), to: End::Carrier, law, rheology: Rheology::Elastic };
+    let spring = Spring {
+        name: String::new(),
+        from: End::Point(0),
+        to: End::Carrier,
+        law,
+        rheology: Rheology::Elastic,
+    };
     let assembly = body(vec![point("slow", [0.5, 0.0, 0.2], Motion::Plane([0.0, 0.3, 1.0]))], vec![spring]);
     let (_, coordinates) = named(&assembly);
     assert!(coordinates.starts_with("\"slow\" in its plane"), "{coordinates}");

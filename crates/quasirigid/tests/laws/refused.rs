@@ -52,7 +52,7 @@ fn axial(anchor: Option<[f64; 3]>) -> Law {
 
 /// A second spring beside the good one.
 fn second(assembly: &mut Assembly, from: End, to: End, law: Law) {
-    assembly.springs.push(Spring { from, to, law, rheology: Rheology::Elastic });
+    assembly.springs.push(Spring { name: String::new(), from, to, law, rheology: Rheology::Elastic });
 }
 
 #[test]
@@ -298,6 +298,7 @@ fn a_floating_line_of_points_is_refused() {
         let law =
             Law::Spatial { stiffness: Coefficient::Isotropic(50.0), damping: Coefficient::Isotropic(0.0) };
         let spring = |from: usize, to: usize| Spring {
+            name: String::new(),
             from: End::Point(from),
             to: End::Point(to),
             law,

@@ -33,6 +33,7 @@ pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
         motion: Motion::Free,
     };
     let spring = |(number, sprung): (usize, &Sprung)| Spring {
+        name: String::new(),
         from: End::Point(number),
         to: End::Carrier,
         law: Law::Spatial {
@@ -152,6 +153,7 @@ fn join(
     let (mass, center, inertia) = moments(&carrier);
     let count = sprung.len();
     let to_carrier = sprung.iter().enumerate().map(|(i, (_, law))| Spring {
+        name: String::new(),
         from: End::Point(i),
         to: End::Carrier,
         law: *law,
@@ -168,7 +170,7 @@ fn join(
             },
             spatial @ Law::Spatial { .. } => spatial,
         };
-        Spring { from: End::Point(i), to, law, rheology: Rheology::Elastic }
+        Spring { name: String::new(), from: End::Point(i), to, law, rheology: Rheology::Elastic }
     });
     let springs = to_carrier.chain(between).collect();
     let named = |(i, (mut point, _)): (usize, (Point, Law))| {

@@ -133,6 +133,7 @@ pub fn with_point_cut(assembly: &Assembly, index: usize, share: f64) -> Assembly
     let parts = assembly.springs.iter().filter(|s| s.from == End::Point(index) || s.to == End::Point(index));
     let parts: Vec<_> = parts
         .map(|s| Spring {
+            name: s.name.clone(),
             from: moved(s.from),
             to: moved(s.to),
             law: strengthened(s.law, share, share),

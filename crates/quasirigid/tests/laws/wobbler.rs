@@ -21,6 +21,7 @@ pub fn assembly() -> Assembly {
             motion: Motion::Free,
         }],
         springs: vec![Spring {
+            name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
             law: Law::Spatial {

@@ -25,6 +25,7 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
         carrier: Some(Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia }),
         points: vec![Point { name: "mass".into(), mass, position: rho, motion: Motion::Free }],
         springs: vec![Spring {
+            name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
             law: Law::Spatial {

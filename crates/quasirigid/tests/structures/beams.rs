@@ -87,6 +87,7 @@ impl Cantilever {
             damping: body.damping().clone(),
             stiffness: body.stiffness().clone(),
             lossy: body.lossy().to_vec(),
+            dissipators: body.dissipators().to_vec(),
             memories: Vec::new(),
             coordinates: body.coordinates().to_vec(),
             cyclic: 0,

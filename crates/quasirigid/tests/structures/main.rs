@@ -3,6 +3,7 @@
 
 mod beams;
 mod common;
+mod dissipators;
 mod ellipsoids;
 mod exported;
 mod floating;

@@ -52,6 +52,7 @@ fn network(masses: &[f64], damping: f64, rheology: &Rheology) -> FlexibleBody {
         motion: Motion::Free,
     };
     let spring = |(i, j): (usize, usize)| Spring {
+        name: String::new(),
         from: End::Point(i),
         to: End::Point(j),
         law: Law::Axial { stiffness: STIFFNESS, damping, anchor: None },

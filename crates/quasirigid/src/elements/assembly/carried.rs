@@ -58,7 +58,7 @@ impl Assembly {
         let start = whole.flexible();
         let nodes = net.as_ref().zip(whole.component.as_ref());
         let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
-        let Matrices { stiffness, damping, lossy } = self.matrices(&whole, &pulled)?;
+        let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
         let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
             End::Carrier => None,
@@ -74,6 +74,7 @@ impl Assembly {
             damping,
             stiffness,
             lossy,
+            dissipators,
             memories: whole.inner.memories.clone(),
             coordinates: whole.coordinates(),
             cyclic: whole.inner.coordinates.len(),
@@ -132,13 +133,14 @@ impl Assembly {
         pulled: &BTreeMap<NodeRef, Pulled>,
     ) -> Result<Matrices, ElementError> {
         let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled };
-        let springs = self.springs.iter().enumerate().map(|(i, spring)| spring.block(i, &ends));
+        let springs = self.springs.iter().zip(self.spring_names()).enumerate();
+        let springs = springs.map(|(i, (spring, name))| spring.block(i, name, &ends));
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
         let start = whole.flexible();
         let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
         let size = whole.elastic() + whole.inner.coordinates.len();
-        Matrices::sum(size, springs.chain(hinges).chain(parts), whole.inner.friction.clone())
+        Matrices::sum(size, springs.chain(hinges).chain(parts), &whole.inner.friction)
     }
 
     /// Lays a mechanism at the door of the first element it moves.

@@ -28,8 +28,8 @@ impl Assembly {
         let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
         self.has_inertia(whole, &invariants)?;
         let size = component.size();
-        let Matrices { stiffness, damping, lossy } =
-            Matrices::sum(size, component.blocks(0).map(Ok), Vec::new())?;
+        let Matrices { stiffness, damping, lossy, dissipators } =
+            Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
         let pulled = net.pulled(&component, 0);
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
@@ -46,6 +46,7 @@ impl Assembly {
             damping,
             stiffness,
             lossy,
+            dissipators,
             memories: Vec::new(),
             coordinates: component.coordinates(),
             cyclic: 0,

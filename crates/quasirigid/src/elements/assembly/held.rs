@@ -115,7 +115,8 @@ impl Connection {
             }
             let matter = net.matter(&self.rheology);
             let (stiffness, damping) = (self.stiffness.clone(), self.damping.clone());
-            net.hinge(Joint { node: joint, stiffness, damping, matter }, index);
+            let name = net.connection_name(index);
+            net.hinge(Joint { name, node: joint, stiffness, damping, matter }, index);
         }
         net.hold(joint, base, axes)?;
         rest.into_iter().try_for_each(|node| net.hold(node, Some(joint), Vec::new()))

@@ -4,6 +4,7 @@ mod carried;
 mod floating;
 mod held;
 mod mover;
+mod names;
 mod net;
 
 use nalgebra::Vector3;

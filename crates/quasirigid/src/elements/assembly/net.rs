@@ -16,7 +16,7 @@ use crate::model::Rheology;
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
 pub(super) struct Net<'a> {
-    assembly: &'a Assembly,
+    pub assembly: &'a Assembly,
     pub structure: Structure,
     /// First node of each part, of the points, and of the joints.
     pub firsts: Vec<usize>,
@@ -58,8 +58,10 @@ impl<'a> Net<'a> {
             }
         }
         let mut net = Self::new(assembly, true)?;
-        for index in 0..assembly.springs.len() {
+        net.structure.own("");
+        for (index, name) in assembly.spring_names().iter().enumerate() {
             net.spring(index)?;
+            net.structure.own(name);
         }
         Ok(net)
     }
@@ -72,6 +74,7 @@ impl<'a> Net<'a> {
             structure.nodes.extend(part.nodes());
             structure.holds.extend(part.holds(firsts[index]));
             part.furnish(index, firsts[index], &mut structure)?;
+            structure.own(&part.name);
         }
         firsts.push(structure.nodes.len());
         let (joints, hinges) = (Vec::new(), Vec::new());

@@ -165,17 +165,19 @@ impl Cavity {
             name: format!("\"{}\" relaxation {}", self.name, number + 1),
             unit: "rad",
         };
-        let own = (0..friction.len()).map(|j| (j, j, Pair { A: self.density * mass, ..Pair::default() }));
+        let count = friction.len();
+        let own = (0..count).map(|j| (j, j, Pair { A: self.density * mass, ..Pair::default() }));
         let coupled = turning.into_iter().map(|(j, k, turning)| {
             (j, k, Pair { Z: (2.0 * self.density * (turn * turning)).into(), ..Pair::default() })
         });
         let brake = self.density * self.viscosity;
+        let friction = friction.iter().enumerate().map(|(j, friction)| (j, j, brake * friction));
         Inner {
-            memories: self.memory(friction.len()).into_iter().collect(),
-            coordinates: (0..friction.len()).map(coordinate).collect(),
+            memories: self.memory(count).into_iter().collect(),
+            coordinates: (0..count).map(coordinate).collect(),
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
-            friction: friction.iter().enumerate().map(|(j, friction)| (j, j, brake * friction)).collect(),
+            friction: vec![(self.name.clone(), friction.collect())],
             speeds: Vec::new(),
         }
     }

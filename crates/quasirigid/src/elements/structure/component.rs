@@ -6,6 +6,7 @@ use super::discrete::{Discrete, Structure, times};
 use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
+use super::losses::blocks;
 use super::solver::Solver;
 use crate::elements::matrices::Block;
 use crate::elements::moment;
@@ -29,7 +30,7 @@ pub(in crate::elements) struct Component {
     masses: DMatrix<f64>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
-    /// Stiffness, damping and rheology by matter.
+    /// Stiffness, damping and rheology by what dissipates.
     blocks: Vec<Block>,
     /// Displacement of each station per unit of each coordinate.
     stations: Vec<Vec<[f64; 3]>>,
@@ -166,6 +167,7 @@ impl Component {
     /// Stiffness, damping and rheology, for coordinates numbered from `start`.
     pub fn blocks(&self, start: usize) -> impl Iterator<Item = Block> + '_ {
         self.blocks.iter().map(move |block| Block {
+            name: block.name.clone(),
             columns: block.columns.iter().map(|column| start + column).collect(),
             stiffness: block.stiffness.clone(),
             damping: block.damping.clone(),
@@ -213,28 +215,6 @@ fn by_pair(products: &[DMatrix<f64>; 9]) -> Vec<Vec<Matrix3<f64>>> {
     let count = products[0].nrows();
     let pair = |j: usize, k: usize| Matrix3::from_fn(|a, b| products[3 * a + b][(j, k)]);
     (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect()
-}
-
-/// Stiffness of each matter and all dashpots, between the fields.
-fn blocks(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<Block> {
-    let columns: Vec<usize> = (0..fields.nrows()).collect();
-    let between = |matrix| {
-        let form = fields * times(matrix, fields).transpose();
-        columns.iter().map(|j| columns.iter().map(|k| form[(*j, *k)]).collect()).collect()
-    };
-    let matters = discrete.structure.matters.iter().zip(&discrete.stiffness);
-    let mut blocks: Vec<Block> = matters
-        .map(|(matter, stiffness)| Block {
-            columns: columns.clone(),
-            stiffness: between(stiffness),
-            damping: Vec::new(),
-            rheology: matter.rheology.clone(),
-        })
-        .collect();
-    if let Some((first, damping)) = blocks.first_mut().zip(discrete.damping.as_ref()) {
-        first.damping = between(damping);
-    }
-    blocks
 }
 
 fn stations(discrete: &Discrete<'_>, fields: &DMatrix<f64>, nodes: &[usize]) -> Vec<Vec<[f64; 3]>> {

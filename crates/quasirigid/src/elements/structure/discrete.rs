@@ -13,6 +13,8 @@ pub(in crate::elements) struct Structure {
     /// How each node is held.
     pub holds: Vec<Hold>,
     pub elements: Vec<Box<dyn Element>>,
+    /// Names of what elements belong to, each with the end of its elements.
+    pub owners: Vec<(String, usize)>,
     pub joints: Vec<Joint>,
     pub matters: Vec<Matter>,
 }
@@ -21,6 +23,19 @@ impl Structure {
     /// Mean of the places of the nodes (m), in the file's frame.
     pub fn middle(&self) -> Vector3<f64> {
         self.nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64
+    }
+
+    /// Gives all elements that have no owner yet to the one of this name.
+    pub fn own(&mut self, name: &str) {
+        self.owners.push((name.to_owned(), self.elements.len()));
+    }
+
+    /// Name of the owner of each element, in their order; empty where there is none.
+    pub fn owner_of_each(&self) -> impl Iterator<Item = &str> {
+        let starts = std::iter::once(0).chain(self.owners.iter().map(|(_, end)| *end));
+        let owned = self.owners.iter().zip(starts);
+        let owned = owned.flat_map(|((name, end), start)| std::iter::repeat_n(name.as_str(), end - start));
+        owned.chain(std::iter::repeat(""))
     }
 
     /// Number of the matter with a rheology, and damping in proportion to mass (1/s) and stiffness (s), which it gets if it is
@@ -44,9 +59,18 @@ pub(in crate::elements) struct Matter {
     pub per_stiffness: f64,
 }
 
+impl Matter {
+    /// Whether it takes energy, dashpots apart.
+    pub fn dissipates(&self) -> bool {
+        self.rheology != Rheology::Elastic || self.per_mass != 0.0 || self.per_stiffness != 0.0
+    }
+}
+
 /// Springs and dashpots about the axes of a joint.
 #[derive(Clone, Debug)]
 pub(in crate::elements) struct Joint {
+    /// What it is called as a dissipator.
+    pub name: String,
     /// The node that is held by it.
     pub node: usize,
     /// Stiffness about each axis (N·m/rad).
@@ -120,7 +144,11 @@ fn diagonal(unknown: usize, value: f64, sum: &mut Symmetric) {
     sum.add(&[Some(unknown as u32)], &[value]).expect("every pattern has its diagonal");
 }
 
-fn joint_unknowns<'f>(freedoms: &'f Freedoms, joint: &'f Joint) -> impl Iterator<Item = (usize, usize)> + 'f {
+/// Axes of a joint, each with its unknown.
+pub(super) fn joint_unknowns<'f>(
+    freedoms: &'f Freedoms,
+    joint: &'f Joint,
+) -> impl Iterator<Item = (usize, usize)> + 'f {
     freedoms.unknowns().iter().enumerate().filter_map(move |(index, unknown)| match unknown {
         Unknown::Joint(node, axis) if *node == joint.node => Some((*axis, index)),
         _ => None,

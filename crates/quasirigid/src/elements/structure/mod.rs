@@ -8,6 +8,7 @@ mod discrete;
 mod freedoms;
 mod grains;
 mod loads;
+mod losses;
 mod rows;
 mod solver;
 mod sum;

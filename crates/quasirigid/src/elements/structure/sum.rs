@@ -48,6 +48,16 @@ impl Tie {
         sum.add(&self.unknowns, tied.as_slice()).expect("the pattern has the places of every element");
     }
 
+    /// Freedoms of the element in displacements of the unknowns, a row per freedom.
+    pub fn moved(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
+        let unknown = |i: usize, j: usize| self.unknowns[i].map_or(0.0, |place| fields[(j, place as usize)]);
+        let unknowns = DMatrix::from_fn(self.unknowns.len(), fields.nrows(), unknown);
+        match &self.shares {
+            Some(shares) => shares * unknowns,
+            None => unknowns,
+        }
+    }
+
     fn groups(&self, groups: &[u32]) -> Vec<u32> {
         let group = |unknown: u32| groups.partition_point(|first| *first <= unknown) as u32 - 1;
         let mut joined: Vec<u32> = self.unknowns.iter().flatten().map(|unknown| group(*unknown)).collect();

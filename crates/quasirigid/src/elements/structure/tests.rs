@@ -55,8 +55,8 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         .map(|entry| (entry / size, entry % size))
         .map(|(j, k)| (j, k, component.pair(j, k, pole)))
         .collect();
-    let Matrices { stiffness, damping, lossy } =
-        Matrices::sum(size, component.blocks(0).map(Ok), Vec::new()).unwrap();
+    let Matrices { stiffness, damping, lossy, dissipators } =
+        Matrices::sum(size, component.blocks(0).map(Ok), &[]).unwrap();
     FlexibleBody::new(Parts {
         support: Support::Free,
         pole: pole.into(),
@@ -72,6 +72,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         damping,
         stiffness,
         lossy,
+        dissipators,
         memories: Vec::new(),
         coordinates: (0..size).map(|j| Coordinate { name: format!("{j}"), unit: "m" }).collect(),
         cyclic: 0,

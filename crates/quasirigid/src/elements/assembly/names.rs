@@ -1,0 +1,70 @@
+use std::collections::HashMap;
+
+use super::Assembly;
+use super::net::Net;
+use crate::elements::part::Anchor;
+use crate::elements::{End, Spring};
+
+/// What the carrier is called.
+const CARRIER: &str = "carrier";
+
+impl Assembly {
+    /// Names of the springs as dissipators: their own, or after their ends, `spring tip-carrier`.
+    pub(super) fn spring_names(&self) -> Vec<String> {
+        let mut numbers = Numbers::default();
+        let name = |spring: &Spring| {
+            if spring.name.is_empty() {
+                numbers.of(format!("spring {}-{}", self.end_name(spring.from), self.end_name(spring.to)))
+            } else {
+                spring.name.clone()
+            }
+        };
+        self.springs.iter().map(name).collect()
+    }
+
+    fn end_name(&self, end: End) -> String {
+        match end {
+            End::Carrier => CARRIER.to_owned(),
+            End::Point(index) => self.points.get(index).map_or_else(String::new, |point| point.name.clone()),
+            End::Node(node) => {
+                let part = &self.parts[node.part];
+                format!("{} {}", part.name, part.node_name(node.node))
+            }
+        }
+    }
+
+    fn anchor_name(&self, anchor: &Anchor) -> &str {
+        match anchor {
+            Anchor::Carrier => CARRIER,
+            Anchor::Nodes { part, .. } => self.parts.get(*part).map_or("", |part| &part.name),
+        }
+    }
+}
+
+impl Net<'_> {
+    /// Name of a connection as a dissipator, after what it joins: `connection boom-carrier`.
+    pub(super) fn connection_name(&self, index: usize) -> String {
+        let mut numbers = Numbers::default();
+        let connections = self.assembly.connections.iter().take(index + 1);
+        let names = connections.map(|connection| {
+            let [from, to] = [&connection.from, &connection.to].map(|end| self.assembly.anchor_name(end));
+            numbers.of(format!("connection {from}-{to}"))
+        });
+        names.last().unwrap_or_default()
+    }
+}
+
+/// How often each name was given.
+#[derive(Default)]
+struct Numbers {
+    given: HashMap<String, usize>,
+}
+
+impl Numbers {
+    /// The name, with a number from its second use on.
+    fn of(&mut self, name: String) -> String {
+        let count = self.given.entry(name.clone()).or_default();
+        *count += 1;
+        if *count == 1 { name } else { format!("{name} {count}") }
+    }
+}

@@ -76,6 +76,12 @@ impl<'a> Evolution<'a> {
         self.power.mean_power(&self.motion(stage))
     }
 
+    /// Mean power (W) that each dissipator takes, by name. (D2)
+    #[must_use]
+    pub fn budget(&self, stage: Stage) -> Vec<(String, f64)> {
+        self.power.budget(&self.motion(stage))
+    }
+
     /// The stage with this `D/I₃`; none outside of `I₁/I₃` to 1, or at an axis, where nothing ages.
     #[must_use]
     pub fn stage(&self, ratio: f64) -> Option<Stage> {

@@ -1,5 +1,6 @@
 //! Millions of turns: the torque-free motion in closed form, and what dissipation makes of it on average.
 
+mod budget;
 mod crossing;
 mod drift;
 mod euler_angles;

@@ -11,6 +11,11 @@ pub trait MeanPower {
 
     /// The mean over a period of the polhode; on the separatrix, where the period is infinite, zero.
     fn mean_power(&self, motion: &FreeRotation) -> f64;
+
+    /// Mean power (W) that each dissipator takes, by name; empty where it is not known. (D2)
+    fn budget(&self, _motion: &FreeRotation) -> Vec<(String, f64)> {
+        Vec::new()
+    }
 }
 
 impl MeanPower for Response {
@@ -21,6 +26,10 @@ impl MeanPower for Response {
     /// The sum over the harmonics. (G7)
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         self.harmonic_powers(motion).map(|(_, power)| power).sum()
+    }
+
+    fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+        Self::budget(self, motion)
     }
 }
 
@@ -39,9 +48,13 @@ impl Response {
 pub struct PolynomialPower {
     moments: [f64; 3],
     degree: usize,
-    /// Powers of the squares of the components, and the coefficient.
-    terms: Vec<([usize; 3], f64)>,
+    terms: Terms,
+    /// The same of each dissipator, by name.
+    shares: Vec<(String, Terms)>,
 }
+
+/// Powers of the squares of the components, and the coefficient.
+type Terms = Vec<([usize; 3], f64)>;
 
 /// Points of the mean per quarter period and `K/K′`: harmonic `2n` falls as the power `n` of the nome, to 1e-17.
 const POINTS: f64 = 6.5;
@@ -51,24 +64,53 @@ impl PolynomialPower {
     #[must_use]
     pub fn of(body: &ReducedBody) -> Self {
         let Principal { moments, axes } = Principal::of(body.J);
-        let mut terms = Vec::new();
-        for degree in (2..=body.power.degree()).step_by(2) {
-            let part = in_axes(body.power.part(degree), axes);
-            for (exponents, coefficient) in part.terms() {
-                let even = exponents.iter().all(|power| power % 2 == 0);
-                let on_an_axis = exponents.contains(&degree);
-                if even && !on_an_axis && coefficient[0] != 0.0 {
-                    terms.push((exponents.map(|power| power / 2), coefficient[0]));
-                }
-            }
+        let shares = body.power_shares.iter().map(|(name, power)| (name.clone(), squares(power, axes)));
+        Self {
+            moments,
+            degree: body.power.degree(),
+            terms: squares(&body.power, axes),
+            shares: shares.collect(),
         }
-        Self { moments, degree: body.power.degree(), terms }
     }
 
-    fn value(&self, squares: [f64; 3]) -> f64 {
-        let power = |axis: usize, exponent: usize| squares[axis].powi(exponent as i32);
-        self.terms.iter().map(|([i, j, k], value)| value * power(0, *i) * power(1, *j) * power(2, *k)).sum()
+    /// Mean of polynomials over a period of the polhode.
+    fn means<'t>(&self, motion: &FreeRotation, polynomials: impl Iterator<Item = &'t Terms>) -> Vec<f64> {
+        let complement = motion.complement();
+        let quarter = first_of_complement(complement);
+        if !quarter.is_finite() {
+            return polynomials.map(|_| 0.0).collect();
+        }
+        let stretch = quarter / first_of_complement(motion.parameter());
+        let points = self.degree / 4 + 2 + (POINTS * stretch).ceil() as usize;
+        let sample = |i: usize| {
+            let u = quarter * (i as f64 + 0.5) / points as f64;
+            motion.at_argument(jacobi(u, complement)).map(|rate| rate * rate)
+        };
+        let samples: Vec<[f64; 3]> = (0..points).map(sample).collect();
+        let mean = |terms: &Terms| samples.iter().map(|at| value(terms, *at)).sum::<f64>() / points as f64;
+        polynomials.map(mean).collect()
     }
+}
+
+/// The terms of a power that have a mean, in principal axes.
+fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
+    let mut terms = Vec::new();
+    for degree in (2..=power.degree()).step_by(2) {
+        let part = in_axes(power.part(degree), axes);
+        for (exponents, coefficient) in part.terms() {
+            let even = exponents.iter().all(|power| power % 2 == 0);
+            let on_an_axis = exponents.contains(&degree);
+            if even && !on_an_axis && coefficient[0] != 0.0 {
+                terms.push((exponents.map(|power| power / 2), coefficient[0]));
+            }
+        }
+    }
+    terms
+}
+
+fn value(terms: &Terms, squares: [f64; 3]) -> f64 {
+    let power = |axis: usize, exponent: usize| squares[axis].powi(exponent as i32);
+    terms.iter().map(|([i, j, k], value)| value * power(0, *i) * power(1, *j) * power(2, *k)).sum()
 }
 
 impl MeanPower for PolynomialPower {
@@ -77,18 +119,12 @@ impl MeanPower for PolynomialPower {
     }
 
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
-        let complement = motion.complement();
-        let quarter = first_of_complement(complement);
-        if !quarter.is_finite() {
-            return 0.0;
-        }
-        let stretch = quarter / first_of_complement(motion.parameter());
-        let points = self.degree / 4 + 2 + (POINTS * stretch).ceil() as usize;
-        let sample = |i: usize| {
-            let u = quarter * (i as f64 + 0.5) / points as f64;
-            self.value(motion.at_argument(jacobi(u, complement)).map(|rate| rate * rate))
-        };
-        (0..points).map(sample).sum::<f64>() / points as f64
+        self.means(motion, std::iter::once(&self.terms))[0]
+    }
+
+    fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+        let means = self.means(motion, self.shares.iter().map(|(_, terms)| terms));
+        self.shares.iter().map(|(name, _)| name.clone()).zip(means).collect()
     }
 }
 

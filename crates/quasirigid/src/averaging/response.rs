@@ -6,7 +6,7 @@ use super::rows::{Row, rows};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
 use crate::math::sym::{self, Sym};
-use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
+use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
 
 /// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and what turns inside it.
 /// (G6), (C10)
@@ -22,7 +22,8 @@ pub struct Response {
     /// Gyroscopic coupling of what turns inside, per unit of mean spin about each principal axis.
     turning: [DMatrix<f64>; 3],
     /// Liquids whose force at a frequency is known, each with the row of its first axis.
-    memories: Vec<(usize, LiquidMemory)>,
+    pub(super) memories: Vec<(usize, LiquidMemory)>,
+    pub(super) dissipators: Vec<Dissipator>,
     /// Whether mass and losses act on each row alone.
     apart: bool,
 }
@@ -90,7 +91,8 @@ impl Response {
         let memories = memories(body, &rows);
         let alone = turning.iter().all(|matrix| matrix.amax() == 0.0) && memories.is_empty();
         let apart = alone && is_diagonal(&mass) && losses.iter().all(|loss| is_diagonal(&loss.matrix));
-        Ok(Self { principal, rows, mass, losses, turning, memories, apart }.without_idle())
+        let dissipators = body.dissipators().to_vec();
+        Ok(Self { principal, rows, mass, losses, turning, memories, dissipators, apart }.without_idle())
     }
 
     /// Principal moments and axes of the frozen body.
@@ -125,39 +127,70 @@ impl Response {
     /// Mean power (W) that a harmonic takes from a rotation with this mean spin (rad/s, principal axes): `2ν` times minus the
     /// imaginary part of `f̄ᵀx`, with the load `f` and the answer `x`. (G7), (C10)
     pub(super) fn power(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> f64 {
-        let [real, imaginary] = &harmonic.products;
-        let part = |load: &Sym, products: &Sym| load.iter().zip(products).map(|(a, b)| a * b).sum::<f64>();
-        let loads: Vec<Complex<f64>> = self
-            .rows
-            .iter()
-            .map(|row| Complex::new(part(&row.load, real), part(&row.load, imaginary)))
-            .collect();
-        let lost = if self.apart {
-            self.lost_apart(harmonic.frequency, &loads)
+        let loads = self.loads(harmonic);
+        let lost: f64 = if self.apart {
+            let lost = |(load, stiffness): (&Complex<f64>, Complex<f64>)| {
+                load.norm_sqr() * stiffness.im / stiffness.norm_sqr()
+            };
+            loads.iter().zip(self.stiffness_apart(harmonic.frequency)).map(lost).sum()
         } else {
-            self.lost_coupled(harmonic.frequency, mean_spin, &loads)
+            self.answer_coupled(harmonic.frequency, mean_spin, &loads)
+                .map_or(0.0, |answer| -loads.dotc(&answer).im)
         };
         2.0 * harmonic.frequency * lost
     }
 
-    fn lost_apart(&self, frequency: f64, loads: &[Complex<f64>]) -> f64 {
-        let factors: Vec<[f64; 2]> = self.losses.iter().map(|loss| loss.law.factor(frequency)).collect();
-        let lost = |(i, row): (usize, &Row)| {
-            let mut stiffness = [row.square - frequency * frequency, 0.0];
-            for (loss, factor) in self.losses.iter().zip(&factors) {
-                let share = loss.matrix[(i, i)];
-                stiffness[0] += share * factor[0];
-                stiffness[1] += share * factor[1];
-            }
-            loads[i].norm_sqr() * stiffness[1] / (stiffness[0].powi(2) + stiffness[1].powi(2))
-        };
-        self.rows.iter().enumerate().map(lost).sum()
+    /// Answer of each row to a harmonic.
+    pub(super) fn answer(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> Vec<Complex<f64>> {
+        let loads = self.loads(harmonic);
+        if self.apart {
+            return loads
+                .iter()
+                .zip(self.stiffness_apart(harmonic.frequency))
+                .map(|(f, stiffness)| f / stiffness)
+                .collect();
+        }
+        let answer = self.answer_coupled(harmonic.frequency, mean_spin, &loads);
+        answer.unwrap_or_else(|| DVector::zeros(loads.len())).as_slice().to_vec()
     }
 
-    fn lost_coupled(&self, frequency: f64, mean_spin: [f64; 3], loads: &[Complex<f64>]) -> f64 {
-        let stiffness = self.stiffness(frequency, mean_spin);
-        let loads = DVector::from_column_slice(loads);
-        stiffness.lu().solve(&loads).map_or(0.0, |answer| -loads.dotc(&answer).im)
+    /// Displacement of the coordinates in an answer of the rows.
+    pub(super) fn displacement(&self, answer: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let size = self.rows.first().map_or(0, |row| row.shape.len());
+        let mut moved = vec![Complex::from(0.0); size];
+        for (row, share) in self.rows.iter().zip(answer) {
+            moved.iter_mut().zip(&row.shape).for_each(|(moved, shape)| *moved += share * *shape);
+        }
+        moved
+    }
+
+    fn loads(&self, harmonic: &Harmonic) -> DVector<Complex<f64>> {
+        let [real, imaginary] = &harmonic.products;
+        let part = |load: &Sym, products: &Sym| load.iter().zip(products).map(|(a, b)| a * b).sum::<f64>();
+        let load =
+            |i: usize, _| Complex::new(part(&self.rows[i].load, real), part(&self.rows[i].load, imaginary));
+        DVector::from_fn(self.rows.len(), load)
+    }
+
+    /// Dynamic stiffness of each row where they are apart.
+    fn stiffness_apart(&self, frequency: f64) -> impl Iterator<Item = Complex<f64>> {
+        let factors: Vec<[f64; 2]> = self.losses.iter().map(|loss| loss.law.factor(frequency)).collect();
+        self.rows.iter().enumerate().map(move |(i, row)| {
+            let mut stiffness = Complex::from(row.square - frequency * frequency);
+            for (loss, [re, im]) in self.losses.iter().zip(&factors) {
+                stiffness += loss.matrix[(i, i)] * Complex::new(*re, *im);
+            }
+            stiffness
+        })
+    }
+
+    fn answer_coupled(
+        &self,
+        frequency: f64,
+        mean_spin: [f64; 3],
+        loads: &DVector<Complex<f64>>,
+    ) -> Option<DVector<Complex<f64>>> {
+        self.stiffness(frequency, mean_spin).lu().solve(loads)
     }
 
     /// `C − ν²M + iνB − iν ω̄·W`, with the moduli of materials and the forces of liquids. (C10), (C11)
@@ -173,19 +206,28 @@ impl Response {
         for (matrix, spin) in self.turning.iter().zip(mean_spin) {
             stiffness += matrix.map(|entry| Complex::new(0.0, -frequency * spin * entry));
         }
-        let spin = (0..3)
-            .fold(Vector3::zeros(), |sum, i| sum + mean_spin[i] * Vector3::from(self.principal.axes[i]));
         for (start, memory) in &self.memories {
-            let s = Complex::new(0.0, frequency);
-            let force = turned_impedance(memory, s, spin);
-            for (i, a) in memory.axes.iter().enumerate() {
-                for (j, b) in memory.axes.iter().enumerate() {
-                    let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));
-                    stiffness[(start + i, start + j)] += s * a.dot(&(force * b));
-                }
-            }
+            let force = self.memory_force(memory, frequency, mean_spin);
+            let mut own = stiffness.view_mut((*start, *start), force.shape());
+            own += force;
         }
         stiffness
+    }
+
+    /// Force of a liquid between its axes per displacement. (C11)
+    pub(super) fn memory_force(
+        &self,
+        memory: &LiquidMemory,
+        frequency: f64,
+        mean_spin: [f64; 3],
+    ) -> DMatrix<Complex<f64>> {
+        let spin = (0..3)
+            .fold(Vector3::zeros(), |sum, i| sum + mean_spin[i] * Vector3::from(self.principal.axes[i]));
+        let s = Complex::new(0.0, frequency);
+        let force = turned_impedance(memory, s, spin);
+        let axis = |i: usize| Vector3::from(memory.axes[i]).map(Complex::from);
+        let count = memory.axes.len();
+        DMatrix::from_fn(count, count, |i, j| s * axis(i).dot(&(force * axis(j))))
     }
 
     /// Without the vibrations that no load reaches, where all rows are apart.

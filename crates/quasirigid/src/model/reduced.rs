@@ -28,6 +28,8 @@ pub struct ReducedBody {
     /// Power dissipated (W), a sum of squares: by elastic coordinates of degrees 6 to `2p`, none below `p = 3`; by cyclic ones
     /// of degrees 4 to `2p + 2`, none below `p = 1`. (R9), (C6)
     pub power: Series,
+    /// The same of each dissipator, by name; materials without equation of motion have none. (D3)
+    pub power_shares: Vec<(String, Series)>,
     /// Force `φ` on the pole of a free body (N), degrees 4 to `p + 2`; zero where a point is fixed. (R8)
     pub phi: Series,
     /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`; zero for cyclic ones. (R4)
@@ -94,6 +96,12 @@ impl ReducedBody {
     #[must_use]
     pub fn energy(&self, omega: [f64; 3]) -> f64 {
         self.energy.scalar(omega)
+    }
+
+    /// Power (W) that each dissipator takes at a spin (rad/s), by name. (D3)
+    #[must_use]
+    pub fn power_budget(&self, omega: [f64; 3]) -> Vec<(String, f64)> {
+        self.power_shares.iter().map(|(name, power)| (name.clone(), power.scalar(omega))).collect()
     }
 
     /// Power (W) taken by the dashpots at a spin (rad/s); never negative.

@@ -57,6 +57,7 @@ fn equation(f: Series) -> ReducedBody {
         energy: none(1),
         energy_of_momentum: none(1),
         power: none(1),
+        power_shares: Vec::new(),
         phi: none(3),
         q: none(0),
         rate: none(0),

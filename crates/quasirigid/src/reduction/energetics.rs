@@ -1,5 +1,7 @@
 //! Energy, dissipated power and force on the pole along the slow manifold.
 
+use std::collections::HashMap;
+
 use super::manifold::Manifold;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym;
@@ -51,8 +53,12 @@ fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogene
 }
 
 /// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic
-/// ones to degree `p + 1`, degrees 4 to `2p + 2`. (R9), (C6)
-pub(super) fn power(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+/// ones to degree `p + 1`, degrees 4 to `2p + 2`; and the same of each dissipator that has damping, by name. (R9), (C6), (D3)
+pub(super) fn power(
+    body: &FlexibleBody,
+    manifold: &Manifold,
+    order: usize,
+) -> (Series, Vec<(String, Series)>) {
     let mut rate = manifold.rate.truncated(order);
     let mut highest = 2 * order;
     if !body.cyclic().is_empty() {
@@ -62,15 +68,37 @@ pub(super) fn power(body: &FlexibleBody, manifold: &Manifold, order: usize) -> S
         rate.set(last);
         highest += 2;
     }
-    let mut power = Series::zero(highest.max(2), 1);
+    let zero = Series::zero(highest.max(2), 1);
+    let named = body.dissipators().iter().filter(|part| part.damping.iter().next().is_some());
+    let mut shares: Vec<(String, Series)> = named.map(|part| (part.name.clone(), zero.clone())).collect();
+    let owners = owners(body);
+    let mut power = zero;
     for degree in 4..=highest {
-        let mut part = Homogeneous::zero(degree, 1);
+        let mut whole = Homogeneous::zero(degree, 1);
+        let mut parts = vec![whole.clone(); shares.len()];
         for (j, k, B) in body.damping().iter() {
-            part.add_scaled(*B, &rate.row_product(j, &rate, k, degree));
+            let product = rate.row_product(j, &rate, k, degree);
+            whole.add_scaled(*B, &product);
+            for (owner, B) in owners.get(&(j, k)).into_iter().flatten() {
+                parts[*owner].add_scaled(*B, &product);
+            }
         }
-        power.set(part);
+        power.set(whole);
+        shares.iter_mut().zip(parts).for_each(|((_, share), part)| share.set(part));
     }
-    power
+    (power, shares)
+}
+
+/// What each dissipator that has damping adds to an entry of `B`, by row and column.
+fn owners(body: &FlexibleBody) -> HashMap<(usize, usize), Vec<(usize, f64)>> {
+    let mut owners: HashMap<(usize, usize), Vec<(usize, f64)>> = HashMap::new();
+    let named = body.dissipators().iter().filter(|part| part.damping.iter().next().is_some());
+    for (owner, part) in named.enumerate() {
+        for (j, k, entry) in part.damping.iter() {
+            owners.entry((j, k)).or_default().push((owner, *entry));
+        }
+    }
+    owners
 }
 
 /// Force `φ = −Σ mᵢ r̈ᵢ` on the pole of a free body, degrees 4 to `p + 2`. (R8)

@@ -45,6 +45,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     let J = body.invariants().J;
     let Omega = momentum_form::reverted(&manifold.K, J);
     let energy = energetics::energy(body, &manifold, order);
+    let (power, power_shares) = energetics::power(body, &manifold, order);
     Ok(ReducedBody {
         order,
         mass: body.invariants().mass,
@@ -52,7 +53,8 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
         energy_of_momentum: momentum_form::of_momentum(&energy, &Omega),
         Omega,
         energy,
-        power: energetics::power(body, &manifold, order),
+        power,
+        power_shares,
         phi: energetics::force(body, &manifold, order),
         f: manifold.f,
         K: manifold.K,

@@ -1,0 +1,69 @@
+//! Who takes the power of a free rotation.
+
+use nalgebra::Complex;
+
+use super::harmonics::Harmonic;
+use super::poinsot::FreeRotation;
+use super::response::Response;
+use crate::math::sparse::SparseRows;
+
+impl Response {
+    /// Mean power (W) that each dissipator takes from a free rotation, by name; its sum is the whole. (D2)
+    #[must_use]
+    pub fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+        let mean_spin = motion.mean_spin();
+        let mut powers = vec![0.0; self.dissipators.len()];
+        for harmonic in motion.harmonics() {
+            let taken = self.taken(&harmonic, mean_spin);
+            powers.iter_mut().zip(taken).for_each(|(power, taken)| *power += taken);
+        }
+        self.dissipators.iter().map(|part| part.name.clone()).zip(powers).collect()
+    }
+
+    /// Mean power (W) of a harmonic that each dissipator takes: `2ν` times `x̄ᵀ(νB_c + Im C_c)x` of the answer `x`. (D2)
+    fn taken(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> Vec<f64> {
+        let frequency = harmonic.frequency;
+        let answer = self.answer(harmonic, mean_spin);
+        let moved = self.displacement(&answer);
+        let mut lost: Vec<f64> = self
+            .dissipators
+            .iter()
+            .map(|part| {
+                let material = part.loss.as_ref().map_or(0.0, |loss| {
+                    let [_, imaginary] = loss.rheology.modulus(frequency);
+                    imaginary * form(&loss.stiffness, &moved)
+                });
+                frequency * form(&part.damping, &moved) + material
+            })
+            .collect();
+        for (owner, taken) in self.taken_by_memories(frequency, mean_spin, &answer) {
+            lost[owner] += taken;
+        }
+        lost.into_iter().map(|lost| 2.0 * frequency * lost).collect()
+    }
+
+    /// The same of liquids whose force at a frequency is known, each with the index of its dissipator.
+    fn taken_by_memories(
+        &self,
+        frequency: f64,
+        mean_spin: [f64; 3],
+        answer: &[Complex<f64>],
+    ) -> Vec<(usize, f64)> {
+        let lost = |(start, memory): &(usize, _)| {
+            let force = self.memory_force(memory, frequency, mean_spin);
+            let own = &answer[*start..start + force.nrows()];
+            let pairs = (0..own.len()).flat_map(|i| (0..own.len()).map(move |j| (i, j)));
+            pairs.map(|(i, j)| (own[i].conj() * force[(i, j)] * own[j]).im).sum::<f64>()
+        };
+        let owner = |(_, memory): &(usize, crate::model::LiquidMemory)| {
+            let coordinate = memory.coordinates.start;
+            self.dissipators.iter().position(|part| part.damping.row(coordinate).next().is_some())
+        };
+        self.memories.iter().filter_map(|memory| Some((owner(memory)?, lost(memory)))).collect()
+    }
+}
+
+/// `x̄ᵀ M x` of a symmetric matrix.
+fn form(matrix: &SparseRows<f64>, x: &[Complex<f64>]) -> f64 {
+    matrix.iter().map(|(j, k, entry)| entry * (x[j].conj() * x[k]).re).sum()
+}

@@ -22,6 +22,9 @@ pub enum Command {
     /// Say how far the reduced equations hold, in words and numbers
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
     Check(Check),
+    /// Find the steady spin and the modes about it: time constants, stability, what dissipates
+    #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
+    Modes(Modes),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -111,6 +114,19 @@ pub struct Run {
 pub struct Check {
     #[command(flatten)]
     pub common: Common,
+}
+
+#[derive(Args, Debug)]
+pub struct Modes {
+    #[command(flatten)]
+    pub common: Common,
+    /// Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the file's; without one, both
+    /// axes of extreme inertia]
+    #[arg(long, value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
+    pub spin: Option<Vec<f64>>,
+    /// Principal axis to spin about
+    #[arg(long, value_parser = ["least", "middle", "greatest"])]
+    pub axis: Option<String>,
 }
 
 #[derive(Args, Debug)]

@@ -32,6 +32,10 @@ pub enum Failure {
     Duration { text: String, cause: Box<UnitError> },
     #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
     NoDuration { seconds: f64 },
+    #[error("modes are those of a body that no moment acts on: take the forces and the driven support out of the model")]
+    ModesUnderForces,
+    #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
+    NotAVector { count: usize },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]
     Samples { samples: usize },
     #[error("{option}: only the full system has internal coordinates of its own; add --system full")]

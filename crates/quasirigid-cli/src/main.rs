@@ -15,6 +15,7 @@ mod output;
 mod progress;
 mod record;
 mod rotation;
+mod steady;
 mod verification;
 
 use std::process::ExitCode;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
     let result = match &arguments.command {
         Command::Run(run) => commands::run::run(run),
         Command::Check(check) => commands::check::check(check),
+        Command::Modes(modes) => commands::modes::modes(modes),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),

@@ -10,6 +10,7 @@ pub mod dynamic_stiffness;
 pub mod eigen;
 pub mod factor;
 pub mod krylov;
+pub mod lu;
 pub mod span;
 pub mod sparse;
 pub mod symmetric;

@@ -14,6 +14,7 @@
 //! - [`elements`] are the parts a user describes, assembled into a flexible body,
 //! - [`reduction`] derives the reduced equations to any order and says how far they hold,
 //! - [`dynamics`] integrates them, and the full stiff system beside them,
+//! - [`modes`] are the small motions about a steady spin,
 //! - [`averaging`] follows what dissipation does over millions of turns,
 //! - [`verification`] sets one against the other,
 //! - [`problems`] are bodies with known answers.
@@ -32,6 +33,10 @@ pub mod reduction;
 pub mod dynamics;
 
 pub mod averaging;
+
+pub mod modes;
+
+pub mod secular;
 
 pub mod verification;
 

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod derive;
 pub mod evolve;
+pub mod modes;
 pub mod run;
 pub mod simulate;
 mod summary;

@@ -58,6 +58,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         body: record::body(body),
         liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
+        steady_spins: Vec::new(),
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
         verification,

@@ -8,7 +8,7 @@ use super::table::Keys;
 use super::value::Value;
 use crate::units::{Dimension, UnitError, quantity};
 
-const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power"] };
+const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power", "method"] };
 
 /// How the slow evolution of the rotation is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,8 +19,23 @@ pub struct Evolve {
     pub duration: Option<f64>,
     /// Number of rows of the history.
     pub samples: Option<usize>,
-    /// Where the power comes from.
+    /// Where the power of an average comes from.
     pub power: Option<Power>,
+    /// By which road it is followed; the one that holds, if nobody says.
+    pub method: Option<EvolveMethod>,
+}
+
+/// By which road the slow evolution of the rotation is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EvolveMethod {
+    /// Averaged along the polhode of the frozen body.
+    Average,
+    /// The mean power measured by short runs of the full system.
+    MicroRuns,
+    /// The full system from start to end.
+    Direct,
+    /// The average at the rates that the modes at the poles have.
+    Modes,
 }
 
 /// Where the mean power comes from.
@@ -134,7 +149,15 @@ pub(super) fn evolve(value: &Value<'_>) -> Option<Evolve> {
     let power = optional(table.get("power"), |value| {
         value.choice(&[("polynomial", Some(Power::Polynomial)), ("harmonics", Some(Power::Harmonics))])
     });
-    Some(Evolve { until: until?, duration: duration?, samples: samples?, power: power? })
+    let method = optional(table.get("method"), |value| {
+        value.choice(&[
+            ("average", Some(EvolveMethod::Average)),
+            ("micro-runs", Some(EvolveMethod::MicroRuns)),
+            ("direct", Some(EvolveMethod::Direct)),
+            ("modes", Some(EvolveMethod::Modes)),
+        ])
+    });
+    Some(Evolve { until: until?, duration: duration?, samples: samples?, power: power?, method: method? })
 }
 
 fn target(value: &Value<'_>) -> Option<Target> {

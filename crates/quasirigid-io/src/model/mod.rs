@@ -41,7 +41,7 @@ use quasirigid::elements::{Assembly, ElementError};
 
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
-pub use evolve::{Evolve, Power, Target, TargetError};
+pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
 pub use initial::{Displacements, Initial};
 pub use rotation::Rotation;
 pub use settings::{Form, Method, Run, Stop, System, Verify};

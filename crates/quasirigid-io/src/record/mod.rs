@@ -8,6 +8,7 @@
 mod error;
 mod evolution;
 mod folder;
+mod modes;
 mod number;
 mod table;
 
@@ -15,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 pub use error::RecordError;
 pub use evolution::{CrossingRecord, EvolutionRecord, HarmonicRecord};
+pub use modes::{ModeRecord, SteadySpinRecord};
 pub use table::history_csv;
 
 /// Everything a run computed, in SI units.
@@ -33,6 +35,9 @@ pub struct RunRecord {
     pub liquids: Vec<LiquidRecord>,
     /// How far the reduced equations hold.
     pub validity: ValidityRecord,
+    /// Steady spins at the angular velocity of the start, each with the small motions about it.
+    #[serde(default)]
+    pub steady_spins: Vec<SteadySpinRecord>,
     /// The reduced equations at the initial spin.
     pub reduction: ReductionRecord,
     /// Spin histories, one per system propagated; the first is the main one.

@@ -6,7 +6,6 @@ mod drift;
 mod euler_angles;
 mod evolution;
 mod harmonics;
-mod memory;
 mod observed;
 mod poinsot;
 mod power;

@@ -110,6 +110,12 @@ impl FreeRotation {
         self.mode
     }
 
+    /// Principal moments of inertia (kg·m²), ascending.
+    #[must_use]
+    pub fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
     /// `|K|` (N·m·s).
     #[must_use]
     pub fn momentum(&self) -> f64 {

@@ -1,11 +1,11 @@
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use super::harmonics::Harmonic;
-use super::memory::turned_impedance;
 use super::rows::{Row, rows};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
 use crate::math::sym::{self, Sym};
+use crate::model::impedance::turned_impedance;
 use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
 
 /// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and what turns inside it.

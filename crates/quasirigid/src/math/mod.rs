@@ -16,4 +16,4 @@ pub mod surface;
 pub mod sym;
 pub mod taylor;
 
-pub use quasirigid_linear::{cholesky, dynamic_stiffness, eigen, factor, krylov, span, sparse, symmetric};
+pub use quasirigid_linear::{cholesky, dynamic_stiffness, eigen, factor, krylov, lu, span, sparse, symmetric};

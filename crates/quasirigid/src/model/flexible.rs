@@ -42,6 +42,18 @@ pub struct Coordinate {
     pub unit: &'static str,
 }
 
+impl Coordinate {
+    /// Name of the part that it moves, as the model file has it.
+    #[must_use]
+    pub fn part(&self) -> &str {
+        let mut quoted = self.name.split('"');
+        match (quoted.next(), quoted.next()) {
+            (Some(""), Some(name)) => name,
+            _ => self.name.split(' ').next().unwrap_or(&self.name),
+        }
+    }
+}
+
 /// Part of the stiffness whose loss no equation of motion holds: a material with a rheology of its own.
 ///
 /// The equations of motion take it as elastic; the response to a periodic load, which is what averaging asks for, has

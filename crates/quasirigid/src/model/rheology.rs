@@ -1,5 +1,7 @@
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::Complex;
+
 use thiserror::Error;
 
 /// How a material answers a strain that varies with time. (G1)
@@ -123,6 +125,31 @@ impl Rheology {
             }
             Self::Table(measured) => measured.at(frequency),
         }
+    }
+
+    /// Complex modulus at a complex frequency `s` (1/s), real and imaginary part: the law continued from the imaginary axis, where
+    /// it is [`modulus`](Self::modulus). A quality factor and a table are taken at the imaginary part of `s`.
+    #[must_use]
+    pub fn continued(&self, [re, im]: [f64; 2]) -> [f64; 2] {
+        let s = Complex::new(re, im);
+        let one = Complex::from(1.0);
+        let relaxed = |time: f64| s * time / (one + s * time);
+        let value = match self {
+            Self::Elastic => one,
+            Self::KelvinVoigt { time } => one + s * *time,
+            Self::Maxwell { time } => relaxed(*time),
+            Self::StandardLinear { time, strength } => one + relaxed(*time) * *strength,
+            Self::Andrade { time, creep_time, exponent } => {
+                let creep = (s * *creep_time).powf(-exponent) * libm::tgamma(1.0 + exponent);
+                (one + creep + (s * *time).inv()).inv()
+            }
+            Self::QualityFactor { .. } | Self::Table(_) if im == 0.0 => one,
+            Self::QualityFactor { .. } | Self::Table(_) => {
+                let [real, lost] = self.modulus(im.abs());
+                Complex::new(real, lost.copysign(im))
+            }
+        };
+        [value.re, value.im]
     }
 
     /// Frequencies (rad/s) that the law was measured at, first and last; none for a formula.

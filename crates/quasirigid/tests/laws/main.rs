@@ -38,6 +38,7 @@ mod refused_forces;
 mod refused_surfaces;
 mod rheology;
 mod solids;
+mod spin_modes;
 mod springs;
 mod surfaces;
 mod verification;

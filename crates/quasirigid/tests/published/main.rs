@@ -10,3 +10,4 @@ mod one_sprung_mass;
 mod quillen_2019;
 mod quillen_network;
 mod quillen_runs;
+mod spin_modes;

@@ -9,7 +9,7 @@ const LARGE: f64 = 400.0;
 
 /// Force per rate of a liquid at a complex frequency `s` (1/s): `D = I s/(1 − χ)`, with the share `χ` of its momentum that
 /// follows the wall. (C11)
-pub(super) fn impedance(memory: &LiquidMemory, s: Complex<f64>) -> Complex<f64> {
+pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>) -> Complex<f64> {
     let LiquidMemory { index, inertia, time, .. } = *memory;
     if s.norm() == 0.0 {
         return Complex::from(4.0 * (index + 1.0) * (index + 2.0) * inertia / time);
@@ -23,7 +23,7 @@ pub(super) fn impedance(memory: &LiquidMemory, s: Complex<f64>) -> Complex<f64> 
 /// The same in a body that turns with the mean spin `spin` (rad/s): a frequency in the body is another one in space for the
 /// motions of a ball that circle the spin. A liquid with one axis, as in a ring, flows along its tube, where the force of Coriolis
 /// has no part. (C11)
-pub(super) fn turned_impedance(
+pub(crate) fn turned_impedance(
     memory: &LiquidMemory,
     s: Complex<f64>,
     spin: Vector3<f64>,

@@ -1,0 +1,169 @@
+//! Steady spins and the modes about them, found, recorded and told.
+
+use std::fmt::{self, Write};
+
+use quasirigid::model::FlexibleBody;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+
+use crate::describe::{significant, time};
+use crate::failure::Failure;
+use crate::layout::paragraph;
+
+/// Modes listed for people.
+const LISTED: usize = 12;
+/// Shares of parts and dissipators listed for people.
+const SHARES: usize = 4;
+
+/// The steady spins next to the axes of greatest and of least inertia, and if that is unstable by itself nothing else.
+pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
+    let [least, _, greatest] = quasirigid::model::Principal::of(body.invariants().J).axes;
+    [("greatest", greatest), ("least", least)].into_iter().map(|(name, axis)| spin(body, name, axis, given)).collect()
+}
+
+/// The steady spin near an axis, on the side of it, with its modes.
+pub fn spin(
+    body: &FlexibleBody,
+    name: &str,
+    axis: [f64; 3],
+    given: Given,
+) -> Result<SteadySpinRecord, Failure> {
+    let equilibrium = match RelativeEquilibrium::near(body, axis, given) {
+        Ok(equilibrium) => equilibrium,
+        Err(error) => return Ok(missing(name, error.to_string())),
+    };
+    let modes = SpinModes::about(body, equilibrium)?;
+    let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
+    let record = |mode: &SpinMode| ModeRecord {
+        name: mode.name.clone(),
+        nutation: mode.nutation,
+        decay_rate: mode.decay_rate,
+        frequency: mode.frequency,
+        time_constant: Some(mode.time_constant()).filter(|time| time.is_finite()),
+        damping_ratio: mode.damping_ratio(),
+        seen_from_outside: modes.seen_from_outside(mode),
+        moves: mode.moves.iter().cloned().collect(),
+        dissipation: mode.dissipation.iter().cloned().collect(),
+    };
+    Ok(SteadySpinRecord {
+        sentence: sentence(name, &modes),
+        axis: name.into(),
+        spin: Some(modes.equilibrium.omega),
+        momentum: Some(modes.equilibrium.momentum),
+        energy: Some(modes.equilibrium.energy),
+        displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
+        stable: modes.stable(),
+        modes: modes.modes.iter().map(record).collect(),
+    })
+}
+
+fn missing(name: &str, message: String) -> SteadySpinRecord {
+    SteadySpinRecord {
+        sentence: format!("About {}: {message}.", axis(name)),
+        axis: name.into(),
+        spin: None,
+        momentum: None,
+        energy: None,
+        displacements: std::collections::BTreeMap::new(),
+        stable: false,
+        modes: Vec::new(),
+    }
+}
+
+fn axis(name: &str) -> String {
+    match name {
+        "asked" => "the axis asked for".into(),
+        _ => format!("the axis of {name} inertia"),
+    }
+}
+
+/// What a steady spin comes to, instability first.
+fn sentence(name: &str, modes: &SpinModes) -> String {
+    let about = format!("About {}", axis(name));
+    let growing = modes.modes.iter().filter(|mode| mode.grows());
+    let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
+    let nutation = match modes.nutation() {
+        Some(nutation) => format!("the nutation, {} rad/s in the body, {}", significant(nutation.frequency, 4), fate(nutation.decay_rate)),
+        None => "there is no nutation".into(),
+    };
+    match fastest {
+        Some(mode) if !mode.nutation => format!(
+            "{about} the spin is UNSTABLE: a motion of {} {}; {nutation}.",
+            mode.name,
+            fate(mode.decay_rate)
+        ),
+        Some(_) => format!("{about} the spin is UNSTABLE: {nutation}."),
+        None => format!("{about} {nutation}."),
+    }
+}
+
+/// What becomes of a small motion with this decay rate (1/s).
+fn fate(decay_rate: f64) -> String {
+    if decay_rate > 0.0 {
+        format!("decays e-fold in {}", time(decay_rate.recip()))
+    } else if decay_rate < 0.0 {
+        format!("GROWS e-fold in {}", time(-decay_rate.recip()))
+    } else {
+        "neither decays nor grows".into()
+    }
+}
+
+/// Steady spins with their modes, for a terminal of 80 columns.
+pub fn text(name: &str, spins: &[SteadySpinRecord]) -> String {
+    let mut text = String::new();
+    for spin in spins {
+        write(&mut text, name, spin).expect("a string takes any text");
+    }
+    text
+}
+
+fn write(out: &mut String, name: &str, record: &SteadySpinRecord) -> fmt::Result {
+    if !out.is_empty() {
+        writeln!(out)?;
+    }
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
+    let Some(spin) = record.spin else { return Ok(()) };
+    let spin = spin.map(|component| significant(component, 6)).join(", ");
+    writeln!(out, "  steady spin ({spin}) rad/s")?;
+    if let Some((name, moved)) = record.displacements.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
+        writeln!(out, "  largest displacement {}: {}", name, significant(*moved, 3))?;
+    }
+    writeln!(out, "\n  {:<24} {:>12} {:>9} {:>14}  seen from outside", "mode", "rad/s", "zeta", "e-fold")?;
+    for mode in record.modes.iter().take(LISTED) {
+        row(out, mode)?;
+    }
+    if record.modes.len() > LISTED {
+        writeln!(out, "  and {} more (--json has all)", record.modes.len() - LISTED)?;
+    }
+    Ok(())
+}
+
+fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
+    let fold = match mode.time_constant {
+        Some(constant) if constant < 0.0 => format!("GROWS {}", time(-constant)),
+        Some(constant) => time(constant),
+        None => "never".into(),
+    };
+    let [slow, fast] = mode.seen_from_outside.map(|rate| significant(rate, 4));
+    let seen = if mode.frequency > 0.0 { format!("{slow}, {fast}") } else { String::new() };
+    writeln!(
+        out,
+        "  {:<24} {:>12} {:>9} {fold:>14}  {seen}",
+        mode.name,
+        significant(mode.frequency, 5),
+        significant(mode.damping_ratio, 2),
+    )?;
+    if let Some(shares) = shares(&mode.dissipation) {
+        writeln!(out, "{}", paragraph(&format!("dissipated by {shares}"), "      ", "        "))?;
+    }
+    Ok(())
+}
+
+/// Shares by name in words, the largest first; none if there are none.
+fn shares(shares: &std::collections::BTreeMap<String, f64>) -> Option<String> {
+    let mut list: Vec<_> = shares.iter().collect();
+    list.sort_by(|a, b| b.1.total_cmp(a.1));
+    let words = list.iter().take(SHARES).map(|(name, share)| format!("{name} {} %", significant(100.0 * **share, 3)));
+    let words = words.collect::<Vec<_>>().join(", ");
+    (!words.is_empty()).then_some(words)
+}

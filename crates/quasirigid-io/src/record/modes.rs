@@ -1,0 +1,57 @@
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::number;
+
+/// A steady spin with the small motions about it, or why there is none.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct SteadySpinRecord {
+    /// What it says of the spin, instability first, in one or two sentences.
+    pub sentence: String,
+    /// The axis that it was looked for near: `least`, `middle` or `greatest` inertia, or `asked`.
+    pub axis: String,
+    /// Angular velocity (rad/s), body axes; none if no steady spin was found.
+    #[serde(with = "number")]
+    pub spin: Option<[f64; 3]>,
+    /// Angular momentum (N·m·s), body axes.
+    #[serde(with = "number")]
+    pub momentum: Option<[f64; 3]>,
+    /// Energy (J).
+    #[serde(with = "number")]
+    pub energy: Option<f64>,
+    /// Displacements of the elastic coordinates, by name (m or rad).
+    pub displacements: BTreeMap<String, f64>,
+    /// Whether no small motion grows.
+    pub stable: bool,
+    /// The modes: the nutation first, then by ascending frequency.
+    pub modes: Vec<ModeRecord>,
+}
+
+/// A mode of a spinning body.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ModeRecord {
+    /// `nutation`, or the coordinate that moves most.
+    pub name: String,
+    /// Whether it is the nutation.
+    pub nutation: bool,
+    /// Decay rate (1/s), negative when it grows.
+    #[serde(with = "number")]
+    pub decay_rate: f64,
+    /// Frequency in body axes (rad/s).
+    #[serde(with = "number")]
+    pub frequency: f64,
+    /// Time in which it falls by e (s), negative when it grows; none when it does neither.
+    #[serde(with = "number")]
+    pub time_constant: Option<f64>,
+    /// Damping ratio.
+    #[serde(with = "number")]
+    pub damping_ratio: f64,
+    /// Rates (rad/s) seen from outside: the frequency less and plus the spin.
+    #[serde(with = "number")]
+    pub seen_from_outside: [f64; 2],
+    /// Shares of the kinetic energy, by part.
+    pub moves: BTreeMap<String, f64>,
+    /// Shares of what is dissipated, by spring, hinge, part, material, rotor or cavity.
+    pub dissipation: BTreeMap<String, f64>,
+}

@@ -1,0 +1,168 @@
+//! Factors of dense matrices without symmetry, real and complex.
+
+use faer::linalg::solvers::PartialPivLu;
+use faer::prelude::Solve;
+use faer::{Mat, c64};
+
+use super::eigen::Dense;
+
+/// LU factors of a real square matrix, rows scaled to a largest entry of one.
+#[derive(Clone, Debug)]
+pub struct Lu {
+    scale: Vec<f64>,
+    factor: PartialPivLu<f64>,
+}
+
+impl Lu {
+    /// Factors a matrix; none if a row of it is zero or no number.
+    #[must_use]
+    pub fn new(matrix: &Dense) -> Option<Self> {
+        let size = matrix.size();
+        let scale = row_scales(size, |row, column| matrix.at(row, column).abs())?;
+        let scaled = Mat::from_fn(size, size, |row, column| scale[row] * matrix.at(row, column));
+        Some(Self { factor: scaled.partial_piv_lu(), scale })
+    }
+
+    /// Solutions for right-hand sides stored row by row, `width` to a row; none where the matrix is singular.
+    #[must_use]
+    pub fn solve(&self, right: &[f64], width: usize) -> Option<Vec<f64>> {
+        let size = self.scale.len();
+        let mut x = Mat::from_fn(size, width, |row, column| self.scale[row] * right[row * width + column]);
+        self.factor.solve_in_place(x.as_mut());
+        let entries = (0..size).flat_map(|row| (0..width).map(move |column| (row, column)));
+        let solved: Vec<f64> = entries.map(|(row, column)| x[(row, column)]).collect();
+        solved.iter().all(|entry| entry.is_finite()).then_some(solved)
+    }
+}
+
+/// Square matrix of complex numbers, real and imaginary part, by rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComplexDense {
+    size: usize,
+    entries: Vec<[f64; 2]>,
+}
+
+impl ComplexDense {
+    /// Zero.
+    #[must_use]
+    pub fn zero(size: usize) -> Self {
+        Self { size, entries: vec![[0.0; 2]; size * size] }
+    }
+
+    /// Number of rows and columns.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// An entry.
+    #[must_use]
+    pub fn at(&self, row: usize, column: usize) -> [f64; 2] {
+        self.entries[row * self.size + column]
+    }
+
+    /// Adds to an entry.
+    pub fn add(&mut self, row: usize, column: usize, [re, im]: [f64; 2]) {
+        let entry = &mut self.entries[row * self.size + column];
+        entry[0] += re;
+        entry[1] += im;
+    }
+
+    /// Adds a real matrix times a complex factor.
+    pub fn add_scaled(&mut self, [re, im]: [f64; 2], matrix: &Dense) {
+        for row in 0..self.size {
+            for column in 0..self.size {
+                let value = matrix.at(row, column);
+                if value != 0.0 {
+                    self.add(row, column, [re * value, im * value]);
+                }
+            }
+        }
+    }
+}
+
+/// LU factors of a complex square matrix, rows scaled to a largest entry of one.
+#[derive(Clone, Debug)]
+pub struct ComplexLu {
+    scale: Vec<f64>,
+    factor: PartialPivLu<c64>,
+}
+
+impl ComplexLu {
+    /// Factors a matrix; none if a row of it is zero or no number.
+    #[must_use]
+    pub fn new(matrix: &ComplexDense) -> Option<Self> {
+        let size = matrix.size();
+        let scale = row_scales(size, |row, column| {
+            let [re, im] = matrix.at(row, column);
+            re.hypot(im)
+        })?;
+        let scaled = Mat::from_fn(size, size, |row, column| {
+            let [re, im] = matrix.at(row, column);
+            c64::new(scale[row] * re, scale[row] * im)
+        });
+        Some(Self { factor: scaled.partial_piv_lu(), scale })
+    }
+
+    /// Solutions for right-hand sides stored row by row, `width` to a row; none where the matrix is singular.
+    #[must_use]
+    pub fn solve(&self, right: &[[f64; 2]], width: usize) -> Option<Vec<[f64; 2]>> {
+        let size = self.scale.len();
+        let mut x = Mat::from_fn(size, width, |row, column| {
+            let [re, im] = right[row * width + column];
+            c64::new(self.scale[row] * re, self.scale[row] * im)
+        });
+        self.factor.solve_in_place(x.as_mut());
+        let entries = (0..size).flat_map(|row| (0..width).map(move |column| (row, column)));
+        let solved: Vec<[f64; 2]> =
+            entries.map(|(row, column)| [x[(row, column)].re, x[(row, column)].im]).collect();
+        solved.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(solved)
+    }
+}
+
+/// Inverse of the largest size in each row.
+fn row_scales(count: usize, size: impl Fn(usize, usize) -> f64) -> Option<Vec<f64>> {
+    let scale = |row: usize| {
+        let largest = (0..count).map(|column| size(row, column)).fold(0.0, f64::max);
+        (largest > 0.0 && largest.is_finite()).then(|| largest.recip())
+    };
+    (0..count).map(scale).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_complex_system_in_odd_units_is_solved() {
+        let mut matrix = ComplexDense::zero(3);
+        let rows = [
+            [[2.0e9, 1.0e9], [-1.0e9, 0.0], [0.5e9, 0.25e9]],
+            [[1.0e-7, 0.0], [3.0e-7, -2.0e-7], [0.0, 1.0e-7]],
+            [[0.0, 1.0], [4.0, 0.0], [-1.0, 2.0]],
+        ];
+        let solution = [[1.0, -2.0], [0.5, 3.0], [-4.0, 0.25]];
+        let mut right = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            let mut sum = [0.0; 2];
+            for (j, entry) in row.iter().enumerate() {
+                matrix.add(i, j, *entry);
+                let x: [f64; 2] = solution[j];
+                sum[0] += entry[0] * x[0] - entry[1] * x[1];
+                sum[1] += entry[0] * x[1] + entry[1] * x[0];
+            }
+            right.push(sum);
+        }
+        let found = ComplexLu::new(&matrix).and_then(|factor| factor.solve(&right, 1)).expect("regular");
+        for (found, expected) in found.iter().zip(solution) {
+            assert!((found[0] - expected[0]).hypot(found[1] - expected[1]) < 1e-13);
+        }
+    }
+
+    #[test]
+    fn a_row_of_zeros_is_refused() {
+        let mut matrix = Dense::zero(2);
+        matrix.add(0, 0, 1.0);
+        assert!(Lu::new(&matrix).is_none());
+    }
+}

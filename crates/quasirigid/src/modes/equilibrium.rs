@@ -1,0 +1,197 @@
+use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
+use thiserror::Error;
+
+use crate::math::sym::{add, dot, norm};
+use crate::model::{FlexibleBody, Motion, Principal, SpinCoefficients};
+
+/// Relative equilibrium: a steady spin with the internal coordinates displaced by it. (M1)
+#[derive(Clone, Debug, PartialEq)]
+pub struct RelativeEquilibrium {
+    /// Angular velocity (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Displacements of the internal coordinates; zero of cyclic ones.
+    pub q: Vec<f64>,
+    /// Angular momentum with that of wheels (N·m·s), body axes: `momentum = ratio · omega`.
+    pub momentum: [f64; 3],
+    /// `K·ω/|ω|²` (kg·m²): the moment of inertia about the axis of the spin, where no wheel turns.
+    pub ratio: f64,
+    /// Energy (J), without that of wheels.
+    pub energy: f64,
+}
+
+/// What a relative equilibrium is to have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// This angular velocity `|ω|` (rad/s).
+    Rate(f64),
+    /// This angular momentum `|K|` (N·m·s).
+    Momentum(f64),
+}
+
+/// A relative equilibrium that was not found.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum EquilibriumError {
+    /// What is asked for is no number above zero.
+    #[error("a steady spin needs an angular velocity that is finite and not zero, not {value}")]
+    NoSpin {
+        /// What was given, rad/s or N·m·s.
+        value: f64,
+    },
+    /// The iteration leads elsewhere or nowhere.
+    #[error(
+        "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load", axis[0], axis[1], axis[2]
+    )]
+    NotFound {
+        /// The axis, body axes.
+        axis: [f64; 3],
+        /// Share of the spin up to which a steady spin was followed.
+        reached: f64,
+    },
+}
+
+/// Newton steps allowed from one spin to the next.
+const NEWTON_STEPS: usize = 40;
+/// Shortest step of the continuation, as a share of the spin asked for.
+const SHORTEST: f64 = 1e-3;
+/// Residual at which an equilibrium is found, relative to the momentum.
+const CONVERGED: f64 = 1e-13;
+/// Residual that is good enough where rounding ends the progress.
+const ACCEPTED: f64 = 1e-9;
+/// An axis that turns by more, as a sine, is that of another equilibrium.
+const ASTRAY: f64 = 0.75;
+
+impl RelativeEquilibrium {
+    /// The relative equilibrium whose axis continues a direction as the spin rises from zero. (M1)
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] if there is none, or the continuation loses it.
+    pub fn near(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Result<Self, EquilibriumError> {
+        let (Given::Rate(value) | Given::Momentum(value)) = given;
+        let length = norm(axis);
+        if !(value > 0.0 && value.is_finite() && length > 0.0 && length.is_finite()) {
+            return Err(EquilibriumError::NoSpin { value });
+        }
+        let axis = axis.map(|entry| entry / length);
+        let start = Guess::rigid(body, axis, given);
+        if let Some(found) = start.newton(body, given, axis) {
+            return Ok(found.finish(body));
+        }
+        let mut guess = Guess::rigid(body, axis, given.times(SHORTEST));
+        let (mut reached, mut step) = (SHORTEST, 0.25);
+        while reached < 1.0 {
+            let next = (reached + step).min(1.0);
+            match guess.scaled(next / reached).newton(body, given.times(next), axis) {
+                Some(found) => {
+                    (guess, reached) = (found, next);
+                    step *= 2.0;
+                }
+                None if step > SHORTEST => step *= 0.25,
+                None => return Err(EquilibriumError::NotFound { axis, reached }),
+            }
+        }
+        Ok(guess.finish(body))
+    }
+
+    /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
+    #[must_use]
+    pub fn all(body: &FlexibleBody, given: Given) -> [Result<Self, EquilibriumError>; 3] {
+        Principal::of(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
+    }
+
+    /// Coefficients of small motions about it. (M2)
+    #[must_use]
+    pub fn coefficients(&self, body: &FlexibleBody) -> SpinCoefficients {
+        body.about_spin(self.omega, &self.q)
+    }
+
+    /// Largest displacement of a watched place, with its name (m); none of a body that has no such places.
+    #[must_use]
+    pub fn displacement(&self, body: &FlexibleBody) -> Option<(String, f64)> {
+        let moved = body.markers().iter().map(|marker| {
+            let zero = [0.0; 3];
+            let r = marker.shapes.iter().fold(zero, |sum, (j, H)| add(sum, H.map(|H| self.q[*j] * H)));
+            (marker.name.clone(), norm(r))
+        });
+        moved.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+impl Given {
+    fn times(self, share: f64) -> Self {
+        match self {
+            Self::Rate(rate) => Self::Rate(share * rate),
+            Self::Momentum(momentum) => Self::Momentum(share * momentum),
+        }
+    }
+}
+
+/// An angular velocity and the ratio of momentum to it: `K(ω) = ratio · ω` where it is an equilibrium.
+#[derive(Clone, Copy, Debug)]
+struct Guess {
+    omega: Vector3<f64>,
+    ratio: f64,
+}
+
+impl Guess {
+    /// The spin of the frozen body about an axis.
+    fn rigid(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Self {
+        let J = body.inertia().map(|row| dot(row, axis));
+        let along = dot(J, axis);
+        let wheels = dot(body.wheels().momentum(0.0), axis);
+        let rate = match given {
+            Given::Rate(rate) => rate,
+            Given::Momentum(momentum) => (momentum - wheels) / along,
+        };
+        Self { omega: rate * Vector3::from(axis), ratio: along + wheels / rate }
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self { omega: factor * self.omega, ..self }
+    }
+
+    /// Solves `K(ω) = ratio · ω` and what is given by Newton's method.
+    fn newton(self, body: &FlexibleBody, given: Given, axis: [f64; 3]) -> Option<Self> {
+        let wheels = Vector3::from(body.wheels().momentum(0.0));
+        let Self { mut omega, mut ratio } = self;
+        let mut best = f64::INFINITY;
+        for _ in 0..NEWTON_STEPS {
+            let balanced = body.balanced(omega.into())?;
+            let K = Vector3::from(balanced.momentum) + wheels;
+            let slope = Matrix3::from(balanced.slope).transpose();
+            let gap = K - ratio * omega;
+            let (excess, gradient) = match given {
+                Given::Rate(rate) => (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate)),
+                Given::Momentum(G) => (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G)),
+            };
+            let residual = gap.norm() / K.norm() + excess.abs();
+            if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED) {
+                return Some(Self { omega, ratio });
+            }
+            best = best.min(residual);
+            let mut system = Matrix4::zeros();
+            system.fixed_view_mut::<3, 3>(0, 0).copy_from(&(slope - ratio * Matrix3::identity()));
+            system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-omega);
+            system.fixed_view_mut::<1, 3>(3, 0).copy_from(&gradient.transpose());
+            let step = system.lu().solve(&Vector4::new(-gap[0], -gap[1], -gap[2], -excess))?;
+            omega += step.fixed_rows::<3>(0);
+            ratio += step[3];
+            let sine = omega.cross(&Vector3::from(axis)).norm() / omega.norm();
+            let along = omega.dot(&Vector3::from(axis));
+            if !(sine <= ASTRAY && along > 0.0) {
+                return None;
+            }
+        }
+        None
+    }
+
+    fn finish(self, body: &FlexibleBody) -> RelativeEquilibrium {
+        let omega: [f64; 3] = self.omega.into();
+        let q = body.balanced(omega).map_or_else(Vec::new, |balanced| balanced.q);
+        let still = vec![0.0; q.len()];
+        let motion = Motion { omega, q: &q, rate: &still };
+        let momentum = add(body.momentum(motion), body.wheels().momentum(0.0));
+        let energy = body.energy(motion);
+        RelativeEquilibrium { omega, momentum, ratio: self.ratio, energy, q }
+    }
+}

@@ -1,0 +1,10 @@
+//! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
+
+mod equilibrium;
+mod mode;
+mod pencil;
+mod shares;
+mod spectrum;
+
+pub use equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
+pub use mode::{SpinMode, SpinModes};

@@ -1,0 +1,256 @@
+use nalgebra::Complex;
+
+use super::equilibrium::RelativeEquilibrium;
+use super::pencil::Pencil;
+use super::shares::{dissipation, moving};
+use super::spectrum::{Eigenmotion, spectrum};
+use crate::math::eigen::NoConvergence;
+use crate::math::sym::{self, norm, scale};
+use crate::model::{FlexibleBody, SpinCoefficients};
+
+/// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpinMode {
+    /// Decay rate (1/s); negative of a motion that grows.
+    pub decay_rate: f64,
+    /// Frequency in body axes (rad/s), not negative; zero of a motion that does not oscillate.
+    pub frequency: f64,
+    /// Decay rate (1/s) and frequency (rad/s) that it has in the equations of motion, where materials and liquids without equations
+    /// of their own are left out or approximated.
+    pub of_motion: [f64; 2],
+    /// Whether it is the nutation: the mode in which the angular momentum leaves the axis of the spin most.
+    pub nutation: bool,
+    /// `nutation`, or the coordinate that moves most.
+    pub name: String,
+    /// Shares of the kinetic energy: the body that carries, then each part, by name; those of 1e-3 or more.
+    pub moves: Vec<(String, f64)>,
+    /// Shares of the energy dissipated, by name of the dissipator; empty where nothing is.
+    pub dissipation: Vec<(String, f64)>,
+    /// Angular velocity (rad/s), real and imaginary part, in the scale of the displacements.
+    pub omega: [[f64; 2]; 3],
+    /// Displacement of each coordinate, real and imaginary part: the largest of them or of the angular velocity over the spin is of
+    /// size one in the units of the mass.
+    pub shape: Vec<[f64; 2]>,
+}
+
+/// Modes of the spinning body about a relative equilibrium. (M2)–(M4)
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpinModes {
+    /// The steady spin.
+    pub equilibrium: RelativeEquilibrium,
+    /// The modes: the nutation first, if there is one, then by ascending frequency and decay rate.
+    pub modes: Vec<SpinMode>,
+}
+
+/// Coordinates up to which every mode is found again as a solution of the nonlinear eigenproblem; of a larger body the nutation
+/// alone, and where materials or liquids make it nonlinear the slowest.
+const REFINED: usize = 40;
+const SLOWEST: usize = 24;
+/// An eigenvalue below this share of the spin is zero: a change of `|K|`, or of the direction in a body that knows none.
+const ZERO: f64 = 1e-9;
+/// A decay below this share of the eigenvalue is rounding, if no energy balance gives it.
+const ROUNDING: f64 = 1e-12;
+/// Decay rates below this share of the eigenvalue follow from the energy balance where materials are at work.
+const LIGHT: f64 = 1e-5;
+
+impl SpinMode {
+    /// Time in which it falls, or grows, by e (s); infinite if it does neither. Negative where it grows.
+    #[must_use]
+    pub fn time_constant(&self) -> f64 {
+        self.decay_rate.recip()
+    }
+
+    /// Damping ratio `−Re λ/|λ|`: one of a motion that does not oscillate, negative where it grows.
+    #[must_use]
+    pub fn damping_ratio(&self) -> f64 {
+        let size = self.decay_rate.hypot(self.frequency);
+        if size > 0.0 { self.decay_rate / size } else { 0.0 }
+    }
+
+    /// Whether it grows.
+    #[must_use]
+    pub fn grows(&self) -> bool {
+        self.decay_rate < 0.0
+    }
+}
+
+impl SpinModes {
+    /// The modes about a relative equilibrium of a body without external moments.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if the eigenvalue solver fails.
+    pub fn about(body: &FlexibleBody, equilibrium: RelativeEquilibrium) -> Result<Self, NoConvergence> {
+        let coefficients = equilibrium.coefficients(body);
+        let pencil = Pencil::new(body, &equilibrium, &coefficients);
+        let spin = norm(equilibrium.omega);
+        let mut found = spectrum(body, &equilibrium, &coefficients)?;
+        found.retain(|motion| motion.lambda.norm() > ZERO * spin);
+        let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
+        let tilts: Vec<f64> = found.iter().map(|motion| frame.tilt(motion)).collect();
+        let nutation = (0..found.len()).max_by(|a, b| tilts[*a].total_cmp(&tilts[*b]));
+        let mut slowest: Vec<usize> = (0..found.len()).collect();
+        slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
+        let small = body.coordinates().len() <= REFINED;
+        let again = |i: usize| {
+            small || Some(i) == nutation || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
+        };
+        let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
+        for (i, motion) in found.iter().enumerate() {
+            let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
+            let refined = if again(i) { pencil.refined(start.clone()) } else { None };
+            let kept = refined.filter(|(lambda, _)| near(*lambda, motion.lambda));
+            let (lambda, x) = kept.unwrap_or(start);
+            modes.push(frame.mode(&pencil, motion.lambda, (lambda, &x), Some(i) == nutation));
+        }
+        modes.sort_by(|a, b| {
+            let order = b.nutation.cmp(&a.nutation).then(a.frequency.total_cmp(&b.frequency));
+            order.then(a.decay_rate.total_cmp(&b.decay_rate))
+        });
+        Ok(Self { equilibrium, modes })
+    }
+
+    /// The nutation; none of a body that has none, as a sphere.
+    #[must_use]
+    pub fn nutation(&self) -> Option<&SpinMode> {
+        self.modes.iter().find(|mode| mode.nutation)
+    }
+
+    /// Whether no mode grows.
+    #[must_use]
+    pub fn stable(&self) -> bool {
+        !self.modes.iter().any(SpinMode::grows)
+    }
+
+    /// Frequencies (rad/s) at which a mode is seen from outside: `λ − |ω|` and `λ + |ω|`; the body turns with its spin.
+    #[must_use]
+    pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
+        let spin = norm(self.equilibrium.omega);
+        [(mode.frequency - spin).abs(), mode.frequency + spin]
+    }
+}
+
+/// Refined eigenvalues belong to the mode that they start from.
+fn near(refined: Complex<f64>, start: Complex<f64>) -> bool {
+    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -ROUNDING * refined.norm()
+}
+
+/// What the modes of a steady spin have in common.
+struct Frame<'a> {
+    body: &'a FlexibleBody,
+    equilibrium: &'a RelativeEquilibrium,
+    coefficients: &'a SpinCoefficients,
+}
+
+type Complex3 = [Complex<f64>; 3];
+
+impl Frame<'_> {
+    /// Change of the angular momentum in body axes.
+    fn momentum(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> Complex3 {
+        let SpinCoefficients { inertia, h, slopes, .. } = self.coefficients;
+        let mut K = sym::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
+        for (j, (h, u)) in h.iter().zip(slopes).enumerate() {
+            for axis in 0..3 {
+                K[axis] += rate[j] * h[axis] + q[j] * u[axis];
+            }
+        }
+        K
+    }
+
+    /// Share of the angle that the angular momentum makes with the axis in what moves, by kinetic energy.
+    fn tilt(&self, motion: &Eigenmotion) -> f64 {
+        let Eigenmotion { delta, rate, q, .. } = motion;
+        let spin = norm(self.equilibrium.omega);
+        let axis = scale(spin.recip(), self.equilibrium.omega);
+        let K = self.momentum(*delta, rate, q);
+        let along = K[0] * axis[0] + K[1] * axis[1] + K[2] * axis[2];
+        let across: f64 = (0..3).map(|i| (K[i] - along * axis[i]).norm_sqr()).sum();
+        let energy: f64 = moving(self.body, self.coefficients, *delta, rate).iter().map(|(_, share)| share).sum();
+        if energy > 0.0 { across / (self.equilibrium.ratio.abs() * energy) } else { 0.0 }
+    }
+
+    fn mode(
+        &self,
+        pencil: &Pencil,
+        of_motion: Complex<f64>,
+        (lambda, x): (Complex<f64>, &[Complex<f64>]),
+        nutation: bool,
+    ) -> SpinMode {
+        let delta = [x[0], x[1], x[2]];
+        let q = pencil.coordinates(x);
+        let rate: Vec<Complex<f64>> = q.iter().map(|q| lambda * q).collect();
+        let lost = dissipation(self.body, pencil, lambda, x, &q);
+        let total: f64 = lost.iter().map(|(_, power)| power).sum();
+        let moved = moving(self.body, self.coefficients, delta, &rate);
+        let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
+        let largest = q.iter().enumerate().max_by(|a, b| {
+            let size = |(j, rate): &(usize, &Complex<f64>)| rate.norm_sqr() * self.weight(*j);
+            size(a).total_cmp(&size(b))
+        });
+        let name = match largest {
+            _ if nutation => "nutation".to_owned(),
+            Some((j, _)) => self.body.coordinates()[j].name.clone(),
+            None => "spin".to_owned(),
+        };
+        let shares = |list: Vec<(String, f64)>, sum: f64| {
+            let shares = list.into_iter().map(|(name, value)| (name, value / sum));
+            shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
+        };
+        SpinMode {
+            decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
+            frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
+            of_motion: [-of_motion.re, of_motion.im],
+            nutation,
+            name,
+            moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
+            dissipation: if total > 0.0 { shares(lost, total) } else { Vec::new() },
+            omega: delta.map(|entry| [entry.re, entry.im]),
+            shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
+        }
+    }
+
+    /// Decay rate: from the balance of energy, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact than the eigenvalue. (M4)
+    fn decay(
+        &self,
+        pencil: &Pencil,
+        lambda: Complex<f64>,
+        (delta, rate, q): (Complex3, &[Complex<f64>], &[Complex<f64>]),
+        lost: f64,
+    ) -> f64 {
+        let found = if lambda.re.abs() > ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
+        let light = found.abs() < LIGHT * lambda.norm();
+        let oscillates = lambda.im.abs() > lambda.re.abs();
+        let balanced = oscillates && if pencil.is_nonlinear() { light && self.body.memories().is_empty() } else { true };
+        if !balanced {
+            return found;
+        }
+        let second = self.second_variation(delta, rate, q);
+        let size: f64 = moving(self.body, self.coefficients, delta, rate).iter().map(|(_, energy)| energy).sum();
+        if second.abs() > CANCELLED * size { lost / (2.0 * second) } else { found }
+    }
+
+    /// Second variation of the energy at the angular momentum of the steady spin: conserved where nothing is lost. (M4)
+    fn second_variation(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> f64 {
+        let SpinCoefficients { centrifugal, .. } = self.coefficients;
+        let K = self.momentum(delta, rate, q);
+        let kinetic: f64 =
+            moving(self.body, self.coefficients, delta, rate).iter().map(|(_, energy)| energy).sum();
+        let mut potential: f64 =
+            self.body.stiffness().iter().map(|(j, k, C)| C * (q[j].conj() * q[k]).re).sum();
+        for j in 0..self.body.elastic() {
+            for k in 0..self.body.elastic() {
+                potential -= centrifugal.at(j, k) * (q[j].conj() * q[k]).re;
+            }
+        }
+        let square: f64 = K.iter().map(Complex::norm_sqr).sum();
+        0.5 * (kinetic + potential - square / self.equilibrium.ratio)
+    }
+
+    fn weight(&self, j: usize) -> f64 {
+        self.body.invariants().pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A)
+    }
+}
+
+/// Shares below this are not listed.
+const SHOWN: f64 = 1e-3;
+/// A second variation below this share of the energy that moves is lost in rounding.
+const CANCELLED: f64 = 1e-7;

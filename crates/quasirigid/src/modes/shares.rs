@@ -1,0 +1,75 @@
+//! Who moves and who dissipates in a mode. (M5)
+
+use nalgebra::{Complex, Vector3};
+
+use super::pencil::Pencil;
+use crate::math::sparse::SparseRows;
+use crate::math::sym;
+use crate::model::impedance::turned_impedance;
+use crate::model::{FlexibleBody, SpinCoefficients};
+
+/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own
+/// momentum.
+pub(super) fn moving(
+    body: &FlexibleBody,
+    coefficients: &SpinCoefficients,
+    delta: [Complex<f64>; 3],
+    rate: &[Complex<f64>],
+) -> Vec<(String, f64)> {
+    let SpinCoefficients { inertia, h, .. } = coefficients;
+    let [re, im] = [0, 1].map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
+    let (re, im) = (body.mass_times(&re), body.mass_times(&im));
+    let mut K = sym::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
+    let mut parts: Vec<(String, f64)> = vec![("body".to_owned(), 0.0)];
+    for (j, coordinate) in body.coordinates().iter().enumerate() {
+        let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
+        let momentum = Complex::new(re[j], im[j]) + turned;
+        let energy = (rate[j].conj() * momentum).re;
+        (0..3).for_each(|axis| K[axis] += rate[j] * h[j][axis]);
+        match parts[1..].iter_mut().find(|(name, _)| name == coordinate.part()) {
+            Some((_, sum)) => *sum += energy,
+            None => parts.push((coordinate.part().to_owned(), energy)),
+        }
+    }
+    parts[0].1 = (0..3).map(|axis| (delta[axis].conj() * K[axis]).re).sum();
+    parts
+}
+
+/// Twice the mean power that each dissipator takes from a motion `e^{λt}`, by name.
+pub(super) fn dissipation(
+    body: &FlexibleBody,
+    pencil: &Pencil,
+    lambda: Complex<f64>,
+    x: &[Complex<f64>],
+    q: &[Complex<f64>],
+) -> Vec<(String, f64)> {
+    let square = lambda.norm_sqr();
+    let form = |matrix: &SparseRows<f64>| -> f64 {
+        matrix.iter().map(|(j, k, entry)| entry * (q[j].conj() * q[k]).re).sum()
+    };
+    let mut lost: Vec<(String, f64)> = body
+        .dissipators()
+        .iter()
+        .map(|dissipator| {
+            let damped = square * form(&dissipator.damping);
+            let material = dissipator.loss.as_ref().map_or(0.0, |loss| {
+                let [_, lag] = loss.rheology.continued([lambda.re, lambda.im]);
+                lag * lambda.im * form(&loss.stiffness)
+            });
+            (dissipator.name.clone(), damped + material)
+        })
+        .collect();
+    for (memory, angles) in pencil.liquids(x) {
+        let Z = turned_impedance(memory, lambda, pencil.omega());
+        let rate = memory.axes.iter().zip(angles).fold(Vector3::zeros(), |sum: Vector3<Complex<f64>>, (axis, x)| {
+            sum + Vector3::from(*axis).map(Complex::from) * (lambda * x)
+        });
+        let power = rate.dotc(&(Z * rate)).re;
+        let name = body.coordinates()[memory.coordinates.start].part();
+        match lost.iter_mut().find(|(known, _)| known == name) {
+            Some((_, sum)) => *sum += power,
+            None => lost.push((name.to_owned(), power)),
+        }
+    }
+    lost
+}

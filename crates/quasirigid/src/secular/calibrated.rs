@@ -1,0 +1,50 @@
+use crate::averaging::{Evolution, FreeRotation, MeanPower, Stage};
+use crate::model::Mode;
+
+/// Mean power of an average, times the factors by which the modes at the poles differ from it. (Q5)
+///
+/// The factors hold where the wobble is small; between the poles they are joined in proportion to the energy.
+pub struct CalibratedPower<'a> {
+    base: &'a dyn MeanPower,
+    /// Factors in the long-axis and the short-axis mode.
+    factors: [f64; 2],
+}
+
+impl<'a> CalibratedPower<'a> {
+    /// Factors such that small wobbles change at the rates (1/s) of the modes; a rate that is not known leaves the average as it
+    /// is.
+    #[must_use]
+    pub fn new(base: &'a dyn MeanPower, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
+        let average = Evolution::new(base, momentum);
+        let factor = |mode: Mode| {
+            let factor = rate(mode).map(|rate| rate / average.wobble_rate(mode));
+            factor.filter(|factor| factor.is_finite() && *factor > 0.0).unwrap_or(1.0)
+        };
+        Self { base, factors: [factor(Mode::LongAxis), factor(Mode::ShortAxis)] }
+    }
+
+    /// Factor of the power in a mode.
+    #[must_use]
+    pub fn factor(&self, mode: Mode) -> f64 {
+        match mode {
+            Mode::LongAxis => self.factors[0],
+            Mode::ShortAxis => self.factors[1],
+        }
+    }
+}
+
+impl MeanPower for CalibratedPower<'_> {
+    fn moments(&self) -> [f64; 3] {
+        self.base.moments()
+    }
+
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
+        self.factor(motion.mode()) * self.base.mean_power(motion)
+    }
+}
+
+/// Largest angle (rad) between the angular momentum and the circled axis at a stage.
+#[must_use]
+pub(super) fn wobble(moments: [f64; 3], momentum: f64, Stage { mode, xi }: Stage) -> f64 {
+    FreeRotation::at_logit(moments, momentum, mode, xi).nutation()[1]
+}

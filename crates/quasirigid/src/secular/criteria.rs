@@ -1,0 +1,75 @@
+use super::energy_range::EnergyRange;
+use super::poles::Poles;
+use crate::averaging::{Evolution, MeanPower, Stage};
+use crate::model::Mode;
+
+/// What speaks for or against averaging along the polhode of the rigid body. (Q7)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AverageCriteria {
+    /// Largest relative difference between the rate of change of a small wobble that the average has and that of the modes.
+    pub poles: f64,
+    /// Largest ratio `γ/β` of the rate at which the wobble changes to that at which the internal motion follows it.
+    pub settling: f64,
+    /// Largest change of a difference between principal moments by the steady deformation, relative to it.
+    pub moments: f64,
+}
+
+/// Largest relative error of an average that is accepted.
+const ACCEPTED: f64 = 0.01;
+/// Error of an average per `γ/β`.
+const PER_SETTLING: f64 = 1.6;
+
+impl AverageCriteria {
+    /// Estimate of the relative error of the averaged time.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.poles.max(PER_SETTLING * self.settling).max(self.moments)
+    }
+
+    /// Whether the average may be used.
+    #[must_use]
+    pub fn hold(&self) -> bool {
+        self.error() <= ACCEPTED
+    }
+}
+
+/// Judges an average between two stages by the modes at the poles. (Q7)
+#[must_use]
+pub fn average_criteria(
+    power: &dyn MeanPower,
+    range: &EnergyRange,
+    poles: &Poles,
+    ends: [Stage; 2],
+) -> AverageCriteria {
+    let average = Evolution::new(power, range.momentum());
+    let mut criteria = AverageCriteria::default();
+    for mode in [Mode::LongAxis, Mode::ShortAxis] {
+        if !ends.iter().any(|stage| stage.mode == mode) {
+            continue;
+        }
+        let rate = average.wobble_rate(mode);
+        let (Some(exact), Some(pole)) = (poles.rate(mode), poles.of_mode(mode)) else {
+            criteria.poles = f64::INFINITY;
+            continue;
+        };
+        criteria.poles = criteria.poles.max((rate / exact - 1.0).abs());
+        criteria.settling = criteria.settling.max(rate.max(exact.abs()) / pole.following_rate());
+    }
+    for stage in ends {
+        let motion = average.motion(stage);
+        let rate = average.power(stage) / (2.0 * motion.energy_from_axis());
+        let follows = poles.of_mode(stage.mode).map_or(0.0, super::Pole::following_rate);
+        criteria.settling = criteria.settling.max(rate / follows);
+    }
+    let (rigid, deformed) = (power.moments(), range.moments());
+    for (a, b) in [(0, 1), (1, 2)] {
+        let (before, after) = (rigid[b] - rigid[a], deformed[b] - deformed[a]);
+        if before > DISTINCT * rigid[2] {
+            criteria.moments = criteria.moments.max((after / before - 1.0).abs());
+        }
+    }
+    criteria
+}
+
+/// Moments closer than this, relative to the largest, are those of a body of revolution.
+const DISTINCT: f64 = 1e-9;

@@ -1,0 +1,227 @@
+use std::ops::ControlFlow;
+
+use crate::dynamics::{
+    Event, Forced, FullState, Observer, Options, Outcome, PropagateError, Sample, propagate_full,
+};
+use crate::math::sym::norm;
+use crate::model::FlexibleBody;
+
+/// History of the full system, followed until its energy reaches a value: the envelope of the wobble is that of the rigid body
+/// with the same energy. (Q6)
+#[derive(Clone, Debug)]
+pub struct DirectRun {
+    /// Rows of the history, ascending in time; the last one is the end.
+    pub rows: Vec<DirectRow>,
+    /// How it ended.
+    pub ending: DirectEnding,
+    /// The last state.
+    pub last: FullState,
+    /// Energy that each dissipator took (J), in the order of [`FlexibleBody::dissipators`].
+    pub budget: Vec<f64>,
+    /// Energy that the integrator changed by itself (J).
+    pub energy_drift: f64,
+    /// Steps made.
+    pub steps: u64,
+}
+
+/// A time of a direct run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DirectRow {
+    /// Time (s).
+    pub t: f64,
+    /// Energy of the whole system (J).
+    pub energy: f64,
+    /// Energy dissipated since the start (J).
+    pub dissipated: f64,
+    /// Revolutions `∫|ω|dt/2π` since the start.
+    pub turns: f64,
+}
+
+/// What a direct run is followed to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DirectOptions {
+    /// Energy at which it ends (J); none to go on to the last time.
+    pub until: Option<f64>,
+    /// Last time (s).
+    pub duration: f64,
+    /// Revolutions allowed.
+    pub most_turns: f64,
+    /// Steps allowed.
+    pub most_steps: u64,
+    /// Error allowed per step, relative.
+    pub tolerance: f64,
+}
+
+/// How a direct run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DirectEnding {
+    /// The energy was reached.
+    Reached,
+    /// The last time was reached.
+    Finished,
+    /// The revolutions allowed were used up.
+    TurnLimit,
+    /// The steps allowed were used up.
+    StepLimit,
+    /// No step could be made.
+    Failed {
+        /// Why, in words.
+        reason: String,
+    },
+    /// Somebody asked for an end.
+    Interrupted,
+}
+
+/// Revolutions in the first piece of a run; each piece is longer by half.
+const FIRST: f64 = 20.0;
+const LONGER: f64 = 1.5;
+/// Rows in a piece, and at most in all.
+const ROWS: usize = 240;
+const MOST_ROWS: usize = 8000;
+
+/// Follows the full system of a free body. (Q6)
+///
+/// # Errors
+/// [`PropagateError`] before the first step.
+pub fn follow_directly(
+    body: &FlexibleBody,
+    start: &FullState,
+    options: DirectOptions,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<DirectRun, PropagateError> {
+    let energy = start.energy(body);
+    let first = DirectRow { t: 0.0, energy, dissipated: 0.0, turns: 0.0 };
+    let mut run = DirectRun {
+        rows: vec![first],
+        ending: DirectEnding::Finished,
+        last: start.clone(),
+        budget: vec![0.0; body.dissipators().len()],
+        energy_drift: 0.0,
+        steps: 0,
+    };
+    let mut length = FIRST * std::f64::consts::TAU / norm(start.omega);
+    loop {
+        let done = run.rows[run.rows.len() - 1];
+        let piece = length.min(options.duration - done.t);
+        match run.piece(body, piece, options, watch)? {
+            Some(ending) => {
+                run.ending = ending;
+                return Ok(run);
+            }
+            None if run.rows.len() > MOST_ROWS => run.thin(),
+            None => {}
+        }
+        length *= LONGER;
+    }
+}
+
+impl DirectRun {
+    /// Follows one piece; how the run ended, if it did.
+    fn piece(
+        &mut self,
+        body: &FlexibleBody,
+        piece: f64,
+        options: DirectOptions,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<DirectEnding>, PropagateError> {
+        let before = self.rows[self.rows.len() - 1];
+        let times: Vec<f64> = (1..=ROWS).map(|i| piece * i as f64 / ROWS as f64).collect();
+        let events = options.until.map(Event::Energy).into_iter().collect();
+        let most_steps = options.most_steps.saturating_sub(self.steps).max(1);
+        let settings = Options { tolerance: options.tolerance, most_steps, events, ..Options::default() };
+        let share = (before.t / options.duration).max(before.turns / options.most_turns);
+        let mut collector = Collector {
+            body,
+            before,
+            rows: &mut self.rows,
+            budget: &mut self.budget,
+            powers: Vec::new(),
+            last: self.last.clone(),
+            watch: &mut || watch(share),
+        };
+        let start = self.last.clone();
+        let found = propagate_full(Forced::not(body), &start, &times, settings, &mut collector)?;
+        self.last = collector.last;
+        self.steps += found.work.steps;
+        self.energy_drift += found.last.energy_drift;
+        let end = before.after(&found.last);
+        let ending = match found.outcome {
+            Outcome::Finished if end.t >= options.duration * (1.0 - f64::EPSILON) => Some(DirectEnding::Finished),
+            Outcome::Finished if end.turns >= options.most_turns => Some(DirectEnding::TurnLimit),
+            Outcome::Finished => None,
+            Outcome::Event(_) => Some(DirectEnding::Reached),
+            Outcome::StepLimit => Some(DirectEnding::StepLimit),
+            Outcome::Interrupted => Some(DirectEnding::Interrupted),
+            Outcome::Failed(error) => Some(DirectEnding::Failed { reason: error.to_string() }),
+        };
+        if self.rows.last().is_none_or(|last| last.t < end.t) {
+            self.rows.push(end);
+        }
+        Ok(ending)
+    }
+
+    /// Drops every other row.
+    fn thin(&mut self) {
+        let last = self.rows.len() - 1;
+        let mut i = 0;
+        self.rows.retain(|_| {
+            i += 1;
+            (i - 1) % 2 == 0 || i - 1 == last
+        });
+    }
+}
+
+impl DirectRow {
+    /// The row of a sample that is counted from this row.
+    fn after(&self, sample: &Sample) -> Self {
+        Self {
+            t: self.t + sample.t,
+            energy: sample.energy,
+            dissipated: self.dissipated + sample.dissipated,
+            turns: self.turns + sample.turns,
+        }
+    }
+}
+
+struct Collector<'a> {
+    body: &'a FlexibleBody,
+    before: DirectRow,
+    rows: &'a mut Vec<DirectRow>,
+    budget: &'a mut Vec<f64>,
+    /// Power of each dissipator at the last sample.
+    powers: Vec<f64>,
+    last: FullState,
+    watch: &'a mut dyn FnMut() -> ControlFlow<()>,
+}
+
+impl Observer for Collector<'_> {
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        self.last.q.copy_from_slice(q);
+        self.last.rate.copy_from_slice(rate);
+    }
+
+    /// Energy of the interval goes to the dissipators in proportion to their mean powers at its ends.
+    fn sample(&mut self, sample: &Sample) {
+        (self.last.omega, self.last.attitude) = (sample.omega, sample.attitude);
+        let rate = &self.last.rate;
+        let now = self.body.dissipators().iter().map(|dissipator| {
+            let force = dissipator.damping.times(rate);
+            force.iter().zip(rate).map(|(force, rate)| force * rate).sum::<f64>()
+        });
+        let now: Vec<f64> = now.collect();
+        let row = self.before.after(sample);
+        let taken = row.dissipated - self.rows.last().map_or(0.0, |last| last.dissipated);
+        let mean: Vec<f64> =
+            now.iter().enumerate().map(|(i, now)| now + self.powers.get(i).copied().unwrap_or(*now)).collect();
+        let sum: f64 = mean.iter().sum();
+        if sum > 0.0 {
+            self.budget.iter_mut().zip(&mean).for_each(|(budget, mean)| *budget += taken * mean / sum);
+        }
+        self.powers = now;
+        self.rows.push(row);
+    }
+
+    fn progress(&mut self, _: f64) -> ControlFlow<()> {
+        (self.watch)()
+    }
+}

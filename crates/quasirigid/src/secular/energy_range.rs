@@ -1,0 +1,119 @@
+use crate::averaging::{FreeRotation, Stage};
+use crate::dynamics::FullState;
+use crate::math::bisection::bisected;
+use crate::math::sym::{self, add, cross, dot, norm, scale, times};
+use crate::model::{FlexibleBody, Mode, Principal};
+use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
+
+/// Range of the energy at a given angular momentum, from the steady spins of the body as it deforms. (Q1)
+///
+/// The moments of inertia that belong to these energies, `I_k = G²/2E_k`, take the place of those of the frozen body: with them
+/// the axes and the separatrix of the equivalent polhode are those of the deformed body.
+#[derive(Clone, Debug)]
+pub struct EnergyRange {
+    momentum: f64,
+    moments: [f64; 3],
+    /// Steady spins about the axes of least, middle and greatest effective moment.
+    equilibria: [Option<RelativeEquilibrium>; 3],
+}
+
+impl EnergyRange {
+    /// The range at an angular momentum (N·m·s).
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads.
+    pub fn of(body: &FlexibleBody, momentum: f64) -> Result<Self, EquilibriumError> {
+        let found = RelativeEquilibrium::all(body, Given::Momentum(momentum));
+        let frozen = Principal::of(body.invariants().J).moments;
+        let [least, middle, greatest] = found;
+        let mut all: Vec<(f64, Option<RelativeEquilibrium>)> = [least.ok(), middle.ok(), Some(greatest?)]
+            .into_iter()
+            .zip(frozen)
+            .map(|(found, frozen)| match found {
+                Some(found) => (0.5 * momentum * momentum / found.energy, Some(found)),
+                None => (frozen, None),
+            })
+            .collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let moments = [all[0].0, all[1].0, all[2].0];
+        let mut spins = all.into_iter().map(|(_, spin)| spin);
+        let equilibria = std::array::from_fn(|_| spins.next().flatten());
+        Ok(Self { momentum, moments, equilibria })
+    }
+
+    /// Angular momentum `G` (N·m·s).
+    #[must_use]
+    pub fn momentum(&self) -> f64 {
+        self.momentum
+    }
+
+    /// Effective moments of inertia (kg·m²), ascending.
+    #[must_use]
+    pub fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
+    /// The steady spin that a mode circles; none if it was not found.
+    #[must_use]
+    pub fn equilibrium(&self, mode: Mode) -> Option<&RelativeEquilibrium> {
+        self.equilibria[mode.circled()].as_ref()
+    }
+
+    /// The equivalent polhode at an energy (J): that of the rigid body with the effective moments. Energies beyond the steady
+    /// spins count as these.
+    #[must_use]
+    pub fn polhode(&self, energy: f64) -> FreeRotation {
+        let [I1, _, I3] = self.moments;
+        let ratio = (0.5 * self.momentum * self.momentum / (energy * I3)).clamp(I1 / I3, 1.0);
+        FreeRotation::at_ratio(self.moments, self.momentum, ratio)
+    }
+
+    /// The stage at an energy (J); none at a steady spin.
+    #[must_use]
+    pub fn stage(&self, energy: f64) -> Option<Stage> {
+        Stage::of(&self.polhode(energy))
+    }
+
+    /// A state of the full system near a stage: the deformed body of the steady spin that the mode circles, turning freely. (Q2)
+    ///
+    /// None if that steady spin was not found.
+    #[must_use]
+    pub fn state(&self, body: &FlexibleBody, stage: Stage) -> Option<FullState> {
+        let spin = self.equilibrium(stage.mode)?;
+        let wanted = FreeRotation::at_logit(self.moments, self.momentum, stage.mode, stage.xi).energy();
+        let J = body.inertia_at(&spin.q);
+        let inverse = sym::inverse(J);
+        let along = scale(norm(spin.momentum).recip(), spin.momentum);
+        let across = self.across(stage.mode, along);
+        let K = |angle: f64| {
+            let (sine, cosine) = angle.sin_cos();
+            scale(self.momentum, add(scale(cosine, along), scale(sine, across)))
+        };
+        let excess = |angle: f64| {
+            let (K, K0) = (K(angle), K(0.0));
+            0.5 * (dot(K, times(inverse, K)) - dot(K0, times(inverse, K0)))
+        };
+        let target = wanted - spin.energy;
+        let angle = bisected([0.0, STEEPEST], |angle| excess(angle), target, target > 0.0);
+        let omega = times(inverse, K(angle));
+        Some(FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
+    }
+
+    /// Direction across an axis, towards the steady spin of the middle moment where that is known.
+    fn across(&self, mode: Mode, along: [f64; 3]) -> [f64; 3] {
+        let other = self.equilibria[2 - mode.circled()].as_ref().or(self.equilibria[1].as_ref());
+        let mut towards = other.map_or([0.0; 3], |spin| spin.momentum);
+        towards = add(towards, scale(-dot(towards, along), along));
+        if norm(towards) < ALONG * self.momentum {
+            let mut unit = [0.0; 3];
+            unit[(0..3).min_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs())).unwrap_or(0)] = 1.0;
+            towards = cross(along, unit);
+        }
+        scale(norm(towards).recip(), towards)
+    }
+}
+
+/// Largest angle (rad) between the angular momentum and the circled axis that a state is looked for.
+const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
+/// A direction whose part across an axis is below this share gives none.
+const ALONG: f64 = 1e-3;

@@ -1,0 +1,227 @@
+use std::ops::ControlFlow;
+
+use thiserror::Error;
+
+use super::energy_range::EnergyRange;
+use crate::averaging::{FreeRotation, Stage};
+use crate::dynamics::{
+    Forced, FullState, Observer, Options, Outcome, PropagateError, Sample, propagate_full,
+};
+use crate::model::FlexibleBody;
+
+/// Mean power of the full system near a stage, from a short run of it. (Q4)
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Where it was measured: the stage at the mean energy.
+    pub stage: Stage,
+    /// Mean power that is dissipated (W).
+    pub power: f64,
+    /// Estimate of its relative error: the change between two windows, one behind the other, beside that of the equivalent
+    /// polhode.
+    pub error: f64,
+    /// Mean power of each dissipator (W), in the order of [`FlexibleBody::dissipators`].
+    pub budget: Vec<f64>,
+    /// Revolutions that the run took.
+    pub turns: f64,
+    /// Steps that the run took.
+    pub steps: u64,
+}
+
+/// A mean power that was not found.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum MeasureError {
+    /// The run did not start.
+    #[error(transparent)]
+    Propagate(#[from] PropagateError),
+    /// The run ended early.
+    #[error("a short run of the full system ended at t = {t:.4} s: {reason}")]
+    Ended {
+        /// When (s).
+        t: f64,
+        /// Why, in words.
+        reason: String,
+    },
+    /// The motion left the range of energies between the steady spins.
+    #[error("the wobble of the full system left the mode in which its power was to be measured")]
+    LeftMode,
+    /// The mean does not settle.
+    #[error("the mean power of the full system does not settle: it differs by {:.2} % from one window to the next", 100.0 * .change)]
+    Unsettled {
+        /// Relative change between windows.
+        change: f64,
+    },
+    /// Somebody asked for an end.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+/// How long the full system is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// Time in which the start is forgotten (s).
+    pub settling: f64,
+    /// Periods of the polhode in a window.
+    pub periods: f64,
+    /// Relative change between windows that is allowed.
+    pub change: f64,
+    /// Error allowed per step, relative.
+    pub tolerance: f64,
+    /// Steps allowed.
+    pub steps: u64,
+    /// Times that settling and window are doubled until the mean settles.
+    pub doublings: usize,
+}
+
+/// Samples in a period of the polhode.
+const SAMPLES: f64 = 16.0;
+
+/// Measures the mean power of the full system near a stage. (Q4)
+pub(super) fn measured(
+    body: &FlexibleBody,
+    range: &EnergyRange,
+    start: FullState,
+    reference: &dyn Fn(&FreeRotation) -> f64,
+    plan: Plan,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Measurement, MeasureError> {
+    let mut state = start;
+    let (mut turns, mut steps) = (0.0, 0);
+    let mut before: Option<Mean> = None;
+    let mut change = f64::INFINITY;
+    for doubling in 0..=plan.doublings {
+        let period = range.polhode(state.energy(body)).polhode_period();
+        let longer = 2.0_f64.powi(doubling as i32);
+        let settling = if doubling == 0 { plan.settling } else { 0.0 };
+        let window = longer * plan.periods * period;
+        let run = Window::follow(body, &state, [settling, window], SAMPLES / period, plan, watch)?;
+        (turns, steps) = (turns + run.turns, steps + run.steps);
+        state = run.last;
+        let mean = run.mean;
+        let stage = range.stage(mean.energy).ok_or(MeasureError::LeftMode)?;
+        let now = range.polhode(mean.energy);
+        if let Some(before) = &before {
+            let then = range.polhode(before.energy);
+            change = (mean.power / reference(&now) / (before.power / reference(&then)) - 1.0).abs();
+            if change <= plan.change || (doubling == plan.doublings && change <= 4.0 * plan.change) {
+                let Mean { power, budget, .. } = mean;
+                return Ok(Measurement { stage, power, error: change, budget, turns, steps });
+            }
+        }
+        before = Some(mean);
+    }
+    Err(MeasureError::Unsettled { change })
+}
+
+/// Means over a window, with weights that fall to zero at its ends faster than any power.
+#[derive(Clone, Debug)]
+struct Mean {
+    energy: f64,
+    power: f64,
+    budget: Vec<f64>,
+}
+
+struct Window {
+    mean: Mean,
+    last: FullState,
+    turns: f64,
+    steps: u64,
+}
+
+impl Window {
+    /// Follows the full system over the settling and the window.
+    fn follow(
+        body: &FlexibleBody,
+        start: &FullState,
+        [settling, window]: [f64; 2],
+        per_time: f64,
+        plan: Plan,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, MeasureError> {
+        let count = (window * per_time).ceil().max(8.0) as usize;
+        let times: Vec<f64> = (0..=count).map(|i| settling + window * i as f64 / count as f64).collect();
+        let options =
+            Options { tolerance: plan.tolerance, most_steps: plan.steps, ..Options::default() };
+        let mut collector = Collector { body, rows: Vec::with_capacity(count + 1), last: None, watch };
+        let run = propagate_full(Forced::not(body), start, &times, options, &mut collector)?;
+        let reason = match run.outcome {
+            Outcome::Finished => None,
+            Outcome::Interrupted => return Err(MeasureError::Interrupted),
+            Outcome::StepLimit => Some("the steps allowed were used up".to_owned()),
+            Outcome::Event(_) => Some("an event".to_owned()),
+            Outcome::Failed(error) => Some(error.to_string()),
+        };
+        if let Some(reason) = reason {
+            return Err(MeasureError::Ended { t: run.last.t, reason });
+        }
+        let Collector { rows, last, .. } = collector;
+        let last = last.unwrap_or_else(|| start.clone());
+        Ok(Self { mean: Mean::of(&rows), last, turns: run.last.turns, steps: run.work.steps })
+    }
+}
+
+impl Mean {
+    fn of(rows: &[Row]) -> Self {
+        let intervals = rows.len().saturating_sub(1);
+        let mut sum = Self { energy: 0.0, power: 0.0, budget: vec![0.0; rows[0].budget.len()] };
+        let (mut weights, mut time) = (0.0, 0.0);
+        for (i, [a, b]) in rows.array_windows().enumerate() {
+            let x = (i as f64 + 0.5) / intervals as f64;
+            let weight = (-1.0 / (x * (1.0 - x))).exp();
+            weights += weight;
+            time += weight * (b.t - a.t);
+            sum.power += weight * (b.dissipated - a.dissipated);
+            sum.energy += weight * 0.5 * (a.energy + b.energy);
+            for ((sum, a), b) in sum.budget.iter_mut().zip(&a.budget).zip(&b.budget) {
+                *sum += weight * 0.5 * (a + b);
+            }
+        }
+        sum.power /= time;
+        sum.energy /= weights;
+        let taken: f64 = sum.budget.iter().sum();
+        let scale = if taken > 0.0 { sum.power / taken } else { 0.0 };
+        sum.budget.iter_mut().for_each(|power| *power *= scale);
+        sum
+    }
+}
+
+struct Row {
+    t: f64,
+    energy: f64,
+    dissipated: f64,
+    budget: Vec<f64>,
+}
+
+/// Collects what a mean needs.
+struct Collector<'a> {
+    body: &'a FlexibleBody,
+    rows: Vec<Row>,
+    last: Option<FullState>,
+    watch: &'a mut dyn FnMut() -> ControlFlow<()>,
+}
+
+impl Observer for Collector<'_> {
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        let still = [1.0, 0.0, 0.0, 0.0];
+        let state = FullState::at_rest(self.body, [0.0; 3], still);
+        self.last = Some(FullState { q: q.to_vec(), rate: rate.to_vec(), ..state });
+    }
+
+    fn sample(&mut self, sample: &Sample) {
+        let rate = self.last.as_mut().map_or(&[][..], |state| {
+            (state.omega, state.attitude) = (sample.omega, sample.attitude);
+            &state.rate
+        });
+        let budget = self.body.dissipators().iter().map(|dissipator| {
+            let force = dissipator.damping.times(rate);
+            force.iter().zip(rate).map(|(force, rate)| force * rate).sum()
+        });
+        let budget = budget.collect();
+        let Sample { t, energy, dissipated, .. } = *sample;
+        self.rows.push(Row { t, energy, dissipated, budget });
+    }
+
+    fn progress(&mut self, _: f64) -> ControlFlow<()> {
+        (self.watch)()
+    }
+}

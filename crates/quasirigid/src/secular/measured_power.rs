@@ -1,0 +1,260 @@
+use std::ops::ControlFlow;
+
+use super::calibrated::wobble;
+use super::energy_range::EnergyRange;
+use super::measure::{MeasureError, Measurement, Plan, measured};
+use super::poles::Poles;
+use crate::averaging::{FreeRotation, MeanPower, Stage};
+use crate::model::{FlexibleBody, Mode};
+
+/// Mean power of the full system along the equivalent polhode, measured by short runs at a few places and interpolated. (Q4)
+///
+/// What is interpolated is the ratio of the power to the mean square of the angular acceleration on the equivalent polhode: it is
+/// finite at the poles, where the modes give it, and at the separatrix.
+#[derive(Clone, Debug)]
+pub struct MeasuredPower {
+    moments: [f64; 3],
+    /// Logarithms of the ratio in the long-axis and the short-axis mode.
+    curves: [Option<Curve>; 2],
+    /// The measurements, in the order in which they were made.
+    pub measurements: Vec<Measurement>,
+    /// Estimate of the relative error of the power: of the interpolation and of the measurements.
+    pub error: f64,
+}
+
+/// How the power is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasureOptions {
+    /// Relative error wanted.
+    pub error: f64,
+    /// Error allowed per step of the full system, relative.
+    pub tolerance: f64,
+    /// Steps allowed in all.
+    pub most_steps: u64,
+}
+
+impl Default for MeasureOptions {
+    fn default() -> Self {
+        Self { error: 5e-3, tolerance: 1e-9, most_steps: 40_000_000 }
+    }
+}
+
+/// Relaxation times in which the start of a short run is forgotten.
+const SETTLED: f64 = 8.0;
+/// Least and largest time of settling, in periods of the polhode.
+const SETTLING: [f64; 2] = [2.0, 400.0];
+/// Periods of the polhode in a window: few where the wobble changes fast.
+const PERIODS: [f64; 2] = [8.0, 24.0];
+/// Decays in a window.
+const DECAYS: f64 = 0.05;
+/// Doublings of a window until the mean settles.
+const DOUBLINGS: usize = 5;
+/// Wobble (rad) below which the modes give the power.
+const SMALL: f64 = 0.02;
+/// Distance from the separatrix, as `ξ`, to which the power is measured.
+const NEAREST: f64 = -4.0;
+/// Intervals between places, at first and at last.
+const INTERVALS: [usize; 2] = [4, 32];
+
+impl MeasuredPower {
+    /// Measures the power on the way from one stage to another. (Q4)
+    ///
+    /// # Errors
+    /// [`MeasureError`] if a run ends early, the mean does not settle, or somebody asks for an end.
+    pub fn along(
+        body: &FlexibleBody,
+        range: &EnergyRange,
+        poles: &Poles,
+        [from, to]: [Stage; 2],
+        options: MeasureOptions,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Self, MeasureError> {
+        let mut power =
+            Self { moments: range.moments(), curves: [None, None], measurements: Vec::new(), error: 0.0 };
+        for mode in [Mode::LongAxis, Mode::ShortAxis] {
+            let Some(ends) = ends(range, mode, [from, to]) else { continue };
+            let mut worker = Worker { body, range, poles, mode, options, power: &mut power, watch };
+            let curve = worker.curve(ends)?;
+            power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
+        }
+        Ok(power)
+    }
+
+    /// Mean power of each dissipator (W) where the first measurement was made.
+    #[must_use]
+    pub fn budget(&self) -> Option<&Measurement> {
+        self.measurements.first()
+    }
+}
+
+impl MeanPower for MeasuredPower {
+    fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
+        let reference = reference(motion);
+        let curve = &self.curves[usize::from(motion.mode() == Mode::ShortAxis)];
+        curve.as_ref().map_or(0.0, |curve| reference * curve.at(motion.logit()).exp())
+    }
+}
+
+/// Mean square of the angular acceleration on a polhode (rad²/s⁴); zero on the separatrix.
+fn reference(motion: &FreeRotation) -> f64 {
+    let period = motion.polhode_period();
+    if !period.is_finite() {
+        return 0.0;
+    }
+    let [I1, I2, I3] = motion.moments();
+    motion.mean(4, |[x, y, z]| {
+        let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
+        rates.iter().map(|rate| rate * rate).sum()
+    })
+}
+
+/// Places in a mode between which the power is needed, ascending; none if the way does not lead through the mode.
+fn ends(range: &EnergyRange, mode: Mode, [from, to]: [Stage; 2]) -> Option<[f64; 2]> {
+    let at = |stage: Stage| (stage.mode == mode).then_some(stage.xi);
+    let small = small(range, mode);
+    let (one, other) = match (at(from), at(to)) {
+        (Some(one), Some(other)) => (one, other),
+        (Some(one), None) | (None, Some(one)) => (one, NEAREST),
+        (None, None) => return None,
+    };
+    let [low, high] = [one.min(other), one.max(other)].map(|xi| xi.clamp(NEAREST, small));
+    Some([low, high])
+}
+
+/// Place where the wobble is so small that the modes give the power.
+fn small(range: &EnergyRange, mode: Mode) -> f64 {
+    let angle = |xi: f64| wobble(range.moments(), range.momentum(), Stage { mode, xi });
+    crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
+}
+
+struct Worker<'w, 'b> {
+    body: &'b FlexibleBody,
+    range: &'b EnergyRange,
+    poles: &'b Poles,
+    mode: Mode,
+    options: MeasureOptions,
+    power: &'w mut MeasuredPower,
+    watch: &'w mut dyn FnMut(f64) -> ControlFlow<()>,
+}
+
+impl Worker<'_, '_> {
+    /// The curve between two places, with places added until it settles.
+    fn curve(&mut self, [low, high]: [f64; 2]) -> Result<Curve, MeasureError> {
+        let mut nodes: Vec<[f64; 2]> = self.pole(high).into_iter().collect();
+        let [first, last] = INTERVALS;
+        let mut intervals = first;
+        let mut curve: Option<Curve> = None;
+        loop {
+            for i in 0..=intervals {
+                let new = curve.is_none() || i % 2 == 1;
+                let place = 0.5 * (low + high)
+                    + 0.5 * (high - low) * (std::f64::consts::PI * i as f64 / intervals as f64).cos();
+                if new {
+                    nodes.push(self.node(place)?);
+                }
+                if high - low < SHORT {
+                    break;
+                }
+            }
+            let next = Curve::through(nodes.clone());
+            let Some(before) = curve.replace(next) else {
+                intervals *= 2;
+                continue;
+            };
+            let change = nodes.iter().map(|[xi, value]| (before.at(*xi) - value).abs()).fold(0.0, f64::max);
+            let noise = self.power.measurements.iter().map(|each| each.error).fold(0.0, f64::max);
+            if change <= self.options.error || intervals >= last || high - low < SHORT {
+                self.power.error = self.power.error.max(change).max(noise);
+                return Ok(curve.unwrap_or(before));
+            }
+            intervals *= 2;
+        }
+    }
+
+    /// The ratio that the modes give at the pole, as a node beyond the last place.
+    fn pole(&self, high: f64) -> Option<[f64; 2]> {
+        let rate = self.poles.rate(self.mode).filter(|rate| *rate > 0.0)?;
+        let xi = small(self.range, self.mode) + BEYOND;
+        let motion = FreeRotation::at_logit(self.power.moments, self.range.momentum(), self.mode, xi);
+        let ratio = 2.0 * rate * motion.energy_from_axis() / reference(&motion);
+        (high + 0.5 * BEYOND > xi - BEYOND && ratio > 0.0).then(|| [xi, ratio.ln()])
+    }
+
+    /// Measures the logarithm of the ratio near a place.
+    fn node(&mut self, xi: f64) -> Result<[f64; 2], MeasureError> {
+        let stage = Stage { mode: self.mode, xi };
+        let motion = FreeRotation::at_logit(self.power.moments, self.range.momentum(), self.mode, xi);
+        let start = self.range.state(self.body, stage).ok_or(MeasureError::LeftMode)?;
+        let period = motion.polhode_period();
+        let pole = self.poles.of_mode(self.mode);
+        let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
+        let rate = self.poles.rate(self.mode).map_or(0.0, f64::abs);
+        let done: u64 = self.power.measurements.iter().map(|each| each.steps).sum();
+        let plan = Plan {
+            settling: settling.clamp(SETTLING[0] * period, SETTLING[1] * period),
+            periods: (DECAYS / (rate * period)).clamp(PERIODS[0], PERIODS[1]),
+            change: 0.5 * self.options.error,
+            tolerance: self.options.tolerance,
+            steps: self.options.most_steps.saturating_sub(done),
+            doublings: DOUBLINGS,
+        };
+        let share = done as f64 / self.options.most_steps as f64;
+        let watch = &mut *self.watch;
+        let found = measured(self.body, self.range, start, &reference, plan, &mut || watch(share))?;
+        if found.stage.mode != self.mode {
+            return Err(MeasureError::LeftMode);
+        }
+        let Stage { mode, xi } = found.stage;
+        let there = FreeRotation::at_logit(self.power.moments, self.range.momentum(), mode, xi);
+        let value = (found.power / reference(&there)).ln();
+        self.power.measurements.push(found);
+        Ok([xi, value])
+    }
+}
+
+/// A way shorter than this, as `ξ`, is one place.
+const SHORT: f64 = 0.05;
+/// Distance of the pole's node from the small wobble, as `ξ`.
+const BEYOND: f64 = 1.0;
+
+/// A function of the place by polynomial interpolation between nodes, constant beyond them.
+#[derive(Clone, Debug)]
+struct Curve {
+    nodes: Vec<[f64; 2]>,
+    weights: Vec<f64>,
+}
+
+impl Curve {
+    /// Through nodes that crowd toward the ends, as those of Chebyshev do.
+    fn through(mut nodes: Vec<[f64; 2]>) -> Self {
+        nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        nodes.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-9);
+        let span = nodes.last().map_or(0.0, |last| last[0]) - nodes.first().map_or(0.0, |first| first[0]);
+        let scale = 4.0 / span.max(f64::MIN_POSITIVE);
+        let weight = |i: usize| {
+            let others = nodes.iter().enumerate().filter(|(k, _)| *k != i);
+            others.map(|(_, other)| (scale * (nodes[i][0] - other[0])).recip()).product()
+        };
+        let weights = (0..nodes.len()).map(weight).collect();
+        Self { nodes, weights }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return f64::NAN };
+        let x = x.clamp(first[0], last[0]);
+        let (mut over, mut under) = (0.0, 0.0);
+        for ([place, value], weight) in self.nodes.iter().zip(&self.weights) {
+            if x == *place {
+                return *value;
+            }
+            let share = weight / (x - place);
+            over += share * value;
+            under += share;
+        }
+        over / under
+    }
+}

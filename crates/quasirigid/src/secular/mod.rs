@@ -1,0 +1,21 @@
+//! Secular evolution: how the rotation of a free body changes over many revolutions, by the road that holds there.
+//!
+//! Where the internal motion settles much faster than the wobble changes, and is light, one may average along the polhode of the
+//! rigid body. Elsewhere the full system is asked: for the mean power at a few places ([`MeasuredPower`]), or for the whole
+//! history ([`follow_directly`]). [`Poles`] holds what every road is checked against: the steady spins and their modes.
+
+mod calibrated;
+mod criteria;
+mod direct;
+mod energy_range;
+mod measure;
+mod measured_power;
+mod poles;
+
+pub use calibrated::CalibratedPower;
+pub use criteria::{AverageCriteria, average_criteria};
+pub use direct::{DirectEnding, DirectOptions, DirectRun, follow_directly};
+pub use energy_range::EnergyRange;
+pub use measure::{Measurement, MeasureError};
+pub use measured_power::{MeasureOptions, MeasuredPower};
+pub use poles::{Pole, Poles};

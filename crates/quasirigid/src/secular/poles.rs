@@ -1,0 +1,77 @@
+use super::energy_range::EnergyRange;
+use crate::math::eigen::NoConvergence;
+use crate::model::{FlexibleBody, Mode};
+use crate::modes::SpinModes;
+
+/// Pole: a steady spin with its modes, at one end of the evolution. (Q3)
+#[derive(Clone, Debug)]
+pub struct Pole {
+    /// The modes about it.
+    pub modes: SpinModes,
+}
+
+/// Steady spins about the axes of least and of greatest inertia with their modes.
+#[derive(Clone, Debug)]
+pub struct Poles {
+    /// Axis of least inertia; none if no steady spin was found there.
+    pub long: Option<Pole>,
+    /// Axis of greatest inertia.
+    pub short: Option<Pole>,
+}
+
+impl Poles {
+    /// The poles of an energy range.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if the eigenvalue solver fails.
+    pub fn of(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, NoConvergence> {
+        let pole = |mode: Mode| {
+            let equilibrium = range.equilibrium(mode).cloned();
+            equilibrium.map(|spin| Ok(Pole { modes: SpinModes::about(body, spin)? })).transpose()
+        };
+        Ok(Self { long: pole(Mode::LongAxis)?, short: pole(Mode::ShortAxis)? })
+    }
+
+    /// The pole that a mode circles.
+    #[must_use]
+    pub fn of_mode(&self, mode: Mode) -> Option<&Pole> {
+        match mode {
+            Mode::LongAxis => self.long.as_ref(),
+            Mode::ShortAxis => self.short.as_ref(),
+        }
+    }
+
+    /// Rate (1/s) at which a small wobble decays about the axis of greatest inertia, or grows about that of least; none if the
+    /// pole is unknown or has no nutation.
+    #[must_use]
+    pub fn rate(&self, mode: Mode) -> Option<f64> {
+        let decay = self.of_mode(mode)?.modes.nutation()?.decay_rate;
+        Some(if mode == Mode::ShortAxis { decay } else { -decay })
+    }
+}
+
+impl Pole {
+    /// Slowest decay (1/s) of the internal modes: the rate at which they forget a start; infinite without internal modes. (Q3)
+    #[must_use]
+    pub fn settling_rate(&self) -> f64 {
+        let internal = self.modes.modes.iter().filter(|mode| !mode.nutation);
+        internal.map(|mode| mode.decay_rate).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: how fast they follow a wobble that changes. (Q3)
+    #[must_use]
+    pub fn following_rate(&self) -> f64 {
+        let Some(nutation) = self.modes.nutation() else { return f64::INFINITY };
+        let internal = self.modes.modes.iter().filter(|mode| !mode.nutation);
+        let distance = |mode: &crate::modes::SpinMode| {
+            mode.decay_rate.hypot(mode.frequency - nutation.frequency)
+        };
+        internal.map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Name of the first mode that grows although the spin is one that dissipation leads to; none if there is none. (Q3)
+    #[must_use]
+    pub fn unstable(&self) -> Option<&crate::modes::SpinMode> {
+        self.modes.modes.iter().find(|mode| mode.grows())
+    }
+}

@@ -1,0 +1,167 @@
+//! Modes of the spinning body against the full system, which knows nothing of them. (M1)–(M5)
+
+use proptest::prelude::*;
+use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
+use quasirigid::elements::{Rotor, RotorKind, Wheel, WheelSpeed};
+use quasirigid::math::eigen::{Dense, modes};
+use quasirigid::math::sym::{norm, rows, times};
+use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+
+use crate::support::{assemblies, cases, rotation, units, vector};
+use crate::transform::{rescaled, rotated};
+
+/// Size of the motion beside the steady spin: its square is left out.
+const SMALL: f64 = 1e-5;
+/// Relative difference between a small motion and its mode: the square of its size, and a run at 1e-13.
+const DIFFERENCE: f64 = 1e-3;
+
+/// The last state of a full run.
+#[derive(Default)]
+struct Last {
+    omega: [f64; 3],
+    q: Vec<f64>,
+}
+
+impl Observer for Last {
+    fn sample(&mut self, sample: &Sample) {
+        self.omega = sample.omega;
+    }
+
+    fn coordinates(&mut self, q: &[f64], _: &[f64]) {
+        self.q = q.to_vec();
+    }
+}
+
+/// Angular velocity, displacements and rates of a mode at a time, times a factor.
+fn at(mode: &SpinMode, t: f64, factor: f64) -> ([f64; 3], Vec<f64>, Vec<f64>) {
+    let (growth, turn) = (factor * (-mode.decay_rate * t).exp(), mode.frequency * t);
+    let real = |[re, im]: [f64; 2]| growth * (re * turn.cos() - im * turn.sin());
+    let rate = |[re, im]: [f64; 2]| {
+        let (sigma, nu) = (-mode.decay_rate, mode.frequency);
+        real([sigma * re - nu * im, sigma * im + nu * re])
+    };
+    (mode.omega.map(real), mode.shape.iter().copied().map(real).collect(), mode.shape.iter().copied().map(rate).collect())
+}
+
+/// Largest difference between a full run from a mode and the mode itself after a radian or a decay, relative to its size.
+fn difference(body: &FlexibleBody, modes: &SpinModes, mode: &SpinMode) -> f64 {
+    let spin = norm(modes.equilibrium.omega);
+    let scale = |omega: [f64; 3], q: &[f64]| {
+        let moved = q.iter().zip(&body.invariants().pairs.row_diagonal()).map(|(q, A)| q * q * A).sum::<f64>();
+        let J = times(body.invariants().J, omega);
+        (omega.iter().zip(J).map(|(a, b)| a * b).sum::<f64>() / (spin * spin) + moved).sqrt()
+    };
+    let size = scale([spin, 0.0, 0.0], &vec![0.0; body.coordinates().len()]);
+    let (omega, q, _) = at(mode, 0.0, 1.0);
+    let factor = SMALL * size / scale(omega, &q);
+    let t = 1.0 / mode.decay_rate.hypot(mode.frequency);
+    let (omega, q, rate) = at(mode, 0.0, factor);
+    let steady = &modes.equilibrium;
+    let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
+    let turned = [0, 1, 2].map(|i| steady.omega[i] + omega[i]);
+    let start = FullState {
+        q: sum(&steady.q, &q),
+        rate,
+        ..FullState::at_rest(body, turned, [1.0, 0.0, 0.0, 0.0])
+    };
+    let mut last = Last::default();
+    let options = Options { tolerance: 1e-13, ..Options::default() };
+    propagate_full(Forced::not(body), &start, &[t], options, &mut last).unwrap();
+    let (omega, q, _) = at(mode, t, factor);
+    let gap = [0, 1, 2].map(|i| last.omega[i] - steady.omega[i] - omega[i]);
+    let mut left: Vec<f64> = last.q.iter().zip(sum(&steady.q, &q)).map(|(a, b)| a - b).collect();
+    left[body.cyclic()].fill(0.0);
+    scale(gap, &left) / (SMALL * size)
+}
+
+trait RowDiagonal {
+    fn row_diagonal(&self) -> Vec<f64>;
+}
+
+impl RowDiagonal for quasirigid::math::sparse::SparseRows<quasirigid::model::Pair> {
+    fn row_diagonal(&self) -> Vec<f64> {
+        (0..self.size()).map(|j| self.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A)).collect()
+    }
+}
+
+/// Trace of the damping in the metric of the masses: the sum of all decay rates, those of pairs twice.
+fn trace(body: &FlexibleBody, modes: &SpinModes) -> f64 {
+    let coefficients = modes.equilibrium.coefficients(body);
+    let n = body.coordinates().len();
+    let (mut mass, mut damping) = (Dense::zero(3 + n), Dense::zero(3 + n));
+    let (J, A) = (rows(coefficients.inertia), body.mass_matrix());
+    for row in 0..3 {
+        (0..3).for_each(|column| mass.add(row, column, J[row][column]));
+        for k in 0..n {
+            mass.add(row, 3 + k, coefficients.h[k][row]);
+            mass.add(3 + k, row, coefficients.h[k][row]);
+        }
+    }
+    for j in 0..n {
+        (0..n).for_each(|k| mass.add(3 + j, 3 + k, A.at(j, k)));
+    }
+    body.damping().iter().for_each(|(j, k, B)| damping.add(3 + j, 3 + k, *B));
+    // B x = Ω² M x with M positive definite: the trace is the sum of Ω².
+    let inverse = modes_of(&damping, &mass);
+    inverse.iter().sum()
+}
+
+fn modes_of(damping: &Dense, mass: &Dense) -> Vec<f64> {
+    modes(damping, mass).unwrap().frequencies.iter().map(|frequency| frequency.powi(-2)).collect()
+}
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    #[test]
+    fn full_systems_move_in_their_modes(assembly in assemblies(), share in 0.05..0.8f64, axis in 0..3usize, inside in 0..3u8) {
+        let mut assembly = assembly;
+        if inside > 0 {
+            let axis = [0.3, -0.8, 0.5];
+            assembly.rotors.push(Rotor {
+                name: "rotor".into(), kind: RotorKind::Flywheel { axis }, inertia: 1e-3, friction: 0.004, speed: None,
+            });
+        }
+        if inside > 1 {
+            let speed = WheelSpeed::Constant { momentum: 0.02 };
+            assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.2, 0.5, -0.9], speed });
+        }
+        let Ok(body) = assembly.body() else { return Ok(()) };
+        let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
+        let axis = Principal::of(body.invariants().J).axes[axis];
+        let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };
+        let modes = SpinModes::about(&body, steady).unwrap();
+        for mode in &modes.modes {
+            let found = difference(&body, &modes, mode);
+            prop_assert!(found < DIFFERENCE, "{}: {found:e} of {mode:?}", mode.name);
+        }
+        let sum: f64 = modes.modes.iter().map(|mode| mode.decay_rate * if mode.frequency > 0.0 { 2.0 } else { 1.0 }).sum();
+        let expected = trace(&body, &modes);
+        prop_assert!((sum / expected - 1.0).abs() < 1e-9, "{sum:e} {expected:e}");
+    }
+
+    #[test]
+    fn modes_turn_with_the_body_and_know_no_units(assembly in assemblies(), R in rotation(), units in units(), direction in vector()) {
+        let body = assembly.body().unwrap();
+        let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
+        let near = |body: &FlexibleBody, axis: [f64; 3], rate: f64| {
+            RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map(|steady| SpinModes::about(body, steady).unwrap())
+        };
+        let principal = Principal::of(body.invariants().J);
+        let axis = principal.axes[if direction[0] > 0.0 { 2 } else { 0 }];
+        let Ok(found) = near(&body, axis, 0.3 * lowest) else { return Ok(()) };
+        let turned = <[f64; 3]>::from(R * nalgebra::Vector3::from(axis));
+        let other = near(&rotated(&assembly, &R).body().unwrap(), turned, 0.3 * lowest).unwrap();
+        let scaled = near(&rescaled(&assembly, units).body().unwrap(), axis, 0.3 * lowest / units.time).unwrap();
+        for (mode, (other, scaled)) in found.modes.iter().zip(other.modes.iter().zip(&scaled.modes)) {
+            let size = mode.decay_rate.hypot(mode.frequency);
+            for (decay, frequency) in
+                [(other.decay_rate, other.frequency), (scaled.decay_rate * units.time, scaled.frequency * units.time)]
+            {
+                let gap = (decay - mode.decay_rate).hypot(frequency - mode.frequency);
+                prop_assert!(gap < 1e-9 * size, "{mode:?} {decay:e} {frequency:e}");
+            }
+        }
+    }
+}

@@ -101,7 +101,7 @@ proptest! {
         }
     }
 
-    /// The shapes of vibrations are known to the root of the rounding of their frequencies.
+    /// Turned axes may have their signs the other way round, and so the sense of the motion.
     #[test]
     fn axes_do_not_matter(assembly in assemblies(), R in rotation()) {
         let bodies = [assembly.body().unwrap(), rotated(&assembly, &R).body().unwrap()];
@@ -112,11 +112,11 @@ proptest! {
                 MeanPower::budget(&PolynomialPower::of(&reduce(&body, 4).unwrap()), &motion),
             ]
         });
-        for (road, tolerance) in [1e-7, 1e-9].into_iter().enumerate() {
+        for road in 0..2 {
             let [here, there] = [&budgets[0][road], &budgets[1][road]];
             for ((name, a), (other, b)) in here.iter().zip(there) {
                 let [a, b] = [a / sum(here), b / sum(there)];
-                prop_assert!(name == other && (a - b).abs() < tolerance, "{}: {} {}", name, a, b);
+                prop_assert!(name == other && (a - b).abs() < 1e-9, "{}: {} {}", name, a, b);
             }
         }
     }

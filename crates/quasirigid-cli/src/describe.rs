@@ -1,5 +1,7 @@
 //! Numbers and criteria in words.
 
+use std::collections::BTreeMap;
+
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
@@ -137,6 +139,38 @@ pub fn drift_note(system: &str, forced: bool, energy_drift: f64, dissipated: f64
     Some(format!(
         "{culprit} changed the energy of the {system} body by {drift} J, beside {taken} J that the dashpots took: {remedy}."
     ))
+}
+
+/// Share below which a dissipator is not named, and the most that are.
+const FAINT: f64 = 1e-3;
+const MOST_DISSIPATORS: usize = 8;
+
+/// Shares of dissipators in a power or an energy, by name; empty where nothing is dissipated.
+pub fn shares(budget: &[(String, f64)]) -> BTreeMap<String, f64> {
+    let whole: f64 = budget.iter().map(|(_, taken)| taken).sum();
+    let mut shares = BTreeMap::new();
+    for (name, taken) in budget.iter().filter(|_| whole > 0.0) {
+        *shares.entry(name.clone()).or_default() += taken / whole;
+    }
+    shares
+}
+
+/// Who dissipates, the largest share first; none where nobody shares.
+pub fn dissipation(shares: &BTreeMap<String, f64>) -> Option<String> {
+    if shares.len() < 2 {
+        return None;
+    }
+    let mut parts: Vec<(&String, f64)> = shares.iter().map(|(name, share)| (name, *share)).collect();
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let named = parts.iter().take_while(|(_, share)| *share >= FAINT).take(MOST_DISSIPATORS).count();
+    let percent = |share: f64| format!("{} %", significant(100.0 * share, 3));
+    let mut list: Vec<String> =
+        parts[..named].iter().map(|(name, share)| format!("{name} {}", percent(*share))).collect();
+    if named < parts.len() {
+        let rest: f64 = parts[named..].iter().map(|(_, share)| share).sum();
+        list.push(format!("{} more {}", parts.len() - named, percent(rest)));
+    }
+    Some(format!("what dissipates: {}", list.join(", ")))
 }
 
 /// A verdict in one word.

@@ -13,6 +13,8 @@ pub struct Bar(ProgressBar);
 /// Collects samples, shows progress, and ends on Ctrl-C.
 pub struct Collector {
     samples: Vec<Sample>,
+    /// Energy (J) that each dissipator took.
+    budget: Vec<(String, f64)>,
     /// Internal coordinates and their rates, one list per sample, if they are kept.
     coordinates: Option<Vec<Vec<f64>>>,
     interrupt: Interrupt,
@@ -56,7 +58,19 @@ impl Bar {
 impl Collector {
     pub fn new(interrupt: &Interrupt, what: &str, duration: f64, quiet: bool) -> Self {
         let bar = Bar::new(what, quiet);
-        Self { samples: Vec::new(), coordinates: None, interrupt: interrupt.clone(), bar, duration }
+        Self {
+            samples: Vec::new(),
+            budget: Vec::new(),
+            coordinates: None,
+            interrupt: interrupt.clone(),
+            bar,
+            duration,
+        }
+    }
+
+    /// Energy (J) that each dissipator took, by name, once a propagation has ended.
+    pub fn budget(&self) -> &[(String, f64)] {
+        &self.budget
     }
 
     /// Keeps the internal coordinates and their rates too.
@@ -80,6 +94,10 @@ impl Observer for Collector {
         if let Some(kept) = &mut self.coordinates {
             kept.push([q, rate].concat());
         }
+    }
+
+    fn budget(&mut self, energies: &[(String, f64)]) {
+        self.budget = energies.to_vec();
     }
 
     fn progress(&mut self, t: f64) -> ControlFlow<()> {

@@ -91,6 +91,7 @@ pub fn reduction(
         residual: residual.elastic.max(residual.cyclic),
         degrees: degrees.collect(),
         power: reduced.dissipated_power(omega),
+        dissipation: describe::shares(&reduced.power_budget(omega)),
     }
 }
 
@@ -123,7 +124,7 @@ pub fn history(
     system: System,
     equations: &str,
     options: &Options,
-    samples: &[Sample],
+    (samples, budget): (&[Sample], &[(String, f64)]),
     run: &Run,
     axis: [f64; 3],
 ) -> HistoryRecord {
@@ -140,6 +141,7 @@ pub fn history(
         turns: run.last.turns,
         energy: samples.first().map_or(f64::NAN, |first| first.energy),
         dissipated: run.last.dissipated,
+        dissipation: describe::shares(budget),
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,

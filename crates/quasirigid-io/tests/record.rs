@@ -1,11 +1,12 @@
 //! A record written is the record read, and a damaged folder is refused by file and line.
 #![allow(non_snake_case, clippy::unwrap_used)]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use proptest::collection::vec;
+use proptest::collection::{btree_map, vec};
 use proptest::num::f64::ANY;
 use proptest::option;
 use proptest::prelude::*;
@@ -55,15 +56,19 @@ prop_compose! {
 
 prop_compose! {
     fn reduction()(
-        order in 1usize..9, optimal_order in 1usize..9, residual in ANY, power in ANY,
+        order in 1usize..9, optimal_order in 1usize..9, residual in ANY, power in ANY, dissipation in shares(),
         sizes in vec((2usize..9, ANY, ANY), 0..4),
     ) -> ReductionRecord {
         let degrees = sizes
             .into_iter()
             .map(|(degree, size, relative)| DegreeRecord { degree, size, relative })
             .collect();
-        ReductionRecord { order, optimal_order, residual, degrees, power }
+        ReductionRecord { order, optimal_order, residual, degrees, power, dissipation }
     }
+}
+
+fn shares() -> impl Strategy<Value = BTreeMap<String, f64>> {
+    btree_map(".*", ANY, 0..3)
 }
 
 fn columns() -> impl Strategy<Value = Vec<Column>> {
@@ -80,12 +85,12 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 prop_compose! {
     fn history(system: &'static str)(
         form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
-        numbers in [ANY, ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(),
+        numbers in [ANY, ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
         let [tolerance, turns, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, turns,
-            energy, dissipated, work, energy_drift, momentum_drift, columns,
+            energy, dissipated, dissipation, work, energy_drift, momentum_drift, columns,
         }
     }
 }
@@ -113,6 +118,7 @@ prop_compose! {
         words in [".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
         separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
         harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
+        dissipation in shares(),
     ) -> EvolutionRecord {
         let [sentence, method, status, mode_start, mode_end] = words;
         let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
@@ -125,7 +131,7 @@ prop_compose! {
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
             sentence, method, status, momentum, mode_start, mode_end, ratio_start, ratio_end, time, time_range,
-            turns, power, separatrix_time, lingering, damping_time, growth_time, columns,
+            turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
         }
     }
 }
@@ -183,6 +189,7 @@ fn sample() -> RunRecord {
             residual: f64::NAN,
             degrees: vec![],
             power: -0.0,
+            dissipation: [("tank".to_owned(), f64::NAN)].into(),
         },
         histories: vec![HistoryRecord {
             system: "reduced".into(),
@@ -196,6 +203,7 @@ fn sample() -> RunRecord {
             turns: 0.1,
             energy: 1.0,
             dissipated: 0.0,
+            dissipation: BTreeMap::new(),
             work: 0.0,
             energy_drift: 0.0,
             momentum_drift: 0.0,
@@ -215,6 +223,7 @@ fn sample() -> RunRecord {
             time_range: Some([1.5, f64::INFINITY]),
             turns: f64::INFINITY,
             power: 0.0,
+            dissipation: BTreeMap::new(),
             separatrix_time: None,
             lingering: None,
             damping_time: f64::INFINITY,
@@ -235,6 +244,22 @@ fn written() -> tempfile::TempDir {
     let dir = tempdir().unwrap();
     sample().write(dir.path()).unwrap();
     dir
+}
+
+/// Records of versions before the shares of dissipators were kept.
+#[test]
+fn record_without_shares_reads_with_none() {
+    let dir = written();
+    let path = dir.path().join("record.json");
+    let mut object: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(object["reduction"]["dissipation"]["tank"], "NaN");
+    for part in ["/reduction", "/histories/0", "/evolution"] {
+        let part = object.pointer_mut(part).unwrap().as_object_mut().unwrap();
+        assert!(part.remove("dissipation").is_some());
+    }
+    fs::write(&path, object.to_string()).unwrap();
+    let read = RunRecord::read(dir.path()).unwrap();
+    assert!(read.reduction.dissipation.is_empty() && read.histories[0].dissipation.is_empty());
 }
 
 fn refusal(dir: &Path) -> RecordError {

@@ -3,6 +3,8 @@
 
 mod support;
 
+use std::collections::BTreeMap;
+
 use proptest::collection::vec;
 use proptest::num::f64::{ANY, INFINITE, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
@@ -42,6 +44,9 @@ fn record() -> impl Strategy<Value = RunRecord> {
         }
         record.validity.frequencies.iter_mut().for_each(&mut set);
         record.reduction.degrees.iter_mut().for_each(|degree| set(&mut degree.size));
+        let shares = [&mut record.reduction.dissipation].into_iter();
+        let shares = shares.chain(record.histories.iter_mut().map(|history| &mut history.dissipation));
+        shares.flat_map(BTreeMap::values_mut).for_each(&mut set);
         for row in record.verification.iter_mut().flat_map(|verification| &mut verification.orders) {
             row.errors.iter_mut().chain(&mut row.epsilons).chain(&mut row.attitude).for_each(&mut set);
         }

@@ -69,6 +69,11 @@ fn page_answers_from_the_top() {
             "of the dissipation: small",
             "Turns",
             "in 10\u{a0}min",
+            "What dissipated</caption>",
+            "spring tip-carrier",
+            "62\u{a0}%",
+            "width:62.00%",
+            "0.05\u{a0}%",
             "Over many turns",
             "Dissipation turns the rotation into a steady spin",
             "It reaches the separatrix after 4.41\u{a0}Gyr: there the angular momentum leaves the axis of least inertia",
@@ -87,6 +92,7 @@ fn page_answers_from_the_top() {
             "D/I₃ [1]</text>",
             ">reduced</text>",
             "7 Ωₚ = ",
+            "What dissipates at the start</caption>",
             "Harmonics of the wobble at the start",
             "Resonances on the way, strongest first",
             "slosh.x",
@@ -101,6 +107,7 @@ fn page_answers_from_the_top() {
             "Natural frequencies",
             "Relaxations of what turns inside, attitude held",
             "24.53",
+            "What dissipates at the initial spin</caption>",
             "Degrees of dω/dt",
             "Inertia about the pole",
             "Principal moments, ascending, and axes",
@@ -117,6 +124,21 @@ fn page_answers_from_the_top() {
     );
     assert_balanced(&page);
     assert_drawable(&page);
+}
+
+/// A record of a version that did not know the shares, and a body with one dissipator, show no bars.
+#[test]
+fn shares_of_one_are_not_drawn() {
+    let mut record = support::record(40, 600.0, 1e-4);
+    let evolution = record.evolution.as_mut().unwrap();
+    evolution.dissipation.clear();
+    record.reduction.dissipation = [("tank".to_owned(), 1.0)].into();
+    record.histories.iter_mut().for_each(|history| history.dissipation.clear());
+    assert!(!page(&record).contains("class=\"bar\""));
+    record.reduction.dissipation = (0..20).map(|i| (format!("spring {i:02}"), 0.05)).collect();
+    let page = page(&record);
+    assert_eq!(page.matches("class=\"bar\"").count(), 12);
+    assert_in_order(&page, &["spring 00", "spring 11", "and 8 more in record.json", "Degrees of"]);
 }
 
 /// 0.2 J lost of the 0.5·(1/2 − 1/4)·2² J between the spin about axis 1 and that about axis 3, at |K| = 2 N m s.

@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{SteadySpin, steady_spins};
@@ -10,7 +11,7 @@ use serde_json::json;
 
 use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
-use crate::describe::{criterion, reasons, significant, time, verdict, word};
+use crate::describe::{criterion, dissipation, reasons, shares, significant, time, verdict, word};
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
@@ -27,11 +28,18 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let omega = initial(model, body, *order, &arguments.common.model)?.omega;
     let validity = Validity::of(body, *order, omega)?;
     let reduced = reduce(body, *order)?;
+    let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
+    let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
     let text = if arguments.common.json {
-        object(&loaded, &validity)
+        object(&loaded, &validity, &budget)
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        if let Some(words) = dissipation(&budget) {
+            let power = significant(reduced.dissipated_power(omega), 3);
+            let words = format!("At this spin {power} W are dissipated; {words}.");
+            text.push_str(&format!("\n{}\n", paragraph(&words, "", "  ")));
+        }
         if let Some(note) = lossless(body) {
             text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
         }
@@ -46,7 +54,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
 }
 
-fn object(loaded: &Loaded, validity: &Validity) -> String {
+fn object(loaded: &Loaded, validity: &Validity, budget: &BTreeMap<String, f64>) -> String {
     let criteria: Vec<_> = validity
         .criteria
         .iter()
@@ -74,6 +82,7 @@ fn object(loaded: &Loaded, validity: &Validity) -> String {
         "degrees": validity.degrees.iter()
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
+        "dissipation": budget,
         "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
         "condensation": loaded.condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,

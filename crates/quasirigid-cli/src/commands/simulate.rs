@@ -56,6 +56,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         collector.keep_coordinates();
     }
     let run = motion.follow(arguments.system, &times, options, &mut collector)?;
+    let budget = collector.budget().to_vec();
     let (samples, coordinates) = collector.finish();
     interrupt.forget();
     let (forced, last) = (motion.system().acts(), run.last);
@@ -72,7 +73,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     }
     table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
-        output::print(&object(arguments.system, &run))?;
+        output::print(&object(arguments.system, &budget, &run))?;
     }
     let message = status(run.outcome, run.last.t).1;
     match run.outcome {
@@ -103,7 +104,7 @@ fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Res
     }
 }
 
-fn object(system: System, Run { outcome, last, work }: &Run) -> String {
+fn object(system: System, budget: &[(String, f64)], Run { outcome, last, work }: &Run) -> String {
     let (status, message) = status(*outcome, last.t);
     let object = json!({
         "system": name(system),
@@ -115,6 +116,7 @@ fn object(system: System, Run { outcome, last, work }: &Run) -> String {
         "momentum": last.momentum,
         "energy": last.energy,
         "dissipated": last.dissipated,
+        "dissipation": describe::shares(budget),
         "work": last.work,
         "energy_drift": last.energy_drift,
         "momentum_drift": last.momentum_drift,

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use crate::describe::{significant, time};
+use crate::describe::{dissipation, significant, time};
 use crate::layout::paragraph;
 use crate::verification;
 
@@ -70,6 +70,9 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
         significant(history.dissipated, 5),
         significant(history.energy, 6)
     )?;
+    if let Some(text) = dissipation(&history.dissipation) {
+        writeln!(out, "{}", paragraph(&text, "  ", "      "))?;
+    }
     let of_momentum = if history.form.starts_with("spin") { "of |K|, truncation included" } else { "of |K|" };
     writeln!(
         out,

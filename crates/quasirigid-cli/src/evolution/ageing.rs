@@ -10,6 +10,7 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 
 use super::rows::Rows;
 use super::{Asked, words};
+use crate::describe::shares;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::progress::Bar;
@@ -173,6 +174,7 @@ impl Ageing {
             time_range,
             turns: if ages { last.turns } else { f64::INFINITY },
             power,
+            dissipation: shares(&evolution.budget(from)),
             separatrix_time: if rows.steady() {
                 evolution.separatrix_time(from, to)
             } else {

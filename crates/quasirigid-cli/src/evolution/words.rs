@@ -6,7 +6,7 @@ use quasirigid::averaging::{MeanPower, Stage};
 use quasirigid_io::record::{Column, EvolutionRecord};
 
 use super::ageing::Ageing;
-use crate::describe::{count, significant, time};
+use crate::describe::{count, dissipation, significant, time};
 use crate::layout::paragraph;
 
 /// Rows of the table for people.
@@ -99,6 +99,9 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
             "  next to the separatrix     {} (nearer than 1 % of the way to an axis)",
             time(lingering)
         )?;
+    }
+    if let Some(text) = dissipation(&record.dissipation) {
+        writeln!(out, "{}", paragraph(&text, "  ", "      "))?;
     }
     harmonics(out, record)?;
     resonances(out, record)?;

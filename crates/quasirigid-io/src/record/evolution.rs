@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Column, number};
@@ -40,6 +42,9 @@ pub struct EvolutionRecord {
     /// Mean power dissipated at the start (W).
     #[serde(with = "number")]
     pub power: f64,
+    /// Shares of what dissipates in that power, by name; empty in a record of a version that did not know them.
+    #[serde(with = "number", default)]
+    pub dissipation: BTreeMap<String, f64>,
     /// Time from the start to the separatrix (s); none when it is not passed.
     #[serde(with = "number")]
     pub separatrix_time: Option<f64>,

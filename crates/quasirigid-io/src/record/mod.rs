@@ -12,6 +12,8 @@ mod modes;
 mod number;
 mod table;
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 pub use error::RecordError;
@@ -180,6 +182,9 @@ pub struct ReductionRecord {
     /// Mean power dissipated at the initial spin (W).
     #[serde(with = "number")]
     pub power: f64,
+    /// Shares of what dissipates in that power, by name; empty in a record of a version that did not know them.
+    #[serde(with = "number", default)]
+    pub dissipation: BTreeMap<String, f64>,
 }
 
 /// Size of one degree of the reduced equations.
@@ -224,6 +229,10 @@ pub struct HistoryRecord {
     /// Energy taken by the dashpots (J).
     #[serde(with = "number")]
     pub dissipated: f64,
+    /// Shares of what dissipates in that energy, by name; empty in a record of a version that did not know them, and of a
+    /// reduced body under forces.
+    #[serde(with = "number", default)]
+    pub dissipation: BTreeMap<String, f64>,
     /// Work of the external forces (J).
     #[serde(with = "number")]
     pub work: f64,

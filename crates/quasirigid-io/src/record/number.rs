@@ -1,5 +1,6 @@
 //! Numbers in JSON, which has no word for those that are not finite: they become `"NaN"`, `"inf"`, `"-inf"`.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::de::{self, DeserializeOwned, Deserializer, Visitor};
@@ -42,6 +43,16 @@ impl<T: Numbers> Numbers for Vec<T> {
     }
     fn from_wire(wire: Self::Wire) -> Self {
         wire.into_iter().map(T::from_wire).collect()
+    }
+}
+
+impl<T: Numbers> Numbers for BTreeMap<String, T> {
+    type Wire = BTreeMap<String, T::Wire>;
+    fn to_wire(&self) -> Self::Wire {
+        self.iter().map(|(name, value)| (name.clone(), value.to_wire())).collect()
+    }
+    fn from_wire(wire: Self::Wire) -> Self {
+        wire.into_iter().map(|(name, value)| (name, T::from_wire(value))).collect()
     }
 }
 

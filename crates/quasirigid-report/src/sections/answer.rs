@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
+use super::dissipation::bars;
 use crate::number::{digits, duration, percent, short, tidy};
 use crate::rows::{column, ends, main_history, norm, vectors};
 
@@ -19,11 +20,14 @@ pub fn section(record: &RunRecord) -> Markup {
                     "The record holds no spin history: nothing was propagated"
                     @if record.evolution.is_some() { " turn by turn" } "."
                 },
-                Some(history) => dl {
+                Some(history) => {
+                dl {
                     (spin(history))
                     (dissipation(record, history))
                     (drift(history))
                     (turns(history))
+                }
+                (bars("What dissipated", &history.dissipation))
                 },
             }
         }

@@ -5,6 +5,7 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 
 use super::answer::tile;
 use super::curve::{Curve, unit};
+use super::dissipation::bars;
 use super::table::{facts, first, table};
 use crate::figure::{Figure, Mark, Quantity, Series};
 use crate::number::{digits, duration, percent, short, tidy};
@@ -35,6 +36,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             (nutation_figure(evolution, &columns).draw())
             (power_figure(evolution, &columns).draw())
             (map(evolution, &columns).draw())
+            (bars("What dissipates at the start", &evolution.dissipation))
             (harmonics(&evolution.harmonics))
             (resonances(&evolution.resonances))
             (details(evolution))

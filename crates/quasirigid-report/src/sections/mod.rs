@@ -3,6 +3,7 @@
 pub mod answer;
 pub mod body;
 mod curve;
+mod dissipation;
 pub mod evolution;
 pub mod figures;
 pub mod head;

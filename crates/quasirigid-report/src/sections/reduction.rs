@@ -1,6 +1,7 @@
 use maud::{Markup, html};
 use quasirigid_io::record::ReductionRecord;
 
+use super::dissipation::bars;
 use super::table::{facts, table};
 use crate::number::{digits, short};
 
@@ -15,6 +16,7 @@ pub fn section(reduction: &ReductionRecord) -> Markup {
                 ("Residual of the invariance equation, relative to the load", html! { (short(reduction.residual)) }),
                 ("Mean power dissipated", html! { (short(reduction.power)) " W" }),
             ]))
+            (bars("What dissipates at the initial spin", &reduction.dissipation))
             @if reduction.degrees.is_empty() {
                 p.absent { "The record holds no degrees." }
             } @else {

@@ -90,6 +90,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         time_range: Some([0.31 * t, 27.0 * t]),
         turns,
         power: power(ratio_start),
+        dissipation: super::shares(),
         separatrix_time,
         lingering: (lingering > 0.0).then_some(lingering),
         damping_time: 0.12 * t,

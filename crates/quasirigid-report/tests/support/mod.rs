@@ -3,6 +3,8 @@
 
 pub mod ageing;
 
+use std::collections::BTreeMap;
+
 use quasirigid_io::record::*;
 
 use ageing::evolution;
@@ -140,12 +142,20 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         turns,
         energy: first,
         dissipated,
+        dissipation: shares(),
         work: 0.0,
         energy_drift: last("energy_drift"),
         momentum_drift: last("momentum_drift"),
         system: system.into(),
         columns,
     }
+}
+
+/// Shares of three dissipators.
+pub fn shares() -> BTreeMap<String, f64> {
+    [("spring tip-carrier", 0.62), ("tank", 0.3795), ("flywheel", 0.0005)]
+        .map(|(name, share)| (name.into(), share))
+        .into()
 }
 
 fn criterion(name: &str, symbol: &str, value: f64, limit: f64, sentence: &str) -> CriterionRecord {
@@ -252,6 +262,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
                 .map(|(degree, size)| DegreeRecord { degree, size, relative: size / 0.271 })
                 .into(),
             power: 3.21e-4,
+            dissipation: shares(),
         },
         histories,
         verification: Some(verification()),

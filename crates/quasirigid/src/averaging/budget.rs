@@ -9,13 +9,20 @@ use crate::math::sparse::SparseRows;
 
 impl Response {
     /// Mean power (W) that each dissipator takes from a free rotation, by name; its sum is the whole. (D2)
+    ///
+    /// The shares are the mean of those of the motion and of its mirror image, which circles the same axis the other way: they differ by
+    /// the share of the damping in the answer, their sum does not.
     #[must_use]
     pub fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
         let mean_spin = motion.mean_spin();
         let mut powers = vec![0.0; self.dissipators.len()];
         for harmonic in motion.harmonics() {
-            let taken = self.taken(&harmonic, mean_spin);
-            powers.iter_mut().zip(taken).for_each(|(power, taken)| *power += taken);
+            let [real, imaginary] = harmonic.products;
+            let mirrored = Harmonic { products: [real, imaginary.map(|part| -part)], ..harmonic };
+            let both = [(harmonic, mean_spin), (mirrored, mean_spin.map(|rate| -rate))];
+            for taken in both.map(|(harmonic, spin)| self.taken(&harmonic, spin)) {
+                powers.iter_mut().zip(taken).for_each(|(power, taken)| *power += 0.5 * taken);
+            }
         }
         self.dissipators.iter().map(|part| part.name.clone()).zip(powers).collect()
     }

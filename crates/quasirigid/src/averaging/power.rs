@@ -12,7 +12,7 @@ pub trait MeanPower {
     /// The mean over a period of the polhode; on the separatrix, where the period is infinite, zero.
     fn mean_power(&self, motion: &FreeRotation) -> f64;
 
-    /// Mean power (W) that each dissipator takes, by name; empty where it is not known. (D2)
+    /// Mean power (W) that each dissipator takes, by name, mean of both senses of the motion; empty where it is not known. (D2)
     fn budget(&self, _motion: &FreeRotation) -> Vec<(String, f64)> {
         Vec::new()
     }

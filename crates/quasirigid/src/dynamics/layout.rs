@@ -1,10 +1,15 @@
 use std::ops::Range;
 
-/// Where the parts of a full state stand in its list of numbers: slow parts first, then the coordinates and their momenta.
+use crate::model::FlexibleBody;
+
+/// Where the parts of a full state stand in its list of numbers: slow parts first, then what dissipators take, then the
+/// coordinates and their momenta.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     /// Number of internal coordinates.
     pub n: usize,
+    /// Number of dissipators whose energies are kept apart, after the slow parts.
+    pub accounts: usize,
 }
 
 /// Momentum (N·m·s), body axes: about the pole, or about the centre of mass of a free body.
@@ -23,22 +28,38 @@ pub(super) const IMPULSE: usize = 10;
 pub(super) const PLACE: usize = 13;
 /// Its velocity (m/s).
 pub(super) const VELOCITY: usize = 16;
-/// Numbers before the coordinates.
+/// Numbers before what dissipators take.
 pub(super) const SLOW: usize = 19;
 
 impl Layout {
+    /// Of a body; the energy taken by a single dissipator is the whole.
+    pub fn of(body: &FlexibleBody) -> Self {
+        let dissipators = body.dissipators().len();
+        Self { n: body.coordinates().len(), accounts: if dissipators > 1 { dissipators } else { 0 } }
+    }
+
+    /// Numbers before the coordinates.
+    pub fn slow(self) -> usize {
+        SLOW + self.accounts
+    }
+
+    /// Energy taken by each dissipator (J), if there are several.
+    pub fn accounts(self) -> Range<usize> {
+        SLOW..self.slow()
+    }
+
     pub fn len(self) -> usize {
-        SLOW + 2 * self.n
+        self.slow() + 2 * self.n
     }
 
     /// Internal coordinates.
     pub fn q(self) -> Range<usize> {
-        SLOW..SLOW + self.n
+        self.slow()..self.slow() + self.n
     }
 
     /// Their momenta `∂L/∂q̇`.
     pub fn p(self) -> Range<usize> {
-        SLOW + self.n..self.len()
+        self.slow() + self.n..self.len()
     }
 }
 

@@ -9,6 +9,7 @@ mod full;
 mod keeper;
 mod layer;
 mod layout;
+mod quadrature;
 mod reduced;
 mod run;
 mod scale;

@@ -4,11 +4,12 @@ use std::ops::ControlFlow;
 use super::conserved::{Conserved, inside};
 use super::event::Alarm;
 use super::form::{Equations, Form, MomentumForm, PaperForm};
+use super::quadrature::Quadrature;
 use super::run::{Observer, Options, Outcome, PROGRESS, PropagateError, Run, Sample, SpinState, check};
 use super::spin::{Accounted, Accounts};
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, Watcher, integrate};
-use crate::math::polynomial::Kernel;
+use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
 use crate::math::sym::norm;
@@ -29,7 +30,8 @@ pub fn propagate(
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let power = Kernel::new(&body.power);
     let inside = inside(body.momentum(initial.omega), body.J, initial.omega);
-    let plan = Plan { power: &power, x, inside, initial, times, options: &options, observer };
+    let shares = Shares::of(body);
+    let plan = Plan { power: &power, shares, x, inside, initial, times, options: &options, observer };
     Ok(match options.form {
         Form::Momentum => dispatch(Propagation { equations: &MomentumForm::new(body), plan }),
         Form::Paper => dispatch(Propagation { equations: &PaperForm::new(body), plan }),
@@ -39,6 +41,7 @@ pub fn propagate(
 /// A propagation ready to run, in either form.
 struct Plan<'a> {
     power: &'a Kernel,
+    shares: Shares<'a>,
     x: [f64; 3],
     inside: [f64; 3],
     initial: SpinState,
@@ -58,7 +61,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
     #[inline(always)]
     fn run<A: Arithmetic>(self) -> Run {
         let Self { equations, plan } = self;
-        let Plan { power, x, inside, initial, times, options, observer } = plan;
+        let Plan { power, shares, x, inside, initial, times, options, observer } = plan;
         let system = Accounted { equations, power };
         let start =
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
@@ -75,11 +78,14 @@ impl<E: Equations> Task for Propagation<'_, E> {
             energy: equations.energy(x),
             drift: 0.0,
             alarm: Alarm::new(&options.events),
+            taken: (!shares.kernels.is_empty()).then(|| Quadrature::new(0.0, shares.powers(initial.omega))),
+            shares,
             observer,
         };
         keeper.alarm.set(&keeper.sample(0.0, start));
         let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
         let last = keeper.sample(solver.t(), Accounts::unpack(*solver.y()));
+        keeper.settle(&last);
         Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() }
     }
 }
@@ -95,10 +101,53 @@ struct Keeper<'a, E> {
     /// `Σ ln(|K|/G)` of the projections made. (P6)
     drift: f64,
     alarm: Alarm,
+    shares: Shares<'a>,
+    /// What each dissipator has taken, if there are several.
+    taken: Option<Quadrature>,
     observer: &'a mut dyn Observer,
 }
 
+/// Powers of the dissipators of a reduced body, if there are several.
+struct Shares<'a> {
+    body: &'a ReducedBody,
+    /// Four of them each.
+    kernels: Vec<Kernel>,
+}
+
+/// Rows of a kernel.
+const ROWS: usize = 4;
+
+impl<'a> Shares<'a> {
+    fn of(body: &'a ReducedBody) -> Self {
+        let powers: Vec<&Series> = body.power_shares.iter().map(|(_, power)| power).collect();
+        let groups = if powers.len() > 1 { powers.chunks(ROWS) } else { [].chunks(ROWS) };
+        Self { body, kernels: groups.map(|group| Kernel::new(&Series::stacked(group))).collect() }
+    }
+
+    /// Power (W) that each takes at a spin.
+    fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
+        let all = self.kernels.iter().flat_map(|kernel| kernel.value::<Plain>(omega));
+        all.take(self.body.power_shares.len()).collect()
+    }
+}
+
 impl<E: Equations> Keeper<'_, E> {
+    /// Tells the observer what each dissipator has taken: their shares in the integrals over the steps, of the whole that the solver
+    /// has integrated. (D4)
+    fn settle(&mut self, last: &Sample) {
+        let names = self.shares.body.power_shares.iter().map(|(name, _)| name.clone());
+        let sums = match &mut self.taken {
+            None => vec![1.0],
+            Some(taken) => {
+                taken.add(last.t, self.shares.powers(last.omega));
+                taken.sums()
+            }
+        };
+        let whole: f64 = sums.iter().sum();
+        let share = |sum: f64| if whole > 0.0 { last.dissipated * sum / whole } else { 0.0 };
+        self.observer.budget(&names.zip(sums.into_iter().map(share)).collect::<Vec<_>>());
+    }
+
     fn sample(&self, t: f64, accounts: Accounts) -> Sample {
         let x = accounts.x;
         let K = self.equations.momentum(x);
@@ -160,6 +209,10 @@ impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
     #[inline(always)]
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
         self.hold_invariants(solver);
+        if let Some(taken) = &mut self.taken {
+            let omega = self.equations.omega::<Plain>(Accounts::unpack(*solver.y()).x);
+            taken.add(solver.t(), self.shares.powers(omega));
+        }
         if solver.work().steps.is_multiple_of(PROGRESS) {
             self.observer.progress(solver.t())
         } else {

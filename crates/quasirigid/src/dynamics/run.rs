@@ -95,6 +95,11 @@ pub trait Observer {
         let _ = (q, rate);
     }
 
+    /// Energy (J) that each dissipator has taken since the start, by name, once at the end; not of forced reduced motions. (D4)
+    fn budget(&mut self, energies: &[(String, f64)]) {
+        let _ = energies;
+    }
+
     /// Called every few thousand steps; `Break` ends the propagation.
     fn progress(&mut self, t: f64) -> ControlFlow<()> {
         let _ = t;

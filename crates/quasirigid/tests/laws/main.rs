@@ -13,6 +13,7 @@ mod transform;
 mod wobbler;
 
 mod axes_and_units;
+mod budget;
 mod cutting;
 mod degrees;
 mod drift;

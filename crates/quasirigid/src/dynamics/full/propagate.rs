@@ -31,16 +31,26 @@ pub fn propagate_full(
     check(scales.spin, times, options.tolerance)?;
     let allowed = allowed(system.body, &scales, options.tolerance);
     let full = FullSystem::new(system);
+    let layout = Layout::of(system.body);
     let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
     let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
     let last = keeper.sample(solver.t(), solver.y());
-    Ok(Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() })
+    let run = Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() };
+    observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
+    Ok(run)
+}
+
+/// Energy that each dissipator has taken, from the accounts of a state if there are several. (D4)
+fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String, f64)> {
+    let energies = if accounts.is_empty() { &[dissipated] } else { accounts };
+    let names = body.dissipators().iter().map(|part| part.name.clone());
+    names.zip(energies.iter().copied()).collect()
 }
 
 /// Error allowed per step in each component.
 fn allowed(body: &FlexibleBody, scales: &Scales, tolerance: f64) -> Vec<f64> {
-    let layout = Layout { n: body.coordinates().len() };
+    let layout = Layout::of(body);
     let mut allowed = vec![f64::INFINITY; layout.len()];
     allowed[MOMENTUM..MOMENTUM + 3].fill(tolerance * scales.momentum);
     allowed[ATTITUDE..ATTITUDE + 4].fill(tolerance);

@@ -62,7 +62,7 @@ impl FullState {
     }
 
     pub(super) fn pack(&self, body: &FlexibleBody) -> Vec<f64> {
-        let layout = Layout { n: self.q.len() };
+        let layout = Layout::of(body);
         let mut y = vec![0.0; layout.len()];
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.momentum(body));
         y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);

@@ -1,7 +1,7 @@
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
 use crate::dynamics::layout::{
-    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, attitude, triple,
+    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
 use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
 use crate::math::ode::{Stiff, System};
@@ -18,6 +18,8 @@ pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
     layout: Layout,
     kinetics: Kinetics<'a>,
+    /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
+    accounts: Vec<Vec<(usize, usize, f64)>>,
     vibrator: Vibrator,
     shifts: Vec<DynamicStiffness>,
 }
@@ -28,8 +30,16 @@ const POWER_ITERATIONS: usize = 40;
 impl<'a> FullSystem<'a> {
     pub fn new(system: Forced<'a>) -> Self {
         let body = system.body;
-        let layout = Layout { n: body.coordinates().len() };
-        Self { system, layout, kinetics: Kinetics::new(body), vibrator: vibrator(body), shifts: Vec::new() }
+        let layout = Layout::of(body);
+        let accounts = body.dissipators().iter().take(layout.accounts).map(|part| upper(&part.damping));
+        Self {
+            system,
+            layout,
+            kinetics: Kinetics::new(body),
+            accounts: accounts.collect(),
+            vibrator: vibrator(body),
+            shifts: Vec::new(),
+        }
     }
 
     /// Adds what external forces do to the rates of a state. (F1), (F11)
@@ -83,7 +93,7 @@ impl System<Vec<f64>> for FullSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
         let K = triple(y, MOMENTUM);
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
-        let (slow, fast) = rate.split_at_mut(SLOW);
+        let (slow, fast) = rate.split_at_mut(self.layout.slow());
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
         let wheels = self.system.body.wheels();
         let own = add(K, scale(-1.0, wheels.momentum(t)));
@@ -91,6 +101,9 @@ impl System<Vec<f64>> for FullSystem<'_> {
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
         let omega = velocities.omega;
+        for (power, entries) in slow[self.layout.accounts()].iter_mut().zip(&self.accounts) {
+            *power = entries.iter().map(|(j, k, entry)| entry * q_rate[*j] * q_rate[*k]).sum();
+        }
         slow[ANGLE] = norm(omega);
         slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
         slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), omega));
@@ -122,7 +135,7 @@ impl Followed for FullSystem<'_> {
 /// `L` is the free vibration of the body that recoils: `q̇ = M⁻¹p`, `ṗ = −Bq̇ − Cq`, with the mass of (V2). (T2)
 impl Stiff for FullSystem<'_> {
     fn stiff(&self) -> usize {
-        SLOW
+        self.layout.slow()
     }
 
     fn shift(&mut self, shifts: [[f64; 2]; 4]) {
@@ -147,6 +160,12 @@ fn vibrator(body: &FlexibleBody) -> Vibrator {
         weights[3 + i][3..].copy_from_slice(&inverse[i]);
     }
     Vibrator::new(A, rows.collect(), weights, body.damping().clone(), body.stiffness().clone())
+}
+
+/// Entries of a symmetric matrix on and above the diagonal, the others doubled.
+fn upper(matrix: &SparseRows<f64>) -> Vec<(usize, usize, f64)> {
+    let above = matrix.iter().filter(|(j, k, _)| j <= k);
+    above.map(|(j, k, entry)| (j, k, if j == k { *entry } else { 2.0 * entry })).collect()
 }
 
 fn product(a: &[f64], b: &[f64]) -> f64 {

@@ -16,6 +16,17 @@ impl Series {
         Self { rows, parts: (0..=degree).map(|d| Homogeneous::zero(d, rows)).collect() }
     }
 
+    /// Maps of one row as the rows of one map.
+    #[must_use]
+    pub fn stacked(maps: &[&Self]) -> Self {
+        let degree = maps.iter().map(|map| map.degree()).max().unwrap_or_default();
+        let mut stacked = Self::zero(degree, maps.len());
+        for (row, map) in maps.iter().enumerate() {
+            map.parts.iter().for_each(|part| stacked.add_row(part.degree(), row, 1.0, (part, 0)));
+        }
+        stacked
+    }
+
     /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {

@@ -99,7 +99,8 @@ impl<'a> Evolution<'a> {
     #[must_use]
     pub fn wobbling(&self, angle: f64) -> Option<Stage> {
         let mode = Mode::ShortAxis;
-        mode.exists(self.moments).then(|| Stage { mode, xi: FreeRotation::logit_of(self.moments, mode, angle) })
+        mode.exists(self.moments)
+            .then(|| Stage { mode, xi: FreeRotation::logit_of(self.moments, mode, angle) })
     }
 
     /// The stage where a share is left of the energy that a stage has above the steady spin about the axis of greatest

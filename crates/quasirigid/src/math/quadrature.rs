@@ -48,14 +48,16 @@ pub fn integral<const N: usize>(
         let whole = total(&pieces);
         // Share of the error allowed that a piece takes.
         let share = |error: &[f64; N]| {
-            let shares = error.iter().zip(whole.value).map(|(error, value)| error / (tolerance * value.abs()));
+            let shares =
+                error.iter().zip(whole.value).map(|(error, value)| error / (tolerance * value.abs()));
             shares.filter(|share| !share.is_nan()).fold(0.0, f64::max)
         };
         let finite = whole.value.iter().all(|value| value.is_finite());
         if !finite || share(&whole.error) <= 1.0 || pieces.len() == INTERVALS || idle == IDLE {
             return whole;
         }
-        let worst = |i: &usize, j: &usize| share(&pieces[*i].sum.error).total_cmp(&share(&pieces[*j].sum.error));
+        let worst =
+            |i: &usize, j: &usize| share(&pieces[*i].sum.error).total_cmp(&share(&pieces[*j].sum.error));
         let Some(at) = (0..pieces.len()).max_by(worst) else { return whole };
         let Piece { ends: [from, to], sum } = pieces[at];
         let middle = 0.5 * (from + to);
@@ -237,7 +239,7 @@ mod tests {
         assert!(integral(&mut |_| [f64::NAN], 0.0, 1.0, 1e-9).value[0].is_nan());
     }
 
-    /// A function that is known to eight digits, one that has no integral, one that never settles: the work stays bounded, and
+    /// A function that is known to six digits, one that has no integral, one that never settles: the work stays bounded, and
     /// the error says what is known.
     #[test]
     fn what_cannot_be_found_ends_and_says_so() {
@@ -246,10 +248,11 @@ mod tests {
             calls.set(calls.get() + 1);
             [value]
         };
-        let hash = |x: f64| (x.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / (1_u64 << 53) as f64;
-        let noisy = integral(&mut |x| counted(x.exp() * (1.0 + 1e-8 * (hash(x) - 0.5))), 0.0, 1.0, 1e-10);
+        let hash =
+            |x: f64| (x.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / (1_u64 << 53) as f64;
+        let noisy = integral(&mut |x| counted(x.exp() * (1.0 + 1e-6 * (hash(x) - 0.5))), 0.0, 1.0, 1e-10);
         let gap = (noisy.value[0] - (1.0_f64.exp() - 1.0)).abs();
-        assert!(gap < 1e-8 && noisy.error[0] > 0.1 * gap && noisy.error[0] < 1e-6, "{noisy:?} {gap:e}");
+        assert!(gap < 1e-6 && noisy.error[0] > 0.1 * gap && noisy.error[0] < 1e-4, "{noisy:?} {gap:e}");
         assert!(calls.replace(0) < 2_000);
         let endless = integral(&mut |x| counted(1.0 / x), 0.0, 1.0, 1e-10);
         assert!(endless.error[0] > 1e-10 * endless.value[0], "{endless:?}");

@@ -16,6 +16,7 @@ mod axes_and_units;
 mod cutting;
 mod degrees;
 mod drift;
+mod drift_endings;
 mod ellipsoids;
 mod forces;
 mod forms;

@@ -85,7 +85,13 @@ impl<'f, 'a> Way<'f, 'a> {
 
     fn rates(&self) -> Rates<'f, 'a> {
         let DriftState { stage, side, .. } = self.history.end;
-        Rates { drift: self.drift, mode: stage.mode, side, momentum: self.start.momentum, steady: self.steady }
+        Rates {
+            drift: self.drift,
+            mode: stage.mode,
+            side,
+            momentum: self.start.momentum,
+            steady: self.steady,
+        }
     }
 
     fn state(&self, t: f64, y: &[f64; 3]) -> DriftState {
@@ -100,7 +106,8 @@ impl<'f, 'a> Way<'f, 'a> {
         let y = self.y();
         let [first, length] = [self.start.t, self.limits.end - self.start.t];
         self.outputs(self.history.end.t, |_| y);
-        let at_once = [Mark::Target, Mark::Rest, Mark::SpunUp].into_iter().find(|mark| self.past(*mark, &y) >= 0.0);
+        let at_once =
+            [Mark::Target, Mark::Rest, Mark::SpunUp].into_iter().find(|mark| self.past(*mark, &y) >= 0.0);
         if let Some(mark) = at_once {
             return self.met(mark);
         }
@@ -121,7 +128,8 @@ impl<'f, 'a> Way<'f, 'a> {
             let (t, y) = (solver.t(), *solver.y());
             let dense = solver.dense();
             let place = |t: f64| if t < solver.t() { dense.at(t) } else { y };
-            let located = |mark: Mark| (bisected([before, t], |t| self.past(mark, &place(t)), 0.0, true), mark);
+            let located =
+                |mark: Mark| (bisected([before, t], |t| self.past(mark, &place(t)), 0.0, true), mark);
             let marks = MARKS.into_iter().filter(|mark| self.past(*mark, &y) > 0.0).map(located);
             let next = marks.min_by(|a, b| a.0.total_cmp(&b.0));
             let t = next.map_or(t, |(t, _)| t);

@@ -27,7 +27,8 @@ impl Drift<'_> {
         let open: Vec<_> = ways.filter(|(_, flow)| *flow > 0.0).collect();
         let sum: f64 = open.iter().map(|(_, flow)| flow).sum();
         let first = *open.first()?;
-        let ((mode, side), flow) = open[1..].iter().fold(first, |best, way| if way.1 > best.1 { *way } else { best });
+        let ((mode, side), flow) =
+            open[1..].iter().fold(first, |best, way| if way.1 > best.1 { *way } else { best });
         let state = DriftState { stage: Stage { mode, xi: SEPARATRIX }, side, ..*at };
         let from = (at.stage.mode, at.side);
         Some((state, SeparatrixPassage { t: at.t, from, to: (mode, side), probability: flow / sum }))

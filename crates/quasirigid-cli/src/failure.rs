@@ -11,6 +11,9 @@ use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
 use thiserror::Error;
 
+use crate::describe::significant;
+use crate::rotation::NoWobble;
+
 /// Why a command could not run.
 #[derive(Debug, Error)]
 pub enum Failure {
@@ -64,10 +67,17 @@ pub enum Failure {
         "the body spins about a principal axis, so nothing ages; give [initial] a wobble, or choose another start with --from"
     )]
     Steady,
+    #[error("the body does not turn, so there is no rotation to follow; give [initial] an angular velocity")]
+    AtRest,
+    #[error("the energy of the rotation is beyond the range of numbers; give [initial] a slower spin")]
+    BoundlessSpin,
     #[error(
-        "this body has no axis of greatest inertia that a wobble could be counted from: two of its moments are equal"
+        "this body has no axis of greatest inertia that a wobble could be counted from: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as --to 0.9",
+        significant(moments[1], 6), significant(moments[2], 6)
     )]
-    NoShortAxis,
+    NoShortAxis { moments: [f64; 3] },
+    #[error("{file}: [initial] wobble: {cause}", file = file.display())]
+    NoWobble { file: PathBuf, cause: NoWobble },
     #[error(
         "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
     )]

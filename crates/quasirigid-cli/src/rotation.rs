@@ -1,14 +1,16 @@
 //! The rotation that a model starts with, however the file describes it.
 
+use std::fmt::{self, Display, Formatter};
 use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce};
 use quasirigid_io::model::{Model, Rotation};
 
+use crate::describe::significant;
 use crate::failure::Failure;
 
 /// The state the file starts from.
@@ -23,6 +25,10 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
             motion.map_err(|cause| Failure::Observed { file: file.into(), cause })?
         }
         Rotation::Wobble { angle, rate, mode } => {
+            if !mode.exists(principal.moments) {
+                let cause = NoWobble { moments: principal.moments, mode };
+                return Err(Failure::NoWobble { file: file.into(), cause });
+            }
             let momentum = rate * principal.moments[mode.circled()];
             FreeRotation::at_nutation(principal.moments, momentum, mode, angle)
         }
@@ -32,6 +38,40 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
     let order = slaved_order(body, order, spin)?;
     let omega = reduce(body, order)?.Omega.vector(K);
     Ok(SpinState { omega, attitude: model.initial.attitude })
+}
+
+/// A wobble about an axis that the body does not have.
+#[derive(Debug)]
+pub struct NoWobble {
+    /// Principal moments (kg·m²), ascending.
+    moments: [f64; 3],
+    mode: Mode,
+}
+
+impl Display for NoWobble {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let [I1, I2, I3] = self.moments;
+        let (which, those, a, b) = match self.mode {
+            Mode::ShortAxis => ("greatest", "greatest", I2, I3),
+            Mode::LongAxis => ("least", "smallest", I1, I2),
+        };
+        let [a, b] = [a, b].map(|moment| significant(moment, 6));
+        write!(
+            f,
+            "this body has no axis of {which} inertia to wobble about: its two {those} moments are equal ({a} and {b} kg m^2)"
+        )?;
+        match self.mode.other() {
+            other if !other.exists(self.moments) => {
+                f.write_str(", and so is the third: a body like a sphere does not wobble")
+            }
+            Mode::LongAxis => {
+                f.write_str("; count the angle from the axis of least inertia, mode = \"long-axis\"")
+            }
+            Mode::ShortAxis => {
+                f.write_str("; count the angle from the axis of greatest inertia, mode = \"short-axis\"")
+            }
+        }
+    }
 }
 
 /// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where something turns inside so

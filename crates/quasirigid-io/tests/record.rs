@@ -115,12 +115,12 @@ prop_compose! {
 
 prop_compose! {
     fn evolution()(
-        words in [".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
+        words in [".*", ".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
         separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
         harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
         dissipation in shares(),
     ) -> EvolutionRecord {
-        let [sentence, method, status, mode_start, mode_end] = words;
+        let [sentence, method, status, message, mode_start, mode_end] = words;
         let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
         let harmonic = |(number, frequency, share)| HarmonicRecord { number, frequency, share };
         let mode = mode_end.clone();
@@ -130,7 +130,7 @@ prop_compose! {
         EvolutionRecord {
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
-            sentence, method, status, momentum, mode_start, mode_end, ratio_start, ratio_end, time, time_range,
+            sentence, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, time, time_range,
             turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
         }
     }
@@ -214,6 +214,7 @@ fn sample() -> RunRecord {
             sentence: "It never settles.".into(),
             method: "strain energy".into(),
             status: "held".into(),
+            message: "Ended at once.".into(),
             momentum: 1.0,
             mode_start: "short-axis".into(),
             mode_end: "short-axis".into(),

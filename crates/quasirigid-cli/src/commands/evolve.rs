@@ -31,6 +31,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     };
     let interrupt = Interrupt::listen()?;
     let (record, remarks) = evolution::follow(&loaded, start, &asked, &interrupt, arguments.common.quiet)?;
+    interrupt.forget();
     if !arguments.common.quiet {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));
     }
@@ -47,7 +48,11 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     } else {
         output::print(&evolution::text(&loaded.model.name, &record))?;
     }
-    Ok(if record.status == "finished" { Ending::Done } else { Ending::CheckFailed })
+    if record.status == "finished" {
+        return Ok(Ending::Done);
+    }
+    remark(&record.message);
+    Ok(Ending::CheckFailed)
 }
 
 fn power(power: args::Power) -> Power {

@@ -192,6 +192,9 @@ impl<'a> Plan<'a> {
         let asked = evolution::asked(&loaded.model);
         let (record, remarks) = evolution::follow(loaded, start, &asked, &self.interrupt, self.quiet)?;
         notes.extend(remarks);
+        if record.status != "finished" {
+            notes.push(format!("Over many turns: {}", record.message));
+        }
         Ok(Some(record))
     }
 

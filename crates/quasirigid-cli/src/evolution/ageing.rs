@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{
-    DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage,
+    DriftLimits, DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
@@ -73,10 +73,18 @@ impl Ageing {
     }
 
     /// Where the evolution starts: at a target, or at the initial state.
-    pub fn start(&self, evolution: &Evolution, from: Option<Target>) -> Result<Stage, Failure> {
+    pub fn start(&self, evolution: &Evolution, from: Option<Target>, free: bool) -> Result<Stage, Failure> {
+        let energy = self.initial.energy();
+        if energy == 0.0 {
+            return Err(Failure::AtRest);
+        }
+        if !energy.is_finite() {
+            return Err(Failure::BoundlessSpin);
+        }
         match from {
             Some(target) => self.stage(evolution, target),
-            None => Stage::of(&self.initial).ok_or(Failure::Steady),
+            None if free => Stage::of(&self.initial).ok_or(Failure::Steady),
+            None => Ok(Stage::of(&self.initial).unwrap_or(Stage::steady(self.initial.mode()))),
         }
     }
 
@@ -84,7 +92,9 @@ impl Ageing {
         let [I1, _, I3] = self.principal.moments;
         match target {
             Target::Ratio(ratio) => evolution.stage(ratio).ok_or(Failure::NoStage { ratio, least: I1 / I3 }),
-            Target::Wobble(angle) => evolution.wobbling(angle).ok_or(Failure::NoShortAxis),
+            Target::Wobble(angle) => {
+                evolution.wobbling(angle).ok_or(Failure::NoShortAxis { moments: self.principal.moments })
+            }
         }
     }
 
@@ -106,6 +116,14 @@ impl Ageing {
         }
     }
 
+    /// How far a drift is followed: not beyond the slowest elastic frequency.
+    pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, Failure> {
+        let duration = asked.duration.ok_or(Failure::NoEvolutionDuration)?;
+        let target = asked.until.map(|target| self.stage(evolution, target)).transpose()?;
+        let fastest = self.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
+        Ok(DriftLimits { target, fastest, ..DriftLimits::until(duration) })
+    }
+
     pub fn drifting(&self, stage: Stage) -> DriftState {
         let circled = self.initial.omega(0.0)[stage.mode.circled()];
         let side = if circled < 0.0 { -1.0 } else { 1.0 };
@@ -117,8 +135,9 @@ impl Ageing {
         let mut columns: Vec<Column> = COLUMNS
             .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
             .into();
+        let ended = rows.status == "interrupted"; // what a drift has reached is still told
         for i in 0..rows.states.len() {
-            if interrupt.pressed() {
+            if interrupt.pressed() && !ended {
                 rows.states.truncate(i);
                 rows.status = "interrupted";
                 break;
@@ -154,6 +173,7 @@ impl Ageing {
         evolution: &Evolution,
         from: Stage,
         rows: &Rows,
+        asked: &Asked,
         time_range: Option<[f64; 2]>,
         columns: Vec<Column>,
     ) -> EvolutionRecord {
@@ -165,6 +185,7 @@ impl Ageing {
             sentence: String::new(),
             method: self.method(),
             status: rows.status.into(),
+            message: words::message(rows, asked, ages),
             momentum: self.initial.momentum(),
             mode_start: mode(from.mode).into(),
             mode_end: mode(to.mode).into(),
@@ -187,7 +208,10 @@ impl Ageing {
             resonances: self.resonances(evolution, from, to),
             columns,
         };
-        record.sentence = words::sentence(&record);
+        record.sentence = words::sentence(&record, rows.drift.as_ref());
+        if !ages && self.by_polynomial && self.response.mean_power(&evolution.motion(from)) > 0.0 {
+            record.sentence = words::lossless(self.order);
+        }
         record
     }
 

@@ -4,6 +4,8 @@ mod ageing;
 mod rows;
 mod words;
 
+use std::ops::ControlFlow;
+
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, SlowTorque, Stage};
 use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
@@ -74,15 +76,17 @@ pub fn follow(
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
     let ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
     let evolution = ageing.evolution();
-    let from = ageing.start(&evolution, asked.from)?;
+    let from = ageing.start(&evolution, asked.from, torque.is_none())?;
+    let bar = Bar::new("averaging", quiet);
     let mut rows = if torque.is_none() {
         Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
     } else {
-        let duration = asked.duration.ok_or(Failure::NoEvolutionDuration)?;
-        let ending = asked.until.map(|target| ageing.stage(&evolution, target)).transpose()?;
-        Rows::of_drift(&ageing, torque, ageing.drifting(from), duration, ending, asked.samples)
+        let limits = ageing.limits(&evolution, asked)?;
+        Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, |share| {
+            bar.show(share);
+            if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
     };
-    let bar = Bar::new("averaging", quiet);
     let columns = ageing.columns(&mut rows, interrupt, &bar);
     bar.clear();
     let time_range = match &model.extremes {
@@ -91,8 +95,9 @@ pub fn follow(
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
+    notes.extend(words::uncertain(&rows));
     notes.extend(waves(loaded, norm(start.omega)));
-    Ok((ageing.record(&evolution, from, &rows, time_range, columns), notes))
+    Ok((ageing.record(&evolution, from, &rows, asked, time_range, columns), notes))
 }
 
 /// Times (s) of the same way at both ends of what is known of the materials.

@@ -1,4 +1,8 @@
-use quasirigid::averaging::{Drift, DriftEnding, DriftState, Evolution, Passage, SlowTorque, Stage};
+use std::ops::ControlFlow;
+
+use quasirigid::averaging::{
+    Drift, DriftHistory, DriftLimits, DriftState, Evolution, Passage, SlowTorque, Stage,
+};
 
 use super::ageing::Ageing;
 
@@ -8,7 +12,11 @@ pub struct Rows<'e> {
     pub states: Vec<DriftState>,
     /// What the times of the states are still to be found from.
     evolution: Option<Evolution<'e>>,
+    /// How the drift went, where there is a torque.
+    pub drift: Option<DriftHistory>,
     pub status: &'static str,
+    /// Estimated error of the time of the last state (s).
+    pub error: f64,
 }
 
 impl<'e> Rows<'e> {
@@ -18,34 +26,29 @@ impl<'e> Rows<'e> {
         let state = |stage| DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 };
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
-        Self { first: state(from), states, evolution: Some(*evolution), status: "finished" }
+        let evolution = Some(*evolution);
+        Self { first: state(from), states, evolution, drift: None, status: "finished", error: 0.0 }
     }
 
-    /// Even times; the rows end where the target is reached.
+    /// Even times; the last row is the end, located whatever the times.
     pub fn of_drift(
         ageing: &Ageing,
         torque: SlowTorque,
         start: DriftState,
-        duration: f64,
-        ending: Option<Stage>,
+        limits: DriftLimits,
         samples: usize,
+        progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Self {
         let last = samples.saturating_sub(1).max(1);
-        let times: Vec<f64> = (0..samples).map(|i| duration * i as f64 / last as f64).collect();
-        let (mut states, outcome) =
-            Drift::new(ageing.power(), &ageing.principal, torque).follow(start, &times);
-        if let Some(target) = ending {
-            let evolution = ageing.evolution();
-            let wanted = evolution.ratio(target);
-            let reached = states.iter().position(|state| evolution.ratio(state.stage) >= wanted);
-            states.truncate(reached.map_or(states.len(), |reached| reached + 1));
+        let times: Vec<f64> = (0..samples).map(|i| limits.end * i as f64 / last as f64).collect();
+        let drift = Drift::new(ageing.power(), &ageing.principal, torque);
+        let mut history = drift.follow(start, &times, &limits, progress);
+        let mut states = std::mem::take(&mut history.states);
+        if states.last().is_none_or(|state| state.t < history.end.t) {
+            states.push(history.end);
         }
-        let status = match outcome {
-            DriftEnding::Finished => "finished",
-            DriftEnding::Held => "held",
-            DriftEnding::Failed(_) => "failed",
-        };
-        Self { first: start, states, evolution: None, status }
+        let status = history.ending.word();
+        Self { first: start, states, evolution: None, drift: Some(history), status, error: 0.0 }
     }
 
     /// Whether the angular momentum stays.
@@ -58,19 +61,19 @@ impl<'e> Rows<'e> {
         self.states.last().copied().unwrap_or(self.first)
     }
 
-    /// Time (s) of the first row in another mode than the first one.
+    /// Time (s) of the first passage through the separatrix under a torque.
     pub fn crossing(&self) -> Option<f64> {
-        let crossed = self.states.iter().find(|state| state.stage.mode != self.first.stage.mode);
-        crossed.map(|state| state.t)
+        self.drift.as_ref().and_then(|drift| drift.passages.first()).map(|passage| passage.t)
     }
 
     /// A row with its time and turns, from the row before it.
     pub fn advance(&mut self, i: usize) -> DriftState {
         if let (Some(evolution), Some(before)) = (&self.evolution, i.checked_sub(1)) {
             let before = self.states[before];
-            let Passage { time, turns } = evolution.passage(before.stage, self.states[i].stage);
+            let Passage { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
             self.states[i].t = before.t + time;
             self.states[i].turns = before.turns + turns;
+            self.error += error.abs();
         }
         self.states[i]
     }

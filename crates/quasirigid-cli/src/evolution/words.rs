@@ -2,10 +2,12 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::averaging::{MeanPower, Stage};
+use quasirigid::averaging::{DriftEnding, DriftHistory, MeanPower, Stage};
 use quasirigid_io::record::{Column, EvolutionRecord};
 
+use super::Asked;
 use super::ageing::Ageing;
+use super::rows::Rows;
 use crate::describe::{count, dissipation, significant, time};
 use crate::layout::paragraph;
 
@@ -13,9 +15,53 @@ use crate::layout::paragraph;
 const ROWS: usize = 11;
 /// The two roads to the power differ by more than this where the paper's theory ends.
 const APART: f64 = 0.1;
+/// Relative error of a time that is worth a word.
+const UNCERTAIN: f64 = 1e-6;
+/// Probabilities as near as this are equal.
+const ROUNDING: f64 = 1e-9;
+
+/// How it ended, in a sentence.
+pub fn message(rows: &Rows, asked: &Asked, ages: bool) -> String {
+    let reached = time(rows.last().t);
+    let ending = rows.drift.as_ref().map(|drift| drift.ending);
+    match (rows.status, ending) {
+        ("interrupted", _) => {
+            format!("Interrupted when {reached} of the evolution were followed; the table holds up to there.")
+        }
+        ("finished", Some(DriftEnding::Target)) => format!("The target was reached after {reached}."),
+        ("finished", Some(_)) => format!("The rotation was followed for {reached}, as asked."),
+        (_, Some(ending)) => format!("Ended after {reached}: {ending}."),
+        _ if !ages => "Nothing is dissipated, so that the end is never reached.".into(),
+        _ if asked.duration == Some(rows.last().t) => {
+            format!("The rotation was followed for {reached}, as asked.")
+        }
+        _ if asked.until.is_some() => format!("The target was reached after {reached}."),
+        _ => format!("All but 1 % of the energy of the wobble was lost after {reached}."),
+    }
+}
+
+/// A power that the equations followed do not hold.
+pub fn lossless(order: usize) -> String {
+    format!(
+        "Nothing is dissipated by the reduced equations of order {order}, though the body loses energy in the harmonics of its \
+         wobble: take a higher --order, or --power harmonics."
+    )
+}
+
+/// A time that is known to a few digits only.
+pub fn uncertain(rows: &Rows) -> Option<String> {
+    let share = rows.error / rows.last().t;
+    (share > UNCERTAIN).then(|| {
+        format!(
+            "The time is known to {} % only: the mean power could not be computed any better, as the moments of this body are \
+             very different, or its resonances very narrow.",
+            significant(100.0 * share, 2)
+        )
+    })
+}
 
 /// The answer in a sentence or two.
-pub fn sentence(record: &EvolutionRecord) -> String {
+pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> String {
     let wobble = column(&record.columns, "nutation_max");
     let [from, to] = [wobble.first(), wobble.last()].map(|angle| angle.copied().unwrap_or(f64::NAN));
     let [first, last] = [from, to].map(|angle| significant(angle.to_degrees(), 3));
@@ -26,24 +72,49 @@ pub fn sentence(record: &EvolutionRecord) -> String {
         format!(" ({} to {} over the ranges of the materials)", time(least), time(greatest))
     });
     let taken = format!("in {}{range}, {} turns", time(record.time), count(record.turns));
-    if record.mode_start == record.mode_end {
-        let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
-        let verb = if to > from { "grows" } else { "falls" };
+    let crossed = record.separatrix_time.map_or_else(String::new, |seconds| {
+        let probability =
+            drift.and_then(|drift| drift.passages.first()).map_or(0.5, |passage| passage.probability);
+        format!(" It passes the separatrix after {}{}.", time(seconds), odds(probability))
+    });
+    let drifted = drift.map_or_else(String::new, |drift| {
+        let [before, after] = [record.momentum, drift.end.momentum].map(|G| significant(G, 4));
+        let died_out =
+            drift.died_out.map_or_else(String::new, |t| format!(" Its wobble died out after {}.", time(t)));
+        format!("{died_out} The angular momentum went from {before} to {after} N m s.")
+    });
+    let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
+    if record.mode_start != record.mode_end {
         return format!(
-            "The wobble about the axis of {axis} inertia {verb} from {first} to {last} degrees {taken}, {} mode throughout.",
-            record.mode_start
+            "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} degrees {taken}.{crossed}{drifted}",
+            record.mode_start, record.mode_end
         );
     }
-    let crossed = record.separatrix_time.map_or_else(String::new, |seconds| {
-        format!(
-            " It passes the separatrix after {}; both senses of the final spin are equally likely.",
-            time(seconds)
-        )
-    });
+    if record.separatrix_time.is_some() {
+        return format!(
+            "The rotation turns over: it comes to circle the other side of the axis of {axis} inertia, and ends with a wobble \
+             of {last} degrees {taken}.{crossed}{drifted}"
+        );
+    }
+    if from == 0.0 && to == 0.0 {
+        return format!("The spin about the axis of {axis} inertia stays steady {taken}.{drifted}");
+    }
+    let verb = if to > from { "grows" } else { "falls" };
     format!(
-        "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} degrees {taken}.{crossed}",
-        record.mode_start, record.mode_end
+        "The wobble about the axis of {axis} inertia {verb} from {first} to {last} degrees {taken}, {} mode throughout.{drifted}",
+        record.mode_start
     )
+}
+
+/// What is known of the side that is entered at the separatrix.
+fn odds(probability: f64) -> String {
+    if probability > 1.0 - ROUNDING {
+        String::new()
+    } else if (probability - 0.5).abs() < ROUNDING {
+        "; both senses of the final spin are equally likely".into()
+    } else {
+        format!("; the sense followed has the probability {}", significant(probability, 2))
+    }
 }
 
 /// What the reader should know before the numbers.
@@ -88,7 +159,8 @@ pub fn text(name: &str, record: &EvolutionRecord) -> String {
 }
 
 fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
-    writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
+    let first = if record.status == "finished" { String::new() } else { format!("{} ", record.message) };
+    writeln!(out, "{}", paragraph(&format!("{name}: {first}{}", record.sentence), "", "  "))?;
     table(out, &record.columns)?;
     writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
     writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;

@@ -17,4 +17,5 @@ mod simulate;
 mod simulate_refusals;
 mod structures;
 mod support;
+mod torques;
 mod width;

@@ -15,8 +15,12 @@ pub struct EvolutionRecord {
     pub sentence: String,
     /// How the mean power was computed, in words.
     pub method: String,
-    /// `finished`, `interrupted`, `held` (at the separatrix, by the torque) or `failed`.
+    /// `finished` (the time or the target reached), `interrupted`, or how a torque ended the evolution before: `held` (at the
+    /// separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
     pub status: String,
+    /// How it ended, in a sentence.
+    #[serde(default)]
+    pub message: String,
     /// Angular momentum `|K|` at the start (N·m·s).
     #[serde(with = "number")]
     pub momentum: f64,
@@ -30,7 +34,7 @@ pub struct EvolutionRecord {
     /// The same at the end.
     #[serde(with = "number")]
     pub ratio_end: f64,
-    /// Time from the start to the end (s); infinite where the end is never reached.
+    /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number")]
     pub time: f64,
     /// Least and greatest of that time (s) over the ranges of the materials; none where they have no ranges.

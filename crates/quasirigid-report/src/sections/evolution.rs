@@ -44,14 +44,20 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
     }
 }
 
-/// The answer, under a warning where the evolution was not followed to its end.
+/// The answer, under a warning with the reason where the evolution ended before what was asked.
 fn sentence(evolution: &EvolutionRecord) -> Markup {
     let (verdict, words) = match evolution.status.as_str() {
-        "finished" | "held" => return html! { p.lead { (evolution.sentence) } },
-        "interrupted" => (Verdict::Marginal, "Interrupted"),
-        _ => (Verdict::Fails, "Failed"),
+        "finished" => return html! { p.lead { (evolution.sentence) } },
+        "interrupted" => (Verdict::Marginal, "Interrupted."),
+        "failed" | "step-limit" => (Verdict::Fails, "Failed."),
+        _ => (Verdict::Marginal, "Ended early."),
     };
-    html! { div.verdict.(verdict.class()) { (verdict.icon()) p { strong { (words) } " " (evolution.sentence) } } }
+    html! {
+        div.verdict.(verdict.class()) {
+            (verdict.icon())
+            p { strong { (words) } " " (evolution.message) " " (evolution.sentence) }
+        }
+    }
 }
 
 fn separatrix(evolution: &EvolutionRecord, seconds: f64) -> Markup {
@@ -87,7 +93,8 @@ fn time(evolution: &EvolutionRecord) -> Markup {
             format!("{} to {} over the ranges of the materials", until(least), until(greatest))
         }
     };
-    tile("End reached after", html! { (until(evolution.time)) }, html! { (remark) })
+    let title = if evolution.status == "finished" { "End reached after" } else { "Followed for" };
+    tile(title, html! { (until(evolution.time)) }, html! { (remark) })
 }
 
 fn turns(evolution: &EvolutionRecord) -> Markup {
@@ -277,6 +284,7 @@ fn details(evolution: &EvolutionRecord) -> Markup {
         &[
             ("Method", html! { (evolution.method) }),
             ("Status", html! { (evolution.status) }),
+            ("End", html! { (evolution.message) }),
             (
                 "Small wobble about the axis of greatest inertia, decay by e",
                 html! { (until(evolution.damping_time)) },

@@ -81,6 +81,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
             .into(),
         method: "harmonics of the polhode through the linear response of the body, with the rheology of each material".into(),
         status: "finished".into(),
+        message: "The target was reached.".into(),
         momentum: MOMENTUM,
         mode_start: mode(ratio_start).into(),
         mode_end: mode(END).into(),

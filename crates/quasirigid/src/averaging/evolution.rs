@@ -2,7 +2,7 @@ use std::f64::consts::TAU;
 
 use super::poinsot::FreeRotation;
 use super::power::MeanPower;
-use crate::math::quadrature::integral;
+use crate::math::quadrature::{Integral, integral};
 use crate::model::Mode;
 
 /// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
@@ -23,6 +23,12 @@ pub struct Stage {
 }
 
 impl Stage {
+    /// Steady spin about the axis of a mode, `ξ = ∞`: it ages only under a torque.
+    #[must_use]
+    pub fn steady(mode: Mode) -> Self {
+        Self { mode, xi: f64::INFINITY }
+    }
+
     /// The stage of a motion; none at an axis, where nothing ages.
     #[must_use]
     pub fn of(motion: &FreeRotation) -> Option<Self> {
@@ -38,6 +44,8 @@ pub struct Passage {
     pub time: f64,
     /// Turns about the angular momentum, `∫ (2E/G) dt / 2π`.
     pub turns: f64,
+    /// Estimated error of the time (s): tiny unless rounding or a thicket of resonances hides the power.
+    pub error: f64,
 }
 
 /// Distance from the separatrix, as `ξ`, below which nothing is left to integrate: `e^{−40}`.
@@ -93,10 +101,12 @@ impl<'a> Evolution<'a> {
     }
 
     /// The stage with this greatest angle (rad) between the momentum and the axis of greatest inertia; none of a body that has
-    /// no such axis.
+    /// no such axis, as its two greatest moments are equal.
     #[must_use]
     pub fn wobbling(&self, angle: f64) -> Option<Stage> {
-        Stage::of(&FreeRotation::at_nutation(self.moments, self.G, Mode::ShortAxis, angle))
+        let mode = Mode::ShortAxis;
+        mode.exists(self.moments)
+            .then(|| Stage { mode, xi: FreeRotation::logit_of(self.moments, mode, angle) })
     }
 
     /// The stage where a share is left of the energy that a stage has above the steady spin about the axis of greatest
@@ -214,14 +224,15 @@ impl<'a> Evolution<'a> {
 
     fn between(&self, from: f64, to: f64) -> Passage {
         let mut slowness = |x: f64| self.slowness(x);
-        let mut sum = [0.0; 2];
+        let mut passage = Passage { time: 0.0, turns: 0.0, error: 0.0 };
         let ends = if from < 0.0 && to > 0.0 { vec![from, 0.0, to] } else { vec![from, to] };
         for [a, b] in ends.array_windows() {
-            let part = integral(&mut slowness, *a, *b, TOLERANCE);
-            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+            let Integral { value: [time, turns], error } = integral(&mut slowness, *a, *b, TOLERANCE);
+            passage.time += time;
+            passage.turns += turns;
+            passage.error += error[0];
         }
-        let [time, turns] = sum;
-        Passage { time, turns }
+        passage
     }
 
     /// Time (s) and turns per unit of the way.

@@ -14,7 +14,7 @@ mod rows;
 mod slow_torque;
 
 pub use crossing::Crossing;
-pub use drift::{Drift, DriftEnding, DriftState};
+pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, SeparatrixPassage};
 pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;

@@ -95,13 +95,14 @@ impl FreeRotation {
     /// `nutation` (rad), above 0 and below a right angle. It starts as [`at_ratio`](Self::at_ratio) says.
     #[must_use]
     pub fn at_nutation(moments: [f64; 3], G: f64, mode: Mode, nutation: f64) -> Self {
-        let [I1, I2, I3] = moments;
-        let square = nutation.sin().powi(2);
-        let ratio = match mode {
-            Mode::ShortAxis => 1.0 / (1.0 + square * (I3 - I2) / I2),
-            Mode::LongAxis => I1 / I3 / (1.0 - square * (I2 - I1) / I2),
-        };
-        Self::at_ratio(moments, G, ratio)
+        Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation))
+    }
+
+    /// The place `ξ` where the greatest angle between the momentum and the circled axis is `nutation` (rad), above 0 and below
+    /// a right angle: `e^ξ = I₂/(I tan²θ)` with the moment `I` of that axis.
+    #[must_use]
+    pub fn logit_of(moments: [f64; 3], mode: Mode, nutation: f64) -> f64 {
+        (moments[1] / moments[mode.circled()]).ln() - 2.0 * nutation.tan().ln()
     }
 
     /// Which axis the momentum circles.

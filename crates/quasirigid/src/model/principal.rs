@@ -40,6 +40,26 @@ impl Mode {
             Self::LongAxis => 0,
         }
     }
+
+    /// The other mode.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::ShortAxis => Self::LongAxis,
+            Self::LongAxis => Self::ShortAxis,
+        }
+    }
+
+    /// Whether a body with these principal moments (kg·m²), ascending, can wobble about the axis of this mode: not where the
+    /// moment of that axis is the middle one too.
+    #[must_use]
+    pub fn exists(self, [I1, I2, I3]: [f64; 3]) -> bool {
+        let gap = match self {
+            Self::ShortAxis => I3 - I2,
+            Self::LongAxis => I2 - I1,
+        };
+        gap > DISTINCT * I3
+    }
 }
 
 /// Moments closer than this, relative to the largest, are those of a body of revolution.

@@ -1,7 +1,10 @@
 //! Slow external torques: energy and momentum drift together.
 
+use std::ops::ControlFlow;
+
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, SlowTorque, Stage,
+    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, FreeRotation, MeanPower,
+    PolynomialPower, SlowTorque, Stage,
 };
 use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
 use quasirigid::math::rotation::ALIGNED;
@@ -11,6 +14,11 @@ use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 
 use crate::evolution::tumbler;
+
+/// To the last of some times, with nothing to interrupt it.
+fn followed(drift: &Drift, start: DriftState, times: &[f64]) -> DriftHistory {
+    drift.follow(start, times, &DriftLimits::until(times[times.len() - 1]), |_| ControlFlow::Continue(()))
+}
 
 fn start(stage: Stage, momentum: f64) -> DriftState {
     DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 }
@@ -26,9 +34,17 @@ fn drift_without_torque_is_the_evolution() {
     let [long, short] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| move |xi| Stage { mode, xi });
     for (from, to) in [(short(-1.0), short(3.0)), (long(2.0), long(-3.0)), (long(1.0), short(2.0))] {
         let passage = evolution.passage(from, to);
-        let (states, ending) = drift.follow(start(from, 15.0), &[0.5 * passage.time, passage.time]);
-        assert_eq!(ending, DriftEnding::Finished);
-        let [_, last] = states[..] else { panic!("two states") };
+        let found = followed(&drift, start(from, 15.0), &[0.5 * passage.time, passage.time]);
+        assert_eq!(found.ending, DriftEnding::Finished);
+        let [_, last] = found.states[..] else { panic!("two states") };
+        assert_eq!(last, found.end);
+        let crossed = found.passages.iter().map(|passage| passage.t).next();
+        let expected = evolution.separatrix_time(from, to);
+        assert_eq!(crossed.is_some(), expected.is_some());
+        if let (Some(crossed), Some(expected)) = (crossed, expected) {
+            assert!((crossed / expected - 1.0).abs() < 1e-8, "{crossed} {expected}");
+            assert_eq!(found.passages[0].probability, 0.5);
+        }
         assert_eq!(last.stage.mode, to.mode);
         assert!((last.stage.xi - to.xi).abs() < 1e-6, "{last:?} {to:?}");
         assert!((last.turns / passage.turns - 1.0).abs() < 1e-7, "{last:?} {passage:?}");
@@ -61,12 +77,12 @@ fn steady_spins_follow_their_closed_laws() {
         let mut constant = [0.0; 3];
         constant[axis] = 3e-6;
         let torque = SlowTorque { constant, drag: 0.0 };
-        let (states, _) = Drift::new(&rigid, &principal, torque).follow(start(stage, 5.0), &times);
+        let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
         for (state, t) in states.iter().zip(times) {
             assert!((state.momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
         }
         let torque = SlowTorque { constant: [0.0; 3], drag: 1e-5 };
-        let (states, _) = Drift::new(&rigid, &principal, torque).follow(start(stage, 5.0), &times);
+        let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
         let slowed = (-1e-5 * times[0] / moments[axis]).exp();
         assert!((states[0].momentum / (5.0 * slowed) - 1.0).abs() < 1e-8, "{states:?}");
     }
@@ -98,9 +114,9 @@ fn drift_is_that_of_the_reduced_equations() {
         let evolution = Evolution::new(&power, G);
         let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);
         let drift = Drift::new(&power, &principal, torque);
-        let (states, ending) = drift.follow(start(evolution.stage(ratio).unwrap(), G), &[duration]);
-        assert_eq!(ending, DriftEnding::Finished);
-        let (last, state) = (&samples[1], states[0]);
+        let found = followed(&drift, start(evolution.stage(ratio).unwrap(), G), &[duration]);
+        assert_eq!(found.ending, DriftEnding::Finished);
+        let (last, state) = (&samples[1], found.end);
         let reached = Evolution::new(&power, state.momentum).motion(state.stage);
         println!(
             "weaker by {weakness}: |K| {:.6} {:.6}, E {:.6} {:.6} of {:.6}",

@@ -17,6 +17,7 @@ mod budget;
 mod cutting;
 mod degrees;
 mod drift;
+mod drift_endings;
 mod ellipsoids;
 mod forces;
 mod forms;

@@ -1,0 +1,109 @@
+use std::fmt;
+
+use super::{DriftState, SeparatrixPassage};
+use crate::math::ode::StepError;
+
+/// A drift as it was followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DriftHistory {
+    /// States at the times asked for, as far as it came.
+    pub states: Vec<DriftState>,
+    /// Where it ended, located to rounding whatever the times asked for.
+    pub end: DriftState,
+    /// Why it ended.
+    pub ending: DriftEnding,
+    /// Passages through the separatrix, in their order.
+    pub passages: Vec<SeparatrixPassage>,
+    /// When the wobble first died out (s); none if it did not, or was none from the start.
+    pub died_out: Option<f64>,
+    /// Steps of the integration.
+    pub steps: u64,
+}
+
+/// Why a drift ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriftEnding {
+    /// The last time was reached.
+    Finished,
+    /// The target was reached.
+    Target,
+    /// The separatrix was reached, and no way leads away from it.
+    Held,
+    /// The angular momentum fell to the share of its start that counts as rest.
+    Rest {
+        /// That share.
+        share: f64,
+    },
+    /// The body turns as fast as the average allows.
+    SpunUp {
+        /// Its rate about the angular momentum (rad/s).
+        rate: f64,
+    },
+    /// The steps allowed were used up.
+    StepLimit {
+        /// Their number.
+        steps: u64,
+    },
+    /// The caller asked for an end.
+    Interrupted,
+    /// No step could be made.
+    Failed(StepError),
+}
+
+impl DriftEnding {
+    /// Whether what was asked for was done: the last time or the target reached.
+    #[must_use]
+    pub fn done(&self) -> bool {
+        matches!(self, Self::Finished | Self::Target)
+    }
+
+    /// The ending in a word: `finished`, `held`, `rest`, `spun-up`, `step-limit`, `interrupted`, `failed`.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Finished | Self::Target => "finished",
+            Self::Held => "held",
+            Self::Rest { .. } => "rest",
+            Self::SpunUp { .. } => "spun-up",
+            Self::StepLimit { .. } => "step-limit",
+            Self::Interrupted => "interrupted",
+            Self::Failed(_) => "failed",
+        }
+    }
+}
+
+impl fmt::Display for DriftEnding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finished => f.write_str("the time asked for is over"),
+            Self::Target => f.write_str("the target is reached"),
+            Self::Held => f.write_str(
+                "the rotation is held at the separatrix: it is driven there from every side, and keeps changing between \
+                 circling the axis of least and that of greatest inertia; nothing that an average could follow is left",
+            ),
+            Self::Rest { share } => write!(
+                f,
+                "the angular momentum has fallen to {share:e} of its start: the body is all but at rest, and the average over \
+                 its rotation ends; what follows depends on torques that do not vanish with the spin"
+            ),
+            Self::SpunUp { rate } => write!(
+                f,
+                "the torque has spun the body up to {rate:.3e} rad/s, the slowest elastic frequency: from there on neither the \
+                 frozen body nor the average holds"
+            ),
+            Self::StepLimit { steps } => write!(
+                f,
+                "{steps} steps of the integration were used up: the drift changes too often for an average over so long a time"
+            ),
+            Self::Interrupted => f.write_str("interrupted"),
+            Self::Failed(StepError::TooSmall { .. }) => f.write_str(
+                "no step could be made: the rates change within the resolution of time; is a torque so strong that it acts in \
+                 one turn? `simulate` follows that",
+            ),
+            Self::Failed(StepError::NotFinite { .. }) => f.write_str(
+                "no step could be made: the mean power or the torque is no finite number there; look for values in the model \
+                 that are many orders of magnitude from the others",
+            ),
+        }
+    }
+}

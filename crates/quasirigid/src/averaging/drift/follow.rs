@@ -1,0 +1,222 @@
+use std::ops::ControlFlow;
+
+use super::ending::{DriftEnding, DriftHistory};
+use super::rates::Rates;
+use super::separatrix::SEPARATRIX;
+use super::{Drift, DriftLimits, DriftState};
+use crate::averaging::evolution::Stage;
+use crate::math::bisection::bisected;
+use crate::math::ode::{Dop853, Solver};
+use crate::math::simd::Plain;
+use crate::model::Mode;
+
+/// Error allowed per step, in `ξ` and in the logarithm of `G`.
+const TOLERANCE: f64 = 1e-10;
+/// Places, as `ξ`, where a wobble counts as died out, and where it grows again should the steady spin become unstable: an angle
+/// of `e^{−40}` rad is always there.
+const DIED_OUT: f64 = 81.0;
+const SEED: f64 = 80.0;
+
+/// Something that ends a part of the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Mark {
+    Target,
+    Rest,
+    SpunUp,
+    Separatrix,
+    DiedOut,
+    Unstable,
+}
+
+const MARKS: [Mark; 6] =
+    [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::Separatrix, Mark::DiedOut, Mark::Unstable];
+
+/// A drift on its way.
+struct Way<'f, 'a> {
+    drift: &'f Drift<'a>,
+    start: DriftState,
+    times: &'f [f64],
+    limits: &'f DriftLimits,
+    /// Whether `D` lies below the target at the start.
+    below: bool,
+    steady: bool,
+    history: DriftHistory,
+}
+
+impl<'a> Drift<'a> {
+    /// Follows the drift from a state, with the states at ascending times (s), until something ends it. At the separatrix the
+    /// most probable region is entered, (A10); of two alike that on the positive side.
+    ///
+    /// `progress` is asked after each step, with the share of the time that is done; `Break` ends the drift there.
+    pub fn follow(
+        &self,
+        start: DriftState,
+        times: &[f64],
+        limits: &DriftLimits,
+        mut progress: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> DriftHistory {
+        let history = DriftHistory {
+            states: Vec::with_capacity(times.len()),
+            end: start,
+            ending: DriftEnding::Finished,
+            passages: Vec::new(),
+            died_out: None,
+            steps: 0,
+        };
+        let mut way = Way { drift: self, start, times, limits, below: false, steady: false, history };
+        way.set_out();
+        while let ControlFlow::Continue(()) = way.part(&mut progress) {}
+        way.history
+    }
+}
+
+impl<'f, 'a> Way<'f, 'a> {
+    fn set_out(&mut self) {
+        let y = self.y();
+        self.below = self.limits.target.is_some_and(|target| along(self.start.stage) < along(target));
+        self.steady = self.start.stage.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
+    }
+
+    /// The numbers that are integrated, at the state reached.
+    fn y(&self) -> [f64; 3] {
+        let DriftState { stage, momentum, turns, .. } = self.history.end;
+        [stage.xi.min(SEED), (momentum / self.start.momentum).ln(), turns]
+    }
+
+    fn rates(&self) -> Rates<'f, 'a> {
+        let DriftState { stage, side, .. } = self.history.end;
+        Rates {
+            drift: self.drift,
+            mode: stage.mode,
+            side,
+            momentum: self.start.momentum,
+            steady: self.steady,
+        }
+    }
+
+    fn state(&self, t: f64, y: &[f64; 3]) -> DriftState {
+        let DriftState { stage: Stage { mode, .. }, side, .. } = self.history.end;
+        let xi = if self.steady { f64::INFINITY } else { y[0] };
+        let momentum = self.start.momentum * y[1].exp();
+        DriftState { t, stage: Stage { mode, xi }, momentum, side, turns: y[2] }
+    }
+
+    /// One part of the way: in one region of the sphere of angular momentum, with a wobble or without.
+    fn part(&mut self, progress: &mut impl FnMut(f64) -> ControlFlow<()>) -> ControlFlow<()> {
+        let y = self.y();
+        let [first, length] = [self.start.t, self.limits.end - self.start.t];
+        self.outputs(self.history.end.t, |_| y);
+        let at_once =
+            [Mark::Target, Mark::Rest, Mark::SpunUp].into_iter().find(|mark| self.past(*mark, &y) >= 0.0);
+        if let Some(mark) = at_once {
+            return self.met(mark);
+        }
+        let allowed = [TOLERANCE, TOLERANCE, f64::INFINITY];
+        let mut solver = Dop853::<_, _, Plain>::new(self.rates(), self.history.end.t, y, allowed);
+        loop {
+            if solver.t() >= self.limits.end {
+                return self.ended(DriftEnding::Finished);
+            }
+            if self.history.steps >= self.limits.steps {
+                return self.ended(DriftEnding::StepLimit { steps: self.history.steps });
+            }
+            let before = solver.t();
+            if let Err(error) = solver.step(self.limits.end) {
+                return self.ended(DriftEnding::Failed(error));
+            }
+            self.history.steps += 1;
+            let (t, y) = (solver.t(), *solver.y());
+            let dense = solver.dense();
+            let place = |t: f64| if t < solver.t() { dense.at(t) } else { y };
+            let located =
+                |mark: Mark| (bisected([before, t], |t| self.past(mark, &place(t)), 0.0, true), mark);
+            let marks = MARKS.into_iter().filter(|mark| self.past(*mark, &y) > 0.0).map(located);
+            let next = marks.min_by(|a, b| a.0.total_cmp(&b.0));
+            let t = next.map_or(t, |(t, _)| t);
+            self.outputs(t, place);
+            self.history.end = self.state(t, &place(t));
+            if let Some((_, mark)) = next {
+                return self.met(mark);
+            }
+            if progress((t - first) / length).is_break() {
+                return self.ended(DriftEnding::Interrupted);
+            }
+        }
+    }
+
+    /// The states at times up to one.
+    fn outputs(&mut self, last: f64, place: impl Fn(f64) -> [f64; 3]) {
+        while let Some(t) = self.times.get(self.history.states.len()).copied().filter(|t| *t <= last) {
+            let state = self.state(t, &place(t));
+            self.history.states.push(state);
+        }
+    }
+
+    /// How far a state is past a mark: negative before it.
+    fn past(&self, mark: Mark, y: &[f64; 3]) -> f64 {
+        let mode = self.history.end.stage.mode;
+        match mark {
+            Mark::Target => match self.limits.target {
+                Some(target) if target.mode == mode => {
+                    let away = along(Stage { mode, xi: y[0] }) - along(target);
+                    if self.below { away } else { -away }
+                }
+                _ => f64::NEG_INFINITY,
+            },
+            Mark::Rest => self.limits.rest.ln() - y[1],
+            Mark::SpunUp => {
+                let motion = self.rates().motion(y[0], self.start.momentum * y[1].exp());
+                (2.0 * motion.energy() / motion.momentum() / self.limits.fastest).ln()
+            }
+            Mark::Separatrix => SEPARATRIX - y[0],
+            Mark::DiedOut if !self.steady => y[0] - DIED_OUT,
+            Mark::Unstable if self.steady => -self.rates().of(y)[0],
+            Mark::DiedOut | Mark::Unstable => f64::NEG_INFINITY,
+        }
+    }
+
+    /// What a mark means for the way.
+    fn met(&mut self, mark: Mark) -> ControlFlow<()> {
+        match mark {
+            Mark::Target => return self.ended(DriftEnding::Target),
+            Mark::Rest => return self.ended(DriftEnding::Rest { share: self.limits.rest }),
+            Mark::SpunUp => {
+                let DriftState { stage, momentum, .. } = self.history.end;
+                let motion = self.rates().motion(stage.xi, momentum);
+                return self.ended(DriftEnding::SpunUp { rate: 2.0 * motion.energy() / momentum });
+            }
+            Mark::Separatrix => {
+                self.history.end.stage.xi = SEPARATRIX;
+                let Some((state, passage)) = self.drift.onward(&self.history.end) else {
+                    return self.ended(DriftEnding::Held);
+                };
+                self.history.end = state;
+                self.history.passages.push(passage);
+            }
+            Mark::DiedOut => {
+                self.history.died_out.get_or_insert(self.history.end.t);
+                self.steady = true;
+                self.history.end.stage.xi = f64::INFINITY;
+            }
+            Mark::Unstable => {
+                self.steady = false;
+                self.history.end.stage.xi = SEED;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn ended(&mut self, ending: DriftEnding) -> ControlFlow<()> {
+        self.history.ending = ending;
+        ControlFlow::Break(())
+    }
+}
+
+/// Place of a stage on the way from the axis of least inertia to that of greatest: it rises with `D/I₃`.
+fn along(Stage { mode, xi }: Stage) -> f64 {
+    let from_separatrix = xi.max(SEPARATRIX) - SEPARATRIX;
+    match mode {
+        Mode::ShortAxis => from_separatrix,
+        Mode::LongAxis => -from_separatrix,
+    }
+}

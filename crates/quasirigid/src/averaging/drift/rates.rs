@@ -1,0 +1,83 @@
+use std::f64::consts::TAU;
+
+use super::Drift;
+use crate::averaging::poinsot::FreeRotation;
+use crate::math::ode::System;
+use crate::math::simd::Arithmetic;
+use crate::math::sym::{add, dot, scale};
+use crate::model::Mode;
+
+/// Rates of `ξ`, of the logarithm of `G`, and of the turns, in one mode and on one side.
+#[derive(Clone, Copy)]
+pub(super) struct Rates<'d, 'a> {
+    pub drift: &'d Drift<'a>,
+    pub mode: Mode,
+    pub side: f64,
+    /// Angular momentum that the logarithm is counted from.
+    pub momentum: f64,
+    /// Whether the wobble has died out, and stays so.
+    pub steady: bool,
+}
+
+/// Place, as `ξ`, beyond which nothing but the size of the wobble changes: `e^{−36}` is a rounding.
+const AXIS: f64 = 36.0;
+
+impl System<[f64; 3]> for Rates<'_, '_> {
+    fn rate<R: Arithmetic>(&mut self, _: f64, y: &[f64; 3], rate: &mut [f64; 3]) {
+        *rate = self.of(y);
+        if self.steady {
+            rate[0] = 0.0;
+        }
+    }
+}
+
+impl Rates<'_, '_> {
+    /// The rates at a state, of `ξ` also where the wobble has died out.
+    pub fn of(&self, y: &[f64; 3]) -> [f64; 3] {
+        self.at(y[0], self.momentum * y[1].exp())
+    }
+
+    /// The motion at a place and an angular momentum; that of a last trace of wobble where there is less.
+    pub fn motion(&self, xi: f64, G: f64) -> FreeRotation {
+        FreeRotation::at_logit(self.drift.moments, G, self.mode, xi.min(AXIS))
+    }
+
+    /// The rates at a place and an angular momentum. (A8)
+    pub fn at(&self, xi: f64, G: f64) -> [f64; 3] {
+        let Drift { moments, constant, drag, .. } = self.drift;
+        let motion = self.motion(xi, G);
+        let axis = self.mode.circled();
+        let mut torque = [0.0; 3];
+        torque[axis] = self.side * constant[axis];
+        // Torque along the momentum, and what it gives to the wobble: `±M·(ω − K/I)` with the moment of the circled axis.
+        let along = |omega: [f64; 3]| {
+            let K = [0, 1, 2].map(|i| moments[i] * omega[i]);
+            dot(add(torque, scale(-drag, omega)), K) / G
+        };
+        let away = |omega: [f64; 3]| {
+            let sum: f64 = (0..3).map(|i| (1.0 - moments[i] / moments[axis]) * omega[i] * omega[i]).sum();
+            -drag * sum
+        };
+        let growth = motion.mean(2, along) / G;
+        let work = motion.mean(2, away);
+        let power = self.drift.power.mean_power(&motion);
+        let gain = match self.mode {
+            Mode::ShortAxis => work - power,
+            Mode::LongAxis => power - work,
+        };
+        let excess = gain / motion.energy_from_axis() - 2.0 * growth;
+        [-excess / self.slope(xi.min(AXIS)), growth, 2.0 * motion.energy() / (G * TAU)]
+    }
+
+    /// `−d ln(X/G²)/dξ` for the energy `X` of the wobble.
+    fn slope(&self, xi: f64) -> f64 {
+        let [I1, I2, I3] = self.drift.moments;
+        let to_axis = 1.0 / (1.0 + xi.exp());
+        let to_separatrix = 1.0 / (1.0 + (-xi).exp());
+        let bend = match self.mode {
+            Mode::ShortAxis => (I3 - I2) * to_axis / (I3 - (I3 - I2) * to_axis),
+            Mode::LongAxis => -(I2 - I1) * to_axis / (I1 + (I2 - I1) * to_axis),
+        };
+        to_separatrix * (1.0 + bend)
+    }
+}

@@ -228,6 +228,9 @@ pub struct Evolve {
     /// Where the mean power comes from [default: the file's, or harmonics where a material needs them]
     #[arg(long, value_enum)]
     pub power: Option<Power>,
+    /// By which road [default: the file's, or the one that holds]
+    #[arg(long, value_enum)]
+    pub method: Option<EvolveMethod>,
     /// Form of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,
@@ -245,6 +248,18 @@ pub enum EvolveFormat {
     Text,
     /// The whole table
     Csv,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EvolveMethod {
+    /// The mean power along the polhode of the frozen body
+    Average,
+    /// The mean power measured by short runs of the full system
+    MicroRuns,
+    /// The full system from start to end
+    Direct,
+    /// The average at the rates of the modes about the steady spins
+    Modes,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -4,16 +4,18 @@ use quasirigid::dynamics::{
     Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Run, SlowState, SpinState,
     matched_start, propagate, propagate_forced, propagate_full,
 };
+use quasirigid::math::sym::norm;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::reduction::{frequencies, reduce};
+use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
 
 use crate::args::System;
 use crate::commands::Loaded;
 use crate::failure::Failure;
-use crate::rotation::slaved_order;
+use crate::rotation::{follows_its_spin, slaved_order};
 
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
@@ -112,10 +114,21 @@ impl<'a> Motion<'a> {
             None if slaved_order(self.body, 1, omega)? == 0 => {
                 FullState { place, velocity, ..FullState::at_rest(self.body, omega, attitude) }
             }
+            None if self.is_soft()? => {
+                let q = spun_displacements(self.body, omega).map_err(Failure::NoStart)?;
+                FullState { place, velocity, q, ..FullState::at_rest(self.body, omega, attitude) }
+            }
             None => self.start.settled(self.system(), self.order)?,
         };
         self.speeds.iter().for_each(|(coordinate, speed)| state.rate[*coordinate] = *speed);
         Ok(state)
+    }
+
+    /// Whether the slow manifold says nothing of the displacements at the start, so that these are those of a steady spin.
+    pub fn is_soft(&self) -> Result<bool, Failure> {
+        let omega = self.start.omega;
+        let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
+        Ok(asked && !follows_its_spin(self.body, &reduce(self.body, self.order)?, omega))
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, Failure> {

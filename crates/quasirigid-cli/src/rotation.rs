@@ -5,10 +5,12 @@ use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Mode, Principal};
+use quasirigid::math::sym::{inverse, norm, times};
+use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
+use quasirigid::modes::{Given, RelativeEquilibrium};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce};
-use quasirigid_io::model::{Model, Rotation};
+use quasirigid::secular::{manifold_has_meaning, spun_state};
+use quasirigid_io::model::{Displacements, Model, Rotation};
 
 use crate::describe::significant;
 use crate::failure::Failure;
@@ -17,27 +19,64 @@ use crate::failure::Failure;
 pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) -> Result<SpinState, Failure> {
     let rotation = model.initial.rotation.ok_or_else(|| Failure::NoSpin { file: file.into() })?;
     let principal = Principal::of(body.invariants().J);
-    let motion = match rotation {
-        Rotation::Spin(omega) => return Ok(SpinState { omega, attitude: model.initial.attitude }),
+    let attitude = model.initial.attitude;
+    let (K, rigid) = match rotation {
+        Rotation::Spin(omega) => return Ok(SpinState { omega, attitude }),
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
             let motion = observed.motion(principal.moments);
-            motion.map_err(|cause| Failure::Observed { file: file.into(), cause })?
+            momentum(&principal, &motion.map_err(|cause| Failure::Observed { file: file.into(), cause })?)
         }
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(principal.moments) {
                 let cause = NoWobble { moments: principal.moments, mode };
                 return Err(Failure::NoWobble { file: file.into(), cause });
             }
-            let momentum = rate * principal.moments[mode.circled()];
-            FreeRotation::at_nutation(principal.moments, momentum, mode, angle)
+            let size = rate * principal.moments[mode.circled()];
+            momentum(&principal, &FreeRotation::at_nutation(principal.moments, size, mode, angle))
         }
     };
+    if let Displacements::Given { q, .. } = &model.initial.displacements {
+        let mut q = q.clone();
+        q.resize(body.coordinates().len(), 0.0);
+        let omega = times(inverse(body.inertia_at(&q)), K);
+        return Ok(SpinState { omega, attitude });
+    }
+    let reduced = reduce(body, slaved_order(body, order, rigid)?)?;
+    let omega = reduced.Omega.vector(K);
+    if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
+        return Ok(SpinState { omega, attitude });
+    }
+    let K = match rotation {
+        Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,
+        _ => K,
+    };
+    let (omega, _) = spun_state(body, K).map_err(Failure::NoStart)?;
+    Ok(SpinState { omega, attitude })
+}
+
+/// An angular velocity this many times that of the frozen body is none that its angular momentum has.
+const FAR: f64 = 3.0;
+
+/// Angular momentum (N·m·s) and angular velocity (rad/s) of a motion of the frozen body, body axes.
+fn momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]) {
     let spin = motion.omega(0.0);
-    let K = principal.vector([0, 1, 2].map(|i| principal.moments[i] * spin[i]));
-    let order = slaved_order(body, order, spin)?;
-    let omega = reduce(body, order)?.Omega.vector(K);
-    Ok(SpinState { omega, attitude: model.initial.attitude })
+    let K = [0, 1, 2].map(|i| principal.moments[i] * spin[i]);
+    (principal.vector(K), principal.vector(spin))
+}
+
+/// Angular momentum (N·m·s) of a wobble of the body as its steady spin at this rate (rad/s) deforms it. (Q8)
+fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], Failure> {
+    let axis = Principal::of(body.invariants().J).axes[mode.circled()];
+    let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(Failure::NoStart)?;
+    let principal = Principal::of(body.inertia_at(&steady.q));
+    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle);
+    Ok(momentum(&principal, &motion).0)
+}
+
+/// Whether the displacements of a body follow its spin (rad/s) as the series of its slow manifold says. (Q8)
+pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 3]) -> bool {
+    reduced.order < 2 || manifold_has_meaning(body, reduced, spin)
 }
 
 /// A wobble about an axis that the body does not have.

@@ -2,14 +2,18 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::model::FlexibleBody;
+use quasirigid::math::sym::norm;
+use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
+use crate::commands::Loaded;
 use crate::describe::{significant, time};
 use crate::failure::Failure;
 use crate::layout::paragraph;
 
+/// Coordinates of a body whose modes take longer than a moment.
+const MANY: usize = 200;
 /// Modes listed for people.
 const LISTED: usize = 12;
 /// Shares of parts and dissipators listed for people.
@@ -19,6 +23,26 @@ const SHARES: usize = 4;
 pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
     let [least, _, greatest] = quasirigid::model::Principal::of(body.invariants().J).axes;
     [("greatest", greatest), ("least", least)].into_iter().map(|(name, axis)| spin(body, name, axis, given)).collect()
+}
+
+/// The steady spins at the angular velocity (rad/s) of the start; none where moments act, and of bodies of more coordinates than are
+/// looked at without being asked.
+pub fn at_start(loaded: &Loaded, omega: [f64; 3]) -> Result<Vec<SteadySpinRecord>, Failure> {
+    let Loaded { body, forces, .. } = loaded;
+    let driven = matches!(body.support(), Support::Prescribed { .. });
+    if !forces.is_empty() || driven || norm(omega) == 0.0 || body.coordinates().len() > MANY {
+        return Ok(Vec::new());
+    }
+    poles(body, Given::Rate(norm(omega)))
+}
+
+/// What the steady spins come to, a paragraph each.
+pub fn lines(spins: &[SteadySpinRecord]) -> String {
+    if spins.is_empty() {
+        return String::new();
+    }
+    let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
+    format!("\nSteady spins at this rate, with the small motions about them (quasirigid modes)\n{}", spins.iter().map(line).collect::<String>())
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.

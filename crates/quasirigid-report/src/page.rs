@@ -5,7 +5,7 @@ use crate::rows::main_history;
 use crate::sphere;
 
 use crate::sections::{
-    answer, body, evolution, figures, head, liquids, provenance, reduction, validity, verification,
+    answer, body, evolution, figures, head, liquids, modes, provenance, reduction, validity, verification,
 };
 
 const STYLE: &str = include_str!("assets/page.css");
@@ -38,6 +38,7 @@ pub fn page(record: &RunRecord) -> String {
                     (head::section(record))
                     (answer::section(record))
                     @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
+                    @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins)) }
                     (figures::section(record))
                     (validity::section(&record.validity))
                     @if let Some(verification) = &record.verification { (verification::section(verification)) }

@@ -7,6 +7,7 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::{self, dot, norm};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid_io::record::SteadySpinRecord;
 use serde_json::json;
 
 use super::{Loaded, initial, load, lossless, notes};
@@ -15,7 +16,7 @@ use crate::describe::{criterion, dissipation, reasons, shares, significant, time
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
-use crate::{Ending, output};
+use crate::{Ending, output, steady};
 
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
@@ -30,11 +31,13 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let reduced = reduce(body, *order)?;
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
     let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
+    let spins = steady::at_start(&loaded, omega)?;
     let text = if arguments.common.json {
-        object(&loaded, &validity, &budget)
+        object(&loaded, &validity, &budget, &spins)
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        text.push_str(&steady::lines(&spins));
         if let Some(words) = dissipation(&budget) {
             let power = significant(reduced.dissipated_power(omega), 3);
             let words = format!("At this spin {power} W are dissipated; {words}.");
@@ -54,7 +57,12 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
 }
 
-fn object(loaded: &Loaded, validity: &Validity, budget: &BTreeMap<String, f64>) -> String {
+fn object(
+    loaded: &Loaded,
+    validity: &Validity,
+    budget: &BTreeMap<String, f64>,
+    spins: &[SteadySpinRecord],
+) -> String {
     let criteria: Vec<_> = validity
         .criteria
         .iter()
@@ -83,6 +91,7 @@ fn object(loaded: &Loaded, validity: &Validity, budget: &BTreeMap<String, f64>) 
             .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
         "optimal_order": validity.optimal_order,
         "dissipation": budget,
+        "steady_spins": spins,
         "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
         "condensation": loaded.condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,

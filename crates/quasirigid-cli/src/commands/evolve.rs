@@ -1,4 +1,4 @@
-use quasirigid_io::model::{Power, Target};
+use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::history_csv;
 use serde_json::json;
 
@@ -28,6 +28,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         },
         samples: arguments.samples.map_or(file.samples, |samples| samples as usize),
         power: arguments.power.map(power).or(file.power),
+        method: arguments.method.map(method).or(file.method),
     };
     let interrupt = Interrupt::listen()?;
     let (record, remarks) = evolution::follow(&loaded, start, &asked, &interrupt, arguments.common.quiet)?;
@@ -59,6 +60,15 @@ fn power(power: args::Power) -> Power {
     match power {
         args::Power::Polynomial => Power::Polynomial,
         args::Power::Harmonics => Power::Harmonics,
+    }
+}
+
+fn method(method: args::EvolveMethod) -> EvolveMethod {
+    match method {
+        args::EvolveMethod::Average => EvolveMethod::Average,
+        args::EvolveMethod::MicroRuns => EvolveMethod::MicroRuns,
+        args::EvolveMethod::Direct => EvolveMethod::Direct,
+        args::EvolveMethod::Modes => EvolveMethod::Modes,
     }
 }
 

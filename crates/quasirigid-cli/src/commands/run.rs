@@ -17,7 +17,7 @@ use crate::message::remark;
 use crate::motion::Motion;
 use crate::output::Folder;
 use crate::progress::Collector;
-use crate::{Ending, evolution, output, record, verification};
+use crate::{Ending, evolution, output, record, steady, verification};
 
 /// Rows of a history when nothing says how many: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
@@ -58,7 +58,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         body: record::body(body),
         liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
-        steady_spins: Vec::new(),
+        steady_spins: steady::at_start(&loaded, start.omega)?,
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
         verification,

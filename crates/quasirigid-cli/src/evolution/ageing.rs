@@ -5,9 +5,11 @@ use quasirigid::averaging::{
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
+use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
 
+use super::road::{Refusal, Verdict};
 use super::rows::Rows;
 use super::{Asked, words};
 use crate::describe::shares;
@@ -28,8 +30,13 @@ pub struct Ageing {
     pub principal: Principal,
     pub response: Response,
     pub polynomial: PolynomialPower,
-    /// Whether the polynomial's power is the one followed.
+    /// Whether the polynomial's power is the one averaged, and whether the user said where it comes from.
     pub by_polynomial: bool,
+    pub power_was_asked: bool,
+    /// The power that is followed.
+    pub source: Box<dyn MeanPower>,
+    /// The road, what speaks for it, and what it knows beside the power.
+    pub verdict: Verdict,
     /// Rotation of the frozen body with the momentum at the start.
     pub initial: FreeRotation,
     pub order: usize,
@@ -52,11 +59,16 @@ impl Ageing {
         let K = principal.components(slaved.momentum(start.omega));
         let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
+        let (response, polynomial) = (Response::of(body)?, PolynomialPower::of(reduced));
+        let by_polynomial = !lossy && power.is_none() || power == Some(Power::Polynomial);
         Ok(Self {
             principal,
-            response: Response::of(body)?,
-            polynomial: PolynomialPower::of(reduced),
-            by_polynomial: !lossy && power.is_none() || power == Some(Power::Polynomial),
+            source: if by_polynomial { Box::new(polynomial.clone()) } else { Box::new(response.clone()) },
+            response,
+            polynomial,
+            by_polynomial,
+            power_was_asked: power.is_some(),
+            verdict: Verdict::average(None),
             initial: FreeRotation::through(principal.moments, frozen),
             order: reduced.order,
             lossy,
@@ -65,7 +77,56 @@ impl Ageing {
     }
 
     pub fn power(&self) -> &dyn MeanPower {
-        if self.by_polynomial { &self.polynomial } else { &self.response }
+        &*self.source
+    }
+
+    /// Takes the harmonics for the average.
+    pub fn take_harmonics(&mut self) {
+        (self.by_polynomial, self.source) = (false, Box::new(self.response.clone()));
+    }
+
+    /// The average as it stands.
+    pub fn copied(&self) -> Box<dyn MeanPower> {
+        if self.by_polynomial { Box::new(self.polynomial.clone()) } else { Box::new(self.response.clone()) }
+    }
+
+    /// The record of an evolution that no road leads along: a message, and the rates of the modes.
+    pub fn refused(&self, Refusal { message, rates }: Refusal) -> EvolutionRecord {
+        let verdict = Verdict { road: "none", rates, ..Verdict::default() };
+        let folding = |mode| verdict.folding(mode).unwrap_or(f64::NAN);
+        let (damping_time, growth_time) = (folding(Mode::ShortAxis), folding(Mode::LongAxis));
+        EvolutionRecord {
+            sentence: format!("NO ANSWER: {message}."),
+            road: "none".into(),
+            verdict: String::new(),
+            method: "none: no road holds here".into(),
+            status: "refused".into(),
+            message: format!("No answer: {message}."),
+            momentum: self.initial.momentum(),
+            mode_start: mode(self.initial.mode()).into(),
+            mode_end: mode(self.initial.mode()).into(),
+            ratio_start: f64::NAN,
+            ratio_end: f64::NAN,
+            time: f64::NAN,
+            time_error: None,
+            time_range: None,
+            turns: f64::NAN,
+            power: f64::NAN,
+            dissipation: std::collections::BTreeMap::new(),
+            separatrix_time: None,
+            lingering: None,
+            damping_time,
+            growth_time,
+            harmonics: Vec::new(),
+            resonances: Vec::new(),
+            columns: Vec::new(),
+        }
+    }
+
+    /// Takes another power, along the equivalent polhodes of the deformed body from an energy (J) on.
+    pub fn take(&mut self, source: Box<dyn MeanPower>, range: &EnergyRange, energy: f64) {
+        self.principal.moments = range.moments();
+        (self.source, self.initial) = (source, range.polhode(energy));
     }
 
     pub fn evolution(&self) -> Evolution<'_> {
@@ -143,7 +204,10 @@ impl Ageing {
                 break;
             }
             bar.show(i as f64 / rows.states.len() as f64);
-            let values = self.row(rows.advance(i));
+            let mut values = self.row(rows.advance(i));
+            if let Some(powers) = &rows.powers {
+                values[POWER] = powers[i];
+            }
             columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
         }
         columns
@@ -179,31 +243,34 @@ impl Ageing {
     ) -> EvolutionRecord {
         let last = rows.last();
         let to = last.stage;
-        let power = evolution.power(from);
-        let ages = power > 0.0 || !rows.steady();
+        let power = rows.powers.as_ref().map_or_else(|| evolution.power(from), |powers| powers[0]);
+        let ages = power > 0.0 || !rows.steady() || rows.powers.is_some();
         let mut record = EvolutionRecord {
             sentence: String::new(),
+            road: self.verdict.road.into(),
+            verdict: self.verdict.sentence.clone(),
             method: self.method(),
-            status: rows.status.into(),
-            message: words::message(rows, asked, ages),
+            status: if self.verdict.fails { "does-not-hold" } else { rows.status }.into(),
+            message: if self.verdict.fails { self.verdict.sentence.clone() } else { words::message(rows, asked, ages) },
             momentum: self.initial.momentum(),
             mode_start: mode(from.mode).into(),
             mode_end: mode(to.mode).into(),
             ratio_start: evolution.ratio(from),
             ratio_end: evolution.ratio(to),
             time: if ages { last.t } else { f64::INFINITY },
+            time_error: self.verdict.error,
             time_range,
             turns: if ages { last.turns } else { f64::INFINITY },
             power,
-            dissipation: shares(&evolution.budget(from)),
+            dissipation: shares(self.verdict.budget.as_ref().unwrap_or(&evolution.budget(from))),
             separatrix_time: if rows.steady() {
                 evolution.separatrix_time(from, to)
             } else {
                 rows.crossing()
             },
             lingering: if rows.steady() { evolution.lingering(from, to) } else { None },
-            damping_time: folding(evolution, Mode::ShortAxis),
-            growth_time: folding(evolution, Mode::LongAxis),
+            damping_time: self.verdict.folding(Mode::ShortAxis).unwrap_or(folding(evolution, Mode::ShortAxis)),
+            growth_time: self.verdict.folding(Mode::LongAxis).unwrap_or(folding(evolution, Mode::LongAxis)),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
             columns,
@@ -216,7 +283,9 @@ impl Ageing {
     }
 
     fn method(&self) -> String {
-        if self.by_polynomial {
+        if let Some(method) = self.verdict.method() {
+            method
+        } else if self.by_polynomial {
             format!("mean of the power of the reduced equations of order {} along the polhode", self.order)
         } else {
             "sum over the harmonics of the polhode, with every elastic mode, dashpot and material".into()
@@ -253,6 +322,8 @@ impl Ageing {
     }
 }
 
+/// Number of the column of the power.
+const POWER: usize = 9;
 /// Columns of the table, each with its unit.
 const COLUMNS: [(&str, &str); 12] = [
     ("t", "s"),

@@ -1,6 +1,7 @@
 //! The averaged rotation: how it is asked for, followed and recorded.
 
 mod ageing;
+mod road;
 mod rows;
 mod words;
 
@@ -12,7 +13,7 @@ use quasirigid::elements::Assembly;
 use quasirigid::math::sym::norm;
 use quasirigid::model::Support;
 use quasirigid::reduction::reduce;
-use quasirigid_io::model::{Model, Power, Target};
+use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
 use quasirigid_io::record::EvolutionRecord;
 
 use crate::commands::Loaded;
@@ -27,6 +28,7 @@ use rows::Rows;
 pub use words::text;
 
 /// What is asked for, by the file or on the command line.
+#[derive(Clone)]
 pub struct Asked {
     /// Where to start; the initial state if it is not said.
     pub from: Option<Target>,
@@ -38,6 +40,8 @@ pub struct Asked {
     pub samples: usize,
     /// Where the power comes from; from the harmonics only where a material needs them, if nobody says.
     pub power: Option<Power>,
+    /// By which road; by the one that holds, if nobody says.
+    pub method: Option<EvolveMethod>,
 }
 
 /// Rows of the history unless somebody says how many.
@@ -52,6 +56,7 @@ pub fn asked(model: &Model) -> Asked {
         duration: evolve.duration,
         samples: evolve.samples.unwrap_or(SAMPLES),
         power: evolve.power,
+        method: evolve.method,
     }
 }
 
@@ -74,23 +79,36 @@ pub fn follow(
     let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
-    let ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
+    let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
+    let bar = Bar::new("following", quiet);
+    let mut watch = |share: f64| {
+        bar.show(share);
+        if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let run = if torque.is_none() {
+        match road::choose(loaded, start, asked, &mut ageing, &mut watch)? {
+            Ok(run) => run,
+            Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
+        }
+    } else {
+        None
+    };
     let evolution = ageing.evolution();
     let from = ageing.start(&evolution, asked.from, torque.is_none())?;
-    let bar = Bar::new("averaging", quiet);
-    let mut rows = if torque.is_none() {
-        Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
-    } else {
-        let limits = ageing.limits(&evolution, asked)?;
-        Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, |share| {
-            bar.show(share);
-            if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })
+    let mut rows = match &run {
+        Some((run, range)) => Rows::of_run(run, range, asked.samples),
+        None if torque.is_none() => {
+            Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
+        }
+        None => {
+            let limits = ageing.limits(&evolution, asked)?;
+            Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, &mut watch)
+        }
     };
     let columns = ageing.columns(&mut rows, interrupt, &bar);
     bar.clear();
     let time_range = match &model.extremes {
-        Some(extremes) if rows.steady() => Some(range(extremes, &ageing, from, rows.last().stage)?),
+        Some(extremes) if rows.steady() && ageing.verdict.road == "average" => Some(range(extremes, &ageing, from, rows.last().stage)?),
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();

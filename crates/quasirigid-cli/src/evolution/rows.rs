@@ -4,7 +4,12 @@ use quasirigid::averaging::{
     Drift, DriftHistory, DriftLimits, DriftState, Evolution, Passage, SlowTorque, Stage,
 };
 
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
+
 use super::ageing::Ageing;
+
+/// Place of a state at an axis, as `ξ`.
+const AT_AXIS: f64 = 36.0;
 
 /// The rows of a table: stages of an evolution, or states of a drift.
 pub struct Rows<'e> {
@@ -17,6 +22,8 @@ pub struct Rows<'e> {
     pub status: &'static str,
     /// Estimated error of the time of the last state (s).
     pub error: f64,
+    /// Powers (W) of a history of the full system, row by row.
+    pub powers: Option<Vec<f64>>,
 }
 
 impl<'e> Rows<'e> {
@@ -27,7 +34,7 @@ impl<'e> Rows<'e> {
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
         let evolution = Some(*evolution);
-        Self { first: state(from), states, evolution, drift: None, status: "finished", error: 0.0 }
+        Self { first: state(from), states, evolution, drift: None, status: "finished", error: 0.0, powers: None }
     }
 
     /// Even times; the last row is the end, located whatever the times.
@@ -48,7 +55,44 @@ impl<'e> Rows<'e> {
             states.push(history.end);
         }
         let status = history.ending.word();
-        Self { first: start, states, evolution: None, drift: Some(history), status, error: 0.0 }
+        Self { first: start, states, evolution: None, drift: Some(history), status, error: 0.0, powers: None }
+    }
+
+    /// Rows of a history of the full system, evenly in time.
+    pub fn of_run(run: &DirectRun, range: &EnergyRange, samples: usize) -> Self {
+        let rows = &run.rows;
+        let end = rows[rows.len() - 1];
+        let last = samples.saturating_sub(1).max(1);
+        let chosen = (0..samples).map(|i| {
+            let t = end.t * i as f64 / last as f64;
+            if i == last { rows.len() - 1 } else { rows.partition_point(|row| row.t < t).min(rows.len() - 1) }
+        });
+        let mut chosen: Vec<usize> = chosen.collect();
+        chosen.dedup();
+        let settled = |mode| Stage { mode, xi: AT_AXIS };
+        let state = |row: &DirectRow| {
+            let mode = range.polhode(row.energy).mode();
+            let stage = range.stage(row.energy).unwrap_or(settled(mode));
+            DriftState { t: row.t, stage, momentum: range.momentum(), side: 1.0, turns: row.turns }
+        };
+        let power = |i: usize| {
+            let half = 0.5 * range.polhode(rows[i].energy).polhode_period().min(end.t);
+            let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
+            let after = rows.partition_point(|row| row.t <= rows[i].t + half).clamp(i + 2, rows.len().max(i + 2)) - 1;
+            let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
+            if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
+        };
+        let states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
+        let powers = chosen.iter().map(|i| power(*i)).collect();
+        Self {
+            first: states[0],
+            states,
+            evolution: None,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: Some(powers),
+        }
     }
 
     /// Whether the angular momentum stays.
@@ -61,8 +105,12 @@ impl<'e> Rows<'e> {
         self.states.last().copied().unwrap_or(self.first)
     }
 
-    /// Time (s) of the first passage through the separatrix under a torque.
+    /// Time (s) of the first passage through the separatrix.
     pub fn crossing(&self) -> Option<f64> {
+        if self.powers.is_some() {
+            let crossed = self.states.iter().find(|state| state.stage.mode != self.first.stage.mode);
+            return crossed.map(|state| state.t);
+        }
         self.drift.as_ref().and_then(|drift| drift.passages.first()).map(|passage| passage.t)
     }
 

@@ -122,7 +122,8 @@ pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let motions = ends.map(|stage| ageing.evolution().motion(stage));
     let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
-    if !ageing.lossy && ratio.is_finite() && (ratio - 1.0).abs() > APART {
+    let judged = ageing.verdict.rates.is_some();
+    if !judged && !ageing.lossy && ratio.is_finite() && (ratio - 1.0).abs() > APART {
         notes.push(format!(
             "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
              resonance is near, and the harmonics are right{}.",
@@ -160,7 +161,15 @@ pub fn text(name: &str, record: &EvolutionRecord) -> String {
 
 fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
     let first = if record.status == "finished" { String::new() } else { format!("{} ", record.message) };
-    writeln!(out, "{}", paragraph(&format!("{name}: {first}{}", record.sentence), "", "  "))?;
+    if record.status == "refused" {
+        return refused(out, name, record);
+    }
+    let verdict = if record.verdict.is_empty() { String::new() } else { format!("{} ", record.verdict) };
+    let (before, after) = if record.status == "does-not-hold" { (verdict, String::new()) } else { (String::new(), verdict) };
+    writeln!(out, "{}", paragraph(&format!("{name}: {before}{first}{}", record.sentence), "", "  "))?;
+    if !after.is_empty() {
+        writeln!(out, "{}", paragraph(after.trim_end(), "  ", "  "))?;
+    }
     table(out, &record.columns)?;
     writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
     writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
@@ -178,6 +187,17 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     harmonics(out, record)?;
     resonances(out, record)?;
     writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
+}
+
+/// An evolution that no road leads along.
+fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
+    if record.damping_time.is_nan() {
+        return Ok(());
+    }
+    writeln!(out, "\n  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
+    writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
+    writeln!(out, "  (from the modes about the steady spins: quasirigid modes)")
 }
 
 fn table(out: &mut String, columns: &[Column]) -> fmt::Result {

@@ -13,7 +13,14 @@ use super::{Column, number};
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.
     pub sentence: String,
-    /// How the mean power was computed, in words.
+    /// The road: `average` along the polhode, `modes` at the poles, `micro-runs` of the full system, `direct` integration of it, or
+    /// `none` where no road holds.
+    #[serde(default)]
+    pub road: String,
+    /// Why this road was taken and how far it holds, in a sentence.
+    #[serde(default)]
+    pub verdict: String,
+    /// How the power was computed, in words.
     pub method: String,
     /// `finished` (the time or the target reached), `interrupted`, or how a torque ended the evolution before: `held` (at the
     /// separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
@@ -37,6 +44,9 @@ pub struct EvolutionRecord {
     /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number")]
     pub time: f64,
+    /// Estimate of the relative error of that time; none if it is not known.
+    #[serde(with = "number", default)]
+    pub time_error: Option<f64>,
     /// Least and greatest of that time (s) over the ranges of the materials; none where they have no ranges.
     #[serde(with = "number")]
     pub time_range: Option<[f64; 2]>,

@@ -8,6 +8,7 @@ pub mod evolution;
 pub mod figures;
 pub mod head;
 pub mod liquids;
+pub mod modes;
 pub mod provenance;
 pub mod reduction;
 mod table;

@@ -40,6 +40,8 @@ pub struct SpinModes {
     pub equilibrium: RelativeEquilibrium,
     /// The modes: the nutation first, if there is one, then by ascending frequency and decay rate.
     pub modes: Vec<SpinMode>,
+    /// Decay rates (1/s) and frequencies (rad/s) of the internal motions in the equations of motion: all but the nutation.
+    pub internal: Vec<[f64; 2]>,
 }
 
 /// Coordinates up to which every mode is found again as a solution of the nonlinear eigenproblem; of a larger body the nutation
@@ -48,6 +50,8 @@ const REFINED: usize = 40;
 const SLOWEST: usize = 24;
 /// An eigenvalue below this share of the spin is zero: a change of `|K|`, or of the direction in a body that knows none.
 const ZERO: f64 = 1e-9;
+/// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
+const SAME: f64 = 1e-6;
 /// A decay below this share of the eigenvalue is rounding, if no energy balance gives it.
 const ROUNDING: f64 = 1e-12;
 /// Decay rates below this share of the eigenvalue follow from the energy balance where materials are at work.
@@ -95,10 +99,22 @@ impl SpinModes {
             small || Some(i) == nutation || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
+        let mut internal = Vec::with_capacity(found.len());
         for (i, motion) in found.iter().enumerate() {
+            if Some(i) != nutation {
+                internal.push([-motion.lambda.re, motion.lambda.im]);
+            }
             let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
             let refined = if again(i) { pencil.refined(start.clone()) } else { None };
             let kept = refined.filter(|(lambda, _)| near(*lambda, motion.lambda));
+            let known = |lambda: Complex<f64>| {
+                let gap = |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
+                modes.iter().any(|mode| gap(mode) < SAME * lambda.norm())
+            };
+            // Relaxations of a liquid whose impedance is known stand for it only where they lead to a mode of it.
+            if pencil.has_liquids() && Some(i) != nutation && kept.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
+                continue;
+            }
             let (lambda, x) = kept.unwrap_or(start);
             modes.push(frame.mode(&pencil, motion.lambda, (lambda, &x), Some(i) == nutation));
         }
@@ -106,7 +122,7 @@ impl SpinModes {
             let order = b.nutation.cmp(&a.nutation).then(a.frequency.total_cmp(&b.frequency));
             order.then(a.decay_rate.total_cmp(&b.decay_rate))
         });
-        Ok(Self { equilibrium, modes })
+        Ok(Self { equilibrium, modes, internal })
     }
 
     /// The nutation; none of a body that has none, as a sphere.
@@ -164,7 +180,7 @@ impl Frame<'_> {
         let K = self.momentum(*delta, rate, q);
         let along = K[0] * axis[0] + K[1] * axis[1] + K[2] * axis[2];
         let across: f64 = (0..3).map(|i| (K[i] - along * axis[i]).norm_sqr()).sum();
-        let energy: f64 = moving(self.body, self.coefficients, *delta, rate).iter().map(|(_, share)| share).sum();
+        let energy = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
         if energy > 0.0 { across / (self.equilibrium.ratio.abs() * energy) } else { 0.0 }
     }
 
@@ -180,15 +196,17 @@ impl Frame<'_> {
         let rate: Vec<Complex<f64>> = q.iter().map(|q| lambda * q).collect();
         let lost = dissipation(self.body, pencil, lambda, x, &q);
         let total: f64 = lost.iter().map(|(_, power)| power).sum();
-        let moved = moving(self.body, self.coefficients, delta, &rate);
-        let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
+        let liquids: Vec<_> = pencil.liquids(x).map(|(liquid, angles)| (liquid, lambda, angles)).collect();
+        let moved = moving(self.body, self.coefficients, delta, &rate, &liquids);
+        let kinetic = kinetic(&moved);
         let largest = q.iter().enumerate().max_by(|a, b| {
             let size = |(j, rate): &(usize, &Complex<f64>)| rate.norm_sqr() * self.weight(*j);
             size(a).total_cmp(&size(b))
         });
         let name = match largest {
             _ if nutation => "nutation".to_owned(),
-            Some((j, _)) => self.body.coordinates()[j].name.clone(),
+            Some((j, rate)) if rate.norm_sqr() > 0.0 => self.body.coordinates()[j].name.clone(),
+            Some(_) => liquids.first().map_or("spin", |(liquid, ..)| self.body.coordinates()[liquid.coordinates.start].part()).to_owned(),
             None => "spin".to_owned(),
         };
         let shares = |list: Vec<(String, f64)>, sum: f64| {
@@ -224,7 +242,7 @@ impl Frame<'_> {
             return found;
         }
         let second = self.second_variation(delta, rate, q);
-        let size: f64 = moving(self.body, self.coefficients, delta, rate).iter().map(|(_, energy)| energy).sum();
+        let size = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
         if second.abs() > CANCELLED * size { lost / (2.0 * second) } else { found }
     }
 
@@ -232,8 +250,7 @@ impl Frame<'_> {
     fn second_variation(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> f64 {
         let SpinCoefficients { centrifugal, .. } = self.coefficients;
         let K = self.momentum(delta, rate, q);
-        let kinetic: f64 =
-            moving(self.body, self.coefficients, delta, rate).iter().map(|(_, energy)| energy).sum();
+        let kinetic = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
         let mut potential: f64 =
             self.body.stiffness().iter().map(|(j, k, C)| C * (q[j].conj() * q[k]).re).sum();
         for j in 0..self.body.elastic() {
@@ -254,3 +271,7 @@ impl Frame<'_> {
 const SHOWN: f64 = 1e-3;
 /// A second variation below this share of the energy that moves is lost in rounding.
 const CANCELLED: f64 = 1e-7;
+
+fn kinetic(parts: &[(String, f64)]) -> f64 {
+    parts.iter().map(|(_, energy)| energy).sum()
+}

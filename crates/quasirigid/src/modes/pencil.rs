@@ -95,6 +95,11 @@ impl<'a> Pencil<'a> {
         !(self.lossy.is_empty() && self.memories.is_empty())
     }
 
+    /// Whether a liquid has its impedance in the place of coordinates.
+    pub fn has_liquids(&self) -> bool {
+        !self.memories.is_empty()
+    }
+
     /// The unknowns that belong to a motion of all coordinates.
     pub fn unknowns(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let mut x = delta.to_vec();

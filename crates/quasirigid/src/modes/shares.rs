@@ -6,7 +6,10 @@ use super::pencil::Pencil;
 use crate::math::sparse::SparseRows;
 use crate::math::sym;
 use crate::model::impedance::turned_impedance;
-use crate::model::{FlexibleBody, SpinCoefficients};
+use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
+
+/// A liquid whose impedance is known, with the eigenvalue and the angles about its axes.
+pub(super) type Turning<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
 
 /// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own
 /// momentum.
@@ -15,6 +18,7 @@ pub(super) fn moving(
     coefficients: &SpinCoefficients,
     delta: [Complex<f64>; 3],
     rate: &[Complex<f64>],
+    liquids: &[Turning<'_>],
 ) -> Vec<(String, f64)> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let [re, im] = [0, 1].map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
@@ -29,6 +33,20 @@ pub(super) fn moving(
         match parts[1..].iter_mut().find(|(name, _)| name == coordinate.part()) {
             Some((_, sum)) => *sum += energy,
             None => parts.push((coordinate.part().to_owned(), energy)),
+        }
+    }
+    for (liquid, lambda, angles) in liquids {
+        let name = body.coordinates()[liquid.coordinates.start].part();
+        let mut energy = 0.0;
+        for (axis, angle) in liquid.axes.iter().zip(*angles) {
+            let rate = lambda * angle;
+            let turned = axis[0] * delta[0] + axis[1] * delta[1] + axis[2] * delta[2];
+            energy += liquid.inertia * (rate.conj() * (rate + turned)).re;
+            (0..3).for_each(|i| K[i] += rate * liquid.inertia * axis[i]);
+        }
+        match parts[1..].iter_mut().find(|(known, _)| known == name) {
+            Some((_, sum)) => *sum += energy,
+            None => parts.push((name.to_owned(), energy)),
         }
     }
     parts[0].1 = (0..3).map(|axis| (delta[axis].conj() * K[axis]).re).sum();

@@ -4,23 +4,24 @@ use crate::model::Mode;
 /// Mean power of an average, times the factors by which the modes at the poles differ from it. (Q5)
 ///
 /// The factors hold where the wobble is small; between the poles they are joined in proportion to the energy.
-pub struct CalibratedPower<'a> {
-    base: &'a dyn MeanPower,
+pub struct CalibratedPower {
+    base: Box<dyn MeanPower>,
     /// Factors in the long-axis and the short-axis mode.
     factors: [f64; 2],
 }
 
-impl<'a> CalibratedPower<'a> {
+impl CalibratedPower {
     /// Factors such that small wobbles change at the rates (1/s) of the modes; a rate that is not known leaves the average as it
     /// is.
     #[must_use]
-    pub fn new(base: &'a dyn MeanPower, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
-        let average = Evolution::new(base, momentum);
+    pub fn new(base: Box<dyn MeanPower>, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
+        let average = Evolution::new(&*base, momentum);
         let factor = |mode: Mode| {
             let factor = rate(mode).map(|rate| rate / average.wobble_rate(mode));
             factor.filter(|factor| factor.is_finite() && *factor > 0.0).unwrap_or(1.0)
         };
-        Self { base, factors: [factor(Mode::LongAxis), factor(Mode::ShortAxis)] }
+        let factors = [factor(Mode::LongAxis), factor(Mode::ShortAxis)];
+        Self { base, factors }
     }
 
     /// Factor of the power in a mode.
@@ -33,13 +34,18 @@ impl<'a> CalibratedPower<'a> {
     }
 }
 
-impl MeanPower for CalibratedPower<'_> {
+impl MeanPower for CalibratedPower {
     fn moments(&self) -> [f64; 3] {
         self.base.moments()
     }
 
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         self.factor(motion.mode()) * self.base.mean_power(motion)
+    }
+
+    fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+        let factor = self.factor(motion.mode());
+        self.base.budget(motion).into_iter().map(|(name, power)| (name, factor * power)).collect()
     }
 }
 

@@ -11,11 +11,13 @@ mod energy_range;
 mod measure;
 mod measured_power;
 mod poles;
+mod start;
 
 pub use calibrated::CalibratedPower;
 pub use criteria::{AverageCriteria, average_criteria};
-pub use direct::{DirectEnding, DirectOptions, DirectRun, follow_directly};
+pub use direct::{DirectEnding, DirectOptions, DirectRow, DirectRun, follow_directly};
 pub use energy_range::EnergyRange;
 pub use measure::{Measurement, MeasureError};
 pub use measured_power::{MeasureOptions, MeasuredPower};
 pub use poles::{Pole, Poles};
+pub use start::{manifold_has_meaning, spun_displacements, spun_state};

@@ -54,19 +54,15 @@ impl Pole {
     /// Slowest decay (1/s) of the internal modes: the rate at which they forget a start; infinite without internal modes. (Q3)
     #[must_use]
     pub fn settling_rate(&self) -> f64 {
-        let internal = self.modes.modes.iter().filter(|mode| !mode.nutation);
-        internal.map(|mode| mode.decay_rate).fold(f64::INFINITY, f64::min)
+        self.modes.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min)
     }
 
     /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: how fast they follow a wobble that changes. (Q3)
     #[must_use]
     pub fn following_rate(&self) -> f64 {
         let Some(nutation) = self.modes.nutation() else { return f64::INFINITY };
-        let internal = self.modes.modes.iter().filter(|mode| !mode.nutation);
-        let distance = |mode: &crate::modes::SpinMode| {
-            mode.decay_rate.hypot(mode.frequency - nutation.frequency)
-        };
-        internal.map(distance).fold(f64::INFINITY, f64::min)
+        let distance = |[decay, frequency]: &[f64; 2]| decay.hypot(frequency - nutation.frequency);
+        self.modes.internal.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
     /// Name of the first mode that grows although the spin is one that dissipation leads to; none if there is none. (Q3)

@@ -1,0 +1,60 @@
+use std::collections::BTreeMap;
+
+use maud::{Markup, html};
+use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+
+use super::table::{first, table};
+use crate::number::{digits, duration, percent};
+
+/// Modes shown of each steady spin, and dissipators of each mode.
+const MOST: usize = 12;
+const SHARES: usize = 3;
+
+/// Steady spins at the rate of the start, instability first, with the small motions about them.
+pub fn section(spins: &[SteadySpinRecord]) -> Markup {
+    html! {
+        section aria-label="Modes" {
+            h2 { "Steady spins and their modes" }
+            @for spin in spins { (one(spin)) }
+        }
+    }
+}
+
+fn one(spin: &SteadySpinRecord) -> Markup {
+    let (shown, more) = first(&spin.modes, MOST);
+    html! {
+        p { (spin.sentence) }
+        @if !shown.is_empty() {
+            (table(
+                &format!("Modes about the axis of {} inertia", spin.axis),
+                &["Mode", "Frequency in the body [rad/s]", "Damping ratio", "Falls by e in", "Dissipated by"],
+                html! { @for mode in shown { (row(mode)) } },
+            ))
+            @if let Some(more) = more { p.absent { (more) } }
+        }
+    }
+}
+
+fn row(mode: &ModeRecord) -> Markup {
+    let fold = match mode.time_constant {
+        Some(constant) if constant < 0.0 => format!("grows, {}", duration(-constant)),
+        Some(constant) => duration(constant),
+        None => "never".into(),
+    };
+    html! {
+        tr {
+            th scope="row" { (mode.name) }
+            td { (digits(mode.frequency, 5)) }
+            td { (digits(mode.damping_ratio, 2)) }
+            td { (fold) }
+            td { (shares(&mode.dissipation)) }
+        }
+    }
+}
+
+fn shares(shares: &BTreeMap<String, f64>) -> String {
+    let mut list: Vec<_> = shares.iter().collect();
+    list.sort_by(|a, b| b.1.total_cmp(a.1));
+    let words = list.iter().take(SHARES).map(|(name, share)| format!("{name} {}", percent(**share)));
+    words.collect::<Vec<_>>().join(", ")
+}

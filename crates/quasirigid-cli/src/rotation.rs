@@ -8,7 +8,7 @@ use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::{inverse, norm, times};
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{Given, RelativeEquilibrium};
-use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce};
+use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, residual};
 use quasirigid::secular::{manifold_has_meaning, spun_state};
 use quasirigid_io::model::{Displacements, Model, Rotation};
 
@@ -74,9 +74,12 @@ fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f
     Ok(momentum(&principal, &motion).0)
 }
 
+/// Share of the load that is left unbalanced by displacements that mean nothing.
+const UNBALANCED: f64 = 0.5;
+
 /// Whether the displacements of a body follow its spin (rad/s) as the series of its slow manifold says. (Q8)
 pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 3]) -> bool {
-    reduced.order < 2 || manifold_has_meaning(body, reduced, spin)
+    reduced.order < 2 || (residual(body, reduced, spin).elastic <= UNBALANCED && manifold_has_meaning(body, reduced, spin))
 }
 
 /// A wobble about an axis that the body does not have.

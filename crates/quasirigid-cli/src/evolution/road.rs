@@ -292,6 +292,8 @@ const TOLERANCE: f64 = 1e-10;
 const DECAY: f64 = 0.05;
 /// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
 const LEFT_OUT: f64 = 0.02;
+/// Revolutions in which no wobble dies out.
+const ONE_TURN: f64 = 1.0;
 /// Error from which an answer is refused.
 const REFUSED: f64 = 0.03;
 /// Wobble (rad) at which the rates of the modes say no more than the average.
@@ -397,12 +399,15 @@ impl Choice<'_> {
         ageing: &mut Ageing,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Result<Road, String>, Failure> {
+        if let Some(unstable) = self.unstable() {
+            return Ok(Err(unstable));
+        }
         if !self.ground.complete(self.way.ends) {
             return Ok(self.calibrated(ageing));
         }
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
-        if fast || self.unstable().is_some() || revolutions.is_none_or(|turns| turns <= FEW) {
+        if fast || self.whirls() || revolutions.is_none_or(|turns| turns <= FEW) {
             return self.direct(MANY, watch);
         }
         match self.measured(watch) {
@@ -473,11 +478,24 @@ impl Choice<'_> {
             )
         };
         Ok(match &run.ending {
+            DirectEnding::Reached if end.turns < ONE_TURN => Err(format!(
+                "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
+                 balance, not a wobble that dies out; see quasirigid simulate --system full",
+                time(end.t)
+            )),
             DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
             DirectEnding::Interrupted => return Err(Failure::Interrupted),
             DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
             DirectEnding::StepLimit => Err(told("the steps allowed were used up")),
             DirectEnding::Failed { reason } => Err(told(reason)),
+        })
+    }
+
+    /// Whether a motion beside the nutation grows at a pole of the way.
+    fn whirls(&self) -> bool {
+        self.way.ends.iter().any(|stage| {
+            let pole = self.ground.poles.of_mode(stage.mode);
+            pole.is_some_and(|pole| pole.modes.internal.iter().any(|[decay, _]| *decay < 0.0))
         })
     }
 

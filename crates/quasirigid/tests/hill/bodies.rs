@@ -25,8 +25,12 @@ pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotati
 
 /// Two masses on skew lines, far from every axis, on a carrier without symmetry: masses (kg), stiffnesses (N/m), damping ratio.
 pub fn skew(masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
+    lines([[0.3, -0.4, 0.9], [0.8, 0.5, 0.2]], masses, stiffness, ratio)
+}
+
+/// The same on given lines.
+pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
     let place = [[0.9, 0.3, 0.4], [-0.5, 0.8, -0.6]];
-    let line = [[0.3, -0.4, 0.9], [0.8, 0.5, 0.2]];
     let point = |i: usize| Point {
         name: format!("mass {i}"),
         mass: masses[i],

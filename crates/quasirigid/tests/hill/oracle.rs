@@ -34,6 +34,13 @@ impl<'a> Linear<'a> {
         Self { body, elastic: body.elastic(), B: dense(body.damping()), C: dense(body.stiffness()), steps }
     }
 
+    /// Bound on the frequencies (rad/s): the root of the trace of `A⁻¹C`, and of `A⁻¹B`.
+    pub fn fastest(&self) -> f64 {
+        let Parts { p, .. } = self.parts([0.0; 3]);
+        let inverse = p[1].clone().try_inverse().unwrap();
+        (&inverse * &self.C).trace().sqrt() + (inverse * &self.B).trace()
+    }
+
     fn size(&self) -> usize {
         self.B.nrows()
     }

@@ -29,7 +29,7 @@ pub struct ParametricResonance {
     /// Growth rate (1/s).
     pub rate: f64,
     /// Frequency in the body frame (rad/s): of those that differ by multiples of the polhode's the one next to that of the
-    /// vibration with the largest share.
+    /// vibration with the largest share, softened by the mean centrifugal force.
     pub frequency: f64,
     /// Coordinate with the largest share in that vibration.
     pub coordinate: String,
@@ -173,6 +173,16 @@ impl<'a> FirstOrder<'a> {
         self.coefficients.rows[self.kept[place]].square.sqrt()
     }
 
+    /// Frequency of a vibration by itself in the mean centrifugal force; zero where that overcomes its stiffness.
+    fn softened_frequency(&self, place: usize) -> f64 {
+        let softened = self.motion.mean(2, |[x, y, z]| {
+            let products = [x * x, y * y, z * z, y * z, z * x, x * y];
+            let taken = self.centrifugal.iter().zip(products).map(|(matrix, m)| matrix[(place, place)] * m);
+            self.stiffness[(place, place)] - taken.sum::<f64>()
+        });
+        softened.max(0.0).sqrt()
+    }
+
     /// The matrix of the rates of displacements, in units of equal energy, and momenta: `v = A'⁻¹(p − Yᵀq)`, `q̇ = v`,
     /// `ṗ = (Y + W − B)v + (N' − C)q`. (H7)
     fn rates(&self, t: f64) -> DMatrix<f64> {
@@ -241,7 +251,7 @@ impl<'a> FirstOrder<'a> {
         };
         let most = (0..n).max_by(|a, b| energy(*a).total_cmp(&energy(*b)))?;
         let turned = first[1].atan2(first[0]).abs() / TAU * polhode;
-        let own = self.frequency(most);
+        let own = self.softened_frequency(most);
         let near = |base: f64| base + ((own - base) / polhode).round() * polhode;
         let frequency = [near(turned), near(-turned)]
             .into_iter()

@@ -57,7 +57,8 @@ fn correction(
     let size = norm(&gap);
     let mut basis = vec![scaled(gap, size)];
     // Columns of the triangle, the rotations that made it, and the rotated right-hand side.
-    let (mut triangle, mut rotations, mut sides) = (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new(), vec![size]);
+    let (mut triangle, mut rotations, mut sides) =
+        (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new(), vec![size]);
     for column in 0..most {
         let (mut entries, next) = extended(&basis, times(&basis[column]));
         for (row, [cosine, sine]) in rotations.iter().enumerate() {

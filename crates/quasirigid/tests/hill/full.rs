@@ -61,7 +61,10 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
                 floquet.resonance
             );
             assert!(floquet.resonance.is_none());
-            assert!(share < 1e-3 && gap.abs() < 5.0 * share.max(1e-5), "{mode:?} {ratio}: {gap:e}, share {share:e}");
+            assert!(
+                share < 1e-3 && gap.abs() < 5.0 * share.max(1e-5),
+                "{mode:?} {ratio}: {gap:e}, share {share:e}"
+            );
             assert!(ratio < 0.5 || (alone / measured - 1.0).abs() > 0.1, "the couplings matter");
         }
     }
@@ -75,7 +78,11 @@ fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
     let mut matrix = DMatrix::zeros(3 + n, 3 + n);
     for column in 0..3 + n {
         let (mut omega, mut rate) = ([0.0; 3], vec![0.0; n]);
-        if column < 3 { omega[column] = 1.0 } else { rate[column - 3] = 1.0 }
+        if column < 3 {
+            omega[column] = 1.0
+        } else {
+            rate[column - 3] = 1.0
+        }
         let motion = Motion { omega, q: &q, rate: &rate };
         let entries = body.momentum(motion).into_iter().chain(body.generalized_momentum(motion));
         matrix.set_column(column, &DVector::from_iterator(3 + n, entries));
@@ -130,7 +137,15 @@ fn a_small_wobble_has_the_eigenvalue_of_the_full_system() {
                 .chain(body.generalized_momentum(still));
             let mut y = DVector::from_iterator(7, state);
             let momentum = mass * spin;
-            let steps = DVector::from_vec(vec![1e-3 * G, 1e-3 * G, 1e-3 * G, 1e-2, 1e-2, 1e-2 * momentum, 1e-2 * momentum]);
+            let steps = DVector::from_vec(vec![
+                1e-3 * G,
+                1e-3 * G,
+                1e-3 * G,
+                1e-2,
+                1e-2,
+                1e-2 * momentum,
+                1e-2 * momentum,
+            ]);
             for _ in 0..8 {
                 let conditions = |y: &DVector<f64>| {
                     let rates = rates(&body, y);

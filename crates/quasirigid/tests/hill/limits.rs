@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, HillError, HillResponse, MeanPower, Response};
-use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
-use quasirigid::model::{Mode, Principal};
+use quasirigid::elements::{Assembly, Cavity, CavityShape, Regime, Wheel, WheelSpeed};
+use quasirigid::math::rotation::ALIGNED;
+use quasirigid::model::{Mode, Principal, Rheology};
+use quasirigid::problems::ring_of_points;
 
-use crate::bodies::{flywheel, motion, skew};
+use crate::bodies::{ball, flywheel, motion, skew};
 use crate::support::{assemblies, cases, direction, rotation, units};
 use crate::transform::{rescaled, rotated};
 
@@ -26,6 +28,66 @@ fn slow_spins_take_the_uncoupled_power() {
         let orders = [gaps[0] / gaps[1], gaps[1] / gaps[2]].map(f64::log2);
         println!("{mode:?}: gaps {gaps:?}, orders {orders:?}");
         assert!((orders[1] - 2.0).abs() < 0.05 && gaps[2].abs() < 0.01, "{gaps:?} {orders:?}");
+    }
+}
+
+/// Materials with a modulus at every frequency have the same limit, harmonic by harmonic.
+#[test]
+fn slow_spins_take_the_uncoupled_power_of_materials() {
+    let laws = [
+        Rheology::QualityFactor { factor: 40.0 },
+        Rheology::StandardLinear { time: 0.4, strength: 0.7 },
+        Rheology::Maxwell { time: 30.0 },
+    ];
+    for law in laws {
+        let gaps = [0.1, 0.05].map(|epsilon: f64| {
+            let mut assembly = skew([1.1, 0.7], [90.0 / epsilon.powi(2), 70.0 / epsilon.powi(2)], 0.0);
+            assembly.springs.iter_mut().for_each(|spring| spring.rheology = law.clone());
+            let body = assembly.body().unwrap();
+            let motion = motion(&body, 0.9, Mode::ShortAxis, 0.7);
+            let [coupled, alone] = [
+                HillResponse::of(&body).unwrap().mean_power(&motion),
+                Response::of(&body).unwrap().mean_power(&motion),
+            ];
+            coupled / alone - 1.0
+        });
+        println!("{law:?}: {gaps:?}");
+        assert!(((gaps[0] / gaps[1]).log2() - 2.0).abs() < 0.1 && gaps[1].abs() < 0.05, "{law:?}: {gaps:?}");
+    }
+}
+
+/// About an axis a ball and a ball of liquid answer to one mean rotation, which the uncoupled response has too; in a large wobble
+/// it has not.
+#[test]
+fn balls_about_an_axis_take_the_uncoupled_power() {
+    let tank = Cavity {
+        name: "tank".into(),
+        shape: CavityShape::Ellipsoid { semi_axes: [0.2; 3] },
+        center: [0.1, -0.3, 0.2],
+        attitude: ALIGNED,
+        density: 900.0,
+        viscosity: 1e-3,
+        resolution: 4,
+        regime: Regime::default(),
+        modes: 0,
+    };
+    let base = Assembly { points: Vec::new(), springs: Vec::new(), ..skew([0.2, 0.1], [40.0, 30.0], 0.1) };
+    let inside = [
+        Assembly { rotors: vec![ball(0.4, 0.3)], ..base.clone() },
+        Assembly { cavities: vec![tank], ..base },
+    ];
+    for assembly in inside {
+        let body = assembly.body().unwrap();
+        let (hill, response) = (HillResponse::of(&body).unwrap(), Response::of(&body).unwrap());
+        let gaps = [30.0, 1.0].map(|xi| {
+            let motion = motion(&body, 2.0, Mode::ShortAxis, xi);
+            (hill.mean_power(&motion) / response.mean_power(&motion) - 1.0).abs()
+        });
+        println!("{gaps:?}");
+        assert!(gaps[0] < 1e-9, "{gaps:?}");
+        let tumbling = motion(&body, 2.0, Mode::ShortAxis, 1.0);
+        let (_, rate) = hill.state(&tumbling, 0.3).unwrap();
+        assert!(rate.iter().all(|rate| *rate != 0.0), "liquids have rates in their coordinates");
     }
 }
 
@@ -76,7 +138,8 @@ fn ends_of_the_range() {
 
 #[test]
 fn momentum_wheels_are_refused() {
-    let wheel = Wheel { name: "wheel".into(), axis: [0.0, 0.3, 1.0], speed: WheelSpeed::Constant { momentum: 2.0 } };
+    let wheel =
+        Wheel { name: "wheel".into(), axis: [0.0, 0.3, 1.0], speed: WheelSpeed::Constant { momentum: 2.0 } };
     let body = Assembly { wheels: vec![wheel], ..skew([0.2, 0.1], [40.0, 30.0], 0.1) }.body().unwrap();
     assert_eq!(HillResponse::of(&body).unwrap_err(), HillError::Wheels);
 }
@@ -92,6 +155,21 @@ fn powers_of_harmonics_add_up() {
     let sum: f64 = response.harmonic_powers().map(|(_, power)| power).sum();
     assert!((sum / response.power() - 1.0).abs() < 1e-13);
     assert!(response.harmonic_powers().all(|(_, power)| power >= 0.0));
+}
+
+/// Forty coordinates, at a spin near the lowest frequencies.
+#[test]
+fn many_coordinates() {
+    let body = ring_of_points(13).body().unwrap();
+    let hill = HillResponse::of(&body).unwrap();
+    let lowest = Response::of(&body).unwrap().frequencies().next().unwrap().0;
+    for (share, xi) in [(0.1, 0.5), (0.5, 0.5), (0.8, 2.0)] {
+        let motion = motion(&body, share * lowest, Mode::ShortAxis, xi);
+        let clock = std::time::Instant::now();
+        let response = hill.periodic(&motion).unwrap();
+        println!("{share}: {} harmonics, {:?}", response.harmonics(), clock.elapsed());
+        assert!(response.residual() < 1e-12 && response.truncation() < 1e-10);
+    }
 }
 
 proptest! {

@@ -95,7 +95,9 @@ impl<'a> Linear<'a> {
         let forces = &Q[0] - &self.C + &drag * &by_displacement;
         let braking = &drag * &by_momentum;
         let pushes = &zero[1] + &drag * &offset;
-        matrix.view_mut((0, 0), (elastic, elastic)).copy_from(&by_displacement.view((0, 0), (elastic, elastic)));
+        matrix
+            .view_mut((0, 0), (elastic, elastic))
+            .copy_from(&by_displacement.view((0, 0), (elastic, elastic)));
         matrix.view_mut((0, elastic), (elastic, n)).copy_from(&by_momentum.rows(0, elastic));
         matrix.view_mut((elastic, 0), (n, elastic)).copy_from(&forces.columns(0, elastic));
         matrix.view_mut((elastic, elastic), (n, n)).copy_from(&braking);
@@ -133,9 +135,8 @@ pub fn momentum(body: &FlexibleBody, motion: &FreeRotation, t: f64) -> [f64; 3] 
 pub fn periodic(linear: &Linear, motion: &FreeRotation, count: usize) -> Periodic {
     let period = motion.polhode_period();
     let h = period / count as f64;
-    let nodes: Vec<_> = (0..=4 * count)
-        .map(|i| linear.rates(momentum(linear.body, motion, 0.25 * h * i as f64)))
-        .collect();
+    let nodes: Vec<_> =
+        (0..=4 * count).map(|i| linear.rates(momentum(linear.body, motion, 0.25 * h * i as f64))).collect();
     let size = linear.elastic + linear.size();
     // A step of the affine map on (matrix | vector).
     let step = |from: usize, stride: usize, h: f64, M: &DMatrix<f64>| {

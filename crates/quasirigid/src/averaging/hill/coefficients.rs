@@ -49,13 +49,11 @@ impl Coefficients {
         let elastic = rows.iter().filter(|row| row.square > 0.0).count();
         let turn = sym::inverse(body.invariants().J);
         let inertia: Vec<Sym> = rows.iter().map(|row| inertia(body, &row.shape)).collect();
-        let recoil =
-            |row: usize, column: usize| sym::dot(rows[row].h, sym::times(turn, rows[column].h));
+        let recoil = |row: usize, column: usize| sym::dot(rows[row].h, sym::times(turn, rows[column].h));
         let mass = view.matrix(|x| body.mass_times(x)) - view.entries(recoil);
         let Y = principal.axes.map(|axis| {
-            let shift = |j: usize, k: usize| {
-                sym::dot(sym::times(inertia[j], axis), sym::times(turn, rows[k].h))
-            };
+            let shift =
+                |j: usize, k: usize| sym::dot(sym::times(inertia[j], axis), sym::times(turn, rows[k].h));
             view.matrix(|x| coupled(body, axis, x)) - view.entries(shift)
         });
         let W = principal.axes.map(|axis| view.matrix(|x| turned(body, axis, x)));
@@ -184,12 +182,7 @@ pub(super) fn coupled(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64
 }
 
 /// `factor · a·J_jk b x_k`, with the translation of a free body eliminated. (S6)
-pub(super) fn softening(
-    body: &FlexibleBody,
-    [a, b]: [[f64; 3]; 2],
-    factor: f64,
-    x: &[f64],
-) -> Vec<f64> {
+pub(super) fn softening(body: &FlexibleBody, [a, b]: [[f64; 3]; 2], factor: f64, x: &[f64]) -> Vec<f64> {
     let mut force = vec![0.0; x.len()];
     let invariants = body.invariants();
     for (j, k, pair) in invariants.pairs.iter().take_while(|(j, ..)| *j < body.elastic()) {

@@ -146,3 +146,26 @@ impl MeanPower for HillResponse {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Mode;
+    use crate::problems::ring_of_points;
+
+    /// What the projection leaves out is of the fourth power of spin over elastic frequency.
+    #[test]
+    fn excited_vibrations_take_the_power_of_all() {
+        let body = ring_of_points(30).body().unwrap();
+        let [whole, few] = [usize::MAX, 0].map(|whole| HillResponse::within(&body, whole).unwrap());
+        let [all, part] = [&whole, &few].map(|hill| hill.harmonic.size());
+        assert!(all == 90 && part < 85, "{all} {part}");
+        let slowest = whole.harmonic.rows[0].square.sqrt();
+        let moments = whole.principal().moments;
+        let gaps = [0.4, 0.2, 0.1].map(|share| {
+            let motion = FreeRotation::at_logit(moments, share * slowest * moments[2], Mode::ShortAxis, 0.5);
+            (few.mean_power(&motion) / whole.mean_power(&motion) - 1.0).abs()
+        });
+        assert!(gaps[0] < 1e-4 && gaps[1] < 0.1 * gaps[0].max(1e-9) && gaps[2] < 1e-7, "{part} {gaps:?}");
+    }
+}

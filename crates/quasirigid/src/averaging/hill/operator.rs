@@ -148,9 +148,11 @@ fn units(coefficients: &Coefficients, spectrum: &Spectrum, last: usize) -> Ampli
     let spin = sym::norm(mean).max(spectrum.frequency).max(f64::MIN_POSITIVE);
     let mut units = Amplitudes::zeros(coefficients.size(), 2 * (last + 1));
     for (row, entry) in coefficients.rows.iter().enumerate() {
-        let weight = match coefficients.memories.iter().find(|(start, memory)| {
-            (*start..start + memory.axes.len()).contains(&row)
-        }) {
+        let weight = match coefficients
+            .memories
+            .iter()
+            .find(|(start, memory)| (*start..start + memory.axes.len()).contains(&row))
+        {
             Some((_, memory)) => spin * memory.inertia.sqrt(),
             None if entry.square > 0.0 => entry.square.sqrt(),
             None => spin,

@@ -21,8 +21,7 @@ pub(super) fn span(body: &FlexibleBody, principal: &Principal) -> Result<Span, N
         x
     };
     let loads: Vec<Sym> = loads(body, principal);
-    let first: Vec<Vec<f64>> =
-        (0..6).map(|i| softened(loads.iter().map(|load| load[i]).collect())).collect();
+    let first: Vec<Vec<f64>> = (0..6).map(|i| softened(loads.iter().map(|load| load[i]).collect())).collect();
     let heavy = |x: &Vec<f64>| {
         let materials = body.lossy().iter().map(|part| part.stiffness.times(x));
         let images = [body.recoiling_mass_times(x), body.damping().times(x)].into_iter().chain(materials);

@@ -51,7 +51,8 @@ impl Spectrum {
             let Harmonic { products: [real, imaginary], .. } = series.harmonic(number);
             [0, 1, 2, 3, 4, 5].map(|i| signs[i] * Complex::new(real[i], imaginary[i]))
         };
-        let size = |amplitudes: [Complex<f64>; 3]| amplitudes.map(|c| c.norm_sqr()).iter().sum::<f64>().sqrt();
+        let size =
+            |amplitudes: [Complex<f64>; 3]| amplitudes.map(|c| c.norm_sqr()).iter().sum::<f64>().sqrt();
         Some(Self {
             frequency: series.harmonic(1).frequency,
             count: series.count(),

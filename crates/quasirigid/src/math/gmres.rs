@@ -16,7 +16,7 @@ pub struct Solved {
 /// Restarts, each from what the rounding of the one before has left.
 const RESTARTS: usize = 4;
 
-/// Solves `A x = b` by the method of generalised minimal residuals (GMRES), from a start, until the residual is below
+/// Solves `A x = b` by the method of generalised minimal residuals (GMRES) `[@saad1986]`, from a start, until the residual is below
 /// `tolerance`, or stays as it is, or `most` vectors span the Krylov space.
 pub fn gmres(
     times: impl Fn(&[f64]) -> Vec<f64>,

@@ -45,7 +45,7 @@ fn lowest(body: &FlexibleBody) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(8))]
+    #![proptest_config(cases(5))]
 
     /// Points on lines, in planes and in space, hinges on curved paths, free or held at a point.
     #[test]

@@ -81,7 +81,7 @@ pub(super) fn floquet(
         steps *= 2;
         let fine = system.monodromy(period, steps);
         let better = (&fine * 16.0 - &coarse) / 15.0;
-        let [before, now] = [&fine, &better].map(|matrix| multipliers(matrix));
+        let [before, now] = [&fine, &better].map(multipliers);
         let (before, now) = (before?, now?);
         let error = (size(before.0.first()) - size(now.0.first())).abs();
         if error <= SETTLED * size(now.0.first()).max(1.0) || steps >= MOST_STEPS || !error.is_finite() {
@@ -112,45 +112,37 @@ fn multipliers(matrix: &DMatrix<f64>) -> Result<Multipliers, NoConvergence> {
     Ok((order.iter().map(|i| values[*i]).collect(), first))
 }
 
+/// Damping and stiffness of some rows, a material as it is at the frequency of each vibration. (H7)
+fn lossy(coefficients: &Coefficients, kept: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
+    let rows: Vec<_> = kept.iter().map(|i| &coefficients.rows[*i]).collect();
+    let mut drag = DMatrix::zeros(rows.len(), rows.len());
+    let mut stiffness =
+        DMatrix::from_fn(rows.len(), rows.len(), |i, j| if i == j { rows[i].square } else { 0.0 });
+    for loss in &coefficients.losses {
+        let matrix = loss.matrix.select_rows(kept).select_columns(kept);
+        if matches!(loss.law, Law::Dashpots) {
+            drag += matrix;
+            continue;
+        }
+        let factor = |i: usize| {
+            let frequency = rows[i].square.sqrt();
+            let factor = Coefficients::factor(&loss.law, frequency);
+            if frequency > 0.0 { [factor.re, factor.im / frequency] } else { [0.0; 2] }
+        };
+        let factors: Vec<[f64; 2]> = (0..rows.len()).map(factor).collect();
+        stiffness += matrix.map_with_location(|i, j, entry| entry * 0.5 * (factors[i][0] + factors[j][0]));
+        drag += matrix.map_with_location(|i, j, entry| entry * (factors[i][1] * factors[j][1]).sqrt());
+    }
+    (drag, stiffness)
+}
+
 impl<'a> FirstOrder<'a> {
     fn new(coefficients: &'a Coefficients, motion: &'a FreeRotation, fastest: f64) -> Self {
         let slow = |i: &usize| coefficients.rows[*i].square <= fastest * fastest;
         let kept: Vec<usize> = (0..coefficients.size()).filter(slow).collect();
         let elastic = kept.iter().filter(|i| **i < coefficients.elastic).count();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
-        let mut drag = DMatrix::zeros(kept.len(), kept.len());
-        let mut stiffness = drag.clone();
-        for (place, i) in kept.iter().enumerate() {
-            stiffness[(place, place)] = coefficients.rows[*i].square;
-        }
-        for loss in &coefficients.losses {
-            let matrix = part(&loss.matrix);
-            match &loss.law {
-                Law::Dashpots => drag += matrix,
-                law => {
-                    // A material at the frequency of each vibration. (H7)
-                    let factors: Vec<_> = kept
-                        .iter()
-                        .map(|i| {
-                            let frequency = coefficients.rows[*i].square.sqrt();
-                            if frequency > 0.0 {
-                                let factor = Coefficients::factor(law, frequency);
-                                [factor.re, factor.im / frequency]
-                            } else {
-                                [0.0; 2]
-                            }
-                        })
-                        .collect();
-                    for row in 0..kept.len() {
-                        for column in 0..kept.len() {
-                            let [a, b] = [factors[row], factors[column]];
-                            stiffness[(row, column)] += matrix[(row, column)] * 0.5 * (a[0] + b[0]);
-                            drag[(row, column)] += matrix[(row, column)] * (a[1] * b[1]).sqrt();
-                        }
-                    }
-                }
-            }
-        }
+        let (drag, stiffness) = lossy(coefficients, &kept);
         let inverse_mass = part(&coefficients.mass)
             .try_inverse()
             .unwrap_or_else(|| DMatrix::from_element(kept.len(), kept.len(), f64::NAN));
@@ -221,7 +213,7 @@ impl<'a> FirstOrder<'a> {
         rates
     }
 
-    /// The matrix that takes a state a period on, by Magnus' series to the fourth order. (H7)
+    /// The matrix that takes a state a period on, by Magnus' series to the fourth order. (H8)
     fn monodromy(&self, period: f64, steps: usize) -> DMatrix<f64> {
         let h = period / steps as f64;
         let size = self.elastic + self.kept.len();

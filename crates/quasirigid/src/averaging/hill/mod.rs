@@ -35,6 +35,9 @@ pub struct HillResponse {
     coordinates: Option<Coefficients>,
 }
 
+/// Residual from which the harmonics are no solution.
+const UNSOLVED: f64 = 1e-6;
+
 /// A body or motion whose internal motion has no periodic response.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
@@ -138,11 +141,12 @@ impl MeanPower for HillResponse {
         self.principal().moments
     }
 
-    /// The sum over the harmonics; none where Hill's equations have no solution. (H5)
+    /// The sum over the harmonics; no number where Hill's determinant vanishes, and with it the solution. (H5)
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         match self.periodic(motion) {
             Err(_) => 0.0,
-            Ok(response) => response.power(),
+            Ok(response) if response.residual() < UNSOLVED => response.power(),
+            Ok(_) => f64::NAN,
         }
     }
 }

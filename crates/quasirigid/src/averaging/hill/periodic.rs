@@ -174,7 +174,7 @@ fn power_at(coefficients: &Coefficients, v: &Amplitudes, spectrum: &Spectrum, n:
     }
     if !coefficients.memories.is_empty() {
         let force = coefficients.impedance(nu, spectrum.mean_spin());
-        let rate = parts[0].zip_map(&parts[1], |re, im| Complex::new(re, im));
+        let rate = parts[0].zip_map(&parts[1], Complex::new);
         power += rate.dotc(&(force * &rate)).re;
     }
     if n == 0 { power } else { 2.0 * power }

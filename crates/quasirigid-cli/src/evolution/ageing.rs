@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{
-    DriftLimits, DriftState, Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage,
+    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, MeanPower, PolynomialPower, Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
@@ -33,6 +33,8 @@ pub struct Ageing {
     /// Whether the polynomial's power is the one averaged, and whether the user said where it comes from.
     pub by_polynomial: bool,
     pub power_was_asked: bool,
+    /// Whether the harmonics are those of the spinning frame.
+    pub in_spinning_frame: bool,
     /// The power that is followed.
     pub source: Box<dyn MeanPower>,
     /// The road, what speaks for it, and what it knows beside the power.
@@ -68,6 +70,7 @@ impl Ageing {
             polynomial,
             by_polynomial,
             power_was_asked: power.is_some(),
+            in_spinning_frame: false,
             verdict: Verdict::average(None),
             initial: FreeRotation::through(principal.moments, frozen),
             order: reduced.order,
@@ -83,6 +86,12 @@ impl Ageing {
     /// Takes the harmonics for the average.
     pub fn take_harmonics(&mut self) {
         (self.by_polynomial, self.source) = (false, Box::new(self.response.clone()));
+    }
+
+    /// Takes the response in the spinning frame for the average.
+    pub fn take_hill(&mut self, hill: HillResponse) {
+        self.in_spinning_frame = true;
+        self.source = Box::new(hill);
     }
 
     /// The average as it stands.
@@ -285,6 +294,8 @@ impl Ageing {
     fn method(&self) -> String {
         if let Some(method) = self.verdict.method() {
             method
+        } else if self.in_spinning_frame {
+            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces".into()
         } else if self.by_polynomial {
             format!("mean of the power of the reduced equations of order {} along the polhode", self.order)
         } else {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
+use quasirigid::averaging::{Evolution, FreeRotation, HillResponse, MeanPower, Stage};
 use quasirigid::dynamics::{FullState, SpinState};
 use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode};
@@ -292,6 +292,10 @@ const TOLERANCE: f64 = 1e-10;
 const DECAY: f64 = 0.05;
 /// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
 const LEFT_OUT: f64 = 0.02;
+/// Coordinates up to which the response in the spinning frame is tried.
+const FEW_COORDINATES: usize = 120;
+/// Error up to which it is taken.
+const HELD: f64 = 0.01;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
 /// Error from which an answer is refused.
@@ -384,7 +388,19 @@ impl Choice<'_> {
                 return Some(Road::Average { error: criteria.error() });
             }
         }
-        None
+        if ageing.power_was_asked || self.body.coordinates().len() > FEW_COORDINATES {
+            return None;
+        }
+        let hill = HillResponse::of(self.body).ok()?;
+        let motions = self.way.ends.map(|stage| Evolution::new(&hill, self.ground.range.momentum()).motion(stage));
+        let share = motions.iter().map(|motion| hill.share(motion).unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
+        let criteria = average_criteria(&hill, &self.ground.range, &self.ground.poles, self.way.ends);
+        let error = criteria.error().max(share);
+        if error > HELD || motions.iter().any(|motion| hill.floquet(motion).is_ok_and(|found| found.resonance.is_some())) {
+            return None;
+        }
+        ageing.take_hill(hill);
+        Some(Road::Average { error })
     }
 
     /// The average that was asked for.

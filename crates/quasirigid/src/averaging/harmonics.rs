@@ -1,5 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::Complex;
+
 use super::poinsot::FreeRotation;
 use crate::math::elliptic::first_of_complement;
 use crate::model::Mode;
@@ -32,8 +34,9 @@ impl FreeRotation {
 }
 
 /// What the harmonics of a motion have in common.
-struct Series {
+pub(super) struct Series {
     mode: Mode,
+    side: f64,
     amplitudes: [f64; 3],
     polhode: f64,
     /// Nome `q`, and `q/k²` and `√q/k`, which stay finite for small `k`.
@@ -46,7 +49,7 @@ struct Series {
 }
 
 impl Series {
-    fn of(motion: &FreeRotation) -> Self {
+    pub(super) fn of(motion: &FreeRotation) -> Self {
         let (m, complement) = (motion.parameter(), motion.complement());
         let quarter = first_of_complement(complement);
         let (nome, over_square) = if m < SMALL {
@@ -62,6 +65,7 @@ impl Series {
         let moves = period.is_finite() && motion.amplitudes().iter().filter(|rate| **rate > 0.0).count() > 1;
         Self {
             mode: motion.mode(),
+            side: motion.side(),
             amplitudes: motion.amplitudes(),
             polhode: TAU / period,
             nome,
@@ -74,7 +78,7 @@ impl Series {
 
     /// Products of the functions: squares and `sn cn` have the even harmonics, the others the odd ones; cosines have real
     /// amplitudes, sines imaginary ones.
-    fn harmonic(&self, number: usize) -> Harmonic {
+    pub(super) fn harmonic(&self, number: usize) -> Harmonic {
         let [a, b, c] = self.amplitudes;
         let [mut real, mut imaginary] = [[0.0; 6]; 2];
         let power = self.nome.powi(number as i32);
@@ -107,5 +111,43 @@ impl Series {
             }
         }
         Harmonic { number, frequency: number as f64 * self.polhode, products: [real, imaginary] }
+    }
+
+    /// Number of the harmonic that [`FreeRotation::harmonics`] ends with: those beyond are lost in rounding, squared.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Number of the harmonic beyond which amplitudes are weaker than `weak` of the first ones.
+    pub(super) fn reach(&self, weak: f64) -> usize {
+        if self.count == 0 { 0 } else { 2 + (2.0 * weak.ln() / self.nome.ln()).ceil() as usize }
+    }
+
+    /// Amplitude of `e^{inΩ_p t}` in the spin (rad/s), principal axes, on the side the motion is on; the mean for `n = 0`. (H4)
+    pub(super) fn spin(&self, number: usize) -> [Complex<f64>; 3] {
+        let [a, b, c] = self.amplitudes;
+        let side = Complex::from(self.side);
+        let root = self.scale.sqrt();
+        let power = self.nome.powi(number as i32);
+        let zero = Complex::from(0.0);
+        let [sn, cn, dn] = if number.is_multiple_of(2) {
+            let half = if number == 0 { 0.5 } else { self.nome.powi(number as i32 / 2) / (1.0 + power) };
+            [zero, zero, Complex::from(root * half)]
+        } else {
+            let near = root * self.over_root * self.nome.powi(number as i32 / 2);
+            [Complex::new(0.0, -near / (1.0 - power)), Complex::from(near / (1.0 + power)), zero]
+        };
+        match self.mode {
+            Mode::ShortAxis => [a * cn, side * b * sn, side * c * dn],
+            Mode::LongAxis => [side * a * dn, side * b * sn, c * cn],
+        }
+    }
+
+    /// Signs of the products yz, zx, xy on the side the motion is on, beside those on the positive side.
+    pub(super) fn signs(&self) -> [f64; 3] {
+        match self.mode {
+            Mode::ShortAxis => [1.0, self.side, self.side],
+            Mode::LongAxis => [self.side, self.side, 1.0],
+        }
     }
 }

@@ -6,6 +6,7 @@ mod drift;
 mod euler_angles;
 mod evolution;
 mod harmonics;
+mod hill;
 mod observed;
 mod poinsot;
 mod power;
@@ -18,6 +19,7 @@ pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Separ
 pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
+pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
 pub use power::{MeanPower, PolynomialPower};

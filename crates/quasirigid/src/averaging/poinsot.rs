@@ -282,6 +282,22 @@ impl FreeRotation {
         self.phase + self.rate() * t
     }
 
+    /// Time (s) since the argument of the elliptic functions was zero, at `t = 0`.
+    pub(super) fn time_from_origin(&self) -> f64 {
+        let time = self.phase / self.rate();
+        if time.is_finite() { time } else { 0.0 }
+    }
+
+    /// Side of the circled axis that the momentum is on, ±1.
+    pub(super) fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// The spin of a sphere, which does not move in the body.
+    pub(super) fn steady(&self) -> Option<[f64; 3]> {
+        self.steady
+    }
+
     /// Greatest spin about each axis.
     pub(super) fn amplitudes(&self) -> [f64; 3] {
         let [I1, I2, I3] = self.moments;

@@ -30,13 +30,13 @@ pub struct Response {
 
 /// A matrix in the rows that a loss law multiplies.
 #[derive(Clone, Debug)]
-struct Loss {
-    law: Law,
-    matrix: DMatrix<f64>,
+pub(super) struct Loss {
+    pub law: Law,
+    pub matrix: DMatrix<f64>,
 }
 
 #[derive(Clone, Debug)]
-enum Law {
+pub(super) enum Law {
     /// The factor `iν`.
     Dashpots,
     /// The factor `modulus − 1`.
@@ -44,7 +44,7 @@ enum Law {
 }
 
 /// Coordinates up to which every mode is kept; of a larger body only those that the loads excite at low frequency.
-const WHOLE: usize = 64;
+pub(super) const WHOLE: usize = 64;
 /// Off-diagonal entries below this share of the diagonal are rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -249,7 +249,8 @@ impl Response {
 }
 
 impl Law {
-    fn factor(&self, frequency: f64) -> [f64; 2] {
+    /// The factor at a frequency `ν > 0` (rad/s): real and imaginary part.
+    pub(super) fn factor(&self, frequency: f64) -> [f64; 2] {
         match self {
             Self::Dashpots => [0.0, frequency],
             Self::Material(rheology) => {
@@ -261,7 +262,7 @@ impl Law {
 }
 
 /// `e·W x` of the cyclic coordinates. (C2)
-fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64> {
+pub(super) fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64> {
     let mut force = vec![0.0; x.len()];
     let cyclic = body.cyclic();
     for j in cyclic.clone() {
@@ -273,7 +274,7 @@ fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64> {
 }
 
 /// The liquids that have rows of their own: the last rows, in their order.
-fn memories(body: &FlexibleBody, rows: &[Row]) -> Vec<(usize, LiquidMemory)> {
+pub(super) fn memories(body: &FlexibleBody, rows: &[Row]) -> Vec<(usize, LiquidMemory)> {
     let count: usize = body.memories().iter().map(|memory| memory.axes.len()).sum();
     let mut next = rows.len() - count;
     let place = |memory: &LiquidMemory| {

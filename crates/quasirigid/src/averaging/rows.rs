@@ -27,6 +27,18 @@ pub(super) fn rows(
     principal: &Principal,
     whole: usize,
 ) -> Result<Vec<Row>, NoConvergence> {
+    rows_in(body, principal, |loads| (body.elastic() > whole).then(|| excited(body, loads)))
+}
+
+/// The same with the vibrations of a span of the elastic coordinates that depends on the loads; of all without one.
+///
+/// # Errors
+/// [`NoConvergence`] if the eigenvalue solver fails.
+pub(super) fn rows_in(
+    body: &FlexibleBody,
+    principal: &Principal,
+    span: impl Fn(&[Sym]) -> Option<Span>,
+) -> Result<Vec<Row>, NoConvergence> {
     let loads = loads(body, principal);
     let row = |Shape { square, x }: Shape| {
         let h = body.invariants().h.iter().zip(&x);
@@ -41,7 +53,7 @@ pub(super) fn rows(
             shape: x,
         }
     };
-    let vibrations = vibrations(body, &loads, whole)?;
+    let vibrations = vibrations(body, span(&loads))?;
     let mut rows: Vec<Row> = vibrations.into_iter().chain(relaxations(body)?).map(row).collect();
     rows.extend(body.memories().iter().flat_map(|memory| liquid(body, principal, memory)));
     Ok(rows)
@@ -63,7 +75,7 @@ fn liquid(body: &FlexibleBody, principal: &Principal, memory: &LiquidMemory) -> 
 }
 
 /// Loads of a free rotation on each coordinate. (G5)
-fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
+pub(super) fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
     let invariants = body.invariants();
     invariants.J1.iter().zip(&invariants.h).map(|(J, h)| load(principal, *J, *h)).collect()
 }
@@ -91,10 +103,9 @@ struct Shape {
     x: Vec<f64>,
 }
 
-/// Elastic modes with what turns inside locked: all, or of a body of more coordinates those that the loads excite.
-fn vibrations(body: &FlexibleBody, loads: &[Sym], whole: usize) -> Result<Vec<Shape>, NoConvergence> {
+/// Elastic modes with what turns inside locked: all, or those of a span.
+fn vibrations(body: &FlexibleBody, span: Option<Span>) -> Result<Vec<Shape>, NoConvergence> {
     let elastic = 0..body.elastic();
-    let span = (elastic.len() > whole).then(|| excited(body, loads));
     let (A, C) = match &span {
         None => (
             body.recoiling_mass_matrix().block(elastic.clone()),

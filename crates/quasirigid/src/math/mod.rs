@@ -3,6 +3,7 @@
 pub mod bisection;
 pub mod elliptic;
 pub mod expression;
+pub mod gmres;
 pub mod mesh;
 pub mod meshing;
 pub mod ode;

@@ -221,6 +221,12 @@ impl FlexibleBody {
         self.with(0..self.elastic)
     }
 
+    /// The same body with no more of its liquids than the coordinates that stand for them in the equations of motion.
+    #[must_use]
+    pub fn without_memories(&self) -> Self {
+        Self { memories: Vec::new(), ..self.clone() }
+    }
+
     /// The same body with its elastic coordinates locked.
     #[must_use]
     pub fn stiff_outside(&self) -> Self {

@@ -1,0 +1,70 @@
+//! Bodies and motions that the tests share.
+
+use quasirigid::averaging::{FreeRotation, HillResponse};
+use quasirigid::dynamics::FullState;
+use quasirigid::elements::{
+    Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Rotor, RotorKind, Spring,
+};
+use quasirigid::math::rotation::ALIGNED;
+use quasirigid::math::sym;
+use quasirigid::model::{FlexibleBody, Mode, Motion, Principal, Rheology};
+
+pub fn flywheel(axis: [f64; 3], inertia: f64, friction: f64) -> Rotor {
+    Rotor { name: "flywheel".into(), kind: RotorKind::Flywheel { axis }, inertia, friction, speed: None }
+}
+
+pub fn ball(inertia: f64, friction: f64) -> Rotor {
+    Rotor { name: "ball".into(), kind: RotorKind::Sphere, inertia, friction, speed: None }
+}
+
+/// A motion with a mean spin of about `spin` (rad/s).
+pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {
+    let moments = Principal::of(body.invariants().J).moments;
+    FreeRotation::at_logit(moments, spin * moments[mode.circled()], mode, xi)
+}
+
+/// Two masses on skew lines, far from every axis, on a carrier without symmetry: masses (kg), stiffnesses (N/m), damping ratio.
+pub fn skew(masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
+    lines([[0.3, -0.4, 0.9], [0.8, 0.5, 0.2]], masses, stiffness, ratio)
+}
+
+/// The same on given lines.
+pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
+    let place = [[0.9, 0.3, 0.4], [-0.5, 0.8, -0.6]];
+    let point = |i: usize| Point {
+        name: format!("mass {i}"),
+        mass: masses[i],
+        position: place[i],
+        motion: Line::Line(line[i]),
+    };
+    let spring = |i: usize| Spring {
+        from: End::Point(i),
+        to: End::Carrier,
+        law: Law::Spatial {
+            stiffness: Coefficient::Isotropic(stiffness[i]),
+            damping: Coefficient::Isotropic(2.0 * ratio * (masses[i] * stiffness[i]).sqrt()),
+        },
+        rheology: Rheology::Elastic,
+    };
+    Assembly {
+        carrier: Some(Carrier {
+            mass: 30.0,
+            center_of_mass: [0.1, -0.2, 0.05],
+            inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 16.0]],
+        }),
+        points: (0..2).map(point).collect(),
+        springs: (0..2).map(spring).collect(),
+        ..Assembly::default()
+    }
+}
+
+/// Angular velocity and state of a full run whose angular momentum is that of a motion at its start.
+pub fn full_start(body: &FlexibleBody, hill: &HillResponse, motion: &FreeRotation) -> FullState {
+    let (q, rate) = hill.state(motion, 0.0).unwrap();
+    let J = body.invariants().J;
+    let K = sym::times(J, hill.principal().vector(motion.omega(0.0)));
+    let inside = body.momentum(Motion { omega: [0.0; 3], q: &q, rate: &rate });
+    let left = sym::add(K, sym::scale(-1.0, inside));
+    let omega = sym::times(sym::inverse(body.inertia_at(&q)), left);
+    FullState { q, rate, ..FullState::at_rest(body, omega, ALIGNED) }
+}

@@ -38,6 +38,7 @@ mod refused;
 mod refused_forces;
 mod refused_surfaces;
 mod rheology;
+mod slender;
 mod solids;
 mod springs;
 mod surfaces;

@@ -200,8 +200,8 @@ impl Ageing {
                 rows.crossing()
             },
             lingering: if rows.steady() { evolution.lingering(from, to) } else { None },
-            damping_time: folding(evolution, self.principal.moments, Mode::ShortAxis),
-            growth_time: folding(evolution, self.principal.moments, Mode::LongAxis),
+            damping_time: folding(evolution, Mode::ShortAxis),
+            growth_time: folding(evolution, Mode::LongAxis),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
             columns,
@@ -267,11 +267,10 @@ const COLUMNS: [(&str, &str); 12] = [
     ("turns", "1"),
 ];
 
-/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost;
-/// NaN where what is lost is lost in rounding.
-fn folding(evolution: &Evolution, moments: [f64; 3], mode: Mode) -> f64 {
+/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost.
+fn folding(evolution: &Evolution, mode: Mode) -> f64 {
     let rate = evolution.wobble_rate(mode);
-    if !mode.exists(moments) || rate <= 0.0 { f64::INFINITY } else { rate.recip() }
+    if rate > 0.0 { rate.recip() } else { f64::INFINITY }
 }
 
 /// The name of a mode.

@@ -163,8 +163,8 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     writeln!(out, "{}", paragraph(&format!("{name}: {first}{}", record.sentence), "", "  "))?;
     table(out, &record.columns)?;
     writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
-    writeln!(out, "  small wobble, short axis   {}", folding("falls", record.damping_time))?;
-    writeln!(out, "  small wobble, long axis    {}", folding("grows", record.growth_time))?;
+    writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
+    writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
     if let Some(lingering) = record.lingering {
         writeln!(
             out,
@@ -175,13 +175,6 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     harmonics(out, record)?;
     resonances(out, record)?;
     writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
-}
-
-fn folding(verb: &str, seconds: f64) -> String {
-    if seconds.is_nan() {
-        return "not found: its power is lost in rounding (try --power harmonics)".into();
-    }
-    format!("{verb} e-fold in {}", time(seconds))
 }
 
 fn table(out: &mut String, columns: &[Column]) -> fmt::Result {

@@ -50,11 +50,10 @@ pub struct EvolutionRecord {
     /// Time spent within 1 % of the separatrix (s); none when it does not come so near.
     #[serde(with = "number")]
     pub lingering: Option<f64>,
-    /// Time in which a small wobble about the axis of greatest inertia decays by e (s); infinite where it never does, NaN where
-    /// the power is lost in rounding.
+    /// Time in which a small wobble about the axis of greatest inertia decays by e (s).
     #[serde(with = "number")]
     pub damping_time: f64,
-    /// The same for growth of one about the axis of least inertia.
+    /// Time in which a small wobble about the axis of least inertia grows by e (s).
     #[serde(with = "number")]
     pub growth_time: f64,
     /// The strongest harmonics at the start, in the order of their numbers.

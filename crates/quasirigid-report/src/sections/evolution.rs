@@ -121,9 +121,6 @@ fn power(evolution: &EvolutionRecord) -> Markup {
 
 /// A time after which something happens, which may be never.
 fn until(seconds: f64) -> String {
-    if seconds.is_nan() {
-        return "not found: lost in rounding".into();
-    }
     if seconds == f64::INFINITY { "never".into() } else { duration(seconds) }
 }
 

@@ -52,9 +52,6 @@ pub struct Passage {
 const SEPARATRIX: f64 = -40.0;
 /// Place, as `ξ`, where a wobble is so small that only its first harmonic is left.
 const AXIS: f64 = 36.0;
-/// Place a little before it, and the relative difference of their rates that is none.
-const BEFORE: f64 = 30.0;
-const LOST: f64 = 1e-3;
 /// Places that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that are listed before it.
 const NEAR: f64 = -4.595_119_850_134_59;
 const SEEN: f64 = -6.0;
@@ -211,16 +208,12 @@ impl<'a> Evolution<'a> {
     }
 
     /// Rate (1/s) at which a small wobble about the axis of a mode changes: its angle falls as `e^{−rate·t}` about the axis
-    /// of greatest inertia, and grows as `e^{rate·t}` about that of least. NaN where the power of so small a wobble is lost in
-    /// rounding: it is then no longer quadratic in the angle. (A7)
+    /// of greatest inertia, and grows as `e^{rate·t}` about that of least. (A7)
     #[must_use]
     pub fn wobble_rate(&self, mode: Mode) -> f64 {
-        let rate = |xi: f64| {
-            let motion = self.motion(Stage { mode, xi });
-            0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
-        };
-        let [limit, before] = [AXIS, BEFORE].map(rate);
-        if (limit - before).abs() <= LOST * limit.abs() { limit } else { f64::NAN }
+        let stage = Stage { mode, xi: AXIS };
+        let motion = self.motion(stage);
+        0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
     }
 
     fn between(&self, from: f64, to: f64) -> Passage {

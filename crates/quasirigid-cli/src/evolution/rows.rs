@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftHistory, DriftLimits, DriftState, Evolution, Passage, SlowTorque, Stage,
+    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, Passage, SlowTorque, Stage,
 };
 
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
@@ -37,19 +37,24 @@ impl<'e> Rows<'e> {
         Self { first: state(from), states, evolution, drift: None, status: "finished", error: 0.0, powers: None }
     }
 
-    /// Even times; the last row is the end, located whatever the times.
+    /// Even times up to the end, which is located whatever they are; a drift that ends early is followed once more for them.
     pub fn of_drift(
         ageing: &Ageing,
         torque: SlowTorque,
         start: DriftState,
         limits: DriftLimits,
         samples: usize,
-        progress: impl FnMut(f64) -> ControlFlow<()>,
+        mut progress: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Self {
         let last = samples.saturating_sub(1).max(1);
-        let times: Vec<f64> = (0..samples).map(|i| limits.end * i as f64 / last as f64).collect();
+        let times = |end: f64| -> Vec<f64> {
+            (0..samples).map(|i| if i == last { end } else { end * i as f64 / last as f64 }).collect()
+        };
         let drift = Drift::new(ageing.power(), &ageing.principal, torque);
-        let mut history = drift.follow(start, &times, &limits, progress);
+        let mut history = drift.follow(start, &times(limits.end), &limits, &mut progress);
+        if history.end.t < limits.end && history.ending != DriftEnding::Interrupted {
+            history = drift.follow(start, &times(history.end.t), &limits, &mut progress);
+        }
         let mut states = std::mem::take(&mut history.states);
         if states.last().is_none_or(|state| state.t < history.end.t) {
             states.push(history.end);

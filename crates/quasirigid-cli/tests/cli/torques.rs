@@ -87,9 +87,9 @@ fn a_torque_against_the_spin_turns_the_body_over_and_spins_it_up() {
 #[test]
 fn a_torque_along_the_spin_ends_at_the_slowest_elastic_frequency() {
     let model = asteroid("1 N m");
-    let object = told(&model, "--duration 100Myr", "spun-up");
+    let object = told(&model, "--duration 1Gyr", "spun-up");
     assert!(object["message"].as_str().unwrap().contains("slowest elastic frequency"), "{object}");
-    located(&model, "--duration 100Myr", "time");
+    located(&model, "--duration 1Gyr", "time");
     told(&model, "--duration 1Myr", "finished");
     let target = told(&model, "--duration 1Myr --to 5deg", "finished");
     assert!(target["message"].as_str().unwrap().starts_with("The target was reached after"), "{target}");
@@ -107,7 +107,7 @@ fn steady_spins_and_rest_are_told_apart() {
     assert!(!words(&refusal).contains("principal axis"), "{refusal}");
     let tiny = ran_with(MODEL, "evolve model.toml --to 1e-6deg");
     assert_eq!(tiny.code, Some(0), "{tiny:?}");
-    assert!(words(&tiny.stdout).contains("to 1.00e-6 degrees"), "{}", tiny.stdout);
+    assert!(words(&tiny.stdout).contains("wobble of 1.00e-6 degrees"), "{}", tiny.stdout);
 }
 
 /// Planetary B7: "the body spins about a principal axis".
@@ -119,7 +119,7 @@ fn a_wobble_needs_its_axis() {
                  wobble = { angle = \"20 deg\", rate = \"2 rev/d\", mode = \"short-axis\" }\n";
     let refusal = ran_with(model, "evolve model.toml").refusal().to_owned();
     assert!(words(&refusal).contains("no axis of greatest inertia to wobble about"), "{refusal}");
-    assert!(refusal.contains("mode = \"long-axis\""), "{refusal}");
+    assert!(words(&refusal).contains("mode = \"long-axis\""), "{refusal}");
     let long = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 0.9");
     assert_eq!(long.code, Some(0), "{long:?}");
     let to = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 5deg");
@@ -128,7 +128,7 @@ fn a_wobble_needs_its_axis() {
     assert!(words(&loss.stdout).contains("though the body loses energy"), "{loss:?}");
 }
 
-/// Adversary 08: two bodies on a tether, whose power is lost in rounding; the quadrature recursed for ever.
+/// Adversary 08: two bodies on a tether, whose inertia is 1e7 times less about the tether; the quadrature recursed for ever.
 #[test]
 fn slender_bodies_are_answered() {
     let model = "[carrier]\nmass = 100.0\ncenter_of_mass = [0.0, 0.0, 0.0]\ninertia = [10.0, 12.0, 15.0]\n\
@@ -140,5 +140,10 @@ fn slender_bodies_are_answered() {
         println!("{length} {options}: {:?}\n{}{}", start.elapsed(), ran.stdout, ran.stderr);
         assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
         assert!(ran.code == Some(0) || !ran.stderr.is_empty());
+        // Both roads to the power agree.
+        let square = (length.parse::<f64>().unwrap() / 3000.0).powi(2);
+        let object =
+            ran_with(&model.replace("2000", length), &format!("evolve model.toml {options} --json")).json();
+        assert!((object["time"].as_f64().unwrap() / (square * 7.0562e17) - 1.0).abs() < 1e-3, "{object:#}");
     }
 }

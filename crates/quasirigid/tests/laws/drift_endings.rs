@@ -151,14 +151,14 @@ fn sides_are_entered_with_their_probabilities() {
         let mut last = [0.0; 3];
         euler(torque, motion.omega(0.0), 0.04, |_, omega| {
             last = omega;
-            slow(omega)[1] < (MOMENTS[1] + 0.2) / MOMENTS[2]
+            slow(omega)[1] < (MOMENTS[1] + 0.008) / MOMENTS[2] // captured; the drag leads back from the worse side later
         });
         positive += u32::from(last[2] > 0.0);
     }
     let share = f64::from(positive) / f64::from(starts);
     println!("{share} {passage:?}");
     assert!((0.55..0.95).contains(&passage.probability));
-    assert!((share - passage.probability).abs() < 0.05, "{share} {passage:?}");
+    assert!((share - passage.probability).abs() < 0.02, "{share} {passage:?}");
 }
 
 /// Whatever the rows asked for, the end is the same in every bit.

@@ -39,6 +39,7 @@ mod refused;
 mod refused_forces;
 mod refused_surfaces;
 mod rheology;
+mod slender;
 mod solids;
 mod spin_modes;
 mod springs;

@@ -118,7 +118,7 @@ prop_compose! {
         words in [".*", ".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
         separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
         harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
-        dissipation in shares(),
+        dissipation in shares(), road in ".*", verdict in ".*", time_error in option::of(ANY),
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
         let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
@@ -130,9 +130,31 @@ prop_compose! {
         EvolutionRecord {
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
-            sentence, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, time, time_range,
-            turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
+            sentence, road, verdict, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, time,
+            time_error, time_range, turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
         }
+    }
+}
+
+prop_compose! {
+    fn mode()(
+        name in ".*", nutation: bool, numbers in [ANY; 5], time_constant in option::of(ANY), dissipation in shares(),
+        moves in shares(),
+    ) -> ModeRecord {
+        let [decay_rate, frequency, damping_ratio, slow, fast] = numbers;
+        let seen_from_outside = [slow, fast];
+        ModeRecord {
+            name, nutation, decay_rate, frequency, time_constant, damping_ratio, seen_from_outside, moves, dissipation,
+        }
+    }
+}
+
+prop_compose! {
+    fn steady_spin()(
+        sentence in ".*", axis in ".*", spin in option::of([ANY; 3]), momentum in option::of([ANY; 3]),
+        energy in option::of(ANY), displacements in shares(), stable: bool, modes in vec(mode(), 0..3),
+    ) -> SteadySpinRecord {
+        SteadySpinRecord { sentence, axis, spin, momentum, energy, displacements, stable, modes }
     }
 }
 
@@ -142,9 +164,11 @@ prop_compose! {
         body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
+        steady_spins in vec(steady_spin(), 0..3),
     ) -> RunRecord {
         RunRecord {
-            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, reduction,
+            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins,
+            reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
     }
@@ -172,6 +196,7 @@ fn sample() -> RunRecord {
             coordinates: vec!["tip.x".into()],
         },
         liquids: vec![],
+        steady_spins: vec![],
         validity: ValidityRecord {
             valid: true,
             verdict: "The reduced equations hold.".into(),

@@ -12,13 +12,15 @@ use source::Source;
 const PHYSICS: &str = "quasirigid";
 
 /// What each top-level module of the physics crate may use, beside itself: a star without sideways arrows.
-const MODULES: [(&str, &[&str]); 9] = [
+const MODULES: [(&str, &[&str]); 11] = [
     ("math", &[]),
     ("model", &["math"]),
     ("elements", &["math", "model"]),
     ("reduction", &["math", "model"]),
     ("dynamics", &["math", "model"]),
     ("averaging", &["math", "model"]),
+    ("modes", &["math", "model"]),
+    ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
     ("verification", &["math", "model", "reduction", "dynamics"]),
     ("ensemble", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),

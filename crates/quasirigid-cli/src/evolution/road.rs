@@ -32,6 +32,8 @@ pub struct Verdict {
     pub rates: Option<[Option<f64>; 2]>,
     /// Power or energy that each dissipator takes, where the road measured it.
     pub budget: Option<Vec<(String, f64)>>,
+    /// A vibration that grows from nothing on the way, in words.
+    pub parametric: Option<String>,
     /// Whether the answer does not hold although it was asked for.
     pub fails: bool,
 }
@@ -139,6 +141,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                     significant(100.0 * error.max(1e-6), 1)
                 ),
                 rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
                 ..Verdict::average(Some(error))
             };
             None
@@ -148,6 +151,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 sentence: format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria)),
                 fails: true,
                 rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
                 ..Verdict::average(Some(criteria.error()))
             };
             None
@@ -162,6 +166,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 ),
                 error: Some(error),
                 rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
                 ..Verdict::default()
             };
             None
@@ -179,6 +184,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 error: Some(power.error),
                 budget: first.map(|first| names(&first.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
                 fails: false,
             };
             ageing.take(power, &ground.range, way.energies[0]);
@@ -191,6 +197,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
                 budget: Some(names(&run.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
                 fails: false,
             };
             ageing.take(Box::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
@@ -292,6 +299,8 @@ const TOLERANCE: f64 = 1e-10;
 const DECAY: f64 = 0.05;
 /// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
 const LEFT_OUT: f64 = 0.02;
+/// Places of the way at which parametric resonance is looked for.
+const LOOKS: usize = 4;
 /// Coordinates up to which the response in the spinning frame is tried.
 const FEW_COORDINATES: usize = 120;
 /// Error up to which it is taken.
@@ -377,6 +386,11 @@ impl Choice<'_> {
 
     /// The average if it holds, from the reduced equations or else from the harmonics.
     fn average(&self, ageing: &mut Ageing) -> Option<Road> {
+        let hill = self.spinning_frame();
+        ageing.verdict.parametric = hill.as_ref().and_then(|hill| self.parametric(hill));
+        if ageing.verdict.parametric.is_some() {
+            return None;
+        }
         let criteria = self.criteria(ageing);
         if criteria.hold() {
             return Some(Road::Average { error: criteria.error() });
@@ -388,19 +402,39 @@ impl Choice<'_> {
                 return Some(Road::Average { error: criteria.error() });
             }
         }
-        if ageing.power_was_asked || self.body.coordinates().len() > FEW_COORDINATES {
-            return None;
-        }
-        let hill = HillResponse::of(self.body).ok()?;
+        let hill = hill.filter(|_| !ageing.power_was_asked)?;
         let motions = self.way.ends.map(|stage| Evolution::new(&hill, self.ground.range.momentum()).motion(stage));
         let share = motions.iter().map(|motion| hill.share(motion).unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
         let criteria = average_criteria(&hill, &self.ground.range, &self.ground.poles, self.way.ends);
         let error = criteria.error().max(share);
-        if error > HELD || motions.iter().any(|motion| hill.floquet(motion).is_ok_and(|found| found.resonance.is_some())) {
+        if error > HELD {
             return None;
         }
         ageing.take_hill(hill);
         Some(Road::Average { error })
+    }
+
+    /// The response in the spinning frame; none of a body of many coordinates.
+    fn spinning_frame(&self) -> Option<HillResponse> {
+        let few = self.body.coordinates().len() <= FEW_COORDINATES;
+        if few { HillResponse::of(self.body).ok() } else { None }
+    }
+
+    /// A vibration that grows from nothing on the way, in words; none if none does.
+    fn parametric(&self, hill: &HillResponse) -> Option<String> {
+        let evolution = Evolution::new(hill, self.ground.range.momentum());
+        let [from, to] = self.way.ends;
+        evolution.stages(from, to, LOOKS).find_map(|stage| {
+            let motion = evolution.motion(stage);
+            let resonance = hill.floquet(&motion).ok()?.resonance?;
+            Some(format!(
+                "Parametric resonance: at a wobble of {} degrees a vibration of {} at {} rad/s grows from nothing, e-fold in {}.",
+                significant(motion.nutation()[1].to_degrees(), 3),
+                resonance.coordinate,
+                significant(resonance.frequency, 4),
+                time(resonance.rate.recip())
+            ))
+        })
     }
 
     /// The average that was asked for.

@@ -119,7 +119,7 @@ fn odds(probability: f64) -> String {
 
 /// What the reader should know before the numbers.
 pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = ageing.verdict.parametric.iter().cloned().collect();
     let motions = ends.map(|stage| ageing.evolution().motion(stage));
     let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
     let judged = ageing.verdict.rates.is_some();

@@ -200,3 +200,18 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
         checked.stdout
     );
 }
+
+#[test]
+fn shares_of_dissipators_stand_where_the_equations_hold() {
+    let checked = ran("check examples/three-masses/model.toml");
+    let (_, rest) = checked.stdout.split_once("At this spin").unwrap();
+    assert_snapshot!(rest, @"");
+    let object = ran("check examples/three-masses/model.toml --json").json();
+    let shares = object["dissipation"].as_object().unwrap();
+    let sum: f64 = shares.values().map(|share| share.as_f64().unwrap()).sum();
+    assert!(shares.len() == 6 && (sum - 1.0).abs() < 1e-12, "{shares:?}");
+    for name in ["explorer1", "apophis"] {
+        let object = ran(&format!("check examples/{name}/model.toml --json")).json();
+        assert_eq!(object["dissipation"], serde_json::json!({}), "{name}");
+    }
+}

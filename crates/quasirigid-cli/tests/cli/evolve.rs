@@ -199,3 +199,24 @@ fn observed_periods_start_every_command() {
         assert!((start[axis] - after[axis]).abs() < 1e-8 * 6.4e-5, "{start:?} {after:?}"); // 263 h later
     }
 }
+
+/// The object, the text and the record tell the same shares; a body with one dissipator is not asked who.
+#[test]
+fn shares_of_dissipators_sum_to_one() {
+    let file = "examples/friction-wheel/model.toml";
+    for power in ["polynomial", "harmonics"] {
+        let object = ran(&format!("evolve {file} --power {power} --json")).json();
+        let shares = object["dissipation"].as_object().unwrap();
+        let names: Vec<_> = shares.keys().map(String::as_str).collect();
+        assert_eq!(names, ["damper wheel", "spring instrument-carrier"]);
+        close(shares.values().map(|share| share.as_f64().unwrap()).sum(), 1.0, 1e-12);
+        assert!(shares["damper wheel"].as_f64().unwrap() > 0.99, "{shares:?}");
+    }
+    let text = ran(&format!("evolve {file}")).stdout;
+    let line = text.lines().find(|line| line.contains("what dissipates")).unwrap();
+    assert_snapshot!(line, @"");
+    let folder = folder_with(ASTEROID);
+    let object = ran_in(folder.path(), "evolve model.toml --json").json();
+    assert_eq!(object["dissipation"], serde_json::json!({ "asteroid": 1.0 }));
+    assert!(!ran_in(folder.path(), "evolve model.toml").stdout.contains("what dissipates"));
+}

@@ -76,6 +76,10 @@ fn record_reads_back_and_tells_what_was_run() {
         assert_eq!(column("qw")[0], 1.0);
     }
     assert!(record.histories[0].dissipated > 0.0 && record.histories[1].dissipated == 0.0);
+    let shares = &record.histories[0].dissipation;
+    assert!(shares.len() == 6 && (shares.values().sum::<f64>() - 1.0).abs() < 1e-12, "{shares:?}");
+    assert_eq!(shares.keys().collect::<Vec<_>>(), record.reduction.dissipation.keys().collect::<Vec<_>>());
+    assert!(record.histories[1].dissipation.is_empty());
 }
 
 #[test]

@@ -187,3 +187,19 @@ fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
     assert_eq!((quiet.code, &*quiet.stderr), (Some(0), ""));
     assert_eq!(said.stdout, quiet.stdout);
 }
+
+/// The full history tells who took the energy, and the reduced one nearly the same.
+#[test]
+fn object_of_a_history_holds_the_shares_of_dissipators() {
+    let shares = |system: &str| {
+        let object =
+            ran(&format!("simulate examples/three-masses/model.toml --system {system} --duration 20 --json")).json();
+        object["dissipation"].as_object().unwrap().clone()
+    };
+    let (full, reduced) = (shares("full"), shares("reduced"));
+    assert_eq!(full.len(), 6);
+    for (name, share) in &full {
+        let (share, other) = (share.as_f64().unwrap(), reduced[name].as_f64().unwrap());
+        assert!((share - other).abs() < 0.02, "{name}: {share} {other}");
+    }
+}

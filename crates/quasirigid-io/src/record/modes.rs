@@ -21,6 +21,7 @@ pub struct SteadySpinRecord {
     #[serde(with = "number")]
     pub energy: Option<f64>,
     /// Displacements of the elastic coordinates, by name (m or rad).
+    #[serde(with = "number")]
     pub displacements: BTreeMap<String, f64>,
     /// Whether no small motion grows.
     pub stable: bool,
@@ -51,7 +52,9 @@ pub struct ModeRecord {
     #[serde(with = "number")]
     pub seen_from_outside: [f64; 2],
     /// Shares of the kinetic energy, by part.
+    #[serde(with = "number")]
     pub moves: BTreeMap<String, f64>,
     /// Shares of what is dissipated, by spring, hinge, part, material, rotor or cavity.
+    #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
 }

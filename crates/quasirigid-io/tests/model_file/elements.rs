@@ -57,6 +57,25 @@ fn a_name_given_twice_is_refused_at_both_places() {
 }
 
 #[test]
+fn a_spring_may_have_a_name() {
+    let spring = "[[spring]]\nname = \"strut\"\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 9\ndamping = 1\n";
+    let unnamed = spring.replace("name = \"strut\"\n", "");
+    let model = read(&format!("{CARRIER}{POINT}{spring}{unnamed}"));
+    let names: Vec<_> = model.assembly.springs.iter().map(|spring| spring.name.as_str()).collect();
+    assert_eq!(names, ["strut", ""]);
+    let body = model.assembly.body().unwrap();
+    let names: Vec<_> = body.dissipators().iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names, ["strut", "spring tip-carrier"]);
+    assert_snapshot!(refusal_of(&format!("{spring}{spring}")), @"");
+    assert_snapshot!(refusal_of(&spring.replace("strut", "tip")), @"");
+    assert_snapshot!(refusal_of(&spring.replace("strut", "carrier")), @"");
+    let onto = format!("{spring}[[spring]]\nfrom = \"strut\"\nto = \"tip\"\nstiffness = 1\n");
+    assert_snapshot!(refusal_of(&onto), @"");
+    let displaced = "[initial]\nangular_velocity = [0, 0, 1]\ndisplacements = { strut = [0, 0, 1] }\n";
+    assert_snapshot!(refusal_of(&format!("{spring}{displaced}")), @"");
+}
+
+#[test]
 fn a_spring_from_an_end_to_itself_is_refused() {
     assert_snapshot!(refusal_of("[[spring]]\nfrom = \"tip\"\nto = \"tip\"\nstiffness = 1\n"), @r#"
     model.toml:11:6: both ends of the spring are the same

@@ -79,6 +79,8 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         sentence: "Dissipation turns the rotation into a steady spin about the axis of greatest inertia, within 1 % of the \
                    energy that the wobble can lose."
             .into(),
+        road: "average".into(),
+        verdict: "Averaged along the polhode.".into(),
         method: "harmonics of the polhode through the linear response of the body, with the rheology of each material".into(),
         status: "finished".into(),
         message: "The target was reached.".into(),
@@ -88,6 +90,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         ratio_start,
         ratio_end: END,
         time: t,
+        time_error: Some(0.002),
         time_range: Some([0.31 * t, 27.0 * t]),
         turns,
         power: power(ratio_start),

@@ -231,6 +231,34 @@ fn liquids() -> Vec<LiquidRecord> {
     vec![tank, water]
 }
 
+/// A steady spin with two modes, and one that was not found.
+fn steady_spins() -> Vec<SteadySpinRecord> {
+    let mode = |name: &str, decay_rate: f64, frequency: f64| ModeRecord {
+        name: name.into(),
+        nutation: name == "nutation",
+        decay_rate,
+        frequency,
+        time_constant: Some(1.0 / decay_rate),
+        damping_ratio: decay_rate / frequency,
+        seen_from_outside: [frequency - 0.3, frequency + 0.3],
+        moves: shares(),
+        dissipation: shares(),
+    };
+    let found = SteadySpinRecord {
+        sentence: "About the axis of greatest inertia the nutation decays e-fold in 44 min.".into(),
+        axis: "greatest".into(),
+        spin: Some([0.0, 0.0, 0.3]),
+        momentum: Some([0.0, 0.0, 12.0]),
+        energy: Some(1.8),
+        displacements: shares(),
+        stable: true,
+        modes: vec![mode("nutation", 3.8e-4, 0.12), mode("tip <x>", -2.1e-3, 4.7)],
+    };
+    let sentence = "About the axis of least inertia: no steady spin was found.".into();
+    let lost = SteadySpinRecord { sentence, axis: "least".into(), spin: None, modes: vec![], ..found.clone() };
+    vec![found, lost]
+}
+
 /// A record with a damped and a rigid history.
 pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
     let histories = vec![history("reduced", rows, duration, alpha), history("rigid", rows, duration, 0.0)];
@@ -254,6 +282,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
         },
         liquids: liquids(),
         validity: validity(),
+        steady_spins: steady_spins(),
         reduction: ReductionRecord {
             order: 3,
             optimal_order: 9,

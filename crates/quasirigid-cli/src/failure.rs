@@ -36,9 +36,13 @@ pub enum Failure {
     Duration { text: String, cause: Box<UnitError> },
     #[error("--duration {seconds} s is not a duration; give one above zero, such as \"2 h\"")]
     NoDuration { seconds: f64 },
-    #[error("the start: {0}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers")]
+    #[error(
+        "the start: {0}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers"
+    )]
     NoStart(EquilibriumError),
-    #[error("modes are those of a body that no moment acts on: take the forces and the driven support out of the model")]
+    #[error(
+        "modes are those of a body that no moment acts on: take the forces and the driven support out of the model"
+    )]
     ModesUnderForces,
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },

@@ -79,7 +79,8 @@ const UNBALANCED: f64 = 0.5;
 
 /// Whether the displacements of a body follow its spin (rad/s) as the series of its slow manifold says. (Q8)
 pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 3]) -> bool {
-    reduced.order < 2 || (residual(body, reduced, spin).elastic <= UNBALANCED && manifold_has_meaning(body, reduced, spin))
+    reduced.order < 2
+        || (residual(body, reduced, spin).elastic <= UNBALANCED && manifold_has_meaning(body, reduced, spin))
 }
 
 /// A wobble about an axis that the body does not have.

@@ -22,7 +22,10 @@ const SHARES: usize = 4;
 /// The steady spins next to the axes of greatest and of least inertia, and if that is unstable by itself nothing else.
 pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
     let [least, _, greatest] = quasirigid::model::Principal::of(body.invariants().J).axes;
-    [("greatest", greatest), ("least", least)].into_iter().map(|(name, axis)| spin(body, name, axis, given)).collect()
+    [("greatest", greatest), ("least", least)]
+        .into_iter()
+        .map(|(name, axis)| spin(body, name, axis, given))
+        .collect()
 }
 
 /// The steady spins at the angular velocity (rad/s) of the start; none where moments act, and of bodies of more coordinates than are
@@ -42,7 +45,10 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
         return String::new();
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
-    format!("\nSteady spins at this rate, with the small motions about them (quasirigid modes)\n{}", spins.iter().map(line).collect::<String>())
+    format!(
+        "\nSteady spins at this rate, with the small motions about them (quasirigid modes)\n{}",
+        spins.iter().map(line).collect::<String>()
+    )
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.
@@ -107,7 +113,11 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
     let nutation = match modes.nutation() {
-        Some(nutation) => format!("the nutation, {} rad/s in the body, {}", significant(nutation.frequency, 4), fate(nutation.decay_rate)),
+        Some(nutation) => format!(
+            "the nutation, {} rad/s in the body, {}",
+            significant(nutation.frequency, 4),
+            fate(nutation.decay_rate)
+        ),
         None => "there is no nutation".into(),
     };
     match fastest {
@@ -187,7 +197,8 @@ fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
 fn shares(shares: &std::collections::BTreeMap<String, f64>) -> Option<String> {
     let mut list: Vec<_> = shares.iter().collect();
     list.sort_by(|a, b| b.1.total_cmp(a.1));
-    let words = list.iter().take(SHARES).map(|(name, share)| format!("{name} {} %", significant(100.0 * **share, 3)));
+    let words =
+        list.iter().take(SHARES).map(|(name, share)| format!("{name} {} %", significant(100.0 * **share, 3)));
     let words = words.collect::<Vec<_>>().join(", ");
     (!words.is_empty()).then_some(words)
 }

@@ -237,6 +237,8 @@ fn sample() -> RunRecord {
         verification: None,
         evolution: Some(EvolutionRecord {
             sentence: "It never settles.".into(),
+            road: "average".into(),
+            verdict: String::new(),
             method: "strain energy".into(),
             status: "held".into(),
             message: "Ended at once.".into(),
@@ -246,6 +248,7 @@ fn sample() -> RunRecord {
             ratio_start: 0.9,
             ratio_end: 0.9,
             time: f64::INFINITY,
+            time_error: Some(f64::NAN),
             time_range: Some([1.5, f64::INFINITY]),
             turns: f64::INFINITY,
             power: 0.0,

@@ -1,7 +1,8 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{
-    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, MeanPower, PolynomialPower, Response, Stage,
+    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, MeanPower, PolynomialPower, Response,
+    Stage,
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
@@ -260,7 +261,11 @@ impl Ageing {
             verdict: self.verdict.sentence.clone(),
             method: self.method(),
             status: if self.verdict.fails { "does-not-hold" } else { rows.status }.into(),
-            message: if self.verdict.fails { self.verdict.sentence.clone() } else { words::message(rows, asked, ages) },
+            message: if self.verdict.fails {
+                self.verdict.sentence.clone()
+            } else {
+                words::message(rows, asked, ages)
+            },
             momentum: self.initial.momentum(),
             mode_start: mode(from.mode).into(),
             mode_end: mode(to.mode).into(),
@@ -278,7 +283,10 @@ impl Ageing {
                 rows.crossing()
             },
             lingering: if rows.steady() { evolution.lingering(from, to) } else { None },
-            damping_time: self.verdict.folding(Mode::ShortAxis).unwrap_or(folding(evolution, Mode::ShortAxis)),
+            damping_time: self
+                .verdict
+                .folding(Mode::ShortAxis)
+                .unwrap_or(folding(evolution, Mode::ShortAxis)),
             growth_time: self.verdict.folding(Mode::LongAxis).unwrap_or(folding(evolution, Mode::LongAxis)),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
@@ -295,7 +303,8 @@ impl Ageing {
         if let Some(method) = self.verdict.method() {
             method
         } else if self.in_spinning_frame {
-            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces".into()
+            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces"
+                .into()
         } else if self.by_polynomial {
             format!("mean of the power of the reduced equations of order {} along the polhode", self.order)
         } else {

@@ -108,7 +108,9 @@ pub fn follow(
     let columns = ageing.columns(&mut rows, interrupt, &bar);
     bar.clear();
     let time_range = match &model.extremes {
-        Some(extremes) if rows.steady() && ageing.verdict.road == "average" => Some(range(extremes, &ageing, from, rows.last().stage)?),
+        Some(extremes) if rows.steady() && ageing.verdict.road == "average" => {
+            Some(range(extremes, &ageing, from, rows.last().stage)?)
+        }
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();

@@ -94,6 +94,9 @@ pub fn choose(
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
     };
     ageing.verdict.rates = Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)));
+    if let (None, Some(unstable)) = (asked.method, ground.unstable()) {
+        return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
+    }
     let way = Way::of(&ground, full, asked, ageing)?;
     let choice = Choice { body, ground: &ground, way: &way, duration: asked.duration };
     let refused = |message: String| Refusal { message, rates: ageing_rates(&ground) };
@@ -193,7 +196,8 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
         Road::Direct(run) => {
             ageing.verdict = Verdict {
                 road: "direct",
-                sentence: "The full system was followed from start to end; the wobble is its envelope.".into(),
+                sentence: "The full system was followed from start to end; the wobble is its envelope."
+                    .into(),
                 error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
                 budget: Some(names(&run.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
@@ -211,12 +215,21 @@ fn unfounded(criteria: AverageCriteria) -> String {
     let AverageCriteria { poles, settling, moments } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
     if moments >= poles && moments >= settling {
-        return format!("the deformation changes the differences between the moments of inertia by {} %", percent(moments));
+        return format!(
+            "the deformation changes the differences between the moments of inertia by {} %",
+            percent(moments)
+        );
     }
     if settling > poles {
-        return format!("the wobble changes at {} of the rate at which the inside follows it", significant(settling, 2));
+        return format!(
+            "the wobble changes at {} of the rate at which the inside follows it",
+            significant(settling, 2)
+        );
     }
-    format!("a small wobble changes at a rate that is {} % off that of the modes, which is exact", percent(poles))
+    format!(
+        "a small wobble changes at a rate that is {} % off that of the modes, which is exact",
+        percent(poles)
+    )
 }
 
 /// Effective moments alone: what places a stage, without a power.
@@ -331,6 +344,17 @@ impl<'a> Ground<'a> {
         FreeRotation::at_logit(self.range.moments(), self.range.momentum(), mode, xi)
     }
 
+    /// What grows at the axis of greatest inertia, in words; none if its spin is stable.
+    fn unstable(&self) -> Option<String> {
+        let pole = self.poles.short.as_ref()?;
+        let mode = pole.unstable()?;
+        Some(format!(
+            "the steady spin about the axis of greatest inertia is unstable: a motion of {} grows e-fold in {}",
+            mode.name,
+            time(-mode.time_constant())
+        ))
+    }
+
     /// Whether the equations of motion hold all that dissipates in the modes on the way.
     fn complete(&self, ends: [Stage; 2]) -> bool {
         let modes = ends.map(|stage| stage.mode);
@@ -403,8 +427,10 @@ impl Choice<'_> {
             }
         }
         let hill = hill.filter(|_| !ageing.power_was_asked)?;
-        let motions = self.way.ends.map(|stage| Evolution::new(&hill, self.ground.range.momentum()).motion(stage));
-        let share = motions.iter().map(|motion| hill.share(motion).unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
+        let motions =
+            self.way.ends.map(|stage| Evolution::new(&hill, self.ground.range.momentum()).motion(stage));
+        let share =
+            motions.iter().map(|motion| hill.share(motion).unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
         let criteria = average_criteria(&hill, &self.ground.range, &self.ground.poles, self.way.ends);
         let error = criteria.error().max(share);
         if error > HELD {
@@ -449,9 +475,6 @@ impl Choice<'_> {
         ageing: &mut Ageing,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Result<Road, String>, Failure> {
-        if let Some(unstable) = self.unstable() {
-            return Ok(Err(unstable));
-        }
         if !self.ground.complete(self.way.ends) {
             return Ok(self.calibrated(ageing));
         }
@@ -491,7 +514,7 @@ impl Choice<'_> {
         let wobble = self.way.ends.map(|stage| self.ground.motion(stage).nutation()[1]);
         let widest = wobble[0].max(wobble[1]);
         let error = off * (widest / WIDE).powi(2).min(1.0);
-        if let Some(unstable) = self.unstable() {
+        if let Some(unstable) = self.ground.unstable() {
             return Err(unstable);
         }
         if error > REFUSED {
@@ -520,7 +543,8 @@ impl Choice<'_> {
         let run = follow_directly(self.body, &self.way.start, options, watch)?;
         let end = run.rows[run.rows.len() - 1];
         let told = |why: &str| {
-            let unstable = self.unstable().map_or_else(String::new, |unstable| format!("; {unstable}"));
+            let unstable =
+                self.ground.unstable().map_or_else(String::new, |unstable| format!("; {unstable}"));
             format!(
                 "the full system was followed for {} ({} turns) and did not get there: {why}{unstable}",
                 time(end.t),
@@ -547,16 +571,5 @@ impl Choice<'_> {
             let pole = self.ground.poles.of_mode(stage.mode);
             pole.is_some_and(|pole| pole.modes.internal.iter().any(|[decay, _]| *decay < 0.0))
         })
-    }
-
-    /// What grows at the axis of greatest inertia, in words; none if its spin is stable.
-    fn unstable(&self) -> Option<String> {
-        let pole = self.ground.poles.short.as_ref()?;
-        let mode = pole.unstable()?;
-        Some(format!(
-            "the steady spin about the axis of greatest inertia is unstable: a motion of {} grows e-fold in {}",
-            mode.name,
-            time(-mode.time_constant())
-        ))
     }
 }

@@ -34,7 +34,15 @@ impl<'e> Rows<'e> {
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
         let evolution = Some(*evolution);
-        Self { first: state(from), states, evolution, drift: None, status: "finished", error: 0.0, powers: None }
+        Self {
+            first: state(from),
+            states,
+            evolution,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: None,
+        }
     }
 
     /// Even times up to the end, which is located whatever they are; a drift that ends early is followed once more for them.
@@ -83,7 +91,8 @@ impl<'e> Rows<'e> {
         let power = |i: usize| {
             let half = 0.5 * range.polhode(rows[i].energy).polhode_period().min(end.t);
             let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
-            let after = rows.partition_point(|row| row.t <= rows[i].t + half).clamp(i + 2, rows.len().max(i + 2)) - 1;
+            let after =
+                rows.partition_point(|row| row.t <= rows[i].t + half).clamp(i + 2, rows.len().max(i + 2)) - 1;
             let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
             if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
         };

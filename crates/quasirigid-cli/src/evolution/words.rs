@@ -165,7 +165,8 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
         return refused(out, name, record);
     }
     let verdict = if record.verdict.is_empty() { String::new() } else { format!("{} ", record.verdict) };
-    let (before, after) = if record.status == "does-not-hold" { (verdict, String::new()) } else { (String::new(), verdict) };
+    let (before, after) =
+        if record.status == "does-not-hold" { (verdict, String::new()) } else { (String::new(), verdict) };
     writeln!(out, "{}", paragraph(&format!("{name}: {before}{first}{}", record.sentence), "", "  "))?;
     if !after.is_empty() {
         writeln!(out, "{}", paragraph(after.trim_end(), "  ", "  "))?;

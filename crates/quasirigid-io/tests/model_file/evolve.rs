@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use quasirigid_io::model::{Evolve, Power, Target};
+use quasirigid_io::model::{Evolve, EvolveMethod, Power, Target};
 
 use super::{CARRIER, read, refusal_of};
 
@@ -26,13 +26,15 @@ fn refused_alone(text: &str) -> String {
 fn an_evolution_is_read() {
     assert_eq!(read(CARRIER).run.evolve, None);
     assert_eq!(evolve("{}"), Some(Evolve::default()));
-    let all =
-        evolve("{ until = \"98% of I3\", duration = \"10 Gyr\", samples = 201, power = \"harmonics\" }");
+    let all = evolve(
+        "{ until = \"98% of I3\", duration = \"10 Gyr\", samples = 201, power = \"harmonics\", method = \"micro-runs\" }",
+    );
     let expected = Evolve {
         until: Some(Target::Ratio(0.98)),
         duration: Some(31_557_600e10),
         samples: Some(201),
         power: Some(Power::Harmonics),
+        method: Some(EvolveMethod::MicroRuns),
     };
     assert_eq!(all, Some(expected));
 }

@@ -255,7 +255,8 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
         modes: vec![mode("nutation", 3.8e-4, 0.12), mode("tip <x>", -2.1e-3, 4.7)],
     };
     let sentence = "About the axis of least inertia: no steady spin was found.".into();
-    let lost = SteadySpinRecord { sentence, axis: "least".into(), spin: None, modes: vec![], ..found.clone() };
+    let lost =
+        SteadySpinRecord { sentence, axis: "least".into(), spin: None, modes: vec![], ..found.clone() };
     vec![found, lost]
 }
 

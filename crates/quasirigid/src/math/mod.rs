@@ -17,4 +17,6 @@ pub mod surface;
 pub mod sym;
 pub mod taylor;
 
-pub use quasirigid_linear::{cholesky, dynamic_stiffness, eigen, factor, krylov, lu, span, sparse, symmetric};
+pub use quasirigid_linear::{
+    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, span, sparse, symmetric,
+};

@@ -117,8 +117,7 @@ impl BalancedSpin {
                 }
             }
             let factor = crate::math::lu::Lu::new(&left)?;
-            let load: Vec<f64> =
-                J1[..elastic].iter().map(|J1| 0.5 * dot(omega, times(*J1, omega))).collect();
+            let load: Vec<f64> = J1[..elastic].iter().map(|J1| 0.5 * dot(omega, times(*J1, omega))).collect();
             q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
             let SpinCoefficients { inertia, slopes, .. } = body.about_spin(omega, &q);
             let answers = factor.solve(slopes[..elastic].as_flattened(), 3)?;

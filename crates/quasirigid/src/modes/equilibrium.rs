@@ -161,8 +161,12 @@ impl Guess {
             let slope = Matrix3::from(balanced.slope).transpose();
             let gap = K - ratio * omega;
             let (excess, gradient) = match given {
-                Given::Rate(rate) => (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate)),
-                Given::Momentum(G) => (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G)),
+                Given::Rate(rate) => {
+                    (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate))
+                }
+                Given::Momentum(G) => {
+                    (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G))
+                }
             };
             let residual = gap.norm() / K.norm() + excess.abs();
             if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED) {

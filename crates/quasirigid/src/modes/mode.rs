@@ -96,7 +96,9 @@ impl SpinModes {
         slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
         let small = body.coordinates().len() <= REFINED;
         let again = |i: usize| {
-            small || Some(i) == nutation || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
+            small
+                || Some(i) == nutation
+                || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());
@@ -108,11 +110,15 @@ impl SpinModes {
             let refined = if again(i) { pencil.refined(start.clone()) } else { None };
             let kept = refined.filter(|(lambda, _)| near(*lambda, motion.lambda));
             let known = |lambda: Complex<f64>| {
-                let gap = |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
+                let gap =
+                    |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
                 modes.iter().any(|mode| gap(mode) < SAME * lambda.norm())
             };
             // Relaxations of a liquid whose impedance is known stand for it only where they lead to a mode of it.
-            if pencil.has_liquids() && Some(i) != nutation && kept.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
+            if pencil.has_liquids()
+                && Some(i) != nutation
+                && kept.as_ref().is_none_or(|(lambda, _)| known(*lambda))
+            {
                 continue;
             }
             let (lambda, x) = kept.unwrap_or(start);
@@ -206,7 +212,10 @@ impl Frame<'_> {
         let name = match largest {
             _ if nutation => "nutation".to_owned(),
             Some((j, rate)) if rate.norm_sqr() > 0.0 => self.body.coordinates()[j].name.clone(),
-            Some(_) => liquids.first().map_or("spin", |(liquid, ..)| self.body.coordinates()[liquid.coordinates.start].part()).to_owned(),
+            Some(_) => liquids
+                .first()
+                .map_or("spin", |(liquid, ..)| self.body.coordinates()[liquid.coordinates.start].part())
+                .to_owned(),
             None => "spin".to_owned(),
         };
         let shares = |list: Vec<(String, f64)>, sum: f64| {
@@ -237,7 +246,8 @@ impl Frame<'_> {
         let found = if lambda.re.abs() > ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
         let light = found.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
-        let balanced = oscillates && if pencil.is_nonlinear() { light && self.body.memories().is_empty() } else { true };
+        let balanced =
+            oscillates && if pencil.is_nonlinear() { light && self.body.memories().is_empty() } else { true };
         if !balanced {
             return found;
         }

@@ -21,7 +21,8 @@ pub(super) fn moving(
     liquids: &[Turning<'_>],
 ) -> Vec<(String, f64)> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
-    let [re, im] = [0, 1].map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
+    let [re, im] = [0, 1]
+        .map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
     let (re, im) = (body.mass_times(&re), body.mass_times(&im));
     let mut K = sym::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
     let mut parts: Vec<(String, f64)> = vec![("body".to_owned(), 0.0)];
@@ -79,9 +80,10 @@ pub(super) fn dissipation(
         .collect();
     for (memory, angles) in pencil.liquids(x) {
         let Z = turned_impedance(memory, lambda, pencil.omega());
-        let rate = memory.axes.iter().zip(angles).fold(Vector3::zeros(), |sum: Vector3<Complex<f64>>, (axis, x)| {
-            sum + Vector3::from(*axis).map(Complex::from) * (lambda * x)
-        });
+        let rate =
+            memory.axes.iter().zip(angles).fold(Vector3::zeros(), |sum: Vector3<Complex<f64>>, (axis, x)| {
+                sum + Vector3::from(*axis).map(Complex::from) * (lambda * x)
+            });
         let power = rate.dotc(&(Z * rate)).re;
         let name = body.coordinates()[memory.coordinates.start].part();
         match lost.iter_mut().find(|(known, _)| known == name) {

@@ -67,11 +67,13 @@ pub(super) fn spectrum(
 fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let (J, A) = (sym::rows(*inertia), body.mass_matrix());
-    DMatrix::from_fn(3 + h.len(), 3 + h.len(), |row, column| match (row.checked_sub(3), column.checked_sub(3)) {
-        (None, None) => J[row][column],
-        (None, Some(k)) => h[k][row],
-        (Some(j), None) => h[j][column],
-        (Some(j), Some(k)) => A.at(j, k),
+    DMatrix::from_fn(3 + h.len(), 3 + h.len(), |row, column| {
+        match (row.checked_sub(3), column.checked_sub(3)) {
+            (None, None) => J[row][column],
+            (None, Some(k)) => h[k][row],
+            (Some(j), None) => h[j][column],
+            (Some(j), Some(k)) => A.at(j, k),
+        }
     })
 }
 

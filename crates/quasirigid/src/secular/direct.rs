@@ -146,7 +146,9 @@ impl DirectRun {
         self.energy_drift += found.last.energy_drift;
         let end = before.after(&found.last);
         let ending = match found.outcome {
-            Outcome::Finished if end.t >= options.duration * (1.0 - f64::EPSILON) => Some(DirectEnding::Finished),
+            Outcome::Finished if end.t >= options.duration * (1.0 - f64::EPSILON) => {
+                Some(DirectEnding::Finished)
+            }
             Outcome::Finished if end.turns >= options.most_turns => Some(DirectEnding::TurnLimit),
             Outcome::Finished => None,
             Outcome::Event(_) => Some(DirectEnding::Reached),
@@ -211,8 +213,11 @@ impl Observer for Collector<'_> {
         let now: Vec<f64> = now.collect();
         let row = self.before.after(sample);
         let taken = row.dissipated - self.rows.last().map_or(0.0, |last| last.dissipated);
-        let mean: Vec<f64> =
-            now.iter().enumerate().map(|(i, now)| now + self.powers.get(i).copied().unwrap_or(*now)).collect();
+        let mean: Vec<f64> = now
+            .iter()
+            .enumerate()
+            .map(|(i, now)| now + self.powers.get(i).copied().unwrap_or(*now))
+            .collect();
         let sum: f64 = mean.iter().sum();
         if sum > 0.0 {
             self.budget.iter_mut().zip(&mean).for_each(|(budget, mean)| *budget += taken * mean / sum);

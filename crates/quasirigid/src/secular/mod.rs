@@ -17,7 +17,7 @@ pub use calibrated::CalibratedPower;
 pub use criteria::{AverageCriteria, average_criteria};
 pub use direct::{DirectEnding, DirectOptions, DirectRow, DirectRun, follow_directly};
 pub use energy_range::EnergyRange;
-pub use measure::{Measurement, MeasureError};
+pub use measure::{MeasureError, Measurement};
 pub use measured_power::{MeasureOptions, MeasuredPower};
 pub use poles::{Pole, Poles};
 pub use start::{manifold_has_meaning, spun_displacements, spun_state};

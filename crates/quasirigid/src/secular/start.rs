@@ -35,10 +35,7 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
 ///
 /// # Errors
 /// [`EquilibriumError`] if there is no such steady spin.
-pub fn spun_state(
-    body: &FlexibleBody,
-    momentum: [f64; 3],
-) -> Result<([f64; 3], Vec<f64>), EquilibriumError> {
+pub fn spun_state(body: &FlexibleBody, momentum: [f64; 3]) -> Result<([f64; 3], Vec<f64>), EquilibriumError> {
     let mut omega = times(sym::inverse(body.invariants().J), momentum);
     let mut q = spun_displacements(body, omega)?;
     for _ in 0..STEPS {

@@ -38,6 +38,7 @@ pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: 
         motion: Line::Line(line[i]),
     };
     let spring = |i: usize| Spring {
+        name: String::new(),
         from: End::Point(i),
         to: End::Carrier,
         law: Law::Spatial {

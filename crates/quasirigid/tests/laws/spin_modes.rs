@@ -41,14 +41,19 @@ fn at(mode: &SpinMode, t: f64, factor: f64) -> ([f64; 3], Vec<f64>, Vec<f64>) {
         let (sigma, nu) = (-mode.decay_rate, mode.frequency);
         real([sigma * re - nu * im, sigma * im + nu * re])
     };
-    (mode.omega.map(real), mode.shape.iter().copied().map(real).collect(), mode.shape.iter().copied().map(rate).collect())
+    (
+        mode.omega.map(real),
+        mode.shape.iter().copied().map(real).collect(),
+        mode.shape.iter().copied().map(rate).collect(),
+    )
 }
 
 /// Largest difference between a full run from a mode and the mode itself after a radian or a decay, relative to its size.
 fn difference(body: &FlexibleBody, modes: &SpinModes, mode: &SpinMode) -> f64 {
     let spin = norm(modes.equilibrium.omega);
     let scale = |omega: [f64; 3], q: &[f64]| {
-        let moved = q.iter().zip(&body.invariants().pairs.row_diagonal()).map(|(q, A)| q * q * A).sum::<f64>();
+        let moved =
+            q.iter().zip(&body.invariants().pairs.row_diagonal()).map(|(q, A)| q * q * A).sum::<f64>();
         let J = times(body.invariants().J, omega);
         (omega.iter().zip(J).map(|(a, b)| a * b).sum::<f64>() / (spin * spin) + moved).sqrt()
     };
@@ -60,11 +65,8 @@ fn difference(body: &FlexibleBody, modes: &SpinModes, mode: &SpinMode) -> f64 {
     let steady = &modes.equilibrium;
     let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
     let turned = [0, 1, 2].map(|i| steady.omega[i] + omega[i]);
-    let start = FullState {
-        q: sum(&steady.q, &q),
-        rate,
-        ..FullState::at_rest(body, turned, [1.0, 0.0, 0.0, 0.0])
-    };
+    let start =
+        FullState { q: sum(&steady.q, &q), rate, ..FullState::at_rest(body, turned, [1.0, 0.0, 0.0, 0.0]) };
     let mut last = Last::default();
     let options = Options { tolerance: 1e-13, ..Options::default() };
     propagate_full(Forced::not(body), &start, &[t], options, &mut last).unwrap();

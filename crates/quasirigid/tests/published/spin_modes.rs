@@ -1,9 +1,7 @@
 //! Modes of a spinning body with two sprung masses, from an independent code: `data/published/spin_modes`.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
-use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring,
-};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::math::sym::norm;
 use quasirigid::model::Rheology;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
@@ -62,7 +60,11 @@ fn modes_of_a_spinning_body_are_those_of_an_independent_code() {
         }
         let largest = row[4..].iter().fold(0.0_f64, |largest, q| largest.max(q.abs()));
         for (found, published) in found.q.iter().zip(&row[4..]) {
-            assert!((found - published).abs() < TOLERANCE * largest, "case {}: {found} {published}", case + 1);
+            assert!(
+                (found - published).abs() < TOLERANCE * largest,
+                "case {}: {found} {published}",
+                case + 1
+            );
         }
         let modes = SpinModes::about(&body, found).unwrap();
         let rows: Vec<Vec<f64>> = MODES.lines().skip(1).map(numbers).collect();

@@ -1,12 +1,12 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::span::span;
-use crate::model::impedance::turned_impedance;
 use crate::averaging::response::{Law, Loss, memories, turned};
 use crate::averaging::rows::{Row, rows_in};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
 use crate::math::sym::{self, Sym, add, cross, scale};
+use crate::model::impedance::turned_impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal};
 
 /// Axes of the products xx, yy, zz, yz, zx, xy.

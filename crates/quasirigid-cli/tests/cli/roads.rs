@@ -1,0 +1,267 @@
+//! `evolve` and `modes` where the average of a stiff, slow body does not hold: time constants against closed eigenvalues that others
+//! computed, times against the full system, refusals.
+
+use std::f64::consts::TAU;
+
+use serde_json::Value;
+
+use super::support::{ROOT, Ran, folder_with, ran, ran_in, ran_with};
+
+/// Two pendulums that centrifugal force holds out, nearly without springs.
+const SLOSH: &str = "\
+[carrier]
+mass = 160.0
+center_of_mass = [0, 0, 0]
+inertia = [20.0, 24.0, 32.0]
+[[hinged]]
+name = \"slosh 1\"
+mass = 8.0
+center_of_mass = [0.5, 0, 0.2]
+inertia = [0.02, 0.02, 0.02]
+hinge = [0.3, 0, 0.2]
+axes = [[0, 1, 0], [0, 0, 1]]
+stiffness = 0.001
+damping = 0.02
+[[hinged]]
+name = \"slosh 2\"
+mass = 8.0
+center_of_mass = [-0.5, 0, 0.2]
+inertia = [0.02, 0.02, 0.02]
+hinge = [-0.3, 0, 0.2]
+axes = [[0, 1, 0], [0, 0, 1]]
+stiffness = 0.001
+damping = 0.02
+[initial]
+wobble = { angle = \"2 deg\", rate = \"15 rpm\", mode = \"short-axis\" }
+[run]
+evolve = { until = \"0.5 deg\" }
+";
+
+/// A boom on a hinge that vibrates slower than the stage spins.
+const BOOM: &str = "\
+[carrier]
+mass = 900.0
+center_of_mass = [0, 0, 0]
+inertia = [1100.0, 1150.0, 300.0]
+[[hinged]]
+name = \"boom\"
+mass = 3.5
+center_of_mass = [0, 0, 7.5]
+inertia = [0.5, 0.5, 0.01]
+hinge = [0, 0, 1.5]
+axes = [[1, 0, 0], [0, 1, 0]]
+stiffness = 472.748094
+damping = 0.472748094
+[initial]
+angular_velocity = [0.0, 0.0005, \"50 rpm\"]
+displacements = \"rest\"
+";
+
+/// A flywheel on friction with a fifth of the inertia.
+const FLYWHEEL: &str = "\
+[carrier]
+mass = 260.0
+center_of_mass = [0, 0, 0]
+inertia = [10, 10, 14]
+[[rotor]]
+name = \"flywheel\"
+axis = [1, 0, 0]
+inertia = 3.0
+friction = 0.05
+[initial]
+angular_velocity = [0.005, 0, 0.5]
+";
+
+/// A ball of liquid that follows slowly.
+const BALL: &str = "\
+[carrier]
+mass = 260.0
+center_of_mass = [0, 0, 0]
+inertia = [4, 4, 6]
+[[cavity]]
+name = \"tank\"
+shape = \"sphere\"
+radius = 0.3
+density = 1000.0
+kinematic_viscosity = 1e-4
+modes = 2
+[initial]
+angular_velocity = [0.001047, 0, 0.1047]
+";
+
+fn number(object: &Value, key: &str) -> f64 {
+    object[key].as_f64().unwrap_or_else(|| panic!("{key} of {object}"))
+}
+
+#[track_caller]
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() <= tolerance, "{found:e} {expected:e}");
+}
+
+fn example(name: &str) -> String {
+    std::fs::read_to_string(format!("{ROOT}/examples/{name}/model.toml")).unwrap()
+}
+
+/// The mode with this name, or the nutation.
+fn mode<'a>(object: &'a Value, name: &str) -> &'a Value {
+    let modes = object["modes"].as_array().unwrap();
+    modes.iter().find(|mode| mode["name"] == name).unwrap_or_else(|| panic!("{name} in {object}"))
+}
+
+/// Time at which the full system from the same start has an energy (J).
+fn full_time(model: &str, energy: f64, longest: f64) -> f64 {
+    let ran = ran_with(
+        &format!("{model}\n"),
+        &format!("simulate model.toml --system full --samples 2 --json --duration {longest} --tolerance 1e-11"),
+    );
+    let _ = energy;
+    let found = ran.json();
+    assert_eq!(found["status"], "event", "{found}");
+    number(&found, "t")
+}
+
+/// The last energy of the table, and the answer.
+fn evolved(model: &str, more: &str) -> (f64, Value, Ran) {
+    let folder = folder_with(model);
+    let ran = ran_in(folder.path(), &format!("evolve model.toml --json --out table.csv {more}"));
+    let table = std::fs::read_to_string(folder.path().join("table.csv")).unwrap_or_default();
+    let mut lines = table.lines();
+    let column = lines.next().and_then(|header| header.split(',').position(|name| name == "energy"));
+    let energy = lines.last().zip(column).and_then(|(row, i)| row.split(',').nth(i)?.parse().ok());
+    let answer = ran.json();
+    (energy.unwrap_or(f64::NAN), answer, ran)
+}
+
+/// Time constants that an independent code has as eigenvalues.
+#[test]
+fn time_constants_are_the_eigenvalues() {
+    let json = |model: &str| ran_with(model, "modes model.toml --axis greatest --json").json();
+    let nutation = |model: &str| number(mode(&json(model), "nutation"), "time_constant");
+    close(nutation(&example("nutation-damper")), 22.60, 5e-4);
+    close(nutation(&example("mercury-ring")), 46.25, 5e-4);
+    close(nutation(SLOSH), 1927.0, 1e-3);
+    close(nutation(FLYWHEEL), 140.1, 5e-4);
+    close(nutation(BALL), 136.8, 5e-4);
+    let least = ran("modes examples/explorer1/model.toml --axis least --json").json();
+    close(number(mode(&least, "nutation"), "decay_rate"), -0.074_415_60, 2e-4); // at 78.54 rad/s, the file's 78.55
+}
+
+/// 44 min for the nutation of a prolate stage, and 364 s for the whirl of its boom, by an independent code.
+#[test]
+fn a_boom_slower_than_the_spin_whirls() {
+    let ran = ran_with(BOOM, "modes model.toml --json");
+    let found = ran.json();
+    assert_eq!(found["stable"], false);
+    close(-number(mode(&found, "nutation"), "time_constant"), 44.0 * 60.0, 0.02);
+    close(-number(mode(&found, "\"boom\" about axis 2"), "time_constant"), 364.0, 3e-3);
+    let text = ran_with(BOOM, "modes model.toml").stdout;
+    let first = text.split("steady spin").next().unwrap();
+    assert!(first.contains("UNSTABLE") && first.contains("GROWS e-fold in 6.059 min"), "{text}");
+    assert_eq!(mode(&found, "nutation")["dissipation"]["boom"], 1.0);
+}
+
+/// Times of every road against the full system from the same start to the same energy.
+#[test]
+fn times_are_those_of_the_full_system() {
+    let tuned = example("nutation-damper").replace("damping = 0.0562", "damping = 0.00562");
+    let heavy = FLYWHEEL.replace("inertia = 3.0\nfriction = 0.05", "inertia = 0.8\nfriction = 4.0");
+    let soft = SLOSH.replace("damping = 0.02", "damping = 0.004");
+    let roads = [
+        (example("nutation-damper"), "direct"),
+        (tuned, "direct"),
+        (SLOSH.to_owned(), "direct"),
+        (heavy, "average"),
+        (soft, "micro-runs"),
+    ];
+    for (model, road) in roads {
+        let (energy, found, ran) = evolved(&model, "");
+        assert_eq!((&found["road"], ran.code), (&road.into(), Some(0)), "{found}");
+        let time = number(&found, "time");
+        let run = format!("[run]\nstop = {{ energy = {energy:e} }}\n");
+        let model = match model.find("[run]") {
+            Some(at) => format!("{}{run}", &model[..at]),
+            None => format!("{model}{run}"),
+        };
+        close(time, full_time(&model, energy, 1.2 * time), if road == "direct" { 1e-4 } else { 5e-3 });
+    }
+}
+
+/// The lightly damped damper that was said to stop the wobble within 2.7 s, and its beat.
+#[test]
+fn a_lightly_damped_tuned_damper_takes_its_own_time() {
+    let model = example("nutation-damper").replace("damping = 0.0562", "damping = 0.00562");
+    let (_, found, _) = evolved(&model, "");
+    let damping = number(&found, "damping_time");
+    assert!((66.0..75.0).contains(&damping), "{damping}");
+    assert!(number(&found, "time") > 100.0);
+}
+
+/// Explorer 1 as flown: the angles of its simulation in `data/published/explorer_1`.
+#[test]
+fn explorer_1_goes_over_as_its_simulation_does() {
+    let (_, found, ran) = evolved(&example("explorer1"), "--method direct");
+    assert_eq!((&found["road"], ran.code), (&"direct".into(), Some(0)));
+    assert_eq!(found["mode"]["start"], "long-axis");
+    close(number(&found, "growth_time"), 13.438, 1e-3);
+    let (_, found, _) = evolved(&example("explorer1"), "");
+    assert!((25.0..45.0).contains(&number(&found, "time")), "{found}");
+    close(number(&found, "momentum"), 12.9, 0.01);
+}
+
+/// Starts have the energy, the angular momentum and the spin that the file asks for.
+#[test]
+fn a_soft_body_starts_with_what_it_is_asked_for() {
+    let rate = 15.0 * TAU / 60.0;
+    let line = "simulate model.toml --system full --duration 1e-9 --samples 2 --json";
+    let found = ran_with(SLOSH, line).json();
+    close(number(&found, "energy"), 0.5 * 36.04 * rate * rate, 2e-3);
+    let first = ran("simulate examples/explorer1/model.toml --system full --duration 1e-9 --samples 2 --json").json();
+    close(number(&first, "energy"), 465.91, 1e-3);
+    let rest = SLOSH.replace("[run]", "displacements = \"rest\"\n[run]");
+    close(number(&ran_with(&rest, line).json(), "energy"), 0.5 * 36.04 * rate * rate, 2e-3);
+}
+
+/// A spin that a soft spring does not hold is refused, with the reason first.
+#[test]
+fn an_unstable_spin_is_refused() {
+    let model = "\
+[carrier]
+mass = 100.0
+center_of_mass = [0, 0, 0]
+inertia = [9, 12, 18]
+[[point]]
+name = \"p\"
+mass = 0.13
+position = [0.4, 0.2, 0.2]
+[[spring]]
+from = \"p\"
+to = \"carrier\"
+stiffness = 0.085
+damping = 0.09
+[initial]
+wobble = { angle = \"12 deg\", rate = 1.0, mode = \"short-axis\" }
+";
+    let ran = ran_with(model, "evolve model.toml --json");
+    let found = ran.json();
+    assert_eq!((ran.code, &found["status"], &found["road"]), (Some(1), &"refused".into(), &"none".into()));
+    assert!(found["message"].as_str().unwrap().contains("unstable: a motion of \"p\""), "{found}");
+    let text = ran_with(model, "evolve model.toml");
+    assert!(text.stdout.contains("NO ANSWER") && !text.stderr.is_empty());
+    let check = ran_with(model, "check model.toml");
+    assert!(check.stdout.contains("is UNSTABLE"), "{}", check.stdout);
+}
+
+/// An average that is asked for where it does not hold says so first, and in the exit code.
+#[test]
+fn a_forced_average_says_that_it_does_not_hold() {
+    let ran = ran("evolve examples/nutation-damper/model.toml --method average");
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.stdout.starts_with("nutation damper: THE AVERAGE DOES NOT HOLD"), "{}", ran.stdout);
+}
+
+#[test]
+fn modes_of_a_body_under_forces_are_refused() {
+    let model = format!("{FLYWHEEL}[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e-4\n");
+    insta::assert_snapshot!(ran_with(&model, "modes model.toml").refusal().trim(), @"");
+    insta::assert_snapshot!(ran_with(FLYWHEEL, "modes model.toml --spin 1,2").refusal().trim(), @"");
+}

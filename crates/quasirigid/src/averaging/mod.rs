@@ -5,6 +5,7 @@ mod drift;
 mod euler_angles;
 mod evolution;
 mod harmonics;
+mod levels;
 mod memory;
 mod observed;
 mod poinsot;
@@ -18,6 +19,9 @@ pub use drift::{Drift, DriftEnding, DriftState};
 pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
+pub use levels::{
+    Level, LevelEnding, LevelError, LevelEvolution, LevelPassage, LevelRow, Separatrix, Until, Way,
+};
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
 pub use power::{MeanPower, PolynomialPower};

@@ -15,19 +15,22 @@ pub(super) struct Descent {
 /// Longest step (rad), and the share of the distance to the minimum beyond which none leads.
 const STRIDE: f64 = 0.02;
 const STEPS: usize = 100_000;
+/// Slope, as a share of the largest, that is none.
+const AT_REST: f64 = 1e-8;
 /// Within this angle (rad) of a minimum the straight way is tried, looked at in so many places.
 const NEAR: f64 = 0.1;
 const LOOKS: usize = 24;
 const HALVINGS: usize = 200;
 
 impl Descent {
-    /// Follows the negative gradient to a minimum; `downhill` is −1 to climb to a maximum instead. None if it ends elsewhere.
+    /// Follows the negative gradient to a minimum, with its number if it is isolated; `downhill` is −1 to climb to a maximum
+    /// instead. None if it ends elsewhere.
     pub fn from(
         energy: &SlowEnergy,
         points: &[StationaryPoint],
         start: [f64; 3],
         downhill: f64,
-    ) -> Option<(Self, usize)> {
+    ) -> Option<(Self, Option<usize>)> {
         let wanted = if downhill > 0.0 { Kind::Minimum } else { Kind::Maximum };
         let mut way = Self { places: vec![start], energies: vec![energy.energy(start)] };
         let mut u = start;
@@ -36,13 +39,14 @@ impl Descent {
             for (i, point) in points.iter().enumerate().filter(|(_, point)| point.kind == wanted) {
                 if angle(u, point.place) < NEAR && falls(energy, u, point.place, downhill) {
                     way.push(energy, point.place);
-                    return Some((way, i));
+                    return Some((way, Some(i)));
                 }
             }
             let slope = energy.slope(u);
             let steepness = norm(slope);
-            if !(steepness > 0.0) {
-                return None;
+            if steepness <= AT_REST * energy.fastest {
+                let saddle = |point: &StationaryPoint| angle(u, point.place) < NEAR;
+                return (!points.iter().any(saddle)).then_some((way, None));
             }
             let next = unit(add(u, scale(-downhill * stride / steepness, slope)));
             if downhill * (energy.energy(next) - energy.energy(u)) < 0.0 {

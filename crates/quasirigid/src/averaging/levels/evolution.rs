@@ -41,11 +41,16 @@ pub enum LevelError {
     /// The start is a steady spin, which does not age.
     #[error("the rotation starts at a steady spin, about which nothing ages")]
     Steady,
-    /// The level does not close, as on a separatrix, or the way down ends in a family of steady spins.
+    /// The level does not close, as on a separatrix.
     #[error(
-        "the level of the slow energy could not be followed from here to an isolated steady spin: it starts on a separatrix, or the body is one of revolution; move the start, or average along the polhode"
+        "the level of the slow energy could not be followed from here: it lies on a separatrix; move the start a little"
     )]
     Open,
+    /// A wobble about a family of steady spins.
+    #[error(
+        "the steady spins that attract form a family, and a wobble about them has no angle; give a duration or a share of the energy"
+    )]
+    Family,
 }
 
 /// Share of the spin below which a tangential part of it is rounding.
@@ -128,14 +133,21 @@ impl LevelEvolution {
     pub(super) fn leg(&self, start: [f64; 3], below: Option<f64>) -> Result<Leg, LevelError> {
         let (descent, minimum) =
             Descent::from(&self.energy, &self.points, start, 1.0).ok_or(LevelError::Open)?;
-        let center = self.points[minimum].place;
+        let center = descent.end();
         let (h, lowest) = (self.energy.energy(start), self.energy.energy(center));
         let above =
             self.points.iter().map(|point| self.energy.energy(point.place)).filter(|height| *height > h);
         let top = below.unwrap_or_else(|| above.fold(h + self.range, f64::min));
         let saddles = self.saddles();
-        let mut leg =
-            Leg { descent, circled: center, top, bottom: lowest, saddles: Vec::new(), minimum: lowest };
+        let mut leg = Leg {
+            descent,
+            circled: center,
+            isolated: minimum.is_some(),
+            top,
+            bottom: lowest,
+            saddles: Vec::new(),
+            minimum: lowest,
+        };
         let margin = saddles.margin();
         let candidates: Vec<_> =
             saddles.below(h - margin).into_iter().filter(|(_, height)| *height > lowest + margin).collect();
@@ -151,9 +163,9 @@ impl LevelEvolution {
                 break;
             }
         }
-        if !leg.saddles.is_empty() {
+        if !leg.saddles.is_empty() || !leg.isolated {
             let summit = Descent::from(&self.energy, &self.points, start, -1.0);
-            leg.circled = summit.map_or(center, |(_, i)| self.points[i].place);
+            leg.circled = summit.map_or(center, |(summit, _)| summit.end());
         }
         Ok(leg)
     }

@@ -14,6 +14,8 @@ pub(super) struct Leg {
     pub descent: Descent,
     /// Place of the steady spin that nutation is measured from.
     pub circled: [f64; 3],
+    /// Whether the minimum is isolated: in a family no wobble about it has an angle.
+    pub isolated: bool,
     /// `h` that bounds the leg above and below (1/s).
     pub top: f64,
     pub bottom: f64,

@@ -23,6 +23,8 @@ pub struct Level {
 
 /// Error allowed per step, relative to the size of the level.
 const TOLERANCE: f64 = 1e-13;
+/// Error allowed per step in a unit vector at least: some roundings.
+const ROUNDING: f64 = 1e-15;
 /// Steps that one turn may take; next to a saddle it takes some hundred.
 const STEPS: usize = 20_000;
 /// A return nearer to the start than this share of the size of the level closes it.
@@ -138,7 +140,7 @@ impl Turn {
 /// a share of a turn's worth.
 fn allowed(energy: &SlowEnergy, size: f64) -> State {
     let SlowEnergy { fastest, largest_power, fastest_turning, .. } = *energy;
-    let place = (TOLERANCE * size).max(0.1 * f64::EPSILON);
+    let place = (TOLERANCE * size).max(ROUNDING);
     let time = 10.0 * TOLERANCE / fastest;
     let loss = if largest_power > 0.0 { largest_power * size * size * time } else { f64::INFINITY };
     [place, place, place, time, loss, fastest_turning * time]

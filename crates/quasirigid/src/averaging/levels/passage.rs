@@ -94,7 +94,7 @@ impl LevelEvolution {
     /// way. (N5), (N6)
     ///
     /// # Errors
-    /// [`LevelError`] if the start is steady, on a separatrix, or leads to no isolated steady spin.
+    /// [`LevelError`] if the start is steady or on a separatrix, and for the angle of a wobble about a family of steady spins.
     pub fn follow(&self, K: [f64; 3], until: Until, rows: usize) -> Result<LevelPassage, LevelError> {
         let u = self.moving(K)?;
         let leg = self.leg(u, None)?;
@@ -155,6 +155,7 @@ impl Making<'_> {
                 let on = above > 0.0 && leg.place(above).max(self.xi) < self.end_of_leg();
                 Ok(on.then(|| leg.place(above).max(self.xi)))
             }
+            Until::Wobble(_) if !leg.isolated => Err(LevelError::Family),
             Until::Wobble(angle) if leg.saddles.is_empty() => self.wobbling(angle).map(Some),
             Until::Wobble(_) | Until::Duration(_) => Ok(None),
         }

@@ -29,6 +29,8 @@ fn names(comparison: Comparison) -> (&'static str, &'static str) {
         Comparison::Resonance => ("harmonics near resonance", "nome^(n/2)"),
         Comparison::Linearity => ("displacement against size", "max|r|/max|rho|"),
         Comparison::Residual => ("residual of the full equations", "|residual|/|load|"),
+        Comparison::Power => ("convergence of the power", "change of P/P"),
+        Comparison::Levels => ("averages along rigid polhodes", "max|f4|/max|f2|"),
         Comparison::Forgetting => ("decay of initial vibrations", "T2/T3"),
     }
 }
@@ -75,6 +77,15 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
         Comparison::Residual => {
             format!("Put into the full equations, the reduced ones leave {ratio} of the load unbalanced.")
         }
+        Comparison::Power if criterion.value == 0.0 => {
+            "No power is kept at this order, or none is dissipated.".into()
+        }
+        Comparison::Power => format!(
+            "Two orders more change the power that is dissipated by {ratio} of itself: what follows from it is no better at this order."
+        ),
+        Comparison::Levels => format!(
+            "The elastic torque is {ratio} of that of the rigid body: the momentum follows the rigid polhode no better than this, and averages along it err in this measure."
+        ),
         Comparison::Forgetting if verdict == Verdict::Holds => {
             "Vibrations excited at the start die out before the body has turned by a radian.".into()
         }
@@ -100,21 +111,31 @@ fn resonance(validity: &Validity) -> String {
     )
 }
 
-/// The verdict on the whole, in one sentence.
-pub fn verdict(validity: &Validity) -> &'static str {
-    match validity.verdict() {
+/// The verdict on the whole, in one sentence; a second one where the motion holds, and what is made of it does not.
+pub fn verdict(validity: &Validity) -> String {
+    let motion = match validity.verdict() {
         Verdict::Holds => "The reduced equations hold at this spin.",
         Verdict::Marginal => "The reduced equations are at the edge of their range at this spin.",
-        Verdict::Fails => "The reduced equations DO NOT HOLD at this spin.",
-    }
+        Verdict::Fails => return "The reduced equations DO NOT HOLD at this spin.".into(),
+    };
+    let fails = [validity.dissipation(), validity.averages()].map(|verdict| verdict == Verdict::Fails);
+    let other = match fails {
+        [false, false] => return motion.into(),
+        [true, false] => "Their dissipation DOES NOT at this order.",
+        [false, true] => "Averages along rigid polhodes DO NOT.",
+        [true, true] => "Their dissipation at this order and averages along rigid polhodes DO NOT.",
+    };
+    format!("{motion} {other}")
 }
 
 /// Sentences of the criteria that do not hold, the worst first.
 pub fn reasons(validity: &Validity) -> Vec<String> {
+    let lost = validity.verdict() == Verdict::Fails;
     let mut failing: Vec<_> = validity
         .criteria
         .iter()
         .filter(|criterion| criterion.comparison != Comparison::Forgetting)
+        .filter(|criterion| criterion.comparison.concerns_motion() || !lost)
         .filter(|criterion| criterion.verdict() != Verdict::Holds)
         .collect();
     failing.sort_by_key(|criterion| std::cmp::Reverse(criterion.verdict()));

@@ -60,7 +60,7 @@ pub fn validity(validity: &Validity) -> ValidityRecord {
     });
     ValidityRecord {
         valid: validity.verdict() != Verdict::Fails,
-        verdict: describe::verdict(validity).into(),
+        verdict: describe::verdict(validity),
         T1: validity.T1,
         T2: validity.T2.is_finite().then_some(validity.T2),
         T3: validity.T3,

@@ -1,10 +1,11 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
-use quasirigid::dynamics::{SteadySpin, steady_spins};
+use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
 use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::{self, dot, norm};
+use quasirigid::math::sphere::Kind;
+use quasirigid::math::sym::{self, dot, norm, scale};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::SteadySpinRecord;
@@ -54,7 +55,8 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         text
     };
     output::print(&text)?;
-    Ok(if validity.verdict() == Verdict::Fails { Ending::CheckFailed } else { Ending::Done })
+    let fails = [validity.verdict(), validity.dissipation()].contains(&Verdict::Fails);
+    Ok(if fails { Ending::CheckFailed } else { Ending::Done })
 }
 
 fn object(
@@ -80,6 +82,8 @@ fn object(
         "order": loaded.order,
         "valid": validity.verdict() != Verdict::Fails,
         "verdict": word(validity.verdict()),
+        "dissipation": word(validity.dissipation()),
+        "averages": word(validity.averages()),
         "reasons": reasons(validity),
         "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,
         "frequencies": validity.vibrations.frequencies,
@@ -128,7 +132,7 @@ fn write(
             "\nWhat the reduced equations say of steady spins is left out: they do not hold."
         );
     }
-    spin(out, reduced, omega)
+    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails)
 }
 
 fn times(out: &mut String, validity: &Validity) -> fmt::Result {
@@ -185,7 +189,7 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
 }
 
-fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result {
+fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool) -> fmt::Result {
     let principal = Principal::of(reduced.J);
     let K = reduced.momentum(omega);
     if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
@@ -198,7 +202,7 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
         let moment = principal.moments[place];
         let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
         let word = |spin: Option<SteadySpin>| match spin {
-            Some(spin) => fate(&spin),
+            Some(spin) => fate(&spin, rates),
             None if principal.determined()[place] => "none is near it".into(),
             None => "two moments are equal".into(),
         };
@@ -209,12 +213,39 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3]) -> fmt::Result
             writeln!(out, "  {:<51} {other}", "  the other way round:")?;
         }
     }
+    let all = all_steady_spins(reduced, norm(K));
+    let expected = 2 * principal.determined().iter().filter(|determined| **determined).count();
+    if all.isolated.len() != expected || !(all.complete || all.families) {
+        isolated(out, &all, rates)?;
+    }
     let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
         let off = angle(K, *axis);
         (off.min(std::f64::consts::PI - off).to_degrees(), name)
     });
     let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
     writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
+}
+
+/// Every steady spin by its direction, where they do not lie near the principal axes one by one.
+fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
+    let SteadySpins { isolated, families, complete } = all;
+    let others = match (families, complete) {
+        (true, _) => "others form a family",
+        (false, true) => "these are all",
+        (false, false) => "more may exist",
+    };
+    writeln!(out, "  isolated ones by the direction of the momentum, {} in all; {others}", isolated.len())?;
+    for IsolatedSpin { spin, momentum, kind } in isolated {
+        let [x, y, z] = scale(norm(*momentum).recip(), *momentum);
+        let energy = match kind {
+            Kind::Minimum => "least energy",
+            Kind::Maximum => "greatest energy",
+            Kind::Saddle => "saddle",
+        };
+        let direction = format!("({x:+.4} {y:+.4} {z:+.4}), {energy}:");
+        writeln!(out, "    {direction:<49} {}", fate(spin, rates))?;
+    }
+    Ok(())
 }
 
 /// A momentum below this share of that of the frozen body is zero.
@@ -265,9 +296,12 @@ fn truncation(part: &Part, pole: [f64; 3]) -> String {
     format!("\n{}\n", paragraph(&text, "", "  "))
 }
 
-/// What becomes of a small nutation about a steady spin.
-fn fate(spin: &SteadySpin) -> String {
-    if spin.growth == 0.0 {
+/// What becomes of a small nutation about a steady spin. Without valid `rates` of dissipation, a rate that follows from it is
+/// left out.
+fn fate(spin: &SteadySpin, rates: bool) -> String {
+    if !rates && spin.frequency > 0.0 {
+        if spin.growth > 0.0 { "grows".into() } else { "decays".into() }
+    } else if spin.growth == 0.0 {
         "stays".into()
     } else if spin.growth > 0.0 {
         format!("grows e-fold in {}", time(spin.growth.recip()))

@@ -7,6 +7,7 @@ mod euler_angles;
 mod evolution;
 mod harmonics;
 mod hill;
+mod levels;
 mod observed;
 mod poinsot;
 mod power;
@@ -20,6 +21,9 @@ pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};
+pub use levels::{
+    Level, LevelEnding, LevelError, LevelEvolution, LevelPassage, LevelRow, Separatrix, Until, Way,
+};
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
 pub use power::{MeanPower, PolynomialPower};

@@ -32,4 +32,4 @@ pub use slow::{
     slow_state_point,
 };
 pub use spin_path::{SpinPath, spin_path};
-pub use steady::{SteadySpin, steady_spins};
+pub use steady::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};

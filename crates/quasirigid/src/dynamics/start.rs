@@ -1,8 +1,7 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::form::Form;
-use crate::math::polynomial::Series;
-use crate::math::scalar::Jet;
+use crate::math::sphere::jacobian;
 use crate::math::sym::norm;
 use crate::model::ReducedBody;
 
@@ -27,14 +26,4 @@ pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[
         K = std::array::from_fn(|i| K[i] + step[i]);
     }
     (best < 1e-12 * norm(omega) && K.iter().all(|K| K.is_finite())).then_some(K)
-}
-
-/// Jacobian of a map of three rows.
-pub(super) fn jacobian(map: &Series, x: [f64; 3]) -> Matrix3<f64> {
-    let column = |axis: usize| {
-        let direction =
-            std::array::from_fn(|i| Jet { value: x[i], first: f64::from(u8::from(i == axis)), second: 0.0 });
-        Vector3::from(map.vector(direction).map(|row| row.first))
-    };
-    Matrix3::from_columns(&[column(0), column(1), column(2)])
 }

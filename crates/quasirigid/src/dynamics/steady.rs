@@ -1,8 +1,8 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
-use super::start::jacobian;
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym::{dot, norm};
+use crate::math::sphere::{Kind, deviator, jacobian, stationary, tangents};
+use crate::math::sym::{self, dot, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Steady spin near a principal axis, and what becomes of a small nutation about it. (P5)
@@ -31,6 +31,46 @@ pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3
         let K = determined[i].then(|| steady_momentum(&body.Omega, axes[i], momentum))??;
         Some(nutation(&body.Omega, K))
     })
+}
+
+/// A steady spin wherever it lies on the sphere `|K| = G`, and what it is there for the energy. (N2)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IsolatedSpin {
+    /// The spin, and what becomes of a small nutation about it.
+    pub spin: SteadySpin,
+    /// Momentum (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Least energy attracts, greatest energy repels, a saddle parts the motions about the others.
+    pub kind: Kind,
+}
+
+/// All steady spins with one momentum. (N2)
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadySpins {
+    /// The isolated ones, those near principal axes first.
+    pub isolated: Vec<IsolatedSpin>,
+    /// Whether others form curves, as across the axis of a body of revolution.
+    pub families: bool,
+    /// Whether extrema outnumber saddles by two, as they must where there is no family: none is missing.
+    pub complete: bool,
+}
+
+/// Share of the spin below which a tangential part is rounding.
+const TANGENTIAL: f64 = 1e-14;
+
+/// All steady spins of a reduced body with the momentum `|K|` (N·m·s), not only those near principal axes. (N2)
+#[must_use]
+pub fn all_steady_spins(body: &ReducedBody, momentum: f64) -> SteadySpins {
+    let axes = Principal::of(body.J).axes;
+    let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
+    let slowness = sym::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    let rounding = TANGENTIAL * slowness * momentum.abs();
+    let found = stationary(&deviator(&body.Omega, momentum), &given, rounding);
+    let isolated = found.points.iter().map(|point| {
+        let K = scale(momentum, point.place);
+        IsolatedSpin { spin: nutation(&body.Omega, K.into()), momentum: K, kind: point.kind }
+    });
+    SteadySpins { isolated: isolated.collect(), families: found.families, complete: found.complete }
 }
 
 /// Solves `Ω(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
@@ -69,7 +109,7 @@ fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
     let G = K.norm();
     let omega = Omega.vector(K.into());
     let rate = dot(omega, K.into()) / (G * G);
-    let (first, second) = across(K / G);
+    let [first, second] = tangents((K / G).into()).map(Vector3::from);
     let mut deviation = Omega.clone();
     deviation.set(Homogeneous::zero(1, 3));
     let linear = jacobian(&Omega.truncated(1), K.into()) - rate * Matrix3::identity();
@@ -85,13 +125,4 @@ fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
     let (growth, frequency) =
         if square < 0.0 { (damping, (-square).sqrt()) } else { (damping + square.sqrt(), 0.0) };
     SteadySpin { omega, growth, frequency }
-}
-
-/// Two unit vectors that with a third make a right-handed frame: `e₁ × e₂ = e`.
-fn across(e: Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
-    let mut helper = [0.0; 3];
-    helper[e.iamin()] = 1.0;
-    let first = Vector3::from(helper).cross(&e).normalize();
-    debug_assert!(norm(first.into()) > 0.0);
-    (first, e.cross(&first))
 }

@@ -1,6 +1,7 @@
 //! Mathematics that knows no physics.
 
 pub mod bisection;
+pub mod chebyshev;
 pub mod elliptic;
 pub mod expression;
 pub mod gmres;
@@ -13,6 +14,7 @@ pub mod quadrature;
 pub mod rotation;
 pub mod scalar;
 pub mod simd;
+pub mod sphere;
 pub mod surface;
 pub mod sym;
 pub mod taylor;

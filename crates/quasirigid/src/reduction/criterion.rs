@@ -15,6 +15,10 @@ pub enum Comparison {
     Linearity,
     /// Left-over force on the coordinates against the load, the larger of those on elastic and on cyclic ones. (R12)
     Residual,
+    /// What one more step of the series changes in the power dissipated, against the power: concerns dissipation only. (V11)
+    Power,
+    /// Elastic torque against the rigid body's, `max|f₄|/max|f₂|`: concerns averages along rigid polhodes only. (V10)
+    Levels,
     /// Decay of free vibrations against the spin, `T₂/T₃`: concerns initial vibrations only. (V6)
     Forgetting,
 }
@@ -37,6 +41,14 @@ pub enum Verdict {
     Marginal,
     /// The theory does not hold.
     Fails,
+}
+
+impl Comparison {
+    /// Whether it concerns the motion on the slow manifold, not the start, the dissipation or averages alone.
+    #[must_use]
+    pub fn concerns_motion(self) -> bool {
+        !matches!(self, Self::Power | Self::Levels | Self::Forgetting)
+    }
 }
 
 impl Criterion {
@@ -72,7 +84,11 @@ impl Criterion {
             Comparison::Spin | Comparison::Damping | Comparison::Relaxation | Comparison::Resonance => {
                 (0.15, 0.5)
             }
-            Comparison::Series | Comparison::Linearity | Comparison::Residual => (0.1, 0.5),
+            Comparison::Series
+            | Comparison::Linearity
+            | Comparison::Residual
+            | Comparison::Power
+            | Comparison::Levels => (0.1, 0.5),
             Comparison::Forgetting => (1.0, f64::INFINITY),
         }
     }
@@ -90,6 +106,8 @@ mod tests {
         assert_eq!(verdict(Comparison::Spin, 0.5), Verdict::Fails);
         assert_eq!(verdict(Comparison::Residual, 0.499), Verdict::Marginal);
         assert_eq!(verdict(Comparison::Series, f64::NAN), Verdict::Fails);
+        assert_eq!(verdict(Comparison::Power, 0.5), Verdict::Fails);
+        assert_eq!(verdict(Comparison::Levels, 0.499), Verdict::Marginal);
         assert_eq!(verdict(Comparison::Forgetting, f64::INFINITY), Verdict::Marginal);
     }
 }

@@ -1,6 +1,7 @@
 use crate::math::polynomial::Series;
-use crate::math::sym::norm;
-use crate::model::ReducedBody;
+use crate::math::sphere::directions;
+use crate::math::sym::{add, dot, norm, scale};
+use crate::model::{Principal, ReducedBody};
 
 /// Size of one degree of the reduced equations at the actual spin. (R14)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +46,7 @@ pub(super) fn momentum_ratio(body: &ReducedBody, momentum: f64, [from, to]: [usi
 fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     let part = map.part(degree);
     // Coefficients may lie beyond the range where they can be squared, the values do not.
-    let values = directions().map(|direction| {
+    let values = directions(DIRECTIONS).map(|direction| {
         let mut value = [0.0; 3];
         part.add_value(direction.map(|u| radius * u), &mut value);
         norm(value)
@@ -53,13 +54,65 @@ fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     values.fold(0.0, f64::max)
 }
 
-/// Unit vectors spread evenly over the sphere: a spiral that turns by the golden angle.
-fn directions() -> impl Iterator<Item = [f64; 3]> {
-    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    (0..DIRECTIONS).map(move |i| {
-        let z = 1.0 - (2.0 * i as f64 + 1.0) / DIRECTIONS as f64;
-        let (sin, cos) = (golden * i as f64).sin_cos();
-        let radius = (1.0 - z * z).sqrt();
-        [radius * cos, radius * sin, z]
-    })
+/// How large the elastic torque of degree 4 is beside that of the rigid body, `max|f₄|/max|f₂|`, at the length of a spin (rad/s).
+/// (V10)
+///
+/// Over the sphere of all directions, and over each circle between two principal axes with the components across it: two
+/// moments may be nearly equal where the third is not.
+#[must_use]
+pub(super) fn levels_ratio(body: &ReducedBody, omega: [f64; 3]) -> f64 {
+    let spin = norm(omega);
+    let Some([rigid, elastic]) =
+        (body.f.degree() >= 4).then(|| [2, 4].map(|degree| size(&body.f, degree, spin)))
+    else {
+        return 0.0;
+    };
+    let nothing = ROUNDING * spin * spin;
+    let ratio = |rigid: f64, elastic: f64| if elastic > nothing { elastic / rigid.max(nothing) } else { 0.0 };
+    let axes = Principal::of(body.J).axes;
+    let circles = (0..3).map(|across| {
+        let [rigid, elastic] = [2, 4].map(|degree| across_size(&body.f, degree, spin, axes, across));
+        ratio(rigid, elastic)
+    });
+    circles.fold(ratio(rigid, elastic), f64::max)
+}
+
+/// Share of `|ω|²` below which a rate of the spin is rounding.
+const ROUNDING: f64 = 1e-13;
+/// Places on a circle.
+const PLACES: usize = 48;
+
+/// Largest component along a principal axis of one degree of a map, over the circle between the two other axes.
+fn across_size(map: &Series, degree: usize, radius: f64, axes: [[f64; 3]; 3], across: usize) -> f64 {
+    let (first, second) = (axes[(across + 1) % 3], axes[(across + 2) % 3]);
+    let component = |i: usize| {
+        let (sin, cos) = (std::f64::consts::TAU * i as f64 / PLACES as f64).sin_cos();
+        let mut value = [0.0; 3];
+        let place = add(scale(radius * cos, first), scale(radius * sin, second));
+        map.part(degree).add_value(place, &mut value);
+        dot(value, axes[across]).abs()
+    };
+    (0..PLACES).map(component).fold(0.0, f64::max)
+}
+
+/// What a body of higher order changes in the power of a lower one at the length of a spin (rad/s): largest change over the
+/// directions, relative to the largest power; zero where the lower one keeps no power. Odd degrees have no mean along a closed
+/// motion and are left out. (V11)
+#[must_use]
+pub(super) fn power_change(lower: &ReducedBody, higher: &ReducedBody, omega: [f64; 3]) -> f64 {
+    let spin = norm(omega);
+    let power = |body: &ReducedBody, u: [f64; 3]| {
+        let mut value = [0.0];
+        for degree in (2..=body.power.degree()).step_by(2) {
+            body.power.part(degree).add_value(scale(spin, u), &mut value);
+        }
+        value[0]
+    };
+    let (mut change, mut whole) = (0.0_f64, 0.0_f64);
+    for u in directions(DIRECTIONS) {
+        let [before, after] = [lower, higher].map(|body| power(body, u));
+        change = change.max((after - before).abs());
+        whole = whole.max(before.abs());
+    }
+    if whole > 0.0 { change / whole } else { 0.0 }
 }

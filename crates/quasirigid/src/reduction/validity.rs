@@ -1,7 +1,7 @@
 use thiserror::Error;
 
 use super::criterion::{Comparison, Criterion, Verdict};
-use super::degrees::{DegreeSize, degree_sizes, momentum_ratio, optimal_order};
+use super::degrees::{DegreeSize, degree_sizes, levels_ratio, momentum_ratio, optimal_order, power_change};
 use super::reduce::{MAX_ORDER, ReductionError, reduce};
 use super::relaxation::Relaxation;
 use super::residual::residual;
@@ -11,7 +11,7 @@ use crate::math::eigen::NoConvergence;
 use crate::math::sym::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
-/// How far the reduced equations hold at a spin. (V1)–(V9)
+/// How far the reduced equations hold at a spin. (V1)–(V11)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Validity {
     /// Longest period of free vibration (s); zero for a rigid body. (V1)
@@ -90,6 +90,8 @@ impl Validity {
             (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
             (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
             (Comparison::Residual, left_over(body, &reduced, omega)),
+            (Comparison::Power, power_series(body, &reduced, omega)?),
+            (Comparison::Levels, levels_ratio(&ahead, omega)),
             (Comparison::Forgetting, spin / decay),
         ];
         let degrees = degree_sizes(&ahead, omega);
@@ -110,9 +112,34 @@ impl Validity {
     /// The worst of the criteria that concern the motion on the slow manifold.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
-        let forced = self.criteria.iter().filter(|criterion| criterion.comparison != Comparison::Forgetting);
-        forced.map(Criterion::verdict).max().unwrap_or(Verdict::Holds)
+        self.worst(Comparison::concerns_motion)
     }
+
+    /// Whether the power dissipated holds at the order, if the motion does. (V11)
+    #[must_use]
+    pub fn dissipation(&self) -> Verdict {
+        self.worst(|comparison| comparison == Comparison::Power)
+    }
+
+    /// Whether averages along rigid polhodes hold, if the motion does; along levels of the slow energy they may. (V10)
+    #[must_use]
+    pub fn averages(&self) -> Verdict {
+        self.worst(|comparison| comparison == Comparison::Levels)
+    }
+
+    fn worst(&self, concerned: impl Fn(Comparison) -> bool) -> Verdict {
+        let criteria = self.criteria.iter().filter(|criterion| concerned(criterion.comparison));
+        criteria.map(Criterion::verdict).max().unwrap_or(Verdict::Holds)
+    }
+}
+
+/// What two more orders change in the power; at the highest orders, what the last two did. (V11)
+fn power_series(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Result<f64, ReductionError> {
+    let order = reduced.order;
+    if order + 2 <= MAX_ORDER {
+        return Ok(power_change(reduced, &reduce(body, order + 2)?, omega));
+    }
+    Ok(power_change(&reduce(body, order - 2)?, reduced, omega))
 }
 
 /// What the reduced equations leave of the load on the coordinates that their order slaves.

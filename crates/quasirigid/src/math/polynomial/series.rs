@@ -66,6 +66,20 @@ impl Series {
         Self { rows: self.rows, parts: self.parts.iter().take(degree + 1).cloned().collect() }
     }
 
+    /// The map of the argument multiplied by a number, degree by degree.
+    #[must_use]
+    pub fn stretched(&self, factor: f64) -> Self {
+        let mut stretched = self.clone();
+        for part in &mut stretched.parts {
+            let degree = part.degree();
+            for (power, coefficients) in part.coefficients_mut().enumerate() {
+                let scaled = factor.powi((degree - power) as i32);
+                coefficients.iter_mut().for_each(|c| *c *= scaled);
+            }
+        }
+        stretched
+    }
+
     /// Coefficient of a monomial in a row, over all degrees: a constant brings low monomials into high ones.
     #[must_use]
     pub fn coefficient(&self, row: usize, exponents: [usize; 3]) -> f64 {

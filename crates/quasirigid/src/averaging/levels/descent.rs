@@ -1,0 +1,110 @@
+use super::energy::SlowEnergy;
+use crate::math::rotation::angle;
+use crate::math::sphere::{Kind, StationaryPoint};
+use crate::math::sym::{add, norm, scale};
+
+/// A way down the slow energy to one of its minima, along which every level of a component is met once.
+#[derive(Clone, Debug)]
+pub(super) struct Descent {
+    /// Unit vectors with falling energy, the minimum last.
+    places: Vec<[f64; 3]>,
+    /// `h` there (1/s).
+    energies: Vec<f64>,
+}
+
+/// Longest step (rad), and the share of the distance to the minimum beyond which none leads.
+const STRIDE: f64 = 0.02;
+const STEPS: usize = 100_000;
+/// Slope, as a share of the largest, that is none.
+const AT_REST: f64 = 1e-8;
+/// Within this angle (rad) of a minimum the straight way is tried, looked at in so many places.
+const NEAR: f64 = 0.1;
+const LOOKS: usize = 24;
+const HALVINGS: usize = 200;
+
+impl Descent {
+    /// Follows the negative gradient to a minimum, with its number if it is isolated; `downhill` is −1 to climb to a maximum
+    /// instead. None if it ends elsewhere.
+    pub fn from(
+        energy: &SlowEnergy,
+        points: &[StationaryPoint],
+        start: [f64; 3],
+        downhill: f64,
+    ) -> Option<(Self, Option<usize>)> {
+        let wanted = if downhill > 0.0 { Kind::Minimum } else { Kind::Maximum };
+        let mut way = Self { places: vec![start], energies: vec![energy.energy(start)] };
+        let mut u = start;
+        let mut stride = STRIDE;
+        for _ in 0..STEPS {
+            for (i, point) in points.iter().enumerate().filter(|(_, point)| point.kind == wanted) {
+                if angle(u, point.place) < NEAR && falls(energy, u, point.place, downhill) {
+                    way.push(energy, point.place);
+                    return Some((way, Some(i)));
+                }
+            }
+            let slope = energy.slope(u);
+            let steepness = norm(slope);
+            if steepness <= AT_REST * energy.fastest {
+                let saddle = |point: &StationaryPoint| angle(u, point.place) < NEAR;
+                return (!points.iter().any(saddle)).then_some((way, None));
+            }
+            let next = unit(add(u, scale(-downhill * stride / steepness, slope)));
+            if downhill * (energy.energy(next) - energy.energy(u)) < 0.0 {
+                way.push(energy, next);
+                u = next;
+                stride = (1.5 * stride).min(STRIDE);
+            } else {
+                stride *= 0.5;
+                if stride < 1e-12 {
+                    return None;
+                }
+            }
+        }
+        None
+    }
+
+    fn push(&mut self, energy: &SlowEnergy, u: [f64; 3]) {
+        self.places.push(u);
+        self.energies.push(energy.energy(u));
+    }
+
+    /// The minimum.
+    pub fn end(&self) -> [f64; 3] {
+        self.places[self.places.len() - 1]
+    }
+
+    /// The place on the way with this `h`, between those of its ends.
+    pub fn at(&self, energy: &SlowEnergy, h: f64) -> [f64; 3] {
+        let after = self.energies.partition_point(|energy| *energy > h).clamp(1, self.energies.len() - 1);
+        let (from, to) = (self.places[after - 1], self.places[after]);
+        // Shares count from the lower end, where a wobble may be small beside the digits of a place.
+        let [mut low, mut high] = [0.0, 1.0];
+        let on = |share: f64| unit(add(to, scale(share, add(from, scale(-1.0, to)))));
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if energy.energy(on(middle)) < h {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        on(0.5 * (low + high))
+    }
+}
+
+/// Whether the energy falls (or rises) all along the straight way to a place.
+fn falls(energy: &SlowEnergy, from: [f64; 3], to: [f64; 3], downhill: f64) -> bool {
+    let place = |i: usize| {
+        let share = i as f64 / LOOKS as f64;
+        unit(add(from, scale(share, add(to, scale(-1.0, from)))))
+    };
+    let heights: Vec<f64> = (0..=LOOKS).map(|i| downhill * energy.energy(place(i))).collect();
+    heights.array_windows().all(|[before, after]| after < before)
+}
+
+pub(super) fn unit(x: [f64; 3]) -> [f64; 3] {
+    scale(norm(x).recip(), x)
+}

@@ -1,0 +1,164 @@
+use std::f64::consts::TAU;
+
+use super::energy::SlowEnergy;
+use crate::math::ode::{Dop853, Solver, System};
+use crate::math::rotation::angle;
+use crate::math::simd::{Arithmetic, Plain};
+use crate::math::sym::{add, dot, norm, scale};
+
+/// One turn of the momentum along a level curve of the slow energy. (N4)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// Slow energy (J).
+    pub energy: f64,
+    /// Period (s).
+    pub period: f64,
+    /// Mean power dissipated (W).
+    pub power: f64,
+    /// Mean rate of the turns about the momentum (1/s).
+    pub turns: f64,
+    /// Least and greatest angle (rad) between the momentum and the steady spin circled.
+    pub nutation: [f64; 2],
+}
+
+/// Error allowed per step, relative to the size of the level.
+const TOLERANCE: f64 = 1e-13;
+/// Error allowed per step in a unit vector at least: some roundings.
+const ROUNDING: f64 = 1e-15;
+/// Steps that one turn may take; next to a saddle it takes some hundred.
+const STEPS: usize = 20_000;
+/// A return nearer to the start than this share of the size of the level closes it.
+const CLOSED: f64 = 1e-4;
+/// Looks within a step.
+const LOOKS: usize = 6;
+/// Halvings of a step that find a crossing.
+const HALVINGS: usize = 60;
+
+/// State on a level: the place, the time (s), the energy dissipated (J), the angle turned about the momentum (rad).
+type State = [f64; 6];
+
+/// Runs along a level at the speed of the canonical equations; the time runs at the ratio `s`. (N3)
+struct Along<'a> {
+    energy: &'a SlowEnergy,
+}
+
+impl System<State> for Along<'_> {
+    fn rate<A: Arithmetic>(&mut self, _: f64, y: &State, rate: &mut State) {
+        let u = [y[0], y[1], y[2]];
+        let (velocity, ratio) = self.energy.velocity(u);
+        let [power, turning] = self.energy.power(u);
+        let slowness = ratio.recip();
+        *rate = [velocity[0], velocity[1], velocity[2], slowness, power * slowness, turning * slowness];
+    }
+}
+
+/// A level with what only its own module needs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Traced {
+    pub period: f64,
+    /// Energy dissipated in a turn (J).
+    pub loss: f64,
+    /// Angle turned about the momentum in a turn (rad).
+    pub angle: f64,
+    pub nutation: [f64; 2],
+}
+
+impl Traced {
+    /// The level as users see it, with its slow energy (J).
+    pub fn level(&self, energy: f64) -> Level {
+        let Self { period, loss, angle, nutation } = *self;
+        Level { energy, period, power: loss / period, turns: angle / (TAU * period), nutation }
+    }
+}
+
+/// Follows the level through a unit vector once round; `pole` is where the angles of nutation are measured from, and `look` sees
+/// the places passed. None where it does not come back, as on a separatrix. (N4)
+pub(super) fn traced(
+    energy: &SlowEnergy,
+    start: [f64; 3],
+    pole: [f64; 3],
+    mut look: impl FnMut([f64; 3]),
+) -> Option<Traced> {
+    let (velocity, _) = energy.velocity(start);
+    let speed = norm(velocity);
+    if !(speed > 0.0) {
+        return None;
+    }
+    let allowed = allowed(energy, (speed / energy.fastest).min(1.0));
+    let y = [start[0], start[1], start[2], 0.0, 0.0, 0.0];
+    let mut solver = Dop853::<_, _, Plain>::new(Along { energy }, 0.0, y, allowed);
+    let behind = |y: &State| dot([y[0] - start[0], y[1] - start[1], y[2] - start[2]], velocity);
+    let mut turn = Turn { nutation: [angle(pole, start); 2], extent: 0.0 };
+    for _ in 0..STEPS {
+        let (t, before) = (solver.t(), *solver.y());
+        solver.step(f64::INFINITY).ok()?;
+        let dense = solver.dense();
+        let h = solver.t() - t;
+        for i in 1..=LOOKS {
+            let y = dense.at(t + h * i as f64 / LOOKS as f64);
+            let u = [y[0], y[1], y[2]];
+            turn.extent = turn.extent.max(norm(add(u, scale(-1.0, start))));
+            look(u);
+        }
+        let away = |time: f64| {
+            let y = dense.at(time);
+            let u = [y[0], y[1], y[2]];
+            dot(energy.velocity(u).0, pole)
+        };
+        let crossed = behind(&before) < 0.0 && behind(solver.y()) >= 0.0;
+        let end = if crossed { crossing(|time| behind(&dense.at(time)), t, t + h) } else { t + h };
+        let middle = 0.5 * (t + end);
+        for [from, to] in [[t, middle], [middle, end]] {
+            if (away(from) < 0.0) != (away(to) < 0.0) {
+                let y = dense.at(crossing(away, from, to));
+                turn.see(angle(pole, [y[0], y[1], y[2]]));
+            }
+        }
+        if crossed {
+            let y = dense.at(end);
+            if norm([y[0] - start[0], y[1] - start[1], y[2] - start[2]]) < CLOSED * turn.extent {
+                return Some(Traced { period: y[3], loss: y[4], angle: y[5], nutation: turn.nutation });
+            }
+        }
+    }
+    None
+}
+
+/// What is gathered on the way round.
+struct Turn {
+    nutation: [f64; 2],
+    extent: f64,
+}
+
+impl Turn {
+    fn see(&mut self, angle: f64) {
+        self.nutation = [self.nutation[0].min(angle), self.nutation[1].max(angle)];
+    }
+}
+
+/// Errors allowed per step on a level of a size, as a share of the largest: the place to a share of the level's size, the rest to
+/// a share of a turn's worth.
+fn allowed(energy: &SlowEnergy, size: f64) -> State {
+    let SlowEnergy { fastest, largest_power, fastest_turning, .. } = *energy;
+    let place = (TOLERANCE * size).max(ROUNDING);
+    let time = 10.0 * TOLERANCE / fastest;
+    let loss = if largest_power > 0.0 { largest_power * size * size * time } else { f64::INFINITY };
+    [place, place, place, time, loss, fastest_turning * time]
+}
+
+/// Where a function changes its sign between two times.
+fn crossing(function: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+    let negative = function(from) < 0.0;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        if middle <= from || middle >= to {
+            break;
+        }
+        if (function(middle) < 0.0) == negative {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    0.5 * (from + to)
+}

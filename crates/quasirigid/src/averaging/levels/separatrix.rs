@@ -1,0 +1,122 @@
+use super::descent::unit;
+use super::energy::SlowEnergy;
+use super::level::{Traced, traced};
+use crate::math::sphere::{Kind, StationaryPoint};
+use crate::math::sym::{add, norm, scale};
+
+/// A passage of the energy of saddles, where a level meets itself or its neighbours. (N6)
+#[derive(Clone, Debug, PartialEq)]
+pub struct Separatrix {
+    /// Time (s) since the start.
+    pub time: f64,
+    /// Slow energy (J).
+    pub energy: f64,
+    /// The ways on. A fraction of a turn decides which is taken.
+    pub ways: Vec<Way>,
+    /// Whether the ways differ in nothing but their sense, so that the evolution goes on all the same.
+    pub alike: bool,
+}
+
+/// One way on from a separatrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// A momentum (N·m·s, body axes) just below the separatrix, from which the evolution may be followed.
+    pub momentum: [f64; 3],
+    /// Share of the energy that is lost in a turn on the levels next below, which is the share of phases that lead here.
+    pub share: f64,
+}
+
+/// Distance from the energy of a saddle, as a share of the range over the sphere, up to which levels are followed.
+pub(super) const MARGIN: f64 = 1e-7;
+/// A level has met a saddle when it came nearer than so many times the distance at which it would turn.
+const MET: f64 = 4.0;
+/// Ways that differ less are alike.
+const ALIKE: f64 = 1e-6;
+
+/// What a level comes past.
+pub(super) struct Saddles<'a> {
+    energy: &'a SlowEnergy,
+    points: &'a [StationaryPoint],
+    /// Range of `h` over the sphere (1/s).
+    range: f64,
+}
+
+impl<'a> Saddles<'a> {
+    pub fn new(energy: &'a SlowEnergy, points: &'a [StationaryPoint], range: f64) -> Self {
+        Self { energy, points, range }
+    }
+
+    /// Distance from a saddle's energy (1/s) up to which levels are followed.
+    pub fn margin(&self) -> f64 {
+        MARGIN * self.range
+    }
+
+    /// Saddles below a value of `h`, the highest first.
+    pub fn below(&self, h: f64) -> Vec<(StationaryPoint, f64)> {
+        let saddles = self.points.iter().filter(|point| point.kind == Kind::Saddle);
+        let mut below: Vec<_> = saddles.map(|point| (*point, self.energy.energy(point.place))).collect();
+        below.retain(|(_, height)| *height < h);
+        below.sort_by(|a, b| b.1.total_cmp(&a.1));
+        below
+    }
+
+    /// Whether the level through a place, a margin above a saddle, meets it.
+    pub fn meets(&self, start: [f64; 3], saddle: &StationaryPoint) -> bool {
+        let (mut nearest, limit) = (f64::INFINITY, MET * self.reach(saddle, true).0);
+        let look = |u: [f64; 3]| nearest = nearest.min(norm(add(u, scale(-1.0, saddle.place))));
+        traced(self.energy, start, saddle.place, look);
+        nearest < limit
+    }
+
+    /// Distance (rad) at which a level a margin away turns before a saddle, and the direction of descent (or ascent).
+    fn reach(&self, saddle: &StationaryPoint, ascent: bool) -> (f64, [f64; 3]) {
+        let [[a, b], [c, d]] = saddle.slope;
+        let mixed = 0.5 * (b + c);
+        let (mean, half) = (0.5 * (a + d), 0.5 * (a - d));
+        let root = half.hypot(mixed);
+        let curvature = if ascent { mean + root } else { mean - root };
+        let turn = 0.5 * mixed.atan2(half) + if ascent { 0.0 } else { std::f64::consts::FRAC_PI_2 };
+        let (sin, cos) = turn.sin_cos();
+        let direction = add(scale(cos, saddle.tangents[0]), scale(sin, saddle.tangents[1]));
+        ((2.0 * self.margin() / curvature.abs()).sqrt(), direction)
+    }
+
+    /// The levels that lie a margin below saddles of one energy: a place on each, and what a turn on it loses.
+    pub fn next(&self, saddles: &[StationaryPoint]) -> Vec<([f64; 3], Traced)> {
+        let sides = saddles.iter().flat_map(|saddle| {
+            let (distance, direction) = self.reach(saddle, false);
+            [1.0, -1.0].map(|side| (unit(add(saddle.place, scale(side * distance, direction))), distance))
+        });
+        let sides: Vec<_> = sides.collect();
+        let mut known: Vec<([f64; 3], Traced)> = Vec::new();
+        let mut taken = vec![false; sides.len()];
+        for i in 0..sides.len() {
+            if taken[i] {
+                continue;
+            }
+            let mut look = |u: [f64; 3]| {
+                for (taken, (place, distance)) in taken.iter_mut().zip(&sides) {
+                    *taken |= norm(add(u, scale(-1.0, *place))) < 0.7 * distance;
+                }
+            };
+            if let Some(turn) = traced(self.energy, sides[i].0, saddles[0].place, &mut look) {
+                known.push((sides[i].0, turn));
+            }
+        }
+        known
+    }
+
+    /// The ways as users see them, and whether they are alike.
+    pub fn ways(&self, next: &[([f64; 3], Traced)]) -> (Vec<Way>, bool) {
+        let whole: f64 = next.iter().map(|(_, turn)| turn.loss).sum();
+        let way = |(place, turn): &([f64; 3], Traced)| Way {
+            momentum: scale(self.energy.G, *place),
+            share: if whole > 0.0 { turn.loss / whole } else { 1.0 / next.len() as f64 },
+        };
+        let close = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());
+        let alike = next.array_windows().all(|[(_, a), (_, b)]| {
+            close(a.period, b.period) && close(a.loss, b.loss) && close(a.angle, b.angle)
+        });
+        (next.iter().map(way).collect(), alike)
+    }
+}

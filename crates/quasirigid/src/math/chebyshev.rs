@@ -1,0 +1,79 @@
+//! Smooth functions of one variable by Chebyshev's polynomials.
+
+use std::f64::consts::PI;
+
+/// Nodes of an interpolation.
+const NODES: usize = 12;
+
+/// Several functions on an interval, interpolated at Chebyshev's nodes.
+#[derive(Clone, Debug)]
+pub struct Chebyshev<const N: usize> {
+    ends: [f64; 2],
+    coefficients: [[f64; NODES]; N],
+}
+
+impl<const N: usize> Chebyshev<N> {
+    /// Interpolates functions on an interval; none if one fails at a node.
+    pub fn of(ends: [f64; 2], mut function: impl FnMut(f64) -> Option<[f64; N]>) -> Option<Self> {
+        let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        let angle = |k: usize| PI * (k as f64 + 0.5) / NODES as f64;
+        let mut coefficients = [[0.0; NODES]; N];
+        for k in 0..NODES {
+            let values = function(middle + half * angle(k).cos())?;
+            for (row, value) in coefficients.iter_mut().zip(values) {
+                for (j, coefficient) in row.iter_mut().enumerate() {
+                    let weight = if j == 0 { 1.0 } else { 2.0 };
+                    *coefficient += weight / NODES as f64 * value * (j as f64 * angle(k)).cos();
+                }
+            }
+        }
+        Some(Self { ends, coefficients })
+    }
+
+    /// The largest share of the last two polynomials: the size of what an interpolation leaves out.
+    #[must_use]
+    pub fn tail(&self) -> f64 {
+        let share = |row: &[f64; NODES]| {
+            let largest = row.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
+            row[NODES - 2].abs().max(row[NODES - 1].abs()) / largest.max(f64::MIN_POSITIVE)
+        };
+        self.coefficients.iter().map(share).fold(0.0, f64::max)
+    }
+
+    /// Integrals from the start of the interval to a place in it.
+    #[must_use]
+    pub fn integral(&self, x: f64) -> [f64; N] {
+        let half = 0.5 * (self.ends[1] - self.ends[0]);
+        let angle = ((x - self.ends[0]) / half - 1.0).clamp(-1.0, 1.0).acos();
+        self.coefficients.map(|row| half * (primitive(&row, angle) - primitive(&row, PI)))
+    }
+}
+
+/// `∫ Σ c_j T_j dx` at `x = cos θ`.
+fn primitive(row: &[f64; NODES], angle: f64) -> f64 {
+    let T = |j: usize| (j as f64 * angle).cos();
+    let term = |(j, c): (usize, &f64)| match j {
+        0 => c * T(1),
+        1 => 0.25 * c * T(2),
+        _ => 0.5 * c * (T(j + 1) / (j as f64 + 1.0) - T(j - 1) / (j as f64 - 1.0)),
+    };
+    row.iter().enumerate().map(term).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integrals_of_smooth_functions_are_exact() {
+        let ends = [-0.3, 1.4];
+        let fit = Chebyshev::of(ends, |x| Some([x.exp(), (2.0 * x).cos()])).unwrap();
+        assert!(fit.tail() < 1e-7);
+        for x in [-0.3, 0.2, 1.4] {
+            let [exponential, cosine] = fit.integral(x);
+            assert!((exponential - (x.exp() - ends[0].exp())).abs() < 1e-12);
+            assert!((cosine - 0.5 * ((2.0 * x).sin() - (2.0 * ends[0]).sin())).abs() < 1e-9);
+        }
+        assert!(Chebyshev::of(ends, |x| (x < 1.0).then_some([x])).is_none());
+    }
+}

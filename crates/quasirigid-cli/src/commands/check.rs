@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
 use quasirigid::math::rotation::angle;
-use quasirigid::math::sphere::Kind;
+use quasirigid::math::sphere::Kind as Stationary;
 use quasirigid::math::sym::{self, dot, norm, scale};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict, reduce};
@@ -238,9 +238,9 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
     for IsolatedSpin { spin, momentum, kind } in isolated {
         let [x, y, z] = scale(norm(*momentum).recip(), *momentum);
         let energy = match kind {
-            Kind::Minimum => "least energy",
-            Kind::Maximum => "greatest energy",
-            Kind::Saddle => "saddle",
+            Stationary::Minimum => "least energy",
+            Stationary::Maximum => "greatest energy",
+            Stationary::Saddle => "saddle",
         };
         let direction = format!("({x:+.4} {y:+.4} {z:+.4}), {energy}:");
         writeln!(out, "    {direction:<49} {}", fate(spin, rates))?;

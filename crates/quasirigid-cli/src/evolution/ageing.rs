@@ -1,10 +1,11 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{
-    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, MeanPower, PolynomialPower, Response,
-    Stage,
+    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, LevelRow, MeanPower, PolynomialPower,
+    Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
+use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
@@ -218,6 +219,14 @@ impl Ageing {
             if let Some(powers) = &rows.powers {
                 values[POWER] = powers[i];
             }
+            if let Some(LevelRow { energy, nutation, period, momentum, .. }) =
+                rows.levels.as_ref().map(|rows| rows[i])
+            {
+                let G = norm(momentum);
+                values[RATIO] = G * G / (2.0 * energy * self.principal.moments[2]);
+                [values[NUTATION], values[NUTATION + 1]] = nutation;
+                (values[ENERGY], values[PERIOD], values[PERIOD + 1]) = (energy, period, f64::NAN);
+            }
             columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
         }
         columns
@@ -342,7 +351,11 @@ impl Ageing {
     }
 }
 
-/// Number of the column of the power.
+/// Numbers of columns.
+const RATIO: usize = 1;
+const NUTATION: usize = 3;
+const ENERGY: usize = 5;
+const PERIOD: usize = 7;
 const POWER: usize = 9;
 /// Columns of the table, each with its unit.
 const COLUMNS: [(&str, &str); 12] = [

@@ -23,6 +23,7 @@ use crate::liquids::waves;
 use crate::progress::Bar;
 use crate::rotation::slaved_order;
 use ageing::Ageing;
+use road::History;
 use rows::Rows;
 
 pub use words::text;
@@ -87,20 +88,24 @@ pub fn follow(
     };
     let run = if torque.is_none() {
         match road::choose(loaded, start, asked, &mut ageing, &mut watch)? {
-            Ok(run) => run,
+            Ok(history) => history,
             Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
         }
     } else {
-        None
+        History::None
     };
     let evolution = ageing.evolution();
-    let from = ageing.start(&evolution, asked.from, torque.is_none())?;
+    let from = match &run {
+        History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,
+        _ => ageing.start(&evolution, asked.from, torque.is_none())?,
+    };
     let mut rows = match &run {
-        Some((run, range)) => Rows::of_run(run, range, asked.samples),
-        None if torque.is_none() => {
+        History::Full(run, range) => Rows::of_run(run, range, asked.samples),
+        History::Levels(passage) => Rows::of_levels(passage, &ageing.principal),
+        History::None if torque.is_none() => {
             Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
         }
-        None => {
+        History::None => {
             let limits = ageing.limits(&evolution, asked)?;
             Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, &mut watch)
         }

@@ -3,15 +3,18 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::{Evolution, FreeRotation, HillResponse, MeanPower, Stage};
+use quasirigid::averaging::{
+    Evolution, FreeRotation, HillResponse, LevelEnding, LevelEvolution, LevelPassage, MeanPower, Stage, Until,
+};
 use quasirigid::dynamics::{FullState, SpinState};
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::model::{FlexibleBody, Mode, Principal};
+use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::{
     AverageCriteria, CalibratedPower, DirectEnding, DirectOptions, DirectRun, EnergyRange, MeasureError,
     MeasureOptions, MeasuredPower, Poles, average_criteria, follow_directly,
 };
-use quasirigid_io::model::EvolveMethod;
+use quasirigid_io::model::{EvolveMethod, Target};
 
 use super::ageing::Ageing;
 use crate::commands::Loaded;
@@ -55,14 +58,22 @@ impl Verdict {
     pub fn method(&self) -> Option<String> {
         match self.road {
             "micro-runs" => Some("measured by short runs of the full system along the way".into()),
+            "levels" => Some("mean of the power of the reduced equations along level curves of the slow energy".into()),
             "direct" => Some("the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy".into()),
             _ => None,
         }
     }
 }
 
-/// A history of the full system with its range of energies.
-pub type History = Option<(Box<DirectRun>, EnergyRange)>;
+/// What is followed beside a power.
+pub enum History {
+    /// Nothing: the power says it all.
+    None,
+    /// The full system, with its range of energies.
+    Full(Box<DirectRun>, EnergyRange),
+    /// Levels of the slow energy.
+    Levels(Box<LevelPassage>),
+}
 
 /// Why no road leads to an answer, in words, with the rates of the modes where these are known.
 pub struct Refusal {
@@ -85,7 +96,7 @@ pub fn choose(
 ) -> Result<Result<History, Refusal>, Failure> {
     let body = &loaded.body;
     if asked.method.is_none() && plain(body, ageing, norm(start.omega)) {
-        return Ok(Ok(None));
+        return Ok(Ok(History::None));
     }
     let full = Motion::new(loaded, start).full()?;
     let momentum = norm(full.momentum(body));
@@ -110,7 +121,10 @@ pub fn choose(
         Some(EvolveMethod::Direct) => choice.direct(f64::INFINITY, watch)?,
         None => match choice.average(ageing) {
             Some(road) => Ok(road),
-            None => choice.other(ageing, watch)?,
+            None => match choice.levels(loaded, asked) {
+                Some(found) => found,
+                None => choice.other(ageing, watch)?,
+            },
         },
     };
     Ok(match found {
@@ -147,7 +161,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::average(Some(error))
             };
-            None
+            History::None
         }
         Road::Unfounded { criteria } => {
             ageing.verdict = Verdict {
@@ -157,7 +171,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::average(Some(criteria.error()))
             };
-            None
+            History::None
         }
         Road::Calibrated { power, error } => {
             ageing.source = power;
@@ -172,7 +186,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::default()
             };
-            None
+            History::None
         }
         Road::Measured(power) => {
             let first = power.measurements.first();
@@ -191,7 +205,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 fails: false,
             };
             ageing.take(power, &ground.range, way.energies[0]);
-            None
+            History::None
         }
         Road::Direct(run) => {
             ageing.verdict = Verdict {
@@ -205,7 +219,16 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 fails: false,
             };
             ageing.take(Box::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
-            Some((run, ground.range.clone()))
+            History::Full(run, ground.range.clone())
+        }
+        Road::Levels(passage) => {
+            ageing.verdict = Verdict {
+                road: "levels",
+                sentence: "The moments are nearly equal: averaged along the level curves of the slow energy, which elasticity bends.".into(),
+                rates: ageing.verdict.rates,
+                ..Verdict::default()
+            };
+            History::Levels(passage)
         }
     }
 }
@@ -299,6 +322,8 @@ enum Road {
     Measured(Box<MeasuredPower>),
     /// The history of the full system.
     Direct(Box<DirectRun>),
+    /// Averaged along levels of the slow energy.
+    Levels(Box<LevelPassage>),
 }
 
 /// Revolutions of a history of the full system that is chosen at once, and that is tried where nothing else holds.
@@ -312,6 +337,11 @@ const TOLERANCE: f64 = 1e-10;
 const DECAY: f64 = 0.05;
 /// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
 const LEFT_OUT: f64 = 0.02;
+/// Relative change of a difference of moments by elasticity from which levels are followed, largest ratio of spin to frequency, and
+/// least order of the power there.
+const BENT: f64 = 0.01;
+const STIFF: f64 = 0.15;
+const LEVEL_ORDER: usize = 5;
 /// Places of the way at which parametric resonance is looked for.
 const LOOKS: usize = 4;
 /// Coordinates up to which the response in the spinning frame is tried.
@@ -460,6 +490,48 @@ impl Choice<'_> {
                 significant(resonance.frequency, 4),
                 time(resonance.rate.recip())
             ))
+        })
+    }
+
+    /// Averaged along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
+    fn levels(&self, loaded: &Loaded, asked: &super::Asked) -> Option<Result<Road, String>> {
+        let rigid = Principal::of(self.body.invariants().J).moments;
+        let bent = self.ground.range.moments();
+        let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
+            let (before, after) = (rigid[*b] - rigid[*a], bent[*b] - bent[*a]);
+            (after - before).abs() > BENT * before.abs()
+        });
+        let slowest = frequencies(self.body).ok()?.first().copied()?;
+        let omega = self.way.start.omega;
+        if !changed
+            || norm(omega) > STIFF * slowest
+            || !self.body.cyclic().is_empty()
+            || !self.body.lossy().is_empty()
+        {
+            return None;
+        }
+        let reduced = reduce(self.body, loaded.order.max(LEVEL_ORDER)).ok()?;
+        let until = match (asked.until, self.duration) {
+            (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
+            (Some(Target::Ratio(_)), None) => {
+                return Some(Err("the moments of this body are nearly equal, so that D/I3 says little; say how far to go by an angle".into()));
+            }
+            (_, Some(duration)) => Until::Duration(duration),
+            (None, None) => Until::EnergyLeft(0.01),
+        };
+        let momentum = self.way.start.momentum(self.body);
+        let found = LevelEvolution::new(&reduced, norm(momentum))
+            .and_then(|levels| levels.follow(momentum, until, asked.samples));
+        Some(match found {
+            Ok(passage) => match passage.ending {
+                LevelEnding::Reached | LevelEnding::Duration => Ok(Road::Levels(Box::new(passage))),
+                LevelEnding::Undecided => Err(format!(
+                    "the rotation comes to a saddle of the slow energy after {}, behind which the ways differ",
+                    time(passage.rows.last().map_or(f64::NAN, |row| row.time))
+                )),
+                LevelEnding::Lossless => Err("nothing is dissipated".into()),
+            },
+            Err(error) => Err(error.to_string()),
         })
     }
 

@@ -1,9 +1,12 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, Passage, SlowTorque, Stage,
+    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, LevelPassage, LevelRow, Passage,
+    SlowTorque, Stage,
 };
 
+use quasirigid::math::sym::norm;
+use quasirigid::model::{Mode, Principal};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
 
 use super::ageing::Ageing;
@@ -24,6 +27,8 @@ pub struct Rows<'e> {
     pub error: f64,
     /// Powers (W) of a history of the full system, row by row.
     pub powers: Option<Vec<f64>>,
+    /// Levels of the slow energy, row by row.
+    pub levels: Option<Vec<LevelRow>>,
 }
 
 impl<'e> Rows<'e> {
@@ -42,6 +47,7 @@ impl<'e> Rows<'e> {
             status: "finished",
             error: 0.0,
             powers: None,
+            levels: None,
         }
     }
 
@@ -68,7 +74,16 @@ impl<'e> Rows<'e> {
             states.push(history.end);
         }
         let status = history.ending.word();
-        Self { first: start, states, evolution: None, drift: Some(history), status, error: 0.0, powers: None }
+        Self {
+            first: start,
+            states,
+            evolution: None,
+            drift: Some(history),
+            status,
+            error: 0.0,
+            powers: None,
+            levels: None,
+        }
     }
 
     /// Rows of a history of the full system, evenly in time.
@@ -106,6 +121,28 @@ impl<'e> Rows<'e> {
             status: "finished",
             error: 0.0,
             powers: Some(powers),
+            levels: None,
+        }
+    }
+
+    /// Rows of an evolution along levels of the slow energy; the axis circled is that of the principal axis next to it.
+    pub fn of_levels(passage: &LevelPassage, principal: &Principal) -> Self {
+        let state = |row: &LevelRow| {
+            let along = principal.components(row.circled).map(f64::abs);
+            let mode = if along[0] > along[2] { Mode::LongAxis } else { Mode::ShortAxis };
+            let momentum = norm(row.momentum);
+            DriftState { t: row.time, stage: Stage { mode, xi: 0.0 }, momentum, side: 1.0, turns: row.turns }
+        };
+        let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
+        Self {
+            first: states[0],
+            states,
+            evolution: None,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: Some(passage.rows.iter().map(|row| row.power).collect()),
+            levels: Some(passage.rows.clone()),
         }
     }
 

@@ -112,7 +112,9 @@ fn mode<'a>(object: &'a Value, name: &str) -> &'a Value {
 fn full_time(model: &str, energy: f64, longest: f64) -> f64 {
     let ran = ran_with(
         &format!("{model}\n"),
-        &format!("simulate model.toml --system full --samples 2 --json --duration {longest} --tolerance 1e-11"),
+        &format!(
+            "simulate model.toml --system full --samples 2 --json --duration {longest} --tolerance 1e-11"
+        ),
     );
     let _ = energy;
     let found = ran.json();
@@ -215,7 +217,8 @@ fn a_soft_body_starts_with_what_it_is_asked_for() {
     let line = "simulate model.toml --system full --duration 1e-9 --samples 2 --json";
     let found = ran_with(SLOSH, line).json();
     close(number(&found, "energy"), 0.5 * 36.04 * rate * rate, 2e-3);
-    let first = ran("simulate examples/explorer1/model.toml --system full --duration 1e-9 --samples 2 --json").json();
+    let first =
+        ran("simulate examples/explorer1/model.toml --system full --duration 1e-9 --samples 2 --json").json();
     close(number(&first, "energy"), 465.91, 1e-3);
     let rest = SLOSH.replace("[run]", "displacements = \"rest\"\n[run]");
     close(number(&ran_with(&rest, line).json(), "energy"), 0.5 * 36.04 * rate * rate, 2e-3);

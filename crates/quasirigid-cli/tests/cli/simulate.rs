@@ -193,7 +193,8 @@ fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
 fn object_of_a_history_holds_the_shares_of_dissipators() {
     let shares = |system: &str| {
         let object =
-            ran(&format!("simulate examples/three-masses/model.toml --system {system} --duration 20 --json")).json();
+            ran(&format!("simulate examples/three-masses/model.toml --system {system} --duration 20 --json"))
+                .json();
         object["dissipation"].as_object().unwrap().clone()
     };
     let (full, reduced) = (shares("full"), shares("reduced"));

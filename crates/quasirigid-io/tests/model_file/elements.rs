@@ -58,7 +58,8 @@ fn a_name_given_twice_is_refused_at_both_places() {
 
 #[test]
 fn a_spring_may_have_a_name() {
-    let spring = "[[spring]]\nname = \"strut\"\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 9\ndamping = 1\n";
+    let spring =
+        "[[spring]]\nname = \"strut\"\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 9\ndamping = 1\n";
     let unnamed = spring.replace("name = \"strut\"\n", "");
     let model = read(&format!("{CARRIER}{POINT}{spring}{unnamed}"));
     let names: Vec<_> = model.assembly.springs.iter().map(|spring| spring.name.as_str()).collect();

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::layout::FIRM;
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
@@ -176,15 +177,17 @@ pub fn shares(budget: &[(String, f64)]) -> BTreeMap<String, f64> {
     shares
 }
 
-/// Who dissipates, the largest share first; none where nobody shares.
+/// Who dissipates, the largest share first, for a paragraph; none where nobody shares.
 pub fn dissipation(shares: &BTreeMap<String, f64>) -> Option<String> {
     if shares.len() < 2 {
         return None;
     }
     let mut parts: Vec<(&String, f64)> = shares.iter().map(|(name, share)| (name, *share)).collect();
     parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let named = parts.iter().take_while(|(_, share)| *share >= FAINT).take(MOST_DISSIPATORS).count();
-    let percent = |share: f64| format!("{} %", significant(100.0 * share, 3));
+    let loud = parts.iter().take_while(|(_, share)| *share >= FAINT).take(MOST_DISSIPATORS).count();
+    // A single one is named as briefly as counted.
+    let named = if loud + 1 == parts.len() { parts.len() } else { loud };
+    let percent = |share: f64| format!("{}{FIRM}%", significant(100.0 * share, 3));
     let mut list: Vec<String> =
         parts[..named].iter().map(|(name, share)| format!("{name} {}", percent(*share))).collect();
     if named < parts.len() {

@@ -5,9 +5,12 @@ use textwrap::{Options, WordSeparator, WordSplitter};
 /// Columns that texts keep to.
 const WIDTH: usize = 79;
 
+/// A space at which no line is broken; it is printed as any other.
+pub const FIRM: char = '\u{a0}';
+
 /// A paragraph, broken at spaces only, so that paths and options stay whole.
 pub fn paragraph(text: &str, first: &str, rest: &str) -> String {
-    textwrap::fill(text, options(WIDTH).initial_indent(first).subsequent_indent(rest))
+    textwrap::fill(text, options(WIDTH).initial_indent(first).subsequent_indent(rest)).replace(FIRM, " ")
 }
 
 /// A message whose own line breaks stay.

@@ -20,8 +20,8 @@ fn unknown_key_is_answered_with_the_nearest() {
         │ ────┬───  
         │     ╰───── unknown key
         │ 
-        │ Help: did you mean `stiffness`? the keys are from, to, stiffness,
-        │       damping, rheology, axial, anchor
+        │ Help: did you mean `stiffness`? the keys are name, from, to,
+        │       stiffness, damping, rheology, axial, anchor
     ────╯
 
     quasirigid: model.toml: 1 problem; nothing was computed

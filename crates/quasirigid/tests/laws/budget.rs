@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
-use quasirigid::dynamics::{Forced, Observer, Options, Run, Sample, SpinState, propagate, propagate_full};
+use quasirigid::dynamics::{
+    Forced, Method, Observer, Options, Run, Sample, SpinState, propagate, propagate_full,
+};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Spring};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
@@ -204,7 +206,7 @@ fn simpson(values: &[f64], step: f64) -> f64 {
 }
 
 /// A tumbler with three dashpots and a boom, and what became of it.
-fn histories(epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, Seen) {
+fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, Seen) {
     let mut assembly = tumbler(epsilon);
     let between = Law::Axial { stiffness: 60.0 / epsilon.powi(2), damping: 25.0 / epsilon, anchor: None };
     let spring =
@@ -217,7 +219,8 @@ fn histories(epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, S
     let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let settled = start.settled(Forced::not(&body), 5).unwrap();
     let ended = |run: Run| assert!((run.last.t / duration - 1.0).abs() < 1e-12);
-    ended(propagate_full(Forced::not(&body), &settled, &times, Options::default(), &mut seen[0]).unwrap());
+    let options = Options { method, ..Options::default() };
+    ended(propagate_full(Forced::not(&body), &settled, &times, options, &mut seen[0]).unwrap());
     let reduced = reduce(&body, 5).unwrap();
     let spin = SpinState { omega, attitude: ALIGNED };
     ended(propagate(&reduced, spin, &times, Options::default(), &mut seen[1]).unwrap());
@@ -228,8 +231,12 @@ fn histories(epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, S
 /// Two roads to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
 #[test]
 fn histories_know_who_took_the_energy() {
+    [Method::Explicit, Method::Implicit].into_iter().for_each(compare_histories);
+}
+
+fn compare_histories(method: Method) {
     let (duration, rows) = (30.0, 6000);
-    let (body, full, reduced) = histories(0.15, duration, rows);
+    let (body, full, reduced) = histories(method, 0.15, duration, rows);
     for (seen, tolerance) in [(&full, 1e-12), (&reduced, 1e-12)] {
         let whole = seen.samples.last().unwrap().dissipated;
         assert_eq!(seen.budget.len(), 3);

@@ -100,7 +100,7 @@ pub enum Failure {
     )]
     DrivenPole,
     #[error(
-        "this body has momentum wheels, and the average over free rotations knows none; follow it with `simulate`, or see in `check` how fast nutation grows or decays"
+        "this body has momentum wheels, and the average over free rotations knows none; follow it with `simulate`, or see in `modes` how fast its nutation grows or decays"
     )]
     Wheels,
     #[error("at one end of the ranges of the materials: {cause}")]

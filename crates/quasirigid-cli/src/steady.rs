@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::layout::paragraph;
 
 /// Coordinates of a body whose modes take longer than a moment.
-const MANY: usize = 200;
+const MANY: usize = 700;
 /// Modes listed for people.
 const LISTED: usize = 12;
 /// Shares of parts and dissipators listed for people.

@@ -91,6 +91,8 @@ pub fn follow(
             Ok(history) => history,
             Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
         }
+    } else if let Some(refusal) = road::under_torque(loaded, start, asked, &mut ageing)? {
+        return Ok((ageing.refused(refusal), Vec::new()));
     } else {
         History::None
     };

@@ -133,6 +133,43 @@ pub fn choose(
     })
 }
 
+/// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.
+pub fn under_torque(
+    loaded: &Loaded,
+    start: SpinState,
+    asked: &super::Asked,
+    ageing: &mut Ageing,
+) -> Result<Option<Refusal>, Failure> {
+    let body = &loaded.body;
+    if plain(body, ageing, norm(start.omega)) {
+        return Ok(None);
+    }
+    let full = Motion::new(loaded, start).full()?;
+    let ground = match Ground::of(body, norm(full.momentum(body)))? {
+        Ok(ground) => ground,
+        Err(message) => return Ok(Some(Refusal { message, rates: None })),
+    };
+    let rates = ageing_rates(&ground);
+    let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
+    let judged = |ageing: &Ageing| average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
+    let mut criteria = judged(ageing);
+    if !criteria.hold() && ageing.by_polynomial && !ageing.power_was_asked {
+        ageing.take_harmonics();
+        criteria = judged(ageing);
+    }
+    ageing.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
+    if criteria.hold() {
+        return Ok(None);
+    }
+    if asked.method == Some(EvolveMethod::Average) {
+        ageing.verdict.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
+        ageing.verdict.fails = true;
+        return Ok(None);
+    }
+    let message = format!("under a torque the average alone is followed, and it does not hold: {}", unfounded(criteria));
+    Ok(Some(Refusal { message, rates }))
+}
+
 fn ageing_rates(ground: &Ground) -> Option<[Option<f64>; 2]> {
     Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)))
 }

@@ -48,6 +48,8 @@ pub struct SpinModes {
 /// alone, and where materials or liquids make it nonlinear the slowest.
 const REFINED: usize = 40;
 const SLOWEST: usize = 24;
+/// Coordinates of a body whose nutation is refined only where it has to be.
+const MANY: usize = 300;
 /// An eigenvalue below this share of the spin is zero: a change of `|K|`, or of the direction in a body that knows none.
 const ZERO: f64 = 1e-9;
 /// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
@@ -95,9 +97,10 @@ impl SpinModes {
         let mut slowest: Vec<usize> = (0..found.len()).collect();
         slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
         let small = body.coordinates().len() <= REFINED;
+        let many = body.coordinates().len() > MANY && !pencil.is_nonlinear();
         let again = |i: usize| {
             small
-                || Some(i) == nutation
+                || (Some(i) == nutation && !many)
                 || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());

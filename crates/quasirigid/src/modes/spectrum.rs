@@ -2,6 +2,8 @@ use nalgebra::{Complex, DMatrix};
 
 use super::equilibrium::RelativeEquilibrium;
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
+use crate::math::krylov::Pencil;
+use crate::math::span::Span;
 use crate::math::sym;
 use crate::model::{FlexibleBody, SpinCoefficients};
 
@@ -23,18 +25,31 @@ pub(super) fn spectrum(
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,
 ) -> Result<Vec<Eigenmotion>, NoConvergence> {
-    let n = body.coordinates().len();
-    let elastic = body.elastic();
-    let (moving, size) = (3 + n, 3 + n + elastic);
+    within(body, equilibrium, coefficients, WHOLE)
+}
+
+/// The same with all displacements of a body of up to `whole` elastic coordinates.
+fn within(
+    body: &FlexibleBody,
+    equilibrium: &RelativeEquilibrium,
+    coefficients: &SpinCoefficients,
+    whole: usize,
+) -> Result<Vec<Eigenmotion>, NoConvergence> {
+    let few = Few::of(body, coefficients, whole)?;
+    let (elastic, moving) = (few.elastic.ncols(), 3 + few.elastic.ncols() + body.cyclic().len());
+    let size = moving + elastic;
     let failed = || NoConvergence { size };
-    let L = mass(body, coefficients).cholesky().ok_or_else(failed)?.unpack();
+    let all = few.all(body.cyclic().len());
+    let L = (all.transpose() * mass(body, coefficients) * &all).cholesky().ok_or_else(failed)?.unpack();
     let back = L.transpose();
     let (velocity, stiffness) = forces(body, equilibrium, coefficients);
-    let units: Vec<f64> = body.stiffness().diagonal()[..elastic].iter().map(|C| C.sqrt()).collect();
+    let velocity = all.transpose() * velocity * &all;
+    let stiffness = all.transpose() * stiffness * &few.elastic;
+    let units = &few.units;
     let solved = |right: DMatrix<f64>| L.solve_lower_triangular(&right).ok_or_else(failed);
     let velocity = solved(solved(velocity)?.transpose())?.transpose();
     let mut stiffness = solved(stiffness)?;
-    for (mut column, unit) in stiffness.column_iter_mut().zip(&units) {
+    for (mut column, unit) in stiffness.column_iter_mut().zip(units) {
         column /= *unit;
     }
     let inverse = back.solve_upper_triangular(&DMatrix::identity(moving, moving)).ok_or_else(failed)?;
@@ -53,14 +68,87 @@ pub(super) fn spectrum(
             .map(|row| (0..moving).map(|column| entries[column] * inverse[(row, column)]).sum())
             .collect();
         let lambda = Complex::new(value[0], value[1]);
-        let mut q: Vec<Complex<f64>> =
-            entries[moving..].iter().zip(&units).map(|(entry, unit)| entry / *unit).collect();
+        let displaced: Vec<Complex<f64>> =
+            entries[moving..].iter().zip(units).map(|(entry, unit)| entry / *unit).collect();
+        let mut q = few.lifted(&displaced);
+        let mut rate = few.lifted(&velocities[3..3 + elastic]);
         let loose = velocities[3 + elastic..].iter();
-        q.extend(loose.map(|rate| if lambda.norm() > 0.0 { rate / lambda } else { *rate }));
-        let delta = [velocities[0], velocities[1], velocities[2]];
-        Eigenmotion { lambda, delta, rate: velocities[3..].to_vec(), q }
+        q.extend(loose.clone().map(|rate| if lambda.norm() > 0.0 { rate / lambda } else { *rate }));
+        rate.extend(loose);
+        Eigenmotion { lambda, delta: [velocities[0], velocities[1], velocities[2]], rate, q }
     };
     Ok(values.iter().zip(&vectors).filter(|(value, _)| value[1] >= 0.0).map(motion).collect())
+}
+
+/// Elastic displacements that the motions are combined of: all, or in a body of many coordinates the slowest vibrations and the answers to
+/// the loads of a motion about the steady spin.
+struct Few {
+    /// A displacement to a column.
+    elastic: DMatrix<f64>,
+    /// Square root of the stiffness of each.
+    units: Vec<f64>,
+}
+
+/// Elastic coordinates up to which all displacements are taken, and vibrations of a body of more.
+const WHOLE: usize = 150;
+const SLOW: usize = 40;
+
+impl Few {
+    fn of(body: &FlexibleBody, coefficients: &SpinCoefficients, whole: usize) -> Result<Self, NoConvergence> {
+        let elastic = body.elastic();
+        if elastic <= whole {
+            let units = body.stiffness().diagonal()[..elastic].iter().map(|C| C.sqrt()).collect();
+            return Ok(Self { elastic: DMatrix::identity(elastic, elastic), units });
+        }
+        let padded = |x: &[f64]| {
+            let mut all = x.to_vec();
+            all.resize(body.coordinates().len(), 0.0);
+            all
+        };
+        let cut = |mut x: Vec<f64>| {
+            x.truncate(elastic);
+            x
+        };
+        let stiffness = |x: &[f64]| cut(body.stiffness().times(&padded(x)));
+        let mass = |x: &[f64]| cut(body.recoiling_mass_times(&padded(x)));
+        let solve = |x: &mut [f64]| {
+            let mut all = padded(x);
+            body.solve_stiffness(&mut all, 1);
+            x.copy_from_slice(&all[..elastic]);
+        };
+        let softened = |mut x: Vec<f64>| {
+            solve(&mut x);
+            x
+        };
+        let load = |list: &[[f64; 3]], axis: usize| list[..elastic].iter().map(|load| load[axis]).collect();
+        let loads = (0..3).flat_map(|axis| [load(&coefficients.h, axis), load(&coefficients.slopes, axis)]);
+        let first: Vec<Vec<f64>> = loads.map(softened).collect();
+        let damped = |x: &Vec<f64>| softened(cut(body.damping().times(&padded(x))));
+        let centrifugal = |x: &Vec<f64>| softened(cut(coefficients.centrifugal.times(&padded(x))));
+        let gyroscopic = |x: &Vec<f64>| softened(cut(coefficients.gyroscopic.times(&padded(x))));
+        let after = |x: &Vec<f64>| [softened(mass(x)), damped(x), centrifugal(x), gyroscopic(x)];
+        let second: Vec<Vec<f64>> = first.iter().flat_map(after).collect();
+        let slow = Pencil { size: elastic, stiffness: &stiffness, solve: &solve, mass: &mass }.largest(SLOW)?;
+        let span = Span::orthonormal([first, second, slow].concat(), stiffness).into_vectors();
+        let matrix = DMatrix::from_fn(elastic, span.len(), |row, column| span[column][row]);
+        Ok(Self { units: vec![1.0; span.len()], elastic: matrix })
+    }
+
+    /// Angular velocity, elastic displacements and cyclic coordinates, a column each.
+    fn all(&self, cyclic: usize) -> DMatrix<f64> {
+        let (rows, columns) = self.elastic.shape();
+        let mut all = DMatrix::zeros(3 + rows + cyclic, 3 + columns + cyclic);
+        all.view_mut((0, 0), (3, 3)).fill_with_identity();
+        all.view_mut((3, 3), (rows, columns)).copy_from(&self.elastic);
+        all.view_mut((3 + rows, 3 + columns), (cyclic, cyclic)).fill_with_identity();
+        all
+    }
+
+    /// The displacement of every elastic coordinate.
+    fn lifted(&self, shares: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let (rows, columns) = self.elastic.shape();
+        (0..rows).map(|row| (0..columns).map(|k| shares[k] * self.elastic[(row, k)]).sum()).collect()
+    }
 }
 
 /// Mass of the angular velocity and the rates, `[[J, h], [hᵀ, A]]`.
@@ -114,4 +202,31 @@ fn forces(
         stiffness[(3 + j, k)] += C;
     }
     (velocity, stiffness)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modes::Given;
+    use crate::problems::ring_of_points;
+
+    /// The slow motions of few displacements are those of all: the nutation, and the slowest vibrations.
+    #[test]
+    fn few_displacements_hold_the_slow_motions() {
+        let body = ring_of_points(20).body().unwrap();
+        let axis = crate::model::Principal::of(body.invariants().J).axes[2];
+        let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.3)).unwrap();
+        let coefficients = steady.coefficients(&body);
+        let slow = |whole: usize| {
+            let mut found = within(&body, &steady, &coefficients, whole).unwrap();
+            found.retain(|motion| motion.lambda.norm() > 1e-6);
+            found.sort_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm()));
+            found.iter().take(8).map(|motion| motion.lambda).collect::<Vec<_>>()
+        };
+        let (all, few) = (slow(usize::MAX), slow(0));
+        for (all, few) in all.iter().zip(&few) {
+            assert!((all - few).norm() < 1e-4 * all.norm(), "{all} {few}");
+        }
+        assert!((all[0] - few[0]).norm() < 1e-9 * all[0].norm(), "{} {}", all[0], few[0]);
+    }
 }

@@ -69,14 +69,22 @@ pub(super) fn levels_ratio(body: &ReducedBody, omega: [f64; 3]) -> f64 {
     };
     let nothing = ROUNDING * spin * spin;
     let ratio = |rigid: f64, elastic: f64| if elastic > nothing { elastic / rigid.max(nothing) } else { 0.0 };
-    let axes = Principal::of(body.J).axes;
-    let circles = (0..3).map(|across| {
+    let principal = Principal::of(body.J);
+    let axes = principal.axes;
+    // Rigid spins in the plane of equal moments are all steady: only motions that start there are bent.
+    let distinct = |across: &usize| {
+        let [a, b] = [(across + 1) % 3, (across + 2) % 3].map(|i| principal.moments[i]);
+        (a - b).abs() > EQUAL * principal.moments[2]
+    };
+    let circles = (0..3).filter(distinct).map(|across| {
         let [rigid, elastic] = [2, 4].map(|degree| across_size(&body.f, degree, spin, axes, across));
         ratio(rigid, elastic)
     });
     circles.fold(ratio(rigid, elastic), f64::max)
 }
 
+/// Relative difference below which two moments are equal.
+const EQUAL: f64 = 1e-9;
 /// Share of `|ω|²` below which a rate of the spin is rounding.
 const ROUNDING: f64 = 1e-13;
 /// Places on a circle.

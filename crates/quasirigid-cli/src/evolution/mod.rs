@@ -45,6 +45,13 @@ pub struct Asked {
     pub method: Option<EvolveMethod>,
 }
 
+impl Asked {
+    /// The same after a time (s).
+    fn after(&self, t: f64) -> Self {
+        Self { duration: self.duration.map(|duration| (duration - t).max(0.0)), ..self.clone() }
+    }
+}
+
 /// Rows of the history unless somebody says how many.
 const SAMPLES: usize = 201;
 
@@ -104,6 +111,11 @@ pub fn follow(
     let mut rows = match &run {
         History::Full(run, range) => Rows::of_run(run, range, asked.samples),
         History::Levels(passage) => Rows::of_levels(passage, &ageing.principal),
+        History::Settled(row, range) => {
+            let stage = range.stage(row.energy).unwrap_or(from);
+            let to = ageing.end(&evolution, stage, &asked.after(row.t))?;
+            Rows::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
+        }
         History::None if torque.is_none() => {
             Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
         }

@@ -11,8 +11,8 @@ use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::{
-    AverageCriteria, CalibratedPower, DirectEnding, DirectOptions, DirectRun, EnergyRange, MeasureError,
-    MeasureOptions, MeasuredPower, Poles, average_criteria, follow_directly,
+    AverageCriteria, CalibratedPower, DirectEnding, DirectOptions, DirectRow, DirectRun, EnergyRange,
+    MeasureError, MeasureOptions, MeasuredPower, Poles, average_criteria, follow_directly,
 };
 use quasirigid_io::model::{EvolveMethod, Target};
 
@@ -69,6 +69,8 @@ impl Verdict {
 pub enum History {
     /// Nothing: the power says it all.
     None,
+    /// The full system until it has forgotten its start; from there on the power says it all.
+    Settled(DirectRow, EnergyRange),
     /// The full system, with its range of energies.
     Full(Box<DirectRun>, EnergyRange),
     /// Levels of the slow energy.
@@ -166,7 +168,10 @@ pub fn under_torque(
         ageing.verdict.fails = true;
         return Ok(None);
     }
-    let message = format!("under a torque the average alone is followed, and it does not hold: {}", unfounded(criteria));
+    let message = format!(
+        "under a torque the average alone is followed, and it does not hold: {}",
+        unfounded(criteria)
+    );
     Ok(Some(Refusal { message, rates }))
 }
 
@@ -225,7 +230,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
             };
             History::None
         }
-        Road::Measured(power) => {
+        Road::Measured(power, settled) => {
             let first = power.measurements.first();
             ageing.verdict = Verdict {
                 road: "micro-runs",
@@ -242,6 +247,9 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
                 fails: false,
             };
             ageing.take(power, &ground.range, way.energies[0]);
+            if let Some(row) = settled {
+                return History::Settled(row, ground.range.clone());
+            }
             History::None
         }
         Road::Direct(run) => {
@@ -308,6 +316,8 @@ impl MeanPower for Levels {
 /// From where to where.
 struct Way {
     start: FullState,
+    /// Whether the start is a stage that was asked for, and not the file's.
+    placed: bool,
     ends: [Stage; 2],
     energies: [f64; 2],
     dissipators: Vec<String>,
@@ -332,6 +342,7 @@ impl Way {
         let to = ageing.end(&evolution, from, &asked)?;
         let first = start.energy(body);
         Ok(Self {
+            placed: asked.from.is_some(),
             start,
             ends: [from, to],
             energies: [first, evolution.motion(to).energy()],
@@ -355,8 +366,8 @@ enum Road {
     Unfounded { criteria: AverageCriteria },
     /// The average at the rates of the modes.
     Calibrated { power: Box<dyn MeanPower>, error: f64 },
-    /// The power measured by short runs.
-    Measured(Box<MeasuredPower>),
+    /// The power measured by short runs, after the full system has forgotten its start.
+    Measured(Box<MeasuredPower>, Option<DirectRow>),
     /// The history of the full system.
     Direct(Box<DirectRun>),
     /// Averaged along levels of the slow energy.
@@ -387,12 +398,17 @@ const FEW_COORDINATES: usize = 120;
 const HELD: f64 = 0.01;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
+/// Relaxation times in which a start is forgotten, and periods of the polhode at most.
+const FORGOTTEN: f64 = 8.0;
+const LONGEST: f64 = 400.0;
 /// Error from which an answer is refused.
 const REFUSED: f64 = 0.03;
 /// Wobble (rad) at which the rates of the modes say no more than the average.
 const WIDE: f64 = 0.6;
 /// Least error that is claimed for the rates of the modes.
 const LEAST: f64 = 1e-3;
+/// The same of liquids whose boundary layer is that of a liquid at rest in a turned frame.
+const OF_LIQUIDS: f64 = 0.02;
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
@@ -603,12 +619,40 @@ impl Choice<'_> {
     /// The power measured by short runs.
     fn measured(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Road, MeasureError> {
         let Ground { range, poles, .. } = self.ground;
+        let settled = self.settled(watch)?;
+        let [from, to] = self.way.ends;
+        let from = settled.as_ref().and_then(|row| range.stage(row.energy)).unwrap_or(from);
         let options = MeasureOptions::default();
-        let power = MeasuredPower::along(self.body, range, poles, self.way.ends, options, watch)?;
+        let power = MeasuredPower::along(self.body, range, poles, [from, to], options, watch)?;
         if power.error > REFUSED {
             return Err(MeasureError::Unsettled { change: power.error });
         }
-        Ok(Road::Measured(Box::new(power)))
+        Ok(Road::Measured(Box::new(power), settled))
+    }
+
+    /// Where the full system has forgotten the start of the file; none where the start is a stage that was asked for.
+    fn settled(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<DirectRow>, MeasureError> {
+        let Some(pole) = self.ground.poles.of_mode(self.way.ends[0].mode).filter(|_| !self.way.placed) else {
+            return Ok(None);
+        };
+        let period = self.ground.motion(self.way.ends[0]).polhode_period();
+        let duration = (FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period);
+        let options = DirectOptions {
+            until: Some(self.way.energies[1]),
+            duration,
+            most_turns: f64::INFINITY,
+            most_steps: STEPS,
+            tolerance: TOLERANCE,
+        };
+        let run = follow_directly(self.body, &self.way.start, options, watch)?;
+        match run.ending {
+            DirectEnding::Finished => Ok(run.rows.last().copied()),
+            DirectEnding::Interrupted => Err(MeasureError::Interrupted),
+            _ => Err(MeasureError::LeftMode),
+        }
     }
 
     /// The average at the rates of the modes, for small wobbles.
@@ -633,7 +677,8 @@ impl Choice<'_> {
                 significant(widest.to_degrees(), 3)
             ));
         }
-        Ok(Road::Calibrated { power: Box::new(power), error: error.max(LEAST) })
+        let least = if self.body.memories().is_empty() { LEAST } else { OF_LIQUIDS };
+        Ok(Road::Calibrated { power: Box::new(power), error: error.max(least) })
     }
 
     /// The history of the full system.

@@ -27,6 +27,8 @@ pub struct Rows<'e> {
     pub error: f64,
     /// Powers (W) of a history of the full system, row by row.
     pub powers: Option<Vec<f64>>,
+    /// Rows at the start whose times are known.
+    known: usize,
     /// Levels of the slow energy, row by row.
     pub levels: Option<Vec<LevelRow>>,
 }
@@ -47,8 +49,18 @@ impl<'e> Rows<'e> {
             status: "finished",
             error: 0.0,
             powers: None,
+            known: 1,
             levels: None,
         }
+    }
+
+    /// The same rows behind the start of the full system, which has come to the first of them at a time.
+    pub fn behind(mut self, start: Stage, row: &DirectRow) -> Self {
+        self.states[0] = DriftState { t: row.t, turns: row.turns, ..self.states[0] };
+        self.first = DriftState { stage: start, t: 0.0, turns: 0.0, ..self.first };
+        self.states.insert(0, self.first);
+        self.known = 2;
+        self
     }
 
     /// Even times up to the end, which is located whatever they are; a drift that ends early is followed once more for them.
@@ -82,6 +94,7 @@ impl<'e> Rows<'e> {
             status,
             error: 0.0,
             powers: None,
+            known: 1,
             levels: None,
         }
     }
@@ -121,6 +134,7 @@ impl<'e> Rows<'e> {
             status: "finished",
             error: 0.0,
             powers: Some(powers),
+            known: 1,
             levels: None,
         }
     }
@@ -142,6 +156,7 @@ impl<'e> Rows<'e> {
             status: "finished",
             error: 0.0,
             powers: Some(passage.rows.iter().map(|row| row.power).collect()),
+            known: 1,
             levels: Some(passage.rows.clone()),
         }
     }
@@ -167,7 +182,9 @@ impl<'e> Rows<'e> {
 
     /// A row with its time and turns, from the row before it.
     pub fn advance(&mut self, i: usize) -> DriftState {
-        if let (Some(evolution), Some(before)) = (&self.evolution, i.checked_sub(1)) {
+        if let (Some(evolution), Some(before)) =
+            (&self.evolution, i.checked_sub(1).filter(|_| i >= self.known))
+        {
             let before = self.states[before];
             let Passage { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
             self.states[i].t = before.t + time;

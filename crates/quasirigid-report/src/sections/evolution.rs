@@ -19,6 +19,9 @@ const MARKED: usize = 4;
 
 /// The rotation over many turns: the answer, its numbers, nutation and power against time, and what drives it.
 pub fn section(evolution: &EvolutionRecord) -> Markup {
+    if evolution.status == "refused" {
+        return html! { section aria-label="Over many turns" { h2 { "Over many turns" } (sentence(evolution)) } };
+    }
     let columns = with_gaps(&evolution.columns);
     html! {
         section aria-label="Over many turns" {
@@ -47,7 +50,14 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
 /// The answer, under a warning with the reason where the evolution ended before what was asked.
 fn sentence(evolution: &EvolutionRecord) -> Markup {
     let (verdict, words) = match evolution.status.as_str() {
-        "finished" => return html! { p.lead { (evolution.sentence) } },
+        "finished" => {
+            return html! {
+                p.lead { (evolution.sentence) }
+                @if !evolution.verdict.is_empty() { p { (evolution.verdict) } }
+            };
+        }
+        "refused" => (Verdict::Fails, "No answer."),
+        "does-not-hold" => (Verdict::Fails, "This does not hold."),
         "interrupted" => (Verdict::Marginal, "Interrupted."),
         "failed" | "step-limit" => (Verdict::Fails, "Failed."),
         _ => (Verdict::Marginal, "Ended early."),
@@ -55,7 +65,7 @@ fn sentence(evolution: &EvolutionRecord) -> Markup {
     html! {
         div.verdict.(verdict.class()) {
             (verdict.icon())
-            p { strong { (words) } " " (evolution.message) " " (evolution.sentence) }
+            p { strong { (words) } " " (evolution.message) " " (evolution.sentence) " " (evolution.verdict) }
         }
     }
 }

@@ -128,7 +128,8 @@ impl Few {
         let gyroscopic = |x: &Vec<f64>| softened(cut(coefficients.gyroscopic.times(&padded(x))));
         let after = |x: &Vec<f64>| [softened(mass(x)), damped(x), centrifugal(x), gyroscopic(x)];
         let second: Vec<Vec<f64>> = first.iter().flat_map(after).collect();
-        let slow = Pencil { size: elastic, stiffness: &stiffness, solve: &solve, mass: &mass }.largest(SLOW)?;
+        let slow =
+            Pencil { size: elastic, stiffness: &stiffness, solve: &solve, mass: &mass }.largest(SLOW)?;
         let span = Span::orthonormal([first, second, slow].concat(), stiffness).into_vectors();
         let matrix = DMatrix::from_fn(elastic, span.len(), |row, column| span[column][row]);
         Ok(Self { units: vec![1.0; span.len()], elastic: matrix })

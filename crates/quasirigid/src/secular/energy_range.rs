@@ -31,7 +31,9 @@ impl EnergyRange {
                 let axis = add(scale(*a, axes[plane[0]]), scale(*b, axes[plane[1]]));
                 RelativeEquilibrium::near(body, axis, Given::Momentum(momentum)).ok()
             });
-            let best = others.chain(found.clone().ok()).min_by(|a, b| (sign * a.energy).total_cmp(&(sign * b.energy)));
+            let best = others
+                .chain(found.clone().ok())
+                .min_by(|a, b| (sign * a.energy).total_cmp(&(sign * b.energy)));
             best.map_or(found, Ok)
         };
         let greatest = if I3 - I2 < ALIKE * I3 { extreme(greatest, [1, 2], 1.0) } else { greatest };

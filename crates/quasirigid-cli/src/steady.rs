@@ -3,8 +3,8 @@
 use std::fmt::{self, Write};
 
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Support};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid::model::{FlexibleBody, Mode, Support};
+use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
 use crate::commands::Loaded;
@@ -19,12 +19,12 @@ const LISTED: usize = 12;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
 
-/// The steady spins next to the axes of greatest and of least inertia, and if that is unstable by itself nothing else.
+/// The steady spins about the axes of greatest and of least inertia.
 pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
-    let [least, _, greatest] = quasirigid::model::Principal::of(body.invariants().J).axes;
-    [("greatest", greatest), ("least", least)]
+    let poles = [("greatest", Mode::ShortAxis), ("least", Mode::LongAxis)];
+    poles
         .into_iter()
-        .map(|(name, axis)| spin(body, name, axis, given))
+        .map(|(name, mode)| told(body, name, RelativeEquilibrium::extreme(body, mode, given)))
         .collect()
 }
 
@@ -58,7 +58,16 @@ pub fn spin(
     axis: [f64; 3],
     given: Given,
 ) -> Result<SteadySpinRecord, Failure> {
-    let equilibrium = match RelativeEquilibrium::near(body, axis, given) {
+    told(body, name, RelativeEquilibrium::near(body, axis, given))
+}
+
+/// A steady spin with its modes, or why there is none.
+fn told(
+    body: &FlexibleBody,
+    name: &str,
+    found: Result<RelativeEquilibrium, EquilibriumError>,
+) -> Result<SteadySpinRecord, Failure> {
+    let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
         Err(error) => return Ok(missing(name, error.to_string())),
     };

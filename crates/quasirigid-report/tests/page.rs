@@ -185,7 +185,7 @@ fn evolution_without_end_is_told_in_words() {
     record.evolution.as_mut().unwrap().status = "failed".into();
     assert_in_order(
         &quasirigid_report::page(&record),
-        &["<h2>Over many turns", "<strong>Failed</strong> The target was reached. Dissipation"],
+        &["<h2>Over many turns", "<strong>Failed.</strong> The target was reached. Dissipation"],
     );
     record.evolution = None;
     assert!(!quasirigid_report::page(&record).contains("many turns"));

@@ -243,7 +243,7 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
             Stationary::Saddle => "saddle",
         };
         let direction = format!("({x:+.4} {y:+.4} {z:+.4}), {energy}:");
-        writeln!(out, "    {direction:<49} {}", fate(spin, rates))?;
+        writeln!(out, "    {direction:<45} {}", fate(spin, rates))?;
     }
     Ok(())
 }

@@ -102,6 +102,9 @@ pub fn choose(
     }
     let full = Motion::new(loaded, start).full()?;
     let momentum = norm(full.momentum(body));
+    if !(momentum.is_finite() && momentum > 0.0) {
+        return Ok(Ok(History::None));
+    }
     let ground = match Ground::of(body, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
@@ -147,7 +150,11 @@ pub fn under_torque(
         return Ok(None);
     }
     let full = Motion::new(loaded, start).full()?;
-    let ground = match Ground::of(body, norm(full.momentum(body)))? {
+    let momentum = norm(full.momentum(body));
+    if !(momentum.is_finite() && momentum > 0.0) {
+        return Ok(None);
+    }
+    let ground = match Ground::of(body, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),
     };
@@ -155,12 +162,12 @@ pub fn under_torque(
     let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
     let judged = |ageing: &Ageing| average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
     let mut criteria = judged(ageing);
-    if !criteria.hold() && ageing.by_polynomial && !ageing.power_was_asked {
+    if criteria.error() > UNDER_TORQUE && ageing.by_polynomial && !ageing.power_was_asked {
         ageing.take_harmonics();
         criteria = judged(ageing);
     }
     ageing.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
-    if criteria.hold() {
+    if criteria.error() <= UNDER_TORQUE {
         return Ok(None);
     }
     if asked.method == Some(EvolveMethod::Average) {
@@ -398,6 +405,8 @@ const FEW_COORDINATES: usize = 120;
 const HELD: f64 = 0.01;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
+/// Error of an average that is given under a torque, which has no other road.
+const UNDER_TORQUE: f64 = 0.05;
 /// Relaxation times in which a start is forgotten, and periods of the polhode at most.
 const FORGOTTEN: f64 = 8.0;
 const LONGEST: f64 = 400.0;

@@ -67,7 +67,10 @@ fn a_spring_may_have_a_name() {
     let body = model.assembly.body().unwrap();
     let names: Vec<_> = body.dissipators().iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["strut", "spring tip-carrier"]);
-    assert_snapshot!(refusal_of(&format!("{spring}{spring}")), @"");
+    assert_snapshot!(refusal_of(&format!("{spring}{spring}")), @r#"
+    model.toml:16:8: the name "strut" is used twice; it stands first in line 10
+      give each element its own name
+    "#);
     assert_snapshot!(refusal_of(&spring.replace("strut", "tip")), @"");
     assert_snapshot!(refusal_of(&spring.replace("strut", "carrier")), @"");
     let onto = format!("{spring}[[spring]]\nfrom = \"strut\"\nto = \"tip\"\nstiffness = 1\n");

@@ -1,8 +1,8 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
-use crate::math::sym::{add, dot, norm};
-use crate::model::{FlexibleBody, Motion, Principal, SpinCoefficients};
+use crate::math::sym::{add, dot, norm, scale};
+use crate::model::{FlexibleBody, Mode, Motion, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin with the internal coordinates displaced by it. (M1)
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +40,7 @@ pub enum EquilibriumError {
     },
     /// The iteration leads elsewhere or nowhere.
     #[error(
-        "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load", axis[0], axis[1], axis[2]
+        "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load, or a momentum wheel turns the spin away", axis[0], axis[1], axis[2]
     )]
     NotFound {
         /// The axis, body axes.
@@ -50,6 +50,10 @@ pub enum EquilibriumError {
     },
 }
 
+/// Moments whose difference is below this share of the largest are nearly equal.
+const ALIKE: f64 = 0.05;
+/// Directions between their axes that are looked near.
+const DIAGONALS: [[f64; 2]; 3] = [[1.0, 1.0], [1.0, -1.0], [0.0, 1.0]];
 /// Newton steps allowed from one spin to the next.
 const NEWTON_STEPS: usize = 40;
 /// Shortest step of the continuation, as a share of the spin asked for.
@@ -94,9 +98,31 @@ impl RelativeEquilibrium {
     }
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
-    #[must_use]
     pub fn all(body: &FlexibleBody, given: Given) -> [Result<Self, EquilibriumError>; 3] {
         Principal::of(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
+    }
+
+    /// The relative equilibrium about the axis that a mode circles: where two moments are nearly equal it may lie anywhere between their
+    /// axes, and is the one of extreme `K·ω/|ω|²` of those found. (M1)
+    ///
+    /// # Errors
+    /// As [`near`](Self::near).
+    pub fn extreme(body: &FlexibleBody, mode: Mode, given: Given) -> Result<Self, EquilibriumError> {
+        let Principal { moments, axes } = Principal::of(body.invariants().J);
+        let (own, other, sign) = match mode {
+            Mode::ShortAxis => (2, 1, 1.0),
+            Mode::LongAxis => (0, 1, -1.0),
+        };
+        let found = Self::near(body, axes[own], given);
+        if (moments[other] - moments[own]).abs() > ALIKE * moments[2] {
+            return found;
+        }
+        let between = DIAGONALS.iter().filter_map(|[a, b]| {
+            let axis = add(scale(*a, axes[own]), scale(*b, axes[other]));
+            Self::near(body, axis, given).ok()
+        });
+        let best = found.clone().ok().into_iter().chain(between);
+        best.max_by(|a, b| (sign * a.ratio).total_cmp(&(sign * b.ratio))).map_or(found, Ok)
     }
 
     /// Coefficients of small motions about it. (M2)

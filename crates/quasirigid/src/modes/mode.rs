@@ -6,7 +6,7 @@ use super::shares::{dissipation, moving};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::eigen::NoConvergence;
 use crate::math::sym::{self, norm, scale};
-use crate::model::{FlexibleBody, SpinCoefficients};
+use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 
 /// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,9 @@ const SLOWEST: usize = 24;
 /// Coordinates of a body whose nutation is refined only where it has to be.
 const MANY: usize = 300;
 /// An eigenvalue below this share of the spin is zero: a change of `|K|`, or of the direction in a body that knows none.
-const ZERO: f64 = 1e-9;
+const ZERO: f64 = 1e-7;
+/// Modes whose angular momentum leaves the axis by this share of the most are nutations by that measure.
+const CLEAR: f64 = 0.1;
 /// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
 const SAME: f64 = 1e-6;
 /// A decay below this share of the eigenvalue is rounding, if no energy balance gives it.
@@ -93,7 +95,7 @@ impl SpinModes {
         found.retain(|motion| motion.lambda.norm() > ZERO * spin);
         let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
         let tilts: Vec<f64> = found.iter().map(|motion| frame.tilt(motion)).collect();
-        let nutation = (0..found.len()).max_by(|a, b| tilts[*a].total_cmp(&tilts[*b]));
+        let nutation = frame.nutation(&found, &tilts);
         let mut slowest: Vec<usize> = (0..found.len()).collect();
         slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
         let small = body.coordinates().len() <= REFINED;
@@ -179,6 +181,21 @@ impl Frame<'_> {
             }
         }
         K
+    }
+
+    /// The nutation: of the modes in which the angular momentum leaves the axis most the one next to that of the rigid body.
+    fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Option<usize> {
+        let most = tilts.iter().copied().fold(0.0, f64::max);
+        let spin = norm(self.equilibrium.omega);
+        let axis = scale(spin.recip(), self.equilibrium.omega);
+        let J = self.coefficients.inertia;
+        let [I1, I2, I3] = Principal::of(J).moments;
+        let along = sym::dot(axis, sym::times(J, axis));
+        let [A, B] = if along - I1 < I3 - along { [I2, I3] } else { [I1, I2] };
+        let rigid = spin * ((along - A) * (along - B) / (A * B)).abs().sqrt();
+        let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();
+        let candidates = (0..found.len()).filter(|i| tilts[*i] >= CLEAR * most);
+        candidates.min_by(|a, b| near(a).total_cmp(&near(b)))
     }
 
     /// Share of the angle that the angular momentum makes with the axis in what moves, by kinetic energy.

@@ -23,21 +23,11 @@ impl EnergyRange {
     /// # Errors
     /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads.
     pub fn of(body: &FlexibleBody, momentum: f64) -> Result<Self, EquilibriumError> {
-        let Principal { moments: frozen, axes } = Principal::of(body.invariants().J);
-        let [least, middle, greatest] = RelativeEquilibrium::all(body, Given::Momentum(momentum));
-        let [I1, I2, I3] = frozen;
-        let extreme = |found: Result<RelativeEquilibrium, EquilibriumError>, plane: [usize; 2], sign: f64| {
-            let others = DIAGONALS.iter().filter_map(|[a, b]| {
-                let axis = add(scale(*a, axes[plane[0]]), scale(*b, axes[plane[1]]));
-                RelativeEquilibrium::near(body, axis, Given::Momentum(momentum)).ok()
-            });
-            let best = others
-                .chain(found.clone().ok())
-                .min_by(|a, b| (sign * a.energy).total_cmp(&(sign * b.energy)));
-            best.map_or(found, Ok)
-        };
-        let greatest = if I3 - I2 < ALIKE * I3 { extreme(greatest, [1, 2], 1.0) } else { greatest };
-        let least = if I2 - I1 < ALIKE * I1 { extreme(least, [0, 1], -1.0) } else { least };
+        let frozen = Principal::of(body.invariants().J).moments;
+        let given = Given::Momentum(momentum);
+        let least = RelativeEquilibrium::extreme(body, Mode::LongAxis, given);
+        let greatest = RelativeEquilibrium::extreme(body, Mode::ShortAxis, given);
+        let [_, middle, _] = RelativeEquilibrium::all(body, given);
         let mut all: Vec<(f64, Option<RelativeEquilibrium>)> = [least.ok(), middle.ok(), Some(greatest?)]
             .into_iter()
             .zip(frozen)
@@ -106,7 +96,7 @@ impl EnergyRange {
             0.5 * (dot(K, times(inverse, K)) - dot(K0, times(inverse, K0)))
         };
         let target = wanted - spin.energy;
-        let angle = bisected([0.0, STEEPEST], |angle| excess(angle), target, target > 0.0);
+        let angle = bisected([0.0, STEEPEST], excess, target, target > 0.0);
         let omega = times(inverse, K(angle));
         Some(FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
     }
@@ -125,10 +115,6 @@ impl EnergyRange {
     }
 }
 
-/// Moments whose relative difference is smaller may have their steady spins anywhere in the plane of their axes.
-const ALIKE: f64 = 0.05;
-/// Directions in that plane that are looked near beside its axes.
-const DIAGONALS: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 /// Largest angle (rad) between the angular momentum and the circled axis that a state is looked for.
 const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
 /// A direction whose part across an axis is below this share gives none.

@@ -71,7 +71,10 @@ fn told(
         Ok(equilibrium) => equilibrium,
         Err(error) => return Ok(missing(name, error.to_string())),
     };
-    let modes = SpinModes::about(body, equilibrium)?;
+    let modes = match SpinModes::about(body, equilibrium) {
+        Ok(modes) => modes,
+        Err(error) => return Ok(missing(name, error.to_string())),
+    };
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
     let record = |mode: &SpinMode| ModeRecord {
         name: mode.name.clone(),

@@ -78,8 +78,8 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
     Steady spins at this rate, with the small motions about them (quasirigid modes)
       About the axis of greatest inertia the nutation, 0.5383 rad/s in the body,
         decays e-fold in 8.063 d.
-      About the axis of least inertia the nutation, 1.263e-8 rad/s in the body,
-        neither decays nor grows.
+      About the axis of least inertia the nutation, 20.30 rad/s in the body, decays
+        e-fold in 0.4804 s.
     ");
 }
 
@@ -206,11 +206,11 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
         decays e-fold in 8.889 h.
       About the axis of least inertia: no steady spin was found near the axis
         [1.0000, 0.0000, 0.0000] at 0.0010 of the spin asked for: a spring may be
-        too soft for the centrifugal load.
+        too soft for the centrifugal load, or a momentum wheel turns the spin away.
     ");
     let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "-3.0"), "check model.toml");
     assert!(
-        checked.stdout.ends_with("The momentum is zero: what turns inside takes it up.\n"),
+        checked.stdout.contains("\nThe momentum is zero: what turns inside takes it up.\n"),
         "{}",
         checked.stdout
     );

@@ -217,6 +217,6 @@ fn shares_of_dissipators_sum_to_one() {
     assert_snapshot!(line, @"  what dissipates: damper wheel 100.0 %, spring instrument-carrier 0.00370 %");
     let folder = folder_with(ASTEROID);
     let object = ran_in(folder.path(), "evolve model.toml --json").json();
-    assert_eq!(object["dissipation"], serde_json::json!({ "asteroid": 1.0 }));
+    assert_eq!(object["dissipation"], serde_json::json!({ "ellipsoid 1": 1.0 }));
     assert!(!ran_in(folder.path(), "evolve model.toml").stdout.contains("what dissipates"));
 }

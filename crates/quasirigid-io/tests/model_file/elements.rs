@@ -71,12 +71,24 @@ fn a_spring_may_have_a_name() {
     model.toml:16:8: the name "strut" is used twice; it stands first in line 10
       give each element its own name
     "#);
-    assert_snapshot!(refusal_of(&spring.replace("strut", "tip")), @"");
-    assert_snapshot!(refusal_of(&spring.replace("strut", "carrier")), @"");
+    assert_snapshot!(refusal_of(&spring.replace("strut", "tip")), @r#"
+    model.toml:10:8: the name "tip" is used twice; it stands first in line 6
+      give each element its own name
+    "#);
+    assert_snapshot!(refusal_of(&spring.replace("strut", "carrier")), @r#"
+    model.toml:10:8: the name "carrier" is that of the carrier
+      choose another name
+    "#);
     let onto = format!("{spring}[[spring]]\nfrom = \"strut\"\nto = \"tip\"\nstiffness = 1\n");
-    assert_snapshot!(refusal_of(&onto), @"");
+    assert_snapshot!(refusal_of(&onto), @r#"
+    model.toml:16:8: "strut" is a spring, but a spring joins points, nodes of parts and the carrier
+      name what one of its ends is fixed to
+    "#);
     let displaced = "[initial]\nangular_velocity = [0, 0, 1]\ndisplacements = { strut = [0, 0, 1] }\n";
-    assert_snapshot!(refusal_of(&format!("{spring}{displaced}")), @"");
+    assert_snapshot!(refusal_of(&format!("{spring}{displaced}")), @r#"
+    model.toml:17:19: "strut" is a spring, and has no coordinates of its own
+      displace what its ends are fixed to
+    "#);
 }
 
 #[test]

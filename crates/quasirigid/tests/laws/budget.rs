@@ -231,10 +231,11 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
 /// Two roads to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
 #[test]
 fn histories_know_who_took_the_energy() {
-    [Method::Explicit, Method::Implicit].into_iter().for_each(compare_histories);
+    // An implicit step is many vibrations long, and what the rates are within it is known to fewer digits.
+    [(Method::Explicit, 1e-8), (Method::Implicit, 1e-7)].into_iter().for_each(compare_histories);
 }
 
-fn compare_histories(method: Method) {
+fn compare_histories((method, rounding): (Method, f64)) {
     let (duration, rows) = (30.0, 6000);
     let (body, full, reduced) = histories(method, 0.15, duration, rows);
     for (seen, tolerance) in [(&full, 1e-12), (&reduced, 1e-12)] {
@@ -247,7 +248,10 @@ fn compare_histories(method: Method) {
             |rate: &Vec<f64>| -> f64 { part.damping.times(rate).iter().zip(rate).map(|(f, v)| f * v).sum() };
         let powers: Vec<f64> = full.rates.iter().map(power).collect();
         let expected = simpson(&powers, duration / rows as f64);
-        assert!(&part.name == name && (taken / expected - 1.0).abs() < 1e-8, "{name}: {taken} {expected}");
+        assert!(
+            &part.name == name && (taken / expected - 1.0).abs() < rounding,
+            "{name}: {taken} {expected}"
+        );
     }
     let reduced_body = reduce(&body, 5).unwrap();
     for (row, (name, taken)) in reduced.budget.iter().enumerate() {

@@ -424,8 +424,8 @@ impl<'a> Ground<'a> {
     fn of(body: &'a FlexibleBody, momentum: f64) -> Result<Result<Self, String>, Failure> {
         match EnergyRange::of(body, momentum) {
             Ok(range) => {
-                let poles = Poles::of(body, &range)?;
-                Ok(Ok(Self { body, range, poles }))
+                let poles = Poles::of(body, &range).map_err(|error| format!("the steady spins: {error}"));
+                Ok(poles.map(|poles| Self { body, range, poles }))
             }
             Err(error) => Ok(Err(error.to_string())),
         }

@@ -236,7 +236,7 @@ fn histories_know_who_took_the_energy() {
 }
 
 fn compare_histories((method, rounding): (Method, f64)) {
-    let (duration, rows) = (30.0, 6000);
+    let (duration, rows) = (30.0, 24_000);
     let (body, full, reduced) = histories(method, 0.15, duration, rows);
     for (seen, tolerance) in [(&full, 1e-12), (&reduced, 1e-12)] {
         let whole = seen.samples.last().unwrap().dissipated;

@@ -4,7 +4,8 @@
 
 Draws carriers with one sprung mass (on a line or free), a boom on a hinge or a flywheel on friction: tuning, damping ratio 0.003 to 1, share of
 the mass 1e-4 to 0.03, spin over frequency 0.01 to 10, wobbles of 2 to 25 degrees about either axis. Each answer of another road than the full
-system itself is compared with `simulate --system full` from the same start to the same energy. Prints a line a case and a table.
+system itself is compared with `--method direct`: the full system from start to end, by the same wobbles (energies would not do: a soft part
+holds a part of them at rest in the spin). Prints a line a case and a table.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import random
 import subprocess
 import tempfile
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 
@@ -57,17 +59,12 @@ def run(program, *arguments, timeout=600):
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=timeout)
 
 
-def last_energy(table):
-    rows = table.read_text().strip().split("\n")
-    return float(rows[-1].split(",")[rows[0].split(",").index("energy")])
-
-
-def judge(program, folder, number, draw):
+def judge(program, folder, number, drawn):
     """The word for a case, and the relative error where it was measured."""
-    text, until, known = model(draw)
-    file, table = folder / f"{number}.toml", folder / f"{number}.csv"
+    text, until, known = drawn
+    file = folder / f"{number}.toml"
     file.write_text(text + f'[run]\nevolve = {{ until = "{until}" }}\n')
-    answer = run(program, "evolve", str(file), "--json", "--quiet", "--out", str(table), "--overwrite")
+    answer = run(program, "evolve", str(file), "--json", "--quiet")
     if answer.returncode != 0:
         unstable = "unstable" in answer.stdout + answer.stderr or "no steady spin" in answer.stderr
         print(number, "unstable spin" if unstable else "refused", known, flush=True)
@@ -75,13 +72,13 @@ def judge(program, folder, number, draw):
     found = json.loads(answer.stdout)
     if found["road"] == "direct":
         return "direct", None
-    if found["turns"] > 3e5:
+    if found["turns"] > 1e5:
         return found["road"] + ", too long for the full system", None
-    stop = f"[run]\nstop = {{ energy = {last_energy(table)!r} }}\n"
-    file.write_text(text + stop)
-    options = ["--system", "full", "--samples", "2", "--json", "--quiet", "--tolerance", "1e-10"]
-    truth = json.loads(run(program, "simulate", str(file), "--duration", repr(1.5 * found["time"]), *options).stdout)
-    error = found["time"] / truth["t"] - 1 if truth["status"] == "event" else math.nan
+    direct = run(program, "evolve", str(file), "--json", "--quiet", "--method", "direct")
+    if direct.returncode != 0:
+        print(number, found["road"], "the full system gave no answer", direct.stderr.strip(), known, flush=True)
+        return found["road"] + ", the full system gave no answer", None
+    error = found["time"] / json.loads(direct.stdout)["time"] - 1
     print(number, found["road"], f"{100 * error:.3f} %, {found['turns']:.4g} turns", known, flush=True)
     return found["road"], error
 
@@ -95,8 +92,10 @@ def main():
     draw = random.Random(arguments.seed)
     words, errors = Counter(), {}
     with tempfile.TemporaryDirectory() as folder:
-        for number in range(arguments.cases):
-            word, error = judge(arguments.program, Path(folder), number, draw)
+        cases = [model(draw) for _ in range(arguments.cases)]
+        with ThreadPoolExecutor() as workers:
+            judged = workers.map(lambda case: judge(arguments.program, Path(folder), *case), enumerate(cases))
+        for word, error in judged:
             words[word] += 1
             if error is not None:
                 errors.setdefault(word, []).append(abs(error))

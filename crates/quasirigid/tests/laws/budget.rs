@@ -231,8 +231,9 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
 /// Two roads to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
 #[test]
 fn histories_know_who_took_the_energy() {
-    // An implicit step is many vibrations long, and what the rates are within it is known to fewer digits.
-    [(Method::Explicit, 1e-8), (Method::Implicit, 1e-7)].into_iter().for_each(compare_histories);
+    // Explicit steps are stable to the edge: the rates, a thousandth of the spin, flutter by what a step allows, and Simpson's
+    // rule sees it.
+    [(Method::Explicit, 1e-8), (Method::Implicit, 1e-10)].into_iter().for_each(compare_histories);
 }
 
 fn compare_histories((method, rounding): (Method, f64)) {

@@ -55,16 +55,23 @@ def model(draw):
     return text, until, known
 
 
-def run(program, *arguments, timeout=600):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=timeout)
+def run(program, *arguments, timeout=900):
+    """What the program did; the code 124 if it took longer than allowed."""
+    try:
+        return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=timeout)
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(program, 124, "", "took too long")
 
 
 def judge(program, folder, number, drawn):
-    """The word for a case, and the relative error where it was measured."""
+    """The word for a case, and the relative error where it was measured, with the error told."""
     text, until, known = drawn
     file = folder / f"{number}.toml"
     file.write_text(text + f'[run]\nevolve = {{ until = "{until}" }}\n')
     answer = run(program, "evolve", str(file), "--json", "--quiet")
+    if answer.returncode == 124:
+        print(number, "too slow", known, flush=True)
+        return "too slow", None
     if answer.returncode != 0:
         unstable = "unstable" in answer.stdout + answer.stderr or "no steady spin" in answer.stderr
         print(number, "unstable spin" if unstable else "refused", known, flush=True)
@@ -79,8 +86,12 @@ def judge(program, folder, number, drawn):
         print(number, found["road"], "the full system gave no answer", direct.stderr.strip(), known, flush=True)
         return found["road"] + ", the full system gave no answer", None
     error = found["time"] / json.loads(direct.stdout)["time"] - 1
-    print(number, found["road"], f"{100 * error:.3f} %, {found['turns']:.4g} turns", known, flush=True)
-    return found["road"], error
+    told = found["time_error"] or 0.0
+    beyond = "" if abs(error) <= told else ", MORE THAN TOLD"
+    print(
+        number, found["road"], f"{100 * error:.3f} %, told {100 * told:.3f} %{beyond}, {found['turns']:.4g} turns", known, flush=True
+    )
+    return found["road"], (error, told)
 
 
 def main():
@@ -98,12 +109,15 @@ def main():
         for word, error in judged:
             words[word] += 1
             if error is not None:
-                errors.setdefault(word, []).append(abs(error))
+                errors.setdefault(word, []).append((abs(error[0]), abs(error[0]) > error[1]))
     for word, count in sorted(words.items()):
-        worst = f", worst error {100 * max(errors[word]):.2f} %" if word in errors else ""
+        worst = ""
+        if word in errors:
+            off, beyond = zip(*errors[word])
+            worst = f", worst error {100 * max(off):.2f} %, more than told {sum(beyond)}"
         print(f"{word:<42} {count:>4}{worst}")
     steady = arguments.cases - words["unstable spin"]
-    print(f"answered {steady - words['refused']} of {steady} with a stable spin")
+    print(f"answered {steady - words['refused'] - words['too slow']} of {steady} with a stable spin")
 
 
 if __name__ == "__main__":

@@ -140,6 +140,12 @@ impl Ageing {
         (self.source, self.initial) = (source, range.polhode(energy));
     }
 
+    /// Begins at a stage of the deformed body, if there is one.
+    pub fn begin(&mut self, stage: Option<Stage>) {
+        let Some(Stage { mode, xi }) = stage else { return };
+        self.initial = FreeRotation::at_logit(self.principal.moments, self.initial.momentum(), mode, xi);
+    }
+
     pub fn evolution(&self) -> Evolution<'_> {
         Evolution::new(self.power(), self.initial.momentum())
     }

@@ -1,5 +1,6 @@
 //! By which road an evolution is followed, and what speaks for it. (Q7)
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -12,7 +13,7 @@ use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::{
     AverageCriteria, CalibratedPower, DirectEnding, DirectOptions, DirectRow, DirectRun, EnergyRange,
-    MeasureError, MeasureOptions, MeasuredPower, Poles, average_criteria, follow_directly,
+    MeasureError, MeasureOptions, MeasuredPower, Poles, Probes, average_criteria, follow_directly,
 };
 use quasirigid_io::model::{EvolveMethod, Target};
 
@@ -114,7 +115,8 @@ pub fn choose(
         return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
     }
     let way = Way::of(&ground, full, asked, ageing)?;
-    let choice = Choice { body, ground: &ground, way: &way, duration: asked.duration };
+    let choice =
+        Choice { body, ground: &ground, way: &way, duration: asked.duration, probes: OnceCell::new() };
     let refused = |message: String| Refusal { message, rates: ageing_rates(&ground) };
     let found = match asked.method {
         Some(EvolveMethod::Average) => Ok(choice.forced_average(ageing)),
@@ -124,7 +126,7 @@ pub fn choose(
             found => found.map_err(|error| error.to_string()),
         },
         Some(EvolveMethod::Direct) => choice.direct(f64::INFINITY, watch)?,
-        None => match choice.average(ageing) {
+        None => match choice.average(ageing, watch)? {
             Some(road) => Ok(road),
             None => match choice.levels(loaded, asked) {
                 Some(found) => found,
@@ -201,10 +203,11 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
     };
     match road {
         Road::Average { error } => {
+            ageing.begin(way.settled);
             ageing.verdict = Verdict {
                 sentence: format!(
-                    "Averaged along the polhode: the modes about the steady spins bear it out, to {} %.",
-                    significant(100.0 * error.max(1e-6), 1)
+                    "Averaged along the polhode; by the modes about the steady spins the time is good to {} %.",
+                    significant(100.0 * error.max(1e-6), 2)
                 ),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
@@ -213,6 +216,7 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
             History::None
         }
         Road::Unfounded { criteria } => {
+            ageing.begin(way.settled);
             ageing.verdict = Verdict {
                 sentence: format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria)),
                 fails: true,
@@ -223,12 +227,13 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
             History::None
         }
         Road::Calibrated { power, error } => {
+            ageing.begin(way.settled);
             ageing.source = power;
             ageing.verdict = Verdict {
                 road: "modes",
                 sentence: format!(
-                    "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them, to {} %.",
-                    significant(100.0 * error, 1)
+                    "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them; the time is good to {} %.",
+                    significant(100.0 * error, 2)
                 ),
                 error: Some(error),
                 rates: ageing.verdict.rates,
@@ -239,15 +244,16 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
         }
         Road::Measured(power, settled) => {
             let first = power.measurements.first();
+            let error = power.time_error(ground.revolutions(way.ends).unwrap_or(f64::INFINITY));
             ageing.verdict = Verdict {
                 road: "micro-runs",
                 sentence: format!(
                     "What moves inside is too heavy or too soft for an average: the mean power was measured in {} short runs of the \
-                     full system, to {} %.",
+                     full system; the time is good to {} %.",
                     power.measurements.len(),
-                    significant(100.0 * power.error, 1)
+                    significant(100.0 * error, 2)
                 ),
-                error: Some(power.error),
+                error: Some(error),
                 budget: first.map(|first| names(&first.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
@@ -287,8 +293,11 @@ fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History 
 
 /// Why an average does not hold, in words.
 fn unfounded(criteria: AverageCriteria) -> String {
-    let AverageCriteria { poles, settling, moments } = criteria;
+    let AverageCriteria { poles, settling, moments, probed } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
+    if probed > poles.max(settling).max(moments) {
+        return format!("its power is {} % off that of short runs of the full system", percent(probed));
+    }
     if moments >= poles && moments >= settling {
         return format!(
             "the deformation changes the differences between the moments of inertia by {} %",
@@ -326,6 +335,8 @@ struct Way {
     /// Whether the start is a stage that was asked for, and not the file's.
     placed: bool,
     ends: [Stage; 2],
+    /// The start when its vibrations have died out.
+    settled: Option<Stage>,
     energies: [f64; 2],
     dissipators: Vec<String>,
 }
@@ -350,8 +361,9 @@ impl Way {
         let first = start.energy(body);
         Ok(Self {
             placed: asked.from.is_some(),
-            start,
             ends: [from, to],
+            settled: range.settled(body, start.momentum(body)),
+            start,
             energies: [first, evolution.motion(to).energy()],
             dissipators: body.dissipators().iter().map(|each| each.name.clone()).collect(),
         })
@@ -399,14 +411,16 @@ const STIFF: f64 = 0.15;
 const LEVEL_ORDER: usize = 5;
 /// Places of the way at which parametric resonance is looked for.
 const LOOKS: usize = 4;
+/// Ratio of the spin to the slowest elastic frequency from which an average is held against short runs of the full system, and the
+/// steps that each may take.
+const PROBED: f64 = 0.1;
+const PROBE_STEPS: u64 = 3_000_000;
 /// Coordinates up to which the response in the spinning frame is tried.
 const FEW_COORDINATES: usize = 120;
-/// Error up to which it is taken.
-const HELD: f64 = 0.01;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
 /// Error of an average that is given under a torque, which has no other road.
-const UNDER_TORQUE: f64 = 0.05;
+const UNDER_TORQUE: f64 = 0.1;
 /// Relaxation times in which a start is forgotten, and periods of the polhode at most.
 const FORGOTTEN: f64 = 8.0;
 const LONGEST: f64 = 400.0;
@@ -493,6 +507,8 @@ struct Choice<'a> {
     way: &'a Way,
     /// Longest time (s).
     duration: Option<f64>,
+    /// Short runs of the full system, once they were made; none where there are to be none.
+    probes: OnceCell<Option<Probes>>,
 }
 
 impl Choice<'_> {
@@ -500,36 +516,80 @@ impl Choice<'_> {
         average_criteria(ageing.power(), &self.ground.range, &self.ground.poles, self.way.ends)
     }
 
-    /// The average if it holds, from the reduced equations or else from the harmonics.
-    fn average(&self, ageing: &mut Ageing) -> Option<Road> {
+    /// The average if it holds: from the reduced equations, from the harmonics, or from those of the spinning frame.
+    fn average(
+        &self,
+        ageing: &mut Ageing,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Road>, Failure> {
         let hill = self.spinning_frame();
         ageing.verdict.parametric = hill.as_ref().and_then(|hill| self.parametric(hill));
         if ageing.verdict.parametric.is_some() {
-            return None;
+            return Ok(None);
         }
-        let criteria = self.criteria(ageing);
-        if criteria.hold() {
-            return Some(Road::Average { error: criteria.error() });
+        if let Some(road) = self.accepted(self.criteria(ageing), ageing.power(), watch)? {
+            return Ok(Some(road));
         }
         if ageing.by_polynomial && !ageing.power_was_asked {
             ageing.take_harmonics();
-            let criteria = self.criteria(ageing);
-            if criteria.hold() {
-                return Some(Road::Average { error: criteria.error() });
+            if let Some(road) = self.accepted(self.criteria(ageing), ageing.power(), watch)? {
+                return Ok(Some(road));
             }
         }
-        let hill = hill.filter(|_| !ageing.power_was_asked)?;
-        let motions =
-            self.way.ends.map(|stage| Evolution::new(&hill, self.ground.range.momentum()).motion(stage));
-        let share =
-            motions.iter().map(|motion| hill.share(motion).unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
-        let criteria = average_criteria(&hill, &self.ground.range, &self.ground.poles, self.way.ends);
-        let error = criteria.error().max(share);
-        if error > HELD {
-            return None;
+        let Some(hill) = hill.filter(|_| !ageing.power_was_asked) else { return Ok(None) };
+        let Ground { range, poles, .. } = self.ground;
+        let evolution = Evolution::new(&hill, range.momentum());
+        let share = |stage: Stage| hill.share(&evolution.motion(stage)).unwrap_or(f64::INFINITY);
+        let share = self.way.ends.map(share).into_iter().fold(0.0, f64::max);
+        let criteria = average_criteria(&hill, range, poles, self.way.ends);
+        let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
+        let road = self.accepted(criteria, &hill, watch)?;
+        if road.is_some() {
+            ageing.take_hill(hill);
         }
-        ageing.take_hill(hill);
-        Some(Road::Average { error })
+        Ok(road)
+    }
+
+    /// An average whose criteria hold and that short runs of the full system bear out.
+    fn accepted(
+        &self,
+        criteria: AverageCriteria,
+        power: &dyn MeanPower,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Road>, Failure> {
+        if !criteria.hold() {
+            return Ok(None);
+        }
+        let probed = self.probes(watch)?.map_or(0.0, |probes| probes.error(power));
+        let criteria = AverageCriteria { probed, ..criteria };
+        Ok(criteria.hold().then(|| self.averaged(criteria)))
+    }
+
+    /// Short runs of the full system on the way; none of a body that is stiff, or has no equations of motion for what it loses.
+    fn probes(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Option<&Probes>, Failure> {
+        if let Some(probes) = self.probes.get() {
+            return Ok(probes.as_ref());
+        }
+        let slowest = frequencies(self.body)?.first().copied().unwrap_or(f64::INFINITY);
+        let stiff = self.body.cyclic().is_empty() && norm(self.way.start.omega) < PROBED * slowest;
+        let mut found = None;
+        if !stiff && self.ground.complete(self.way.ends) {
+            let Ground { body, range, poles } = self.ground;
+            let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
+            let probes = Probes::between(body, range, poles, self.way.ends, options, &mut || watch(0.0));
+            match probes {
+                Ok(probes) => found = Some(probes),
+                Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
+                Err(_) => {}
+            }
+        }
+        Ok(self.probes.get_or_init(|| found).as_ref())
+    }
+
+    /// The average, with the error of its time.
+    fn averaged(&self, criteria: AverageCriteria) -> Road {
+        let revolutions = self.ground.revolutions(self.way.ends).unwrap_or(f64::INFINITY);
+        Road::Average { error: criteria.time_error(revolutions) }
     }
 
     /// The response in the spinning frame; none of a body of many coordinates.
@@ -600,7 +660,7 @@ impl Choice<'_> {
     /// The average that was asked for.
     fn forced_average(&self, ageing: &Ageing) -> Road {
         let criteria = self.criteria(ageing);
-        if criteria.hold() { Road::Average { error: criteria.error() } } else { Road::Unfounded { criteria } }
+        if criteria.hold() { self.averaged(criteria) } else { Road::Unfounded { criteria } }
     }
 
     /// The road that holds where the average does not.

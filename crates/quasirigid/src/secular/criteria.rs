@@ -12,18 +12,28 @@ pub struct AverageCriteria {
     pub settling: f64,
     /// Largest change of a difference between principal moments by the steady deformation, relative to it.
     pub moments: f64,
+    /// Largest relative difference between the averaged power and that of short runs of the full system; zero where none were made. (Q9)
+    pub probed: f64,
 }
 
 /// Largest relative error of an average that is accepted.
-const ACCEPTED: f64 = 0.01;
+const ACCEPTED: f64 = 0.04;
 /// Error of an average per `γ/β`.
 const PER_SETTLING: f64 = 1.6;
+/// Bound of the error over the largest criterion: the largest ratio met in comparisons with full systems, rounded up.
+const CAUTION: f64 = 4.0;
 
 impl AverageCriteria {
-    /// Estimate of the relative error of the averaged time.
+    /// Relative error within which the averaged power is. (Q7)
     #[must_use]
     pub fn error(&self) -> f64 {
-        self.poles.max(PER_SETTLING * self.settling).max(self.moments)
+        CAUTION * self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed)
+    }
+
+    /// Relative error within which an averaged time of so many revolutions is. (Q7)
+    #[must_use]
+    pub fn time_error(&self, revolutions: f64) -> f64 {
+        self.error() + uneven(revolutions)
     }
 
     /// Whether the average may be used.
@@ -31,6 +41,12 @@ impl AverageCriteria {
     pub fn hold(&self) -> bool {
         self.error() <= ACCEPTED
     }
+}
+
+/// Share of a time of so many revolutions by which the energy of a full system may come to a value sooner or later than its mean: half
+/// a revolution.
+pub(super) fn uneven(revolutions: f64) -> f64 {
+    0.5 / revolutions
 }
 
 /// Judges an average between two stages by the modes at the poles. (Q7)

@@ -76,6 +76,20 @@ impl EnergyRange {
         Stage::of(&self.polhode(energy))
     }
 
+    /// The stage of a body with an angular momentum `K` (N·m·s, body axes) once its vibrations have died out: that of the energy of the
+    /// deformed body of the steady spin nearest to it. (Q2)
+    ///
+    /// None at a steady spin, or if none was found.
+    #[must_use]
+    pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<Stage> {
+        let along = |spin: &&RelativeEquilibrium| dot(spin.momentum, K).abs();
+        let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
+        let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
+        let inverse = sym::inverse(body.inertia_at(&spin.q));
+        let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
+        self.stage(spin.energy + turning(K) - turning(spin.momentum))
+    }
+
     /// A state of the full system near a stage: the deformed body of the steady spin that the mode circles, turning freely. (Q2)
     ///
     /// None if that steady spin was not found.

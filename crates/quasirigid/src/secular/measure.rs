@@ -51,6 +51,9 @@ pub enum MeasureError {
         /// Relative change between windows.
         change: f64,
     },
+    /// The steps allowed were used up.
+    #[error("a short run of the full system used up the steps allowed")]
+    StepLimit,
     /// Somebody asked for an end.
     #[error("interrupted")]
     Interrupted,
@@ -146,7 +149,7 @@ impl Window {
         let reason = match run.outcome {
             Outcome::Finished => None,
             Outcome::Interrupted => return Err(MeasureError::Interrupted),
-            Outcome::StepLimit => Some("the steps allowed were used up".to_owned()),
+            Outcome::StepLimit => return Err(MeasureError::StepLimit),
             Outcome::Event(_) => Some("an event".to_owned()),
             Outcome::Failed(error) => Some(error.to_string()),
         };

@@ -1,9 +1,10 @@
 use std::ops::ControlFlow;
 
-use super::calibrated::wobble;
+use super::criteria::uneven;
 use super::energy_range::EnergyRange;
-use super::measure::{MeasureError, Measurement, Plan, measured};
+use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
+use super::site::{MeasureOptions, NEAREST, Site, reference, small};
 use crate::averaging::{FreeRotation, MeanPower, Stage};
 use crate::model::{FlexibleBody, Mode};
 
@@ -22,37 +23,8 @@ pub struct MeasuredPower {
     pub error: f64,
 }
 
-/// How the power is measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeasureOptions {
-    /// Relative error wanted.
-    pub error: f64,
-    /// Error allowed per step of the full system, relative.
-    pub tolerance: f64,
-    /// Steps allowed in all.
-    pub most_steps: u64,
-}
-
-impl Default for MeasureOptions {
-    fn default() -> Self {
-        Self { error: 5e-3, tolerance: 1e-9, most_steps: 40_000_000 }
-    }
-}
-
-/// Relaxation times in which the start of a short run is forgotten.
-const SETTLED: f64 = 8.0;
-/// Least and largest time of settling, in periods of the polhode.
-const SETTLING: [f64; 2] = [2.0, 400.0];
-/// Periods of the polhode in a window: few where the wobble changes fast.
-const PERIODS: [f64; 2] = [8.0, 24.0];
-/// Decays in a window.
-const DECAYS: f64 = 0.05;
-/// Doublings of a window until the mean settles.
-const DOUBLINGS: usize = 5;
-/// Wobble (rad) below which the modes give the power.
-const SMALL: f64 = 0.02;
-/// Distance from the separatrix, as `ξ`, to which the power is measured.
-const NEAREST: f64 = -4.0;
+/// Bound of the error over the estimate of it.
+const CAUTION: f64 = 2.0;
 /// Intervals between places, at first and at last.
 const INTERVALS: [usize; 2] = [4, 32];
 
@@ -80,6 +52,12 @@ impl MeasuredPower {
         Ok(power)
     }
 
+    /// Relative error within which a time of so many revolutions is that follows from it. (Q4)
+    #[must_use]
+    pub fn time_error(&self, revolutions: f64) -> f64 {
+        CAUTION * self.error + uneven(revolutions)
+    }
+
     /// Mean power of each dissipator (W) where the first measurement was made.
     #[must_use]
     pub fn budget(&self) -> Option<&Measurement> {
@@ -99,19 +77,6 @@ impl MeanPower for MeasuredPower {
     }
 }
 
-/// Mean square of the angular acceleration on a polhode (rad²/s⁴); zero on the separatrix.
-fn reference(motion: &FreeRotation) -> f64 {
-    let period = motion.polhode_period();
-    if !period.is_finite() {
-        return 0.0;
-    }
-    let [I1, I2, I3] = motion.moments();
-    motion.mean(4, |[x, y, z]| {
-        let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
-        rates.iter().map(|rate| rate * rate).sum()
-    })
-}
-
 /// Places in a mode between which the power is needed, ascending; none if the way does not lead through the mode.
 fn ends(range: &EnergyRange, mode: Mode, [from, to]: [Stage; 2]) -> Option<[f64; 2]> {
     let at = |stage: Stage| (stage.mode == mode).then_some(stage.xi);
@@ -123,12 +88,6 @@ fn ends(range: &EnergyRange, mode: Mode, [from, to]: [Stage; 2]) -> Option<[f64;
     };
     let [low, high] = [one.min(other), one.max(other)].map(|xi| xi.clamp(NEAREST, small));
     Some([low, high])
-}
-
-/// Place where the wobble is so small that the modes give the power.
-fn small(range: &EnergyRange, mode: Mode) -> f64 {
-    let angle = |xi: f64| wobble(range.moments(), range.momentum(), Stage { mode, xi });
-    crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
 }
 
 struct Worker<'w, 'b> {
@@ -186,28 +145,13 @@ impl Worker<'_, '_> {
 
     /// Measures the logarithm of the ratio near a place.
     fn node(&mut self, xi: f64) -> Result<[f64; 2], MeasureError> {
-        let stage = Stage { mode: self.mode, xi };
-        let motion = FreeRotation::at_logit(self.power.moments, self.range.momentum(), self.mode, xi);
-        let start = self.range.state(self.body, stage).ok_or(MeasureError::LeftMode)?;
-        let period = motion.polhode_period();
-        let pole = self.poles.of_mode(self.mode);
-        let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
-        let rate = self.poles.rate(self.mode).map_or(0.0, f64::abs);
         let done: u64 = self.power.measurements.iter().map(|each| each.steps).sum();
-        let plan = Plan {
-            settling: settling.clamp(SETTLING[0] * period, SETTLING[1] * period),
-            periods: (DECAYS / (rate * period)).clamp(PERIODS[0], PERIODS[1]),
-            change: 0.5 * self.options.error,
-            tolerance: self.options.tolerance,
-            steps: self.options.most_steps.saturating_sub(done),
-            doublings: DOUBLINGS,
-        };
         let share = done as f64 / self.options.most_steps as f64;
+        let options =
+            MeasureOptions { most_steps: self.options.most_steps.saturating_sub(done), ..self.options };
+        let site = Site { body: self.body, range: self.range, poles: self.poles, options };
         let watch = &mut *self.watch;
-        let found = measured(self.body, self.range, start, &reference, plan, &mut || watch(share))?;
-        if found.stage.mode != self.mode {
-            return Err(MeasureError::LeftMode);
-        }
+        let found = site.measure(Stage { mode: self.mode, xi }, &mut || watch(share))?;
         let Stage { mode, xi } = found.stage;
         let there = FreeRotation::at_logit(self.power.moments, self.range.momentum(), mode, xi);
         let value = (found.power / reference(&there)).ln();

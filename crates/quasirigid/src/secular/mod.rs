@@ -11,6 +11,8 @@ mod energy_range;
 mod measure;
 mod measured_power;
 mod poles;
+mod probe;
+mod site;
 mod start;
 
 pub use calibrated::CalibratedPower;
@@ -18,6 +20,8 @@ pub use criteria::{AverageCriteria, average_criteria};
 pub use direct::{DirectEnding, DirectOptions, DirectRow, DirectRun, follow_directly};
 pub use energy_range::EnergyRange;
 pub use measure::{MeasureError, Measurement};
-pub use measured_power::{MeasureOptions, MeasuredPower};
+pub use measured_power::MeasuredPower;
 pub use poles::{Pole, Poles};
+pub use probe::Probes;
+pub use site::MeasureOptions;
 pub use start::{manifold_has_meaning, spun_displacements, spun_state};

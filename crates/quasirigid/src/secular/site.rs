@@ -1,0 +1,94 @@
+use std::ops::ControlFlow;
+
+use super::calibrated::wobble;
+use super::energy_range::EnergyRange;
+use super::measure::{MeasureError, Measurement, Plan, measured};
+use super::poles::Poles;
+use crate::averaging::{FreeRotation, Stage};
+use crate::model::{FlexibleBody, Mode};
+
+/// How the power is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasureOptions {
+    /// Relative error wanted.
+    pub error: f64,
+    /// Error allowed per step of the full system, relative.
+    pub tolerance: f64,
+    /// Steps allowed in all.
+    pub most_steps: u64,
+}
+
+impl Default for MeasureOptions {
+    fn default() -> Self {
+        Self { error: 5e-3, tolerance: 1e-9, most_steps: 40_000_000 }
+    }
+}
+
+/// Relaxation times in which the start of a short run is forgotten.
+const SETTLED: f64 = 8.0;
+/// Least and largest time of settling, in periods of the polhode.
+const SETTLING: [f64; 2] = [2.0, 400.0];
+/// Periods of the polhode in a window: few where the wobble changes fast.
+const PERIODS: [f64; 2] = [8.0, 24.0];
+/// Decays in a window.
+const DECAYS: f64 = 0.05;
+/// Doublings of a window until the mean settles.
+const DOUBLINGS: usize = 5;
+/// Wobble (rad) below which the modes give the power.
+const SMALL: f64 = 0.02;
+/// Distance from the separatrix, as `ξ`, to which the power is measured.
+pub(super) const NEAREST: f64 = -4.0;
+
+/// Where the mean power of a full system is measured. (Q4)
+#[derive(Clone, Copy)]
+pub(super) struct Site<'a> {
+    pub body: &'a FlexibleBody,
+    pub range: &'a EnergyRange,
+    pub poles: &'a Poles,
+    pub options: MeasureOptions,
+}
+
+impl Site<'_> {
+    /// Measures the mean power near a stage.
+    pub fn measure(
+        self,
+        Stage { mode, xi }: Stage,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Measurement, MeasureError> {
+        let Self { body, range, poles, options } = self;
+        let start = range.state(body, Stage { mode, xi }).ok_or(MeasureError::LeftMode)?;
+        let period = FreeRotation::at_logit(range.moments(), range.momentum(), mode, xi).polhode_period();
+        let pole = poles.of_mode(mode);
+        let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
+        let rate = poles.rate(mode).map_or(0.0, f64::abs);
+        let plan = Plan {
+            settling: settling.clamp(SETTLING[0] * period, SETTLING[1] * period),
+            periods: (DECAYS / (rate * period)).clamp(PERIODS[0], PERIODS[1]),
+            change: 0.5 * options.error,
+            tolerance: options.tolerance,
+            steps: options.most_steps,
+            doublings: DOUBLINGS,
+        };
+        let found = measured(body, range, start, &reference, plan, watch)?;
+        if found.stage.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }
+    }
+}
+
+/// Mean square of the angular acceleration on a polhode (rad²/s⁴); zero on the separatrix.
+pub(super) fn reference(motion: &FreeRotation) -> f64 {
+    let period = motion.polhode_period();
+    if !period.is_finite() {
+        return 0.0;
+    }
+    let [I1, I2, I3] = motion.moments();
+    motion.mean(4, |[x, y, z]| {
+        let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
+        rates.iter().map(|rate| rate * rate).sum()
+    })
+}
+
+/// Place where the wobble is so small that the modes give the power.
+pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
+    let angle = |xi: f64| wobble(range.moments(), range.momentum(), Stage { mode, xi });
+    crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
+}

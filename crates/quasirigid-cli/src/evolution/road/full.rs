@@ -1,0 +1,104 @@
+//! Roads of the full system: short runs, and the history from start to end.
+
+use std::ops::ControlFlow;
+
+use quasirigid::secular::{
+    DirectEnding, DirectOptions, DirectRow, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
+};
+
+use super::choice::Choice;
+use super::ground::Ground;
+use super::verdict::Road;
+use crate::describe::{significant, time};
+use crate::failure::Failure;
+
+/// Steps of a history.
+const STEPS: u64 = 30_000_000;
+/// Error allowed per step of the full system, relative.
+const TOLERANCE: f64 = 1e-10;
+/// Revolutions in which no wobble dies out.
+const ONE_TURN: f64 = 1.0;
+/// Relaxation times in which a start is forgotten, and periods of the polhode at most.
+const FORGOTTEN: f64 = 8.0;
+const LONGEST: f64 = 400.0;
+/// Error from which an answer is refused.
+pub const REFUSED: f64 = 0.03;
+
+impl Choice<'_> {
+    /// The power measured by short runs.
+    pub fn measured(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Road, MeasureError> {
+        let Ground { range, poles, .. } = self.ground;
+        let settled = self.settled(watch)?;
+        let [from, to] = self.way.ends;
+        let from = settled.as_ref().and_then(|row| range.stage(row.energy)).unwrap_or(from);
+        let options = MeasureOptions::default();
+        let power = MeasuredPower::along(self.body, range, poles, [from, to], options, watch)?;
+        if power.error > REFUSED {
+            return Err(MeasureError::Unsettled { change: power.error });
+        }
+        Ok(Road::Measured(Box::new(power), settled))
+    }
+
+    /// Where the full system has forgotten the start of the file; none where the start is a stage that was asked for.
+    pub fn settled(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<DirectRow>, MeasureError> {
+        let Some(pole) = self.ground.poles.of_mode(self.way.ends[0].mode).filter(|_| !self.way.placed) else {
+            return Ok(None);
+        };
+        let period = self.ground.motion(self.way.ends[0]).polhode_period();
+        let duration = (FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period);
+        let options = DirectOptions {
+            until: Some(self.way.energies[1]),
+            duration,
+            most_turns: f64::INFINITY,
+            most_steps: STEPS,
+            tolerance: TOLERANCE,
+        };
+        let run = follow_directly(self.body, &self.way.start, options, watch)?;
+        match run.ending {
+            DirectEnding::Finished => Ok(run.rows.last().copied()),
+            DirectEnding::Interrupted => Err(MeasureError::Interrupted),
+            _ => Err(MeasureError::LeftMode),
+        }
+    }
+
+    /// The history of the full system.
+    pub fn direct(
+        &self,
+        most_turns: f64,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<Road, String>, Failure> {
+        let options = DirectOptions {
+            until: Some(self.way.energies[1]),
+            duration: self.duration.unwrap_or(f64::MAX),
+            most_turns,
+            most_steps: STEPS,
+            tolerance: TOLERANCE,
+        };
+        let run = follow_directly(self.body, &self.way.start, options, watch)?;
+        let end = run.rows[run.rows.len() - 1];
+        let told = |why: &str| {
+            let unstable =
+                self.ground.unstable().map_or_else(String::new, |unstable| format!("; {unstable}"));
+            format!(
+                "the full system was followed for {} ({} turns) and did not get there: {why}{unstable}",
+                time(end.t),
+                significant(end.turns, 3)
+            )
+        };
+        Ok(match &run.ending {
+            DirectEnding::Reached if end.turns < ONE_TURN => Err(format!(
+                "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
+                 balance, not a wobble that dies out; see quasirigid simulate --system full",
+                time(end.t)
+            )),
+            DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
+            DirectEnding::Interrupted => return Err(Failure::Interrupted),
+            DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
+            DirectEnding::StepLimit => Err(told("the steps allowed were used up")),
+            DirectEnding::Failed { reason } => Err(told(reason)),
+        })
+    }
+}

@@ -1,0 +1,85 @@
+use std::f64::consts::TAU;
+
+use quasirigid::averaging::{FreeRotation, Stage};
+use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::secular::{EnergyRange, Poles};
+
+use crate::describe::time;
+use crate::failure::Failure;
+
+/// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
+pub struct Ground<'a> {
+    pub body: &'a FlexibleBody,
+    pub range: EnergyRange,
+    pub poles: Poles,
+}
+
+/// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
+const LEFT_OUT: f64 = 0.02;
+
+impl<'a> Ground<'a> {
+    /// The ground at an angular momentum (N·m·s).
+    pub fn of(body: &'a FlexibleBody, momentum: f64) -> Result<Result<Self, String>, Failure> {
+        match EnergyRange::of(body, momentum) {
+            Ok(range) => {
+                let poles = Poles::of(body, &range).map_err(|error| format!("the steady spins: {error}"));
+                Ok(poles.map(|poles| Self { body, range, poles }))
+            }
+            Err(error) => Ok(Err(error.to_string())),
+        }
+    }
+
+    /// The equivalent polhode at a stage.
+    pub fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
+        FreeRotation::at_logit(self.range.moments(), self.range.momentum(), mode, xi)
+    }
+
+    /// What grows at the axis of greatest inertia, in words; none if its spin is stable.
+    pub fn unstable(&self) -> Option<String> {
+        let pole = self.poles.short.as_ref()?;
+        let mode = pole.unstable()?;
+        Some(format!(
+            "the steady spin about the axis of greatest inertia is unstable: a motion of {} grows e-fold in {}",
+            mode.name,
+            time(-mode.time_constant())
+        ))
+    }
+
+    /// Whether the equations of motion hold all that dissipates in the modes on the way.
+    pub fn complete(&self, ends: [Stage; 2]) -> bool {
+        let modes = ends.map(|stage| stage.mode);
+        modes.iter().all(|mode| {
+            let pole = self.poles.of_mode(*mode);
+            let nutation = pole.and_then(|pole| pole.modes.nutation());
+            nutation.is_some_and(|nutation| {
+                let [decay, _] = nutation.of_motion;
+                (decay - nutation.decay_rate).abs() <= LEFT_OUT * nutation.decay_rate.abs()
+            })
+        })
+    }
+
+    /// Estimate of the revolutions from one stage to another, from the rates of the modes; none if these do not say.
+    pub fn revolutions(&self, ends: [Stage; 2]) -> Option<f64> {
+        let [from, to] = ends;
+        let excess = |stage: Stage| self.motion(stage).energy_from_axis();
+        let middle = |mode: Mode| excess(Stage { mode, xi: -6.0 });
+        let rate = |mode: Mode| self.poles.rate(mode).filter(|rate| *rate > 0.0);
+        let time = if from.mode == to.mode {
+            (excess(from) / excess(to)).ln().abs() / (2.0 * rate(from.mode)?)
+        } else {
+            let grown = (middle(from.mode) / excess(from)).ln() / (2.0 * rate(from.mode)?);
+            grown + (middle(to.mode) / excess(to)).ln() / (2.0 * rate(to.mode)?)
+        };
+        let spin = self.range.momentum() / self.range.moments()[to.mode.circled()];
+        Some(time * spin / TAU)
+    }
+
+    /// Decay in a period of the polhode at the poles of the way.
+    pub fn haste(&self, ends: [Stage; 2]) -> f64 {
+        let haste = |stage: Stage| {
+            let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
+            nutation.map_or(f64::INFINITY, |mode| mode.decay_rate.abs() * TAU / mode.frequency)
+        };
+        haste(ends[0]).max(haste(ends[1]))
+    }
+}

@@ -1,0 +1,63 @@
+//! Levels of the slow energy: when they are followed.
+
+use quasirigid::averaging::{LevelEnding, LevelEvolution, Until};
+use quasirigid::math::sym::norm;
+use quasirigid::model::Principal;
+use quasirigid::reduction::{frequencies, reduce};
+use quasirigid_io::model::Target;
+
+use super::choice::Choice;
+use super::verdict::Road;
+use crate::commands::Loaded;
+use crate::describe::time;
+use crate::evolution::Asked;
+
+/// Relative change of a difference of moments by elasticity from which levels are followed, largest ratio of spin to frequency, and
+/// least order of the power there.
+const BENT: f64 = 0.01;
+const STIFF: f64 = 0.15;
+const LEVEL_ORDER: usize = 5;
+
+impl Choice<'_> {
+    /// Averaged along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
+    pub fn levels(&self, loaded: &Loaded, asked: &Asked) -> Option<Result<Road, String>> {
+        let rigid = Principal::of(self.body.invariants().J).moments;
+        let bent = self.ground.range.moments();
+        let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
+            let (before, after) = (rigid[*b] - rigid[*a], bent[*b] - bent[*a]);
+            (after - before).abs() > BENT * before.abs()
+        });
+        let slowest = frequencies(self.body).ok()?.first().copied()?;
+        let omega = self.way.start.omega;
+        if !changed
+            || norm(omega) > STIFF * slowest
+            || !self.body.cyclic().is_empty()
+            || !self.body.lossy().is_empty()
+        {
+            return None;
+        }
+        let reduced = reduce(self.body, loaded.order.max(LEVEL_ORDER)).ok()?;
+        let until = match (asked.until, self.duration) {
+            (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
+            (Some(Target::Ratio(_)), None) => {
+                return Some(Err("the moments of this body are nearly equal, so that D/I3 says little; say how far to go by an angle".into()));
+            }
+            (_, Some(duration)) => Until::Duration(duration),
+            (None, None) => Until::EnergyLeft(0.01),
+        };
+        let momentum = self.way.start.momentum(self.body);
+        let found = LevelEvolution::new(&reduced, norm(momentum))
+            .and_then(|levels| levels.follow(momentum, until, asked.samples));
+        Some(match found {
+            Ok(passage) => match passage.ending {
+                LevelEnding::Reached | LevelEnding::Duration => Ok(Road::Levels(Box::new(passage))),
+                LevelEnding::Undecided => Err(format!(
+                    "the rotation comes to a saddle of the slow energy after {}, behind which the ways differ",
+                    time(passage.rows.last().map_or(f64::NAN, |row| row.time))
+                )),
+                LevelEnding::Lossless => Err("nothing is dissipated".into()),
+            },
+            Err(error) => Err(error.to_string()),
+        })
+    }
+}

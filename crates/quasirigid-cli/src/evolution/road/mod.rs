@@ -1,0 +1,160 @@
+//! By which road an evolution is followed, and what speaks for it. (Q7)
+
+mod average;
+mod choice;
+mod full;
+mod ground;
+mod levels;
+mod verdict;
+mod way;
+
+use std::ops::ControlFlow;
+
+use quasirigid::averaging::LevelPassage;
+use quasirigid::dynamics::SpinState;
+use quasirigid::math::sym::norm;
+use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria};
+use quasirigid_io::model::EvolveMethod;
+
+use super::Asked;
+use super::ageing::Ageing;
+use crate::commands::Loaded;
+use crate::failure::Failure;
+use crate::motion::Motion;
+use choice::Choice;
+use ground::Ground;
+pub use verdict::Verdict;
+use verdict::{take, unfounded};
+use way::Way;
+
+/// What is followed beside a power.
+pub enum History {
+    /// Nothing: the power says it all.
+    None,
+    /// The full system until it has forgotten its start; from there on the power says it all.
+    Settled(DirectRow, EnergyRange),
+    /// The full system, with its range of energies.
+    Full(Box<DirectRun>, EnergyRange),
+    /// Levels of the slow energy.
+    Levels(Box<LevelPassage>),
+}
+
+/// Why no road leads to an answer, in words, with the rates of the modes where these are known.
+pub struct Refusal {
+    pub message: String,
+    pub rates: Option<[Option<f64>; 2]>,
+}
+
+/// A spin below this share of the slowest elastic frequency needs no more than the average.
+const SLOW: f64 = 1e-3;
+/// Error of an average that is given under a torque, which has no other road.
+const UNDER_TORQUE: f64 = 0.1;
+/// Moments whose relative difference is larger are distinct for so slow a spin.
+const DISTINCT: f64 = 1e-3;
+
+/// Chooses the road for a body on which no torque acts: the power that is followed from then on, or the history.
+pub fn choose(
+    loaded: &Loaded,
+    start: SpinState,
+    asked: &Asked,
+    ageing: &mut Ageing,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Result<History, Refusal>, Failure> {
+    let body = &loaded.body;
+    if asked.method.is_none() && plain(body, ageing, norm(start.omega)) {
+        return Ok(Ok(History::None));
+    }
+    let full = Motion::new(loaded, start).full()?;
+    let momentum = norm(full.momentum(body));
+    if !(momentum.is_finite() && momentum > 0.0) {
+        return Ok(Ok(History::None));
+    }
+    let ground = match Ground::of(body, momentum)? {
+        Ok(ground) => ground,
+        Err(message) => return Ok(Err(Refusal { message, rates: None })),
+    };
+    ageing.verdict.rates = Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)));
+    if let (None, Some(unstable)) = (asked.method, ground.unstable()) {
+        return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
+    }
+    let way = Way::of(&ground, full, asked, ageing)?;
+    let choice = Choice::new(&ground, &way, asked.duration);
+    let refused = |message: String| Refusal { message, rates: ageing_rates(&ground) };
+    let found = match asked.method {
+        Some(EvolveMethod::Average) => Ok(choice.forced_average(ageing)),
+        Some(EvolveMethod::Modes) => choice.calibrated(ageing),
+        Some(EvolveMethod::MicroRuns) => match choice.measured(watch) {
+            Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
+            found => found.map_err(|error| error.to_string()),
+        },
+        Some(EvolveMethod::Direct) => choice.direct(f64::INFINITY, watch)?,
+        None => match choice.average(ageing, watch)? {
+            Some(road) => Ok(road),
+            None => match choice.levels(loaded, asked) {
+                Some(found) => found,
+                None => choice.other(ageing, watch)?,
+            },
+        },
+    };
+    Ok(match found {
+        Ok(road) => Ok(take(road, &ground, &way, ageing)),
+        Err(message) => Err(refused(message)),
+    })
+}
+
+/// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.
+pub fn under_torque(
+    loaded: &Loaded,
+    start: SpinState,
+    asked: &Asked,
+    ageing: &mut Ageing,
+) -> Result<Option<Refusal>, Failure> {
+    let body = &loaded.body;
+    if plain(body, ageing, norm(start.omega)) {
+        return Ok(None);
+    }
+    let full = Motion::new(loaded, start).full()?;
+    let momentum = norm(full.momentum(body));
+    if !(momentum.is_finite() && momentum > 0.0) {
+        return Ok(None);
+    }
+    let ground = match Ground::of(body, momentum)? {
+        Ok(ground) => ground,
+        Err(message) => return Ok(Some(Refusal { message, rates: None })),
+    };
+    let rates = ageing_rates(&ground);
+    let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
+    let judged = |ageing: &Ageing| average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
+    let mut criteria = judged(ageing);
+    if criteria.error() > UNDER_TORQUE && ageing.by_polynomial && !ageing.power_was_asked {
+        ageing.take_harmonics();
+        criteria = judged(ageing);
+    }
+    ageing.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
+    if criteria.error() <= UNDER_TORQUE {
+        return Ok(None);
+    }
+    if asked.method == Some(EvolveMethod::Average) {
+        ageing.verdict.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
+        ageing.verdict.fails = true;
+        return Ok(None);
+    }
+    let message = format!(
+        "under a torque the average alone is followed, and it does not hold: {}",
+        unfounded(criteria)
+    );
+    Ok(Some(Refusal { message, rates }))
+}
+
+fn ageing_rates(ground: &Ground) -> Option<[Option<f64>; 2]> {
+    Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)))
+}
+
+/// Whether a body is so stiff, with moments so distinct, that the average needs no judgement.
+fn plain(body: &FlexibleBody, ageing: &Ageing, spin: f64) -> bool {
+    let [I1, I2, I3] = ageing.principal.moments;
+    let distinct = [I2 - I1, I3 - I2].iter().all(|gap| *gap > DISTINCT * I3 || *gap < 1e-9 * I3);
+    let slowest = ageing.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
+    body.cyclic().is_empty() && distinct && spin < SLOW * slowest
+}

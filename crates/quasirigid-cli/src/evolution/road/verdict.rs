@@ -1,0 +1,188 @@
+use quasirigid::averaging::{LevelPassage, MeanPower};
+use quasirigid::model::Mode;
+use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
+
+use super::History;
+use super::ground::Ground;
+use super::way::{Levels, Way};
+use crate::describe::significant;
+use crate::evolution::ageing::Ageing;
+
+/// The road taken, and what it knows beside the power.
+#[derive(Clone, Debug, Default)]
+pub struct Verdict {
+    /// `average`, `modes`, `micro-runs`, `direct`, or `none`.
+    pub road: &'static str,
+    /// Why, and how far it holds.
+    pub sentence: String,
+    /// Estimate of the relative error of the time.
+    pub error: Option<f64>,
+    /// Rates (1/s) of the modes: growth about the axis of least inertia, decay about that of greatest.
+    pub rates: Option<[Option<f64>; 2]>,
+    /// Power or energy that each dissipator takes, where the road measured it.
+    pub budget: Option<Vec<(String, f64)>>,
+    /// A vibration that grows from nothing on the way, in words.
+    pub parametric: Option<String>,
+    /// Whether the answer does not hold although it was asked for.
+    pub fails: bool,
+}
+
+impl Verdict {
+    /// The average, with an estimate of its error.
+    pub fn average(error: Option<f64>) -> Self {
+        Self { road: "average", error, ..Self::default() }
+    }
+
+    /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if they were not asked.
+    pub fn folding(&self, mode: Mode) -> Option<f64> {
+        let rates = self.rates?;
+        let rate = rates[usize::from(mode == Mode::ShortAxis)]?;
+        Some(if rate > 0.0 { rate.recip() } else { f64::INFINITY })
+    }
+
+    /// How the power was found, in words; none of an average.
+    pub fn method(&self) -> Option<String> {
+        match self.road {
+            "micro-runs" => Some("measured by short runs of the full system along the way".into()),
+            "levels" => Some("mean of the power of the reduced equations along level curves of the slow energy".into()),
+            "direct" => Some("the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy".into()),
+            _ => None,
+        }
+    }
+}
+
+/// A road that leads to an answer.
+pub enum Road {
+    /// The average, with the estimate of its error.
+    Average { error: f64 },
+    /// The average that was asked for, although it does not hold.
+    Unfounded { criteria: AverageCriteria },
+    /// The average at the rates of the modes.
+    Calibrated { power: Box<dyn MeanPower>, error: f64 },
+    /// The power measured by short runs, after the full system has forgotten its start.
+    Measured(Box<MeasuredPower>, Option<DirectRow>),
+    /// The history of the full system.
+    Direct(Box<DirectRun>),
+    /// Averaged along levels of the slow energy.
+    Levels(Box<LevelPassage>),
+}
+
+/// Takes a road: the power that is followed, or the history.
+pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History {
+    let names = |budget: &[f64], names: &[String]| {
+        names.iter().cloned().zip(budget.iter().copied()).collect::<Vec<_>>()
+    };
+    match road {
+        Road::Average { error } => {
+            ageing.begin(way.settled);
+            ageing.verdict = Verdict {
+                sentence: format!(
+                    "Averaged along the polhode; by the modes about the steady spins the time is good to {} %.",
+                    significant(100.0 * error.max(1e-6), 2)
+                ),
+                rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
+                ..Verdict::average(Some(error))
+            };
+            History::None
+        }
+        Road::Unfounded { criteria } => {
+            ageing.begin(way.settled);
+            ageing.verdict = Verdict {
+                sentence: format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria)),
+                fails: true,
+                rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
+                ..Verdict::average(Some(criteria.error()))
+            };
+            History::None
+        }
+        Road::Calibrated { power, error } => {
+            ageing.begin(way.settled);
+            ageing.source = power;
+            ageing.verdict = Verdict {
+                road: "modes",
+                sentence: format!(
+                    "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them; the time is good to {} %.",
+                    significant(100.0 * error, 2)
+                ),
+                error: Some(error),
+                rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
+                ..Verdict::default()
+            };
+            History::None
+        }
+        Road::Measured(power, settled) => {
+            let first = power.measurements.first();
+            let error = power.time_error(ground.revolutions(way.ends).unwrap_or(f64::INFINITY));
+            ageing.verdict = Verdict {
+                road: "micro-runs",
+                sentence: format!(
+                    "What moves inside is too heavy or too soft for an average: the mean power was measured in {} short runs of the \
+                     full system; the time is good to {} %.",
+                    power.measurements.len(),
+                    significant(100.0 * error, 2)
+                ),
+                error: Some(error),
+                budget: first.map(|first| names(&first.budget, &way.dissipators)),
+                rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
+                fails: false,
+            };
+            ageing.take(power, &ground.range, way.energies[0]);
+            if let Some(row) = settled {
+                return History::Settled(row, ground.range.clone());
+            }
+            History::None
+        }
+        Road::Direct(run) => {
+            ageing.verdict = Verdict {
+                road: "direct",
+                sentence: "The full system was followed from start to end; the wobble is its envelope."
+                    .into(),
+                error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
+                budget: Some(names(&run.budget, &way.dissipators)),
+                rates: ageing.verdict.rates,
+                parametric: ageing.verdict.parametric.take(),
+                fails: false,
+            };
+            ageing.take(Box::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
+            History::Full(run, ground.range.clone())
+        }
+        Road::Levels(passage) => {
+            ageing.verdict = Verdict {
+                road: "levels",
+                sentence: "The moments are nearly equal: averaged along the level curves of the slow energy, which elasticity bends.".into(),
+                rates: ageing.verdict.rates,
+                ..Verdict::default()
+            };
+            History::Levels(passage)
+        }
+    }
+}
+
+/// Why an average does not hold, in words.
+pub fn unfounded(criteria: AverageCriteria) -> String {
+    let AverageCriteria { poles, settling, moments, probed } = criteria;
+    let percent = |share: f64| significant(100.0 * share, 2);
+    if probed > poles.max(settling).max(moments) {
+        return format!("its power is {} % off that of short runs of the full system", percent(probed));
+    }
+    if moments >= poles && moments >= settling {
+        return format!(
+            "the deformation changes the differences between the moments of inertia by {} %",
+            percent(moments)
+        );
+    }
+    if settling > poles {
+        return format!(
+            "the wobble changes at {} of the rate at which the inside follows it",
+            significant(settling, 2)
+        );
+    }
+    format!(
+        "a small wobble changes at a rate that is {} % off that of the modes, which is exact",
+        percent(poles)
+    )
+}

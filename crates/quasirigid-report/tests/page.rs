@@ -174,7 +174,7 @@ fn evolution_without_end_is_told_in_words() {
             ">never<",
             "95.1\u{a0}Myr at the least",
             "short-axis<small> throughout",
-            "there is no resonance",
+            "passes a natural frequency on the way",
             "never",
             "never",
             "none: it does not come so near",

@@ -24,8 +24,8 @@ const ROWS_PER_TURN: f64 = 24.0;
 const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
 /// Note on a spin outside the range of the series.
-const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the reduced equations were not \
-                           propagated; the history is that of the rigid body.";
+const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the full system was followed \
+                           in the place of the reduced equations.";
 /// Note on a run that Ctrl-C ended.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
@@ -147,6 +147,9 @@ impl<'a> Plan<'a> {
                 Ok(history) => histories.push(history),
                 Err(Failure::Propagate(PropagateError::NoMomentum)) if *system == System::Reduced => {
                     notes.push(NO_MOMENTUM.into());
+                    if !self.systems.contains(&System::Full) {
+                        histories.push(self.history(System::Full)?);
+                    }
                 }
                 Err(failure) => return Err(failure),
             }

@@ -1,8 +1,8 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{
-    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, LevelRow, MeanPower, PolynomialPower,
-    Response, Stage,
+    DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, InterpolatedPower, LevelRow, MeanPower,
+    PolynomialPower, Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
@@ -93,7 +93,7 @@ impl Ageing {
     /// Takes the response in the spinning frame for the average.
     pub fn take_hill(&mut self, hill: HillResponse) {
         self.in_spinning_frame = true;
-        self.source = Box::new(hill);
+        self.source = Box::new(InterpolatedPower::new(Box::new(hill), self.initial.momentum()));
     }
 
     /// The average as it stands.

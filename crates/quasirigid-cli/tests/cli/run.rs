@@ -117,7 +117,9 @@ fn theory_that_fails_exits_with_1_and_still_writes() {
     assert_eq!((ran.code, &*ran.stderr), (Some(1), ""));
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert!(!record.validity.valid);
-    assert_eq!(record.histories.len(), 1, "the rigid body only");
+    let systems: Vec<&str> = record.histories.iter().map(|history| &*history.system).collect();
+    assert_eq!(systems, ["full", "rigid"], "the full system in the place of the reduced body");
+    assert!(record.histories[0].dissipated > 1.0);
     assert!(record.notes[0].starts_with("The truncated series has no momentum for this spin"));
     assert!(ran.stdout.contains("  Note: The truncated series has no momentum"), "{}", ran.stdout);
 }

@@ -14,6 +14,8 @@ use crate::verdict::Verdict;
 
 /// Harmonics and resonances shown.
 const MOST: usize = 12;
+/// Error of a time below which it is not worth a word.
+const EXACT: f64 = 1e-6;
 /// Resonances marked in the map.
 const MARKED: usize = 4;
 
@@ -95,7 +97,10 @@ fn axis(mode: &str) -> Option<&'static str> {
 
 fn time(evolution: &EvolutionRecord) -> Markup {
     let remark = match evolution.time_range {
-        None => "no ranges of the materials are known".into(),
+        None => match evolution.time_error {
+            Some(error) if error >= EXACT => format!("good to {}", percent(error)),
+            _ => String::new(),
+        },
         Some([least, f64::INFINITY]) => {
             format!("{} at the least, over the ranges of the materials", until(least))
         }
@@ -183,7 +188,12 @@ fn power_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
         id: "evolution-power",
         title: "Mean power dissipated over many turns",
         caption: format!(
-            "Averaged over the wobble; it vanishes with it.{}",
+            "{}{}",
+            if evolution.road == "direct" {
+                "Taken over the interval from row to row of the full system; it vanishes with the wobble."
+            } else {
+                "Averaged over the wobble; it vanishes with it."
+            },
             if evolution.separatrix_time.is_some() {
                 " It dips at the separatrix, where the spin lingers near the middle axis."
             } else {
@@ -256,7 +266,7 @@ fn resonances(crossings: &[CrossingRecord]) -> Markup {
     html! {
         div.resonances {
             @if crossings.is_empty() {
-                p { "No harmonic of the wobble meets a natural frequency on the way: there is no resonance." }
+                p { "No harmonic of the wobble passes a natural frequency on the way." }
             } @else {
                 (crossing_table(crossings))
             }

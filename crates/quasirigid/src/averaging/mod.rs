@@ -7,6 +7,7 @@ mod euler_angles;
 mod evolution;
 mod harmonics;
 mod hill;
+mod interpolated;
 mod levels;
 mod observed;
 mod poinsot;
@@ -21,6 +22,7 @@ pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};
+pub use interpolated::InterpolatedPower;
 pub use levels::{
     Level, LevelEnding, LevelError, LevelEvolution, LevelPassage, LevelRow, Separatrix, Until, Way,
 };

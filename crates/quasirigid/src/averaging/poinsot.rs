@@ -182,6 +182,19 @@ impl FreeRotation {
         }
     }
 
+    /// Mean of `|ω̇|²` over a period of the polhode (rad²/s⁴); zero on the separatrix.
+    #[must_use]
+    pub fn mean_square_acceleration(&self) -> f64 {
+        if !self.polhode_period().is_finite() {
+            return 0.0;
+        }
+        let [I1, I2, I3] = self.moments();
+        self.mean(4, |[x, y, z]| {
+            let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
+            rates.iter().map(|rate| rate * rate).sum()
+        })
+    }
+
     /// Mean over a period of the polhode of a function of the spin that is a polynomial up to this degree; on the
     /// separatrix, where the period is infinite, its value at the middle axis. (A5)
     pub fn mean(&self, degree: usize, mut value: impl FnMut([f64; 3]) -> f64) -> f64 {

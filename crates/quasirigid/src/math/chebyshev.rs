@@ -40,6 +40,14 @@ impl<const N: usize> Chebyshev<N> {
         self.coefficients.iter().map(share).fold(0.0, f64::max)
     }
 
+    /// Values at a place in the interval.
+    #[must_use]
+    pub fn at(&self, x: f64) -> [f64; N] {
+        let half = 0.5 * (self.ends[1] - self.ends[0]);
+        let angle = ((x - self.ends[0]) / half - 1.0).clamp(-1.0, 1.0).acos();
+        self.coefficients.map(|row| row.iter().enumerate().map(|(j, c)| c * (j as f64 * angle).cos()).sum())
+    }
+
     /// Integrals from the start of the interval to a place in it.
     #[must_use]
     pub fn integral(&self, x: f64) -> [f64; N] {
@@ -70,6 +78,8 @@ mod tests {
         let fit = Chebyshev::of(ends, |x| Some([x.exp(), (2.0 * x).cos()])).unwrap();
         assert!(fit.tail() < 1e-7);
         for x in [-0.3, 0.2, 1.4] {
+            let [exponential, cosine] = fit.at(x);
+            assert!((exponential - x.exp()).abs() < 1e-8 && (cosine - (2.0 * x).cos()).abs() < 1e-7);
             let [exponential, cosine] = fit.integral(x);
             assert!((exponential - (x.exp() - ends[0].exp())).abs() < 1e-12);
             assert!((cosine - 0.5 * ((2.0 * x).sin() - (2.0 * ends[0]).sin())).abs() < 1e-9);

@@ -4,7 +4,7 @@ use super::criteria::uneven;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
-use super::site::{MeasureOptions, NEAREST, Site, reference, small};
+use super::site::{MeasureOptions, NEAREST, Site, small};
 use crate::averaging::{FreeRotation, MeanPower, Stage};
 use crate::model::{FlexibleBody, Mode};
 
@@ -71,7 +71,7 @@ impl MeanPower for MeasuredPower {
     }
 
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
-        let reference = reference(motion);
+        let reference = motion.mean_square_acceleration();
         let curve = &self.curves[usize::from(motion.mode() == Mode::ShortAxis)];
         curve.as_ref().map_or(0.0, |curve| reference * curve.at(motion.logit()).exp())
     }
@@ -139,7 +139,7 @@ impl Worker<'_, '_> {
         let rate = self.poles.rate(self.mode).filter(|rate| *rate > 0.0)?;
         let xi = small(self.range, self.mode) + BEYOND;
         let motion = FreeRotation::at_logit(self.power.moments, self.range.momentum(), self.mode, xi);
-        let ratio = 2.0 * rate * motion.energy_from_axis() / reference(&motion);
+        let ratio = 2.0 * rate * motion.energy_from_axis() / motion.mean_square_acceleration();
         (high + 0.5 * BEYOND > xi - BEYOND && ratio > 0.0).then(|| [xi, ratio.ln()])
     }
 
@@ -154,7 +154,7 @@ impl Worker<'_, '_> {
         let found = site.measure(Stage { mode: self.mode, xi }, &mut || watch(share))?;
         let Stage { mode, xi } = found.stage;
         let there = FreeRotation::at_logit(self.power.moments, self.range.momentum(), mode, xi);
-        let value = (found.power / reference(&there)).ln();
+        let value = (found.power / there.mean_square_acceleration()).ln();
         self.power.measurements.push(found);
         Ok([xi, value])
     }

@@ -69,22 +69,9 @@ impl Site<'_> {
             steps: options.most_steps,
             doublings: DOUBLINGS,
         };
-        let found = measured(body, range, start, &reference, plan, watch)?;
+        let found = measured(body, range, start, &FreeRotation::mean_square_acceleration, plan, watch)?;
         if found.stage.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }
     }
-}
-
-/// Mean square of the angular acceleration on a polhode (rad²/s⁴); zero on the separatrix.
-pub(super) fn reference(motion: &FreeRotation) -> f64 {
-    let period = motion.polhode_period();
-    if !period.is_finite() {
-        return 0.0;
-    }
-    let [I1, I2, I3] = motion.moments();
-    motion.mean(4, |[x, y, z]| {
-        let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
-        rates.iter().map(|rate| rate * rate).sum()
-    })
 }
 
 /// Place where the wobble is so small that the modes give the power.

@@ -1,0 +1,144 @@
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+use super::{FreeRotation, MeanPower};
+use crate::math::chebyshev::Chebyshev;
+use crate::model::Mode;
+
+/// Mean power interpolated along the way, for a source that costs much at each place: `ln(P/⟨|ω̇|²⟩)` by Chebyshev's polynomials on
+/// pieces of `ξ`, made when they are asked for. (A6)
+///
+/// A resonance narrower than a node's distance may be passed over; the time that it takes from a way is at most its width.
+pub struct InterpolatedPower {
+    source: Box<dyn MeanPower + Send>,
+    momentum: f64,
+    pieces: Mutex<BTreeMap<Key, Piece>>,
+}
+
+/// Whether the mode is the short-axis one, how often its piece was halved, and the number of the piece.
+type Key = (bool, u32, i64);
+
+#[derive(Clone)]
+enum Piece {
+    Fit(Box<Chebyshev<1>>),
+    Halved,
+    /// No polynomial fits: the source is asked at each place.
+    Rough,
+}
+
+/// Length of a piece that was not halved, as `ξ`.
+const WIDTH: f64 = 2.0;
+/// Halvings allowed.
+const DEEPEST: u32 = 6;
+/// Share of the last polynomials at which a piece fits.
+const FITS: f64 = 1e-5;
+/// Place next to the separatrix, as `ξ`, from which on the ratio is taken as constant: a share `e^ξ` of the energies lies behind it.
+const NEAREST: f64 = -8.0;
+
+impl InterpolatedPower {
+    /// From a power at an angular momentum (N·m·s).
+    #[must_use]
+    pub fn new(source: Box<dyn MeanPower + Send>, momentum: f64) -> Self {
+        Self { source, momentum, pieces: Mutex::new(BTreeMap::new()) }
+    }
+
+    /// Logarithm of the ratio at a place; none where no polynomial fits.
+    fn ratio(&self, mode: Mode, xi: f64) -> Option<f64> {
+        for depth in 0..=DEEPEST {
+            let width = WIDTH / f64::from(1 << depth);
+            let index = (xi / width).floor();
+            match self.piece(mode, depth, index, width) {
+                Piece::Fit(fit) => return Some(fit.at(xi)[0]),
+                Piece::Halved => {}
+                Piece::Rough => return None,
+            }
+        }
+        None
+    }
+
+    fn piece(&self, mode: Mode, depth: u32, index: f64, width: f64) -> Piece {
+        let key = (mode == Mode::ShortAxis, depth, index as i64);
+        let mut pieces = self.pieces.lock().unwrap_or_else(PoisonError::into_inner);
+        let make = || {
+            let ends = [index * width, (index + 1.0) * width];
+            let fit = Chebyshev::of(ends, |xi| {
+                let motion = FreeRotation::at_logit(self.moments(), self.momentum, mode, xi);
+                let ratio = (self.source.mean_power(&motion) / motion.mean_square_acceleration()).ln();
+                ratio.is_finite().then_some([ratio])
+            });
+            match fit {
+                Some(fit) if fit.tail() < FITS => Piece::Fit(Box::new(fit)),
+                _ if depth < DEEPEST => Piece::Halved,
+                _ => Piece::Rough,
+            }
+        };
+        pieces.entry(key).or_insert_with(make).clone()
+    }
+}
+
+impl MeanPower for InterpolatedPower {
+    fn moments(&self) -> [f64; 3] {
+        self.source.moments()
+    }
+
+    fn mean_power(&self, motion: &FreeRotation) -> f64 {
+        let here = (motion.momentum() / self.momentum - 1.0).abs() < 1e-12;
+        let xi = motion.logit();
+        let ratio = if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(NEAREST)) } else { None };
+        match ratio {
+            Some(ratio) => ratio.exp() * motion.mean_square_acceleration(),
+            None => self.source.mean_power(motion),
+        }
+    }
+
+    fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+        self.source.budget(motion)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::*;
+    use crate::averaging::{Evolution, Response, Stage};
+    use crate::problems::ring_of_points;
+
+    struct Counted(Response, Arc<AtomicUsize>);
+
+    impl MeanPower for Counted {
+        fn moments(&self) -> [f64; 3] {
+            self.0.moments()
+        }
+
+        fn mean_power(&self, motion: &FreeRotation) -> f64 {
+            self.1.fetch_add(1, Ordering::Relaxed);
+            self.0.mean_power(motion)
+        }
+    }
+
+    /// The same times and powers as the source, asked a fraction as often; another momentum is the source's own matter.
+    #[test]
+    fn times_are_those_of_the_source() {
+        let response = Response::of(&ring_of_points(4).body().unwrap()).unwrap();
+        let asked = Arc::new(AtomicUsize::new(0));
+        let momentum = 0.5 * response.moments()[2];
+        let source = Counted(response.clone(), Arc::clone(&asked));
+        let interpolated = InterpolatedPower::new(Box::new(source), momentum);
+        let [slow, fast] =
+            [&response as &dyn MeanPower, &interpolated].map(|power| Evolution::new(power, momentum));
+        let stages = [3.0, -6.0].map(|xi| Stage { mode: Mode::LongAxis, xi });
+        let end = Stage { mode: Mode::ShortAxis, xi: 5.0 };
+        for from in stages {
+            let [expected, found] = [&slow, &fast].map(|evolution| evolution.time(from, end));
+            assert!((found / expected - 1.0).abs() < 1e-5, "{found:e} {expected:e}");
+        }
+        let once = asked.load(Ordering::Relaxed);
+        let rows = (0..200).map(|i| fast.time(stages[0], Stage { xi: -4.0 + 0.045 * f64::from(i), ..end }));
+        assert!(rows.sum::<f64>() > 0.0);
+        assert!(asked.load(Ordering::Relaxed) - once < 30, "{asked:?} {once}");
+        let other = FreeRotation::at_logit(response.moments(), 1.1 * momentum, Mode::ShortAxis, 0.3);
+        assert_eq!(interpolated.mean_power(&other), response.mean_power(&other));
+    }
+}

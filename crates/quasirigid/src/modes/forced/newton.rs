@@ -10,7 +10,7 @@ use crate::math::eigen::Dense;
 use crate::math::lu::Lu;
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::sym::norm;
-use crate::model::force::{Force, Law};
+use crate::model::force::{Force, Law, Loads};
 use crate::model::{FlexibleBody, Marker};
 
 type V = Vector3<f64>;
@@ -133,13 +133,22 @@ impl Problem<'_> {
 
     fn system(&self, at: &Instant) -> Result<System, SteadyError> {
         let slopes = Slopes::of(self.body, self.forces, at);
-        let system = System::about(self.body, slopes, at, self.followed);
+        let mut system = System::about(self.body, slopes, at, self.followed);
+        if self.forces.len() > 1 {
+            system.terms += self.forces.iter().map(|force| self.load(force, at)).sum::<f64>();
+        }
         if system.residual.iter().chain(system.slopes.by.iter()).all(|entry| entry.is_finite()) {
             return Ok(system);
         }
         let formula = self.forces.iter().find(|force| matches!(force.law, Law::Expression { .. }));
         Err(formula
             .map_or(SteadyError::NotFound, |force| SteadyError::NotANumber { name: force.name.clone() }))
+    }
+
+    /// Size of the loads of a force (N·m).
+    fn load(&self, force: &Force<Marker>, at: &Instant) -> f64 {
+        let Loads { force, moment, .. } = at.loads(self.body, std::slice::from_ref(force));
+        norm(moment) + length(self.body) * norm(force)
     }
 
     /// Newton's method; the system where it ends.

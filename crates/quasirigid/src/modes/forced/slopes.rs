@@ -21,6 +21,18 @@ pub(super) struct Instant {
     pub velocity: [f64; 3],
 }
 
+impl Instant {
+    /// The loads.
+    pub fn loads(&self, body: &FlexibleBody, forces: &[Force<Marker>]) -> Loads<f64> {
+        let free = body.translation().is_some();
+        let velocity = if free { rotation::to_inertial(self.attitude, self.velocity) } else { self.velocity };
+        let still = vec![0.0; self.q.len()];
+        let motion = Motion { omega: self.omega, q: &self.q, rate: &still };
+        let pose = Pose { t: self.t, attitude: self.attitude, place: self.place, velocity };
+        body.loads_at(forces, &pose, motion)
+    }
+}
+
 /// Columns of the derivatives: rotation `θ` in body axes, angular velocity, velocity of a free body, elastic displacements, rates.
 pub(super) const THETA: usize = 0;
 pub(super) const OMEGA: usize = 3;

@@ -70,7 +70,8 @@ pub(super) fn rests(body: &FlexibleBody) -> bool {
 #[derive(Default)]
 struct Found {
     set: Option<(V, String, bool)>,
-    directions: Vec<V>,
+    /// With what they are of.
+    directions: Vec<(V, String)>,
     unknown: bool,
 }
 
@@ -99,16 +100,16 @@ impl Turning {
                 });
             }
             if placed && velocity != [0.0; 3] && found.set.is_none() {
-                found.directions.push(velocity.into());
+                found.directions.push((velocity.into(), "the velocity of the support".into()));
             }
         }
         for force in forces {
             found.force(body, force, &mut acceleration)?;
         }
         if acceleration != V::zeros() {
-            found.directions.push(acceleration);
+            found.directions.push((acceleration, "the weight, or the acceleration of the support,".into()));
         }
-        Ok(found.turning())
+        found.turning()
     }
 }
 
@@ -141,15 +142,17 @@ impl Found {
         force: &Force<Marker>,
         acceleration: &mut V,
     ) -> Result<(), SteadyError> {
+        let named = format!("the force {:?}", force.name);
         let changes = || Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
         match &force.law {
             Law::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
             Law::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
             Law::MagneticDipole { field: MagneticField::Uniform(field), .. } => {
-                self.directions.push((*field).into())
+                self.directions.push(((*field).into(), named))
             }
-            Law::MagneticDipole { field: MagneticField::Dipole { orbit, .. }, .. } => {
+            Law::MagneticDipole { field: MagneticField::Dipole { orbit, strength }, .. } => {
                 self.orbit(&force.name, orbit)?;
+                self.directions.push(((*strength).into(), named));
             }
             Law::Drag { .. } | Law::SpinDrag { .. } => {}
             Law::Torque { torque: amplitude, axes, wave }
@@ -158,7 +161,7 @@ impl Found {
                     return changes();
                 }
                 if *axes == Axes::Inertial {
-                    self.directions.push((*amplitude).into());
+                    self.directions.push(((*amplitude).into(), named));
                 }
             }
             Law::Expression { force: components, .. } => {
@@ -195,14 +198,19 @@ impl Found {
         Ok(())
     }
 
-    fn turning(self) -> Turning {
+    fn turning(self) -> Result<Turning, SteadyError> {
+        let across =
+            |axis: V| move |(other, _): &&(V, String)| other.cross(&axis).norm() > SAME * other.norm();
         if let Some((rate, what, orbit)) = self.set {
-            return Turning::Set { rate, what, orbit };
+            return match self.directions.iter().find(across(rate.normalize())) {
+                Some((_, what)) => Err(SteadyError::Changes { what: what.clone() }),
+                None => Ok(Turning::Set { rate, what, orbit }),
+            };
         }
-        let Some(first) = self.directions.first().map(V::normalize) else {
-            return if self.unknown { Turning::Unknown } else { Turning::Own };
+        let Some(first) = self.directions.first().map(|(direction, _)| direction.normalize()) else {
+            return Ok(if self.unknown { Turning::Unknown } else { Turning::Own });
         };
-        let parallel = |other: &V| other.cross(&first).norm() <= SAME * other.norm();
-        if self.directions.iter().all(parallel) { Turning::About(first) } else { Turning::Still }
+        let apart = self.directions.iter().any(|pair| across(first)(&pair));
+        Ok(if apart { Turning::Still } else { Turning::About(first) })
     }
 }

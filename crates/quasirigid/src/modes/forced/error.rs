@@ -57,6 +57,11 @@ pub enum SteadyError {
         /// The rate (rad/s).
         rate: f64,
     },
+    /// No force knows the attitude, and the moments balance nowhere.
+    #[error(
+        "no angular velocity was found at which the moments on the body balance: they spin it up or down, or turn its axis away"
+    )]
+    Unbalanced,
     /// The iteration leads nowhere.
     #[error(
         "no steady state was found near the attitude and the angular velocity of the start: a body that spins about an axis of its own while the vertical turns in it has none in its axes, unless the spin is that of a momentum wheel"

@@ -27,6 +27,8 @@ const ACCEPTED: f64 = 1e-9;
 const BALANCED: f64 = 1e-9;
 /// A component of the angular velocity below this share is none.
 const NONE: f64 = 1e-9;
+/// Terms below this share of those of the start are none.
+const FLOOR: f64 = 1e-3;
 /// Share of the strain energy of loads as large as the moments.
 const SLIGHT: f64 = 1e-6;
 /// Singular values below this share of the largest are zero.
@@ -115,7 +117,11 @@ impl Problem<'_> {
         {
             return Ok(found.at);
         }
-        self.newton(start, Unknowns::Spin).map(|(found, _)| found.at)
+        let (mut found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
+        if norm(found.at.omega) <= NONE * NONE * rate {
+            found.at.omega = [0.0; 3];
+        }
+        Ok(found.at)
     }
 
     fn start(&self, attitude: Attitude, axis: V, rate: f64) -> Guess {
@@ -154,8 +160,12 @@ impl Problem<'_> {
     /// Newton's method; the system where it ends.
     fn newton(&self, mut guess: Guess, unknowns: Unknowns) -> Result<(Guess, System), SteadyError> {
         let mut best = f64::INFINITY;
+        let mut floor = 0.0;
         for _ in 0..STEPS {
-            let system = self.system(&guess.at)?;
+            let mut system = self.system(&guess.at)?;
+            // At rest every term vanishes: what is left is small beside those of the start.
+            floor = if floor > 0.0 { floor } else { FLOOR * system.terms };
+            system.terms = system.terms.max(floor);
             let step = self.step(&guess, &system, unknowns).ok_or(SteadyError::NotFound)?;
             let short = (LONGEST / step.turn.norm()).min(1.0);
             guess.moved(&step, short, unknowns);
@@ -164,7 +174,8 @@ impl Problem<'_> {
                 return Err(SteadyError::NotFound);
             }
             if moved <= SETTLED || (moved <= ACCEPTED && moved >= 0.5 * best) {
-                let system = self.system(&guess.at)?;
+                let mut system = self.system(&guess.at)?;
+                system.terms = system.terms.max(floor);
                 let balanced = self.balanced(&guess, &system, unknowns);
                 return if balanced { Ok((guess, system)) } else { Err(SteadyError::NotFound) };
             }
@@ -178,12 +189,13 @@ impl Problem<'_> {
         let energy =
             |q: &[f64]| self.body.stiffness().times(q).iter().zip(q).map(|(f, q)| f * q).sum::<f64>();
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
-        let spin = norm(guess.at.omega);
+        let spin = norm(guess.at.omega).max(norm(self.near.omega));
+        let speed = norm(guess.at.velocity).max(norm(self.near.velocity)).max(length(self.body) * spin);
         step.turn
             .norm()
             .max(share(step.rate.abs().max(step.spin.norm()), spin))
             .max(share(energy(&step.q), energy(&guess.at.q) + self.slight(terms)).sqrt())
-            .max(share(step.velocity.norm(), norm(guess.at.velocity)))
+            .max(share(step.velocity.norm(), speed))
     }
 
     /// A strain energy (J) that is slight beside that of loads as large as the moments that balance.

@@ -45,7 +45,8 @@ pub struct SteadyState {
     pub energy: f64,
     /// Velocity (m/s): of the centre of mass of a free body that drag holds back, body axes; of a held pole, inertial axes.
     pub velocity: [f64; 3],
-    /// Angle (rad) between the attitude where it was looked for and its own.
+    /// Angle (rad) between the attitude where it was looked for and its own; between the angular velocities, where one was asked for or no
+    /// force knows the attitude.
     pub away: f64,
     pub(super) place: [f64; 3],
     pub(super) turning: Turning,
@@ -54,10 +55,12 @@ pub struct SteadyState {
 
 /// Coordinates of the largest body.
 pub(super) const MOST: usize = 250;
-/// Whether anything moves a body that is not its own: if not, its steady states are those of (M1).
+/// Whether anything moves a body that is not its own, or a motor changes the speed of a wheel: if not, its steady states are those of
+/// (M1).
 #[must_use]
 pub fn acts(body: &FlexibleBody, forces: &[Force<Marker>]) -> bool {
-    !effective(body, forces).0.is_empty() || !rests(body)
+    let changing = body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0));
+    !effective(body, forces).0.is_empty() || !rests(body) || changing
 }
 
 impl SteadyState {
@@ -111,6 +114,12 @@ impl SteadyState {
         let motion = Motion { omega: at.omega, q: &at.q, rate: &still };
         let momentum = V::from(body.momentum(motion)) + V::from(body.wheels().momentum(0.0));
         let spin = norm(at.omega);
+        let spins = near.asked || turning == Turning::Own;
+        let away = if spins {
+            rotation::angle(near.omega, at.omega)
+        } else {
+            rotation::angle_between(near.attitude, at.attitude)
+        };
         let axis = rotation::to_inertial(at.attitude, at.omega).map(|entry| entry / spin);
         Self {
             omega: at.omega,
@@ -120,7 +129,7 @@ impl SteadyState {
             momentum: momentum.into(),
             energy: body.energy(motion),
             velocity: at.velocity,
-            away: rotation::angle_between(near.attitude, at.attitude),
+            away,
             place: at.place,
             turning,
             followed,

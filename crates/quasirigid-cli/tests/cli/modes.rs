@@ -106,3 +106,28 @@ fn check_tells_of_the_steady_state_in_a_sentence() {
         "{ran:?}"
     );
 }
+
+/// A pendulum with a ball of liquid, `(J + 5 I i₂(κ)/κ i₁(κ)) s² + mgl = 0` with `κ² = a²s/ν` and modified spherical Bessel functions: roots
+/// found by Newton's method elsewhere.
+#[test]
+fn a_pendulum_with_a_ball_of_liquid_swings_and_decays_as_its_closed_form() {
+    let cases = [
+        ("1e-6", 0.004673209354067821, 10.023330122176924),
+        ("1e-3", 0.0681782851932305, 9.886670776729476),
+        ("0.1", 0.0014054615611081192, 9.82139232540962),
+    ];
+    for (viscosity, decay, frequency) in cases {
+        let model = format!(
+            "[carrier]\nmass = 2.0\ncenter_of_mass = [0.0, 0.0, -0.05]\ninertia = [0.006, 0.006, 0.01]\n\
+             [support]\nkind = \"fixed-point\"\npoint = [0.0, 0.0, 0.0]\n\
+             [[force]]\nkind = \"uniform-gravity\"\nacceleration = [0.0, 0.0, -9.81]\n\
+             [[cavity]]\nname = \"tank\"\nshape = \"sphere\"\nradius = 0.05\ncenter = [0.0, 0.0, -0.05]\n\
+             density = 1000.0\nkinematic_viscosity = {viscosity}\n"
+        );
+        let object = object(&ran_with(&model, "modes model.toml --json"));
+        let modes = object["modes"].as_array().unwrap();
+        let swing = modes.iter().find(|mode| mode["name"] == "rotation").unwrap();
+        let [found, rate] = ["decay_rate", "frequency"].map(|key| swing[key].as_f64().unwrap());
+        assert!((found / decay - 1.0).abs() < 1e-8 && (rate / frequency - 1.0).abs() < 1e-10, "{swing:#}");
+    }
+}

@@ -36,6 +36,8 @@ const SAME: f64 = 1e-6;
 const LIGHT: f64 = 1e-5;
 /// A denominator of the balance below this share of its terms is lost in rounding.
 const CANCELLED: f64 = 1e-7;
+/// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
+const SLOW: f64 = 1e-3;
 /// Shares below this are not listed.
 const SHOWN: f64 = 1e-3;
 
@@ -190,6 +192,8 @@ impl About<'_> {
             shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
         };
         let rounding = self.pencil.rounding(lambda, x);
+        // The impedance of a liquid holds what it stores, which a fast decay gives back.
+        let told = liquids.is_empty() || lambda.re.abs() <= SLOW * lambda.norm();
         let mode = SpinMode {
             decay_rate: self.decay(lambda, x, &q, inside, rounding),
             frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {
@@ -201,7 +205,7 @@ impl About<'_> {
             nutation: false,
             name,
             moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
-            dissipation: if total > 0.0 { shares(lost, total) } else { Vec::new() },
+            dissipation: if total > 0.0 && told { shares(lost, total) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
@@ -255,7 +259,6 @@ impl About<'_> {
             let velocities = self.velocities(slopes);
             lost -= b * form(&velocities, &y, &y).re;
             lost -= (form(&velocities, &y, &z) + form(&self.displacements(slopes), &y, &y)).im;
-            // What the drag adds to the gyroscopic terms is none of its own: its matrix is symmetric.
         }
         let below = 2.0 * b * m + gyroscopic;
         let terms = 2.0 * b.abs() * m + gyroscopic.abs();

@@ -79,6 +79,9 @@ fn units(body: &FlexibleBody, system: &System, attitude: bool) -> Vec<f64> {
     units
 }
 
+/// An eigenvalue with its vector.
+type Pair = (C, DVector<C>);
+
 /// A singular value below this share of the largest is zero.
 const ZERO: f64 = 1e-14;
 
@@ -86,7 +89,7 @@ const ZERO: f64 = 1e-14;
 ///
 /// A matrix with `Av = 0` has, in a basis of `v` and what is across it, the zero and the eigenvalues of the block across; the same
 /// again while that block is singular, so that a chain of vectors with the eigenvalue zero goes one by one.
-fn without_zeros(A: DMatrix<f64>) -> Result<(Vec<(C, DVector<C>)>, usize), NoConvergence> {
+fn without_zeros(A: DMatrix<f64>) -> Result<(Vec<Pair>, usize), NoConvergence> {
     let size = A.nrows();
     let mut levels: Vec<(DMatrix<f64>, DVector<f64>, DVector<f64>)> = Vec::new();
     let mut left = A;

@@ -13,7 +13,7 @@ use crate::model::{FlexibleBody, Marker, Support};
 type V = Vector3<f64>;
 
 /// Later times, in turns.
-const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1415];
+const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1237];
 /// Change that is rounding, relative to the largest load or slope.
 const SAME: f64 = 1e-8;
 

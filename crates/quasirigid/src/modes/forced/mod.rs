@@ -5,6 +5,7 @@ mod mode;
 mod names;
 mod newton;
 mod pencil;
+mod reduced;
 mod slopes;
 mod spectrum;
 mod state;

@@ -3,11 +3,10 @@
 use nalgebra::{DMatrix, DVector, Matrix3x2, Vector3};
 
 use super::error::SteadyError;
+use super::reduced::{Reduced, least_squares};
 use super::slopes::{Instant, Slopes};
 use super::state::Near;
 use super::system::{System, length};
-use crate::math::eigen::Dense;
-use crate::math::lu::Lu;
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::sym::norm;
 use crate::model::force::{Force, Law, Loads};
@@ -25,14 +24,16 @@ const SETTLED: f64 = 1e-13;
 const ACCEPTED: f64 = 1e-9;
 /// Loads that balance to this share of their terms are in balance.
 const BALANCED: f64 = 1e-9;
+/// Share of `|ω||K|`, and of all moments about the axis, that rounding may leave.
+const ROUNDED: f64 = 1e-13;
 /// A component of the angular velocity below this share is none.
 const NONE: f64 = 1e-9;
 /// Terms below this share of those of the start are none.
 const FLOOR: f64 = 1e-3;
 /// Share of the strain energy of loads as large as the moments.
 const SLIGHT: f64 = 1e-6;
-/// Singular values below this share of the largest are zero.
-const SINGULAR: f64 = 1e-11;
+/// A rate below this share of that of the start may be none.
+const SLOW: f64 = 1e-4;
 
 /// What Newton's method may change beside the displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +100,7 @@ impl Problem<'_> {
         };
         let (found, system) = self.newton(self.start(attitude, axis, rate), Unknowns::Across)?;
         let moment = -body_axis(&found).dot(&moments(&system));
-        if moment.abs() <= BALANCED * system.terms {
+        if moment.abs() <= ROUNDED * system.terms {
             return Ok(found.at);
         }
         self.newton(found, Unknowns::AcrossAndRate)
@@ -117,9 +118,19 @@ impl Problem<'_> {
         {
             return Ok(found.at);
         }
-        let (mut found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
-        if norm(found.at.omega) <= NONE * NONE * rate {
-            found.at.omega = [0.0; 3];
+        let mut rest = start.clone();
+        let (found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
+        // Where the moments grow with the square of the rate the way to rest has no end.
+        if norm(found.at.omega) <= SLOW * rate {
+            (rest.at.omega, rest.at.velocity) = ([0.0; 3], found.at.velocity);
+            if norm(found.at.velocity) <= SLOW * (length(self.body) * rate + norm(self.near.velocity)) {
+                rest.at.velocity = [0.0; 3];
+            }
+            if let Ok((rest, _)) = self.newton(rest, Unknowns::Spin)
+                && norm(rest.at.omega) <= NONE * rate
+            {
+                return Ok(Instant { omega: [0.0; 3], ..rest.at });
+            }
         }
         Ok(found.at)
     }
@@ -164,8 +175,8 @@ impl Problem<'_> {
         for _ in 0..STEPS {
             let mut system = self.system(&guess.at)?;
             // At rest every term vanishes: what is left is small beside those of the start.
-            floor = if floor > 0.0 { floor } else { FLOOR * system.terms };
-            system.terms = system.terms.max(floor);
+            floor = if floor > 0.0 { floor } else { FLOOR * (system.terms - system.turned) };
+            system.terms = system.terms.max(floor + system.turned);
             let step = self.step(&guess, &system, unknowns).ok_or(SteadyError::NotFound)?;
             let short = (LONGEST / step.turn.norm()).min(1.0);
             guess.moved(&step, short, unknowns);
@@ -175,7 +186,7 @@ impl Problem<'_> {
             }
             if moved <= SETTLED || (moved <= ACCEPTED && moved >= 0.5 * best) {
                 let mut system = self.system(&guess.at)?;
-                system.terms = system.terms.max(floor);
+                system.terms = system.terms.max(floor + system.turned);
                 let balanced = self.balanced(&guess, &system, unknowns);
                 return if balanced { Ok((guess, system)) } else { Err(SteadyError::NotFound) };
             }
@@ -230,7 +241,8 @@ impl Problem<'_> {
             y.iter().zip(x).map(|(a, b)| a * b).sum::<f64>()
         };
         let held = work(&self.body.stiffness().times(&guess.at.q));
-        left.norm() + length(self.body) * force <= BALANCED * system.terms
+        let rounding = BALANCED * (system.terms - system.turned) + ROUNDED * system.turned;
+        left.norm() + length(self.body) * force <= rounding
             && work(&system.residual[3..3 + n]) <= BALANCED * BALANCED * (held + self.slight(system.terms))
             && rate <= BALANCED
     }
@@ -338,63 +350,4 @@ fn columns(system: &System, axis: V, basis: &Matrix3x2<f64>, unknowns: Unknowns)
             system.rate.columns(0, 3).resize(system.residual.len(), 3, 0.0)
         }
     }
-}
-
-/// Equations of moments and of the translation with the displacements eliminated.
-struct Reduced {
-    left: DMatrix<f64>,
-    right: DVector<f64>,
-    /// `E⁻¹` of what is left of the loads on the displacements, and of their columns.
-    load: DVector<f64>,
-    answers: DMatrix<f64>,
-}
-
-impl Reduced {
-    fn of(system: &System, columns: &DMatrix<f64>, n: usize, elastic: usize) -> Option<Self> {
-        let rows: Vec<usize> = (0..3).chain(3 + n..system.residual.len()).collect();
-        let all = DVector::from_column_slice(&system.residual);
-        let mut left = columns.select_rows(&rows);
-        let mut right = all.select_rows(&rows);
-        let width = columns.ncols();
-        let mut answers = DMatrix::zeros(elastic, width);
-        let mut load = DVector::zeros(elastic);
-        if elastic > 0 {
-            let mut held = Dense::zero(elastic);
-            for j in 0..elastic {
-                (0..elastic).for_each(|k| held.add(j, k, system.stiffness[(3 + j, 3 + k)]));
-            }
-            let side: Vec<f64> = (0..elastic)
-                .flat_map(|j| {
-                    let row = columns.row(3 + j).iter().copied().collect::<Vec<_>>();
-                    row.into_iter().chain([all[3 + j]])
-                })
-                .collect();
-            let solved =
-                DMatrix::from_row_slice(elastic, width + 1, &Lu::new(&held)?.solve(&side, width + 1)?);
-            answers.copy_from(&solved.columns(0, width));
-            load.copy_from(&solved.column(width));
-            let coupled = system.stiffness.columns(3, elastic).select_rows(&rows);
-            left -= &coupled * &answers;
-            right -= &coupled * &load;
-        }
-        Some(Self { left, right, load, answers })
-    }
-}
-
-/// The shortest solution in the sense of least squares; columns after the first `own` and rows after the third come in units that make
-/// them as large as those.
-fn least_squares(mut left: DMatrix<f64>, right: &DVector<f64>, own: usize) -> Option<DVector<f64>> {
-    let size = left.columns(0, own).amax();
-    let mut unit = 1.0;
-    if own < left.ncols() {
-        let other = left.columns(own, left.ncols() - own).amax();
-        unit = if size > 0.0 && other > 0.0 { size / other } else { 1.0 };
-        left.columns_mut(own, left.ncols() - own).scale_mut(unit);
-    }
-    let factors = left.svd(true, true);
-    let least = SINGULAR * factors.singular_values.max();
-    let mut x = factors.solve(right, least).ok()?;
-    let others = x.len() - own;
-    x.rows_mut(own, others).scale_mut(unit);
-    Some(x)
 }

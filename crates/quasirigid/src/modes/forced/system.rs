@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
-use crate::math::sym::{add, cross, scale};
+use crate::math::sym::{add, cross, norm, scale};
 use crate::model::{FlexibleBody, Motion, SpinCoefficients};
 use crate::modes::spectrum::{forces, mass};
 
@@ -19,6 +19,8 @@ pub(super) struct System {
     /// What is left unbalanced of `M ẇ = 0`, and the sizes of the terms about each axis.
     pub residual: Vec<f64>,
     pub terms: f64,
+    /// Of these `|ω||K|`, whose rounding alone may be left.
+    pub turned: f64,
     /// Of the loads alone.
     pub slopes: Slopes,
 }
@@ -65,8 +67,19 @@ impl System {
             let carried = scale(m, cross(*omega, *velocity));
             residual.extend((0..3).map(|i| carried[i] - slopes.value.force[i]));
         }
-        let terms = terms(body, &slopes, *omega, momentum);
-        Self { omega: *omega, coefficients, mass: mass_matrix, rate, stiffness, residual, terms, slopes }
+        let turned = norm(*omega) * norm(momentum);
+        let terms = turned + loads(body, &slopes);
+        Self {
+            omega: *omega,
+            coefficients,
+            mass: mass_matrix,
+            rate,
+            stiffness,
+            residual,
+            terms,
+            turned,
+            slopes,
+        }
     }
 
     /// `[ω]ₓ`: `θ̇ = δω − ω × θ`.
@@ -81,12 +94,8 @@ pub(super) fn length(body: &FlexibleBody) -> f64 {
     ((xx + yy + zz) / (3.0 * body.invariants().mass)).sqrt()
 }
 
-/// Size of the moments that balance (N·m).
-fn terms(body: &FlexibleBody, slopes: &Slopes, omega: [f64; 3], momentum: [f64; 3]) -> f64 {
-    let size = |a: [f64; 3]| Vector3::from(a).norm();
+/// Size of the moments of the loads (N·m).
+fn loads(body: &FlexibleBody, slopes: &Slopes) -> f64 {
     let turned = slopes.by.view((0, THETA), (3, 3)).abs().max();
-    size(omega) * size(momentum)
-        + size(slopes.value.moment)
-        + length(body) * size(slopes.value.force)
-        + turned
+    norm(slopes.value.moment) + length(body) * norm(slopes.value.force) + turned
 }

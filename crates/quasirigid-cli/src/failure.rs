@@ -41,9 +41,9 @@ pub enum Failure {
     )]
     NoStart(EquilibriumError),
     #[error(
-        "modes are those of a body that no moment acts on: take the forces and the driven support out of the model"
+        "--axis names a principal axis of a body that no moment acts on; under forces give --spin, or nothing"
     )]
-    ModesUnderForces,
+    AxisUnderForces,
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]

@@ -16,6 +16,7 @@ mod progress;
 mod record;
 mod rotation;
 mod steady;
+mod steady_state;
 mod verification;
 
 use std::process::ExitCode;

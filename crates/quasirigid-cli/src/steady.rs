@@ -3,8 +3,8 @@
 use std::fmt::{self, Write};
 
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Mode, Support};
-use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
 use crate::commands::Loaded;
@@ -32,8 +32,7 @@ pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>,
 /// looked at without being asked.
 pub fn at_start(loaded: &Loaded, omega: [f64; 3]) -> Result<Vec<SteadySpinRecord>, Failure> {
     let Loaded { body, forces, .. } = loaded;
-    let driven = matches!(body.support(), Support::Prescribed { .. });
-    if !forces.is_empty() || driven || norm(omega) == 0.0 || body.coordinates().len() > MANY {
+    if acts(body, forces) || norm(omega) == 0.0 || body.coordinates().len() > MANY {
         return Ok(Vec::new());
     }
     poles(body, Given::Rate(norm(omega)))
@@ -76,17 +75,6 @@ fn told(
         Err(error) => return Ok(missing(name, error.to_string())),
     };
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
-    let record = |mode: &SpinMode| ModeRecord {
-        name: mode.name.clone(),
-        nutation: mode.nutation,
-        decay_rate: mode.decay_rate,
-        frequency: mode.frequency,
-        time_constant: Some(mode.time_constant()).filter(|time| time.is_finite()),
-        damping_ratio: mode.damping_ratio(),
-        seen_from_outside: modes.seen_from_outside(mode),
-        moves: mode.moves.iter().cloned().collect(),
-        dissipation: mode.dissipation.iter().cloned().collect(),
-    };
     Ok(SteadySpinRecord {
         sentence: sentence(name, &modes),
         axis: name.into(),
@@ -95,8 +83,23 @@ fn told(
         energy: Some(modes.equilibrium.energy),
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
-        modes: modes.modes.iter().map(record).collect(),
+        modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
     })
+}
+
+/// A mode, and the rates (rad/s) at which it is seen from outside.
+pub fn recorded(mode: &SpinMode, seen_from_outside: [f64; 2]) -> ModeRecord {
+    ModeRecord {
+        name: mode.name.clone(),
+        nutation: mode.nutation,
+        decay_rate: mode.decay_rate,
+        frequency: mode.frequency,
+        time_constant: Some(mode.time_constant()).filter(|time| time.is_finite()),
+        damping_ratio: mode.damping_ratio(),
+        seen_from_outside,
+        moves: mode.moves.iter().cloned().collect(),
+        dissipation: mode.dissipation.iter().cloned().collect(),
+    }
 }
 
 fn missing(name: &str, message: String) -> SteadySpinRecord {
@@ -144,7 +147,7 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
 }
 
 /// What becomes of a small motion with this decay rate (1/s).
-fn fate(decay_rate: f64) -> String {
+pub fn fate(decay_rate: f64) -> String {
     if decay_rate > 0.0 {
         format!("decays e-fold in {}", time(decay_rate.recip()))
     } else if decay_rate < 0.0 {

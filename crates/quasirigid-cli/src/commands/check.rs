@@ -1,5 +1,6 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
+use std::path::Path;
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
@@ -7,17 +8,19 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sphere::Kind as Stationary;
 use quasirigid::math::sym::{self, dot, norm, scale};
 use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::modes::acts;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::json;
 
+use super::modes::near;
 use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
 use crate::describe::{criterion, dissipation, reasons, shares, significant, time, verdict, word};
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
-use crate::{Ending, output, steady};
+use crate::{Ending, output, steady, steady_state};
 
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
@@ -39,6 +42,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
         text.push_str(&steady::lines(&spins));
+        text.push_str(&under_forces(&loaded, &arguments.common.model)?);
         if let Some(words) = dissipation(&budget) {
             let power = significant(reduced.dissipated_power(omega), 3);
             let words = format!("At this spin {power} W are dissipated; {words}.");
@@ -57,6 +61,24 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     output::print(&text)?;
     let fails = [validity.verdict(), validity.dissipation()].contains(&Verdict::Fails);
     Ok(if fails { Ending::CheckFailed } else { Ending::Done })
+}
+
+/// Coordinates of a body whose modes under forces are found in a moment.
+const FEW: usize = 60;
+
+/// What the steady state under the forces comes to; nothing of a body that no moment acts on.
+fn under_forces(loaded: &Loaded, file: &Path) -> Result<String, Failure> {
+    let Loaded { body, forces, .. } = loaded;
+    if !acts(body, forces) {
+        return Ok(String::new());
+    }
+    let words = if body.coordinates().len() > FEW {
+        "The modes of its steady state are left out: quasirigid modes finds them.".to_owned()
+    } else {
+        steady_state::told(loaded, near(loaded, None, file)?).record.sentence
+    };
+    let heading = "Steady state under the forces (quasirigid modes)";
+    Ok(format!("\n{heading}\n{}\n", paragraph(&words, "  ", "    ")))
 }
 
 fn object(

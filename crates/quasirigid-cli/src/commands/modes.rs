@@ -1,21 +1,23 @@
+use std::path::Path;
+
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, Support};
-use quasirigid::modes::Given;
+use quasirigid::modes::{Given, Near, acts};
 use quasirigid_io::model::Rotation;
 use serde_json::json;
 
 use super::{Loaded, initial, load, notes};
 use crate::args::Modes;
 use crate::failure::Failure;
-use crate::{Ending, output, steady};
+use crate::{Ending, output, steady, steady_state};
 
 /// Finds the steady spin and the small motions about it.
 pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, forces, order, .. } = &loaded;
     notes(model, &arguments.common);
-    if !forces.is_empty() || matches!(body.support(), Support::Prescribed { .. }) {
-        return Err(Failure::ModesUnderForces);
+    if acts(body, forces) {
+        return under_forces(arguments, &loaded);
     }
     let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let start = match (asked, model.initial.rotation) {
@@ -49,6 +51,44 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     }
     let found = spins.iter().all(|spin| spin.spin.is_some());
     Ok(if found { Ending::Done } else { Ending::CheckFailed })
+}
+
+/// Finds the steady state under the forces and the small motions about it.
+fn under_forces(arguments: &Modes, loaded: &Loaded) -> Result<Ending, Failure> {
+    if arguments.axis.is_some() {
+        return Err(Failure::AxisUnderForces);
+    }
+    let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
+    let near = near(loaded, asked, &arguments.common.model)?;
+    let steady_state::Told { record, state } = steady_state::told(loaded, near);
+    let found = record.spin.is_some();
+    let name = &loaded.model.name;
+    if arguments.common.json {
+        let mut object = json!(record);
+        object["name"] = json!(name);
+        object["steady_spins"] = json!([record]);
+        object["steady_state"] = json!(state);
+        output::print(&format!("{object:#}\n"))?;
+    } else {
+        output::print(&steady::text(name, &[record]))?;
+    }
+    Ok(if found { Ending::Done } else { Ending::CheckFailed })
+}
+
+/// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
+pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Near, Failure> {
+    let Loaded { model, body, order, .. } = loaded;
+    let omega = match (asked, model.initial.rotation) {
+        (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
+        (None, Some(_)) => initial(model, body, *order, file)?.omega,
+        (None, None) => [0.0; 3],
+    };
+    let (place, velocity) = match body.support() {
+        Support::Free => (model.initial.position, model.initial.velocity),
+        Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
+        Support::Prescribed { position, velocity, .. } => (*position, *velocity),
+    };
+    Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
 /// The principal axis next to an angular velocity, on its side.

@@ -11,6 +11,7 @@ mod help;
 #[cfg(unix)]
 mod interrupt;
 mod model_errors;
+mod modes;
 mod roads;
 mod run;
 mod run_folder;

@@ -1,7 +1,8 @@
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, scale};
-use crate::model::force::{Force, Loads, Situation};
+use crate::math::sym::scale;
+pub(super) use crate::model::force::Pose;
+use crate::model::force::{Force, Loads};
 use crate::model::{FlexibleBody, Marker, Motion, Support};
 
 /// A body with the external forces on it.
@@ -11,19 +12,6 @@ pub struct Forced<'a> {
     pub body: &'a FlexibleBody,
     /// The forces.
     pub forces: &'a [Force<Marker>],
-}
-
-/// Where a body is, apart from its spin.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pose<T> {
-    /// Time (s).
-    pub t: T,
-    /// Attitude, `R_NB`.
-    pub attitude: [T; 4],
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
-    pub place: [T; 3],
-    /// Its velocity (m/s).
-    pub velocity: [T; 3],
 }
 
 impl<'a> Forced<'a> {
@@ -43,17 +31,7 @@ impl<'a> Forced<'a> {
 
     /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
     pub(super) fn loads<T: Smooth>(&self, pose: &Pose<T>, motion: Motion<T>) -> Loads<T> {
-        let Pose { t, attitude, place, velocity } = *pose;
-        let (mut pole, mut pole_velocity) = (place, velocity);
-        if let Some(per_mass) = self.body.translation() {
-            let (s, u) = self.body.translation_of(motion);
-            let turn = Turn::of(attitude);
-            let back = T::from(-per_mass);
-            pole = add(pole, scale(back, turn.to_inertial(s)));
-            pole_velocity = add(pole_velocity, scale(back, turn.to_inertial(u)));
-        }
-        let situation = Situation { t, attitude, pole, pole_velocity, motion };
-        self.body.loads(self.forces, &situation).about_center(self.body, motion.q)
+        self.body.loads_at(self.forces, pose, motion)
     }
 
     /// Acceleration of the place (m/s², inertial axes) under a force (N, body axes).

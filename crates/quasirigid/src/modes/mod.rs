@@ -1,10 +1,13 @@
 //! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
 
 mod equilibrium;
+mod forced;
+mod iteration;
 mod mode;
 mod pencil;
 mod shares;
 mod spectrum;
 
 pub use equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
+pub use forced::{Near, SteadyError, SteadyModes, SteadyState, acts};
 pub use mode::{SpinMode, SpinModes};

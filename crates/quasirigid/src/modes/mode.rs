@@ -220,9 +220,9 @@ impl Frame<'_> {
         let delta = [x[0], x[1], x[2]];
         let q = pencil.coordinates(x);
         let rate: Vec<Complex<f64>> = q.iter().map(|q| lambda * q).collect();
-        let lost = dissipation(self.body, pencil, lambda, x, &q);
-        let total: f64 = lost.iter().map(|(_, power)| power).sum();
         let liquids: Vec<_> = pencil.liquids(x).map(|(liquid, angles)| (liquid, lambda, angles)).collect();
+        let lost = dissipation(self.body, self.equilibrium.omega, lambda, &q, &liquids);
+        let total: f64 = lost.iter().map(|(_, power)| power).sum();
         let moved = moving(self.body, self.coefficients, delta, &rate, &liquids);
         let kinetic = kinetic(&moved);
         let largest = q.iter().enumerate().max_by(|a, b| {

@@ -1,8 +1,9 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
+use super::iteration::{Nonlinear, Pair, inverse_iteration};
 use crate::math::eigen::Dense;
-use crate::math::lu::{ComplexDense, ComplexLu};
+use crate::math::lu::ComplexDense;
 use crate::math::sym::{self, scale};
 use crate::model::impedance::turned_impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, SpinCoefficients};
@@ -28,18 +29,6 @@ pub(super) struct Pencil<'a> {
     memories: Vec<(usize, &'a LiquidMemory)>,
     size: usize,
 }
-
-/// An eigenpair: `λ` (1/s) and the unknowns.
-pub(super) type Pair = (Complex<f64>, Vec<Complex<f64>>);
-
-/// Steps of inverse iteration.
-const STEPS: usize = 30;
-/// Change of an eigenvalue, relative to itself, that is rounding.
-const SETTLED: f64 = 1e-14;
-/// Change that is good enough where rounding ends the progress.
-const ACCEPTED: f64 = 1e-8;
-/// Step of the derivative by `λ`, relative to it: exact for polynomials of the second degree.
-const STEP: f64 = 1e-4;
 
 impl<'a> Pencil<'a> {
     pub fn new(
@@ -85,11 +74,6 @@ impl<'a> Pencil<'a> {
         }
     }
 
-    /// Angular velocity of the steady spin (rad/s).
-    pub fn omega(&self) -> Vector3<f64> {
-        self.omega
-    }
-
     /// Whether a material or a liquid makes the eigenproblem nonlinear.
     pub fn is_nonlinear(&self) -> bool {
         !(self.lossy.is_empty() && self.memories.is_empty())
@@ -124,42 +108,12 @@ impl<'a> Pencil<'a> {
     }
 
     /// The eigenpair that inverse iteration leads to; none if it settles nowhere. (M3)
-    pub fn refined(&self, (mut lambda, mut x): Pair) -> Option<Pair> {
-        let mut best = f64::INFINITY;
-        for step in 0..STEPS {
-            let factor = ComplexLu::new(&self.at(lambda))?;
-            let h = Complex::from(STEP * lambda.norm());
-            let ahead = self.times(lambda + h, &x);
-            let behind = self.times(lambda - h, &x);
-            let right: Vec<[f64; 2]> = ahead
-                .iter()
-                .zip(&behind)
-                .map(|(a, b)| (a - b) / (2.0 * h))
-                .map(|value| [value.re, value.im])
-                .collect();
-            let Some(solved) = factor.solve(&right, 1) else {
-                return Some((lambda, x));
-            };
-            let solved: Vec<Complex<f64>> = solved.iter().map(|[re, im]| Complex::new(*re, *im)).collect();
-            let (before, after) = (self.product(&x, &x, lambda), self.product(&x, &solved, lambda));
-            let change = before / after;
-            if step > 0 {
-                lambda -= change;
-            }
-            let length = self.product(&solved, &solved, lambda).re.sqrt();
-            x = solved.iter().map(|entry| entry / length).collect();
-            let moved = change.norm() / lambda.norm();
-            if step > 0 {
-                if moved <= SETTLED || (moved >= 0.5 * best && best <= ACCEPTED) {
-                    return Some((lambda, x));
-                }
-                best = best.min(moved);
-            }
-        }
-        None
+    pub fn refined(&self, start: Pair) -> Option<Pair> {
+        inverse_iteration(self, start)
     }
+}
 
-    /// `P(λ)`.
+impl Nonlinear for Pencil<'_> {
     fn at(&self, lambda: Complex<f64>) -> ComplexDense {
         let mut P = ComplexDense::zero(self.size);
         let pair = |value: Complex<f64>| [value.re, value.im];
@@ -204,15 +158,20 @@ impl<'a> Pencil<'a> {
         P
     }
 
-    fn times(&self, lambda: Complex<f64>, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
-        let P = self.at(lambda);
-        let entry = |row: usize, column: usize| {
-            let [re, im] = P.at(row, column);
-            Complex::new(re, im)
-        };
-        (0..self.size).map(|row| (0..self.size).map(|column| entry(row, column) * x[column]).sum()).collect()
+    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64> {
+        let [xx, yy, zz, ..] = self.coefficients.inertia;
+        let square = lambda.norm_sqr();
+        let coordinates = (0..self.kept.len()).map(|j| square * self.mass.at(j, j));
+        let liquids = self
+            .memories
+            .iter()
+            .flat_map(|(_, memory)| memory.axes.iter().map(move |_| square * memory.inertia));
+        let weights = [xx, yy, zz].into_iter().chain(coordinates).chain(liquids);
+        weights.zip(a.iter().zip(b)).map(|(weight, (a, b))| weight * a.conj() * b).sum()
     }
+}
 
+impl Pencil<'_> {
     /// `λ1 + [ω]ₓ`.
     fn turning(&self, lambda: Complex<f64>) -> Matrix3<Complex<f64>> {
         Matrix3::from_diagonal_element(lambda) + self.omega.cross_matrix().map(Complex::from)
@@ -238,18 +197,5 @@ impl<'a> Pencil<'a> {
                 Complex::new(re - 1.0, im)
             })
             .collect()
-    }
-
-    /// Product of two motions by the masses that move.
-    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64> {
-        let [xx, yy, zz, ..] = self.coefficients.inertia;
-        let square = lambda.norm_sqr();
-        let coordinates = (0..self.kept.len()).map(|j| square * self.mass.at(j, j));
-        let liquids = self
-            .memories
-            .iter()
-            .flat_map(|(_, memory)| memory.axes.iter().map(move |_| square * memory.inertia));
-        let weights = [xx, yy, zz].into_iter().chain(coordinates).chain(liquids);
-        weights.zip(a.iter().zip(b)).map(|(weight, (a, b))| weight * a.conj() * b).sum()
     }
 }

@@ -2,7 +2,6 @@
 
 use nalgebra::{Complex, Vector3};
 
-use super::pencil::Pencil;
 use crate::math::sparse::SparseRows;
 use crate::math::sym;
 use crate::model::impedance::turned_impedance;
@@ -57,10 +56,10 @@ pub(super) fn moving(
 /// Twice the mean power that each dissipator takes from a motion `e^{λt}`, by name.
 pub(super) fn dissipation(
     body: &FlexibleBody,
-    pencil: &Pencil,
+    omega: [f64; 3],
     lambda: Complex<f64>,
-    x: &[Complex<f64>],
     q: &[Complex<f64>],
+    liquids: &[Turning<'_>],
 ) -> Vec<(String, f64)> {
     let square = lambda.norm_sqr();
     let form = |matrix: &SparseRows<f64>| -> f64 {
@@ -78,12 +77,14 @@ pub(super) fn dissipation(
             (dissipator.name.clone(), damped + material)
         })
         .collect();
-    for (memory, angles) in pencil.liquids(x) {
-        let Z = turned_impedance(memory, lambda, pencil.omega());
-        let rate =
-            memory.axes.iter().zip(angles).fold(Vector3::zeros(), |sum: Vector3<Complex<f64>>, (axis, x)| {
+    for (memory, lambda, angles) in liquids {
+        let Z = turned_impedance(memory, *lambda, omega.into());
+        let rate = memory.axes.iter().zip(*angles).fold(
+            Vector3::zeros(),
+            |sum: Vector3<Complex<f64>>, (axis, x)| {
                 sum + Vector3::from(*axis).map(Complex::from) * (lambda * x)
-            });
+            },
+        );
         let power = rate.dotc(&(Z * rate)).re;
         let name = body.coordinates()[memory.coordinates.start].part();
         match lost.iter_mut().find(|(known, _)| known == name) {

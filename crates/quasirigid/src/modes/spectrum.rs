@@ -42,7 +42,7 @@ fn within(
     let all = few.all(body.cyclic().len());
     let L = (all.transpose() * mass(body, coefficients) * &all).cholesky().ok_or_else(failed)?.unpack();
     let back = L.transpose();
-    let (velocity, stiffness) = forces(body, equilibrium, coefficients);
+    let (velocity, stiffness) = forces(body, equilibrium.omega, equilibrium.momentum, coefficients);
     let velocity = all.transpose() * velocity * &all;
     let stiffness = all.transpose() * stiffness * &few.elastic;
     let units = &few.units;
@@ -153,7 +153,7 @@ impl Few {
 }
 
 /// Mass of the angular velocity and the rates, `[[J, h], [hᵀ, A]]`.
-fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
+pub(super) fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let (J, A) = (sym::rows(*inertia), body.mass_matrix());
     DMatrix::from_fn(3 + h.len(), 3 + h.len(), |row, column| {
@@ -166,15 +166,16 @@ fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
     })
 }
 
-/// Forces per angular velocity and rate, and per displacement, on the left-hand side. (M2)
-fn forces(
+/// Forces per angular velocity and rate, and per displacement, on the left-hand side, at a steady angular velocity (rad/s) and momentum
+/// (N·m·s). (M2)
+pub(super) fn forces(
     body: &FlexibleBody,
-    equilibrium: &RelativeEquilibrium,
+    omega: [f64; 3],
+    momentum: [f64; 3],
     coefficients: &SpinCoefficients,
 ) -> (DMatrix<f64>, DMatrix<f64>) {
     let SpinCoefficients { inertia, h, slopes, gyroscopic, centrifugal } = coefficients;
     let (n, elastic) = (h.len(), body.elastic());
-    let omega = equilibrium.omega;
     let turned = |vector: [f64; 3]| sym::cross(omega, vector);
     let mut velocity = DMatrix::zeros(3 + n, 3 + n);
     let mut stiffness = DMatrix::zeros(3 + n, elastic);
@@ -182,7 +183,7 @@ fn forces(
         let mut unit = [0.0; 3];
         unit[axis] = 1.0;
         let own = turned(sym::times(*inertia, unit));
-        let held = sym::cross(equilibrium.momentum, unit);
+        let held = sym::cross(momentum, unit);
         (0..3).for_each(|row| velocity[(row, axis)] = own[row] - held[row]);
     }
     for j in 0..n {

@@ -43,6 +43,8 @@ mod slender;
 mod solids;
 mod spin_modes;
 mod springs;
+mod steady_runs;
+mod steady_states;
 mod surfaces;
 mod verification;
 mod vibrations;

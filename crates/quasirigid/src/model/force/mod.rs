@@ -5,8 +5,10 @@ mod field;
 mod gravity;
 mod law;
 mod orbit;
+mod pose;
 
 pub use apply::{Loads, Situation};
 pub use field::MagneticField;
 pub use law::{Axes, Force, Law, Wave};
 pub use orbit::{Orbit, Passage};
+pub use pose::Pose;

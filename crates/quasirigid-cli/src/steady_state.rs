@@ -1,0 +1,122 @@
+//! The steady state of a body under moments with the modes about it, found, recorded and told.
+
+use quasirigid::math::sym::norm;
+use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
+use quasirigid_io::record::SteadySpinRecord;
+use serde_json::{Value, json};
+
+use crate::commands::Loaded;
+use crate::describe::significant;
+use crate::steady::{fate, recorded};
+
+/// What the record of such a state has for the axis that it was looked for near.
+pub const UNDER_FORCES: &str = "under forces";
+/// A state further from where it was looked for is told (rad, share of the rate).
+const AWAY: f64 = 0.1;
+
+/// A steady state under moments, told; none if it was not found.
+pub struct Told {
+    pub record: SteadySpinRecord,
+    /// What is found beside what every steady spin has.
+    pub state: Option<Value>,
+}
+
+/// The steady state next to a start with the modes about it, or why there is none.
+pub fn told(loaded: &Loaded, near: Near) -> Told {
+    let found = SteadyState::near(&loaded.body, &loaded.forces, near)
+        .and_then(|state| SteadyModes::about(&loaded.body, &loaded.forces, state));
+    match found {
+        Ok(modes) => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
+        Err(error) => Told { record: missing(&error), state: None },
+    }
+}
+
+fn record(loaded: &Loaded, modes: &SteadyModes, near: Near) -> SteadySpinRecord {
+    let state = &modes.state;
+    let coordinates = loaded.body.coordinates().iter().zip(&state.q).take(loaded.body.elastic());
+    SteadySpinRecord {
+        sentence: sentence(modes, near),
+        axis: UNDER_FORCES.into(),
+        spin: Some(state.omega.map(|component| tidy(component, norm(state.omega)))),
+        momentum: Some(state.momentum),
+        energy: Some(state.energy),
+        displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
+        stable: modes.stable(),
+        modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
+    }
+}
+
+fn missing(error: &SteadyError) -> SteadySpinRecord {
+    SteadySpinRecord {
+        sentence: format!("Under the forces: {error}."),
+        axis: UNDER_FORCES.into(),
+        spin: None,
+        momentum: None,
+        energy: None,
+        displacements: std::collections::BTreeMap::new(),
+        stable: false,
+        modes: Vec::new(),
+    }
+}
+
+fn described(modes: &SteadyModes) -> Value {
+    let state = &modes.state;
+    json!({
+        "rate": norm(state.omega), "axis": state.axis, "attitude": state.attitude,
+        "velocity": state.velocity, "away": state.away, "neutral": modes.neutral,
+    })
+}
+
+/// What the steady state comes to, instability first.
+fn sentence(modes: &SteadyModes, near: Near) -> String {
+    let fastest = modes.modes.iter().min_by(|a, b| a.decay_rate.total_cmp(&b.decay_rate));
+    let mut sentence = match fastest {
+        Some(mode) if mode.grows() => {
+            format!(
+                "The steady state under the forces is UNSTABLE: a motion of {} {}.",
+                mode.name,
+                fate(mode.decay_rate)
+            )
+        }
+        Some(mode) => format!(
+            "No small motion about the steady state under the forces grows: that of {} {}{}.",
+            mode.name,
+            fate(mode.decay_rate),
+            if mode.decay_rate > 0.0 { ", the slowest" } else { "" },
+        ),
+        None => "The steady state under the forces has no modes.".into(),
+    };
+    sentence.push_str(&rate(modes));
+    if modes.neutral > 0 {
+        let (motions, stay) = if modes.neutral == 1 { ("motion", "stays") } else { ("motions", "stay") };
+        sentence.push_str(&format!(
+            " Beside these {} {motions} {stay} or drift{}: such states lie side by side.",
+            modes.neutral,
+            if modes.neutral == 1 { "s" } else { "" },
+        ));
+    }
+    let (rate, sought) = (norm(modes.state.omega), norm(near.omega));
+    if (rate - sought).abs() > AWAY * rate.max(sought) {
+        sentence.push_str(&format!(" It was looked for at {} rad/s.", significant(sought, 6)));
+    }
+    if modes.state.away > AWAY {
+        let angle = significant(modes.state.away.to_degrees(), 3);
+        sentence.push_str(&format!(" It is {angle} degrees from where it was looked for."));
+    }
+    sentence
+}
+
+/// How the body turns.
+fn rate(modes: &SteadyModes) -> String {
+    let Some(axis) = modes.state.axis else { return " The body rests.".into() };
+    let axis = axis.map(|component| significant(tidy(component, 1.0), 4)).join(", ");
+    format!(
+        " The body turns at {} rad/s about ({axis}), inertial axes.",
+        significant(norm(modes.state.omega), 6)
+    )
+}
+
+/// A component of a vector of this length, without what is rounding.
+fn tidy(component: f64, length: f64) -> f64 {
+    if component.abs() < 1e-9 * length { 0.0 } else { component }
+}

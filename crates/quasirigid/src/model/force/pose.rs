@@ -1,0 +1,41 @@
+use super::{Force, Loads, Situation};
+use crate::math::rotation::Turn;
+use crate::math::scalar::Smooth;
+use crate::math::sym::{add, scale};
+use crate::model::{FlexibleBody, Marker, Motion};
+
+/// Where a body is, apart from its spin.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<T> {
+    /// Time (s).
+    pub t: T,
+    /// Attitude, `R_NB`.
+    pub attitude: [T; 4],
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [T; 3],
+    /// Its velocity (m/s).
+    pub velocity: [T; 3],
+}
+
+impl FlexibleBody {
+    /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
+    #[must_use]
+    pub fn loads_at<T: Smooth>(
+        &self,
+        forces: &[Force<Marker>],
+        pose: &Pose<T>,
+        motion: Motion<T>,
+    ) -> Loads<T> {
+        let Pose { t, attitude, place, velocity } = *pose;
+        let (mut pole, mut pole_velocity) = (place, velocity);
+        if let Some(per_mass) = self.translation() {
+            let (s, u) = self.translation_of(motion);
+            let turn = Turn::of(attitude);
+            let back = T::from(-per_mass);
+            pole = add(pole, scale(back, turn.to_inertial(s)));
+            pole_velocity = add(pole_velocity, scale(back, turn.to_inertial(u)));
+        }
+        let situation = Situation { t, attitude, pole, pole_velocity, motion };
+        self.loads(forces, &situation).about_center(self, motion.q)
+    }
+}

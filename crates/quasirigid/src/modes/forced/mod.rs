@@ -1,0 +1,18 @@
+//! Bodies under moments and on held or driven supports: their steady states, and the modes about them. (M6)–(M8)
+
+mod error;
+mod mode;
+mod names;
+mod newton;
+mod pencil;
+mod reduced;
+mod slopes;
+mod spectrum;
+mod state;
+mod steadiness;
+mod system;
+mod turning;
+
+pub use error::SteadyError;
+pub use mode::SteadyModes;
+pub use state::{Near, SteadyState, acts};

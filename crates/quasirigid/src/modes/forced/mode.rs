@@ -1,0 +1,272 @@
+use nalgebra::{Complex, DMatrix, Vector3};
+
+use super::error::SteadyError;
+use super::names::{Mover, named};
+use super::pencil::{Pencil, form};
+use super::slopes::{DISPLACED, OMEGA, Slopes, THETA};
+use super::spectrum::{Eigenmotion, spectrum};
+use super::state::SteadyState;
+use super::system::System;
+use super::turning::{Turning, effective};
+use crate::model::force::{Force, Law};
+use crate::model::{FlexibleBody, Marker};
+use crate::modes::iteration::inverse_iteration;
+use crate::modes::mode::SpinMode;
+use crate::modes::shares::{dissipation, moving};
+
+type C = Complex<f64>;
+
+/// Modes about a steady state of a body under moments. (M7)
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyModes {
+    /// The steady state.
+    pub state: SteadyState,
+    /// The modes by ascending frequency and decay rate.
+    pub modes: Vec<SpinMode>,
+    /// Small motions that stay, or drift at a constant rate, beyond those that every such state has: the turn about its axis and the
+    /// change of its rate where that is free.
+    pub neutral: usize,
+    /// Whether materials or liquids enter with the answer at the frequency of each mode.
+    pub refined: bool,
+}
+
+/// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
+const SAME: f64 = 1e-6;
+/// Decay rates below this share of the eigenvalue follow from the energy balance where there is one.
+const LIGHT: f64 = 1e-5;
+/// A denominator of the balance below this share of its terms is lost in rounding.
+const CANCELLED: f64 = 1e-7;
+/// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
+const SLOW: f64 = 1e-3;
+/// Shares below this are not listed.
+const SHOWN: f64 = 1e-3;
+
+impl SteadyModes {
+    /// The modes about a steady state. (M7)
+    ///
+    /// # Errors
+    /// [`SteadyError::Eigenvalues`] if the eigenvalue solver fails.
+    pub fn about(
+        body: &FlexibleBody,
+        forces: &[Force<Marker>],
+        state: SteadyState,
+    ) -> Result<Self, SteadyError> {
+        let (forces, followed) = effective(body, forces);
+        let instant = state.at(0.0);
+        let system = System::about(body, Slopes::of(body, &forces, &instant), &instant, followed);
+        let attitude = state.turning != Turning::Own;
+        let (found, zeros) = spectrum(body, &system, attitude)?;
+        let pencil = Pencil::new(body, &system, attitude, followed);
+        let drags =
+            forces.iter().filter(|force| matches!(force.law, Law::Drag { .. } | Law::SpinDrag { .. }));
+        let drag = |force: &Force<Marker>| {
+            (
+                force.name.clone(),
+                Slopes::of(body, std::slice::from_ref(force), &instant).by - support(body, &instant),
+            )
+        };
+        let about = About {
+            body,
+            state: &state,
+            system: &system,
+            pencil: &pencil,
+            attitude,
+            conservative: attitude && !followed && forces.iter().all(|force| has_potential(&force.law)),
+            drags: drags.map(drag).collect(),
+        };
+        let mut modes = about.modes(&found);
+        modes.sort_by(|a, b| {
+            a.mode
+                .frequency
+                .total_cmp(&b.mode.frequency)
+                .then(a.mode.decay_rate.total_cmp(&b.mode.decay_rate))
+        });
+        let axis = state.axis.map(|axis| crate::math::rotation::Turn::of(state.attitude).to_body(axis));
+        let modes = named(modes, &state, axis);
+        let usual = match state.turning {
+            Turning::About(_) => 2,
+            Turning::Own => 1,
+            _ => 0,
+        };
+        Ok(Self { state, modes, neutral: zeros.saturating_sub(usual), refined: pencil.is_nonlinear() })
+    }
+
+    /// Whether no mode grows.
+    #[must_use]
+    pub fn stable(&self) -> bool {
+        !self.modes.iter().any(SpinMode::grows)
+    }
+
+    /// Frequencies (rad/s) at which a mode is seen from outside: `λ − |ω|` and `λ + |ω|`.
+    #[must_use]
+    pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
+        let spin = crate::math::sym::norm(self.state.omega);
+        [(mode.frequency - spin).abs(), mode.frequency + spin]
+    }
+}
+
+/// Slopes of what the support does, which come with those of every force.
+fn support(body: &FlexibleBody, instant: &super::slopes::Instant) -> DMatrix<f64> {
+    Slopes::of(body, &[], instant).by
+}
+
+/// Whether the loads of a law, but for drag, come from a potential in axes that turn with the body.
+fn has_potential(law: &Law<Marker>) -> bool {
+    use crate::model::force::Axes;
+    match law {
+        Law::UniformGravity { .. }
+        | Law::CentralGravity { .. }
+        | Law::MagneticDipole { .. }
+        | Law::Drag { .. }
+        | Law::SpinDrag { .. } => true,
+        Law::Thrust { axes, .. } => *axes == Axes::Inertial,
+        Law::Torque { .. } | Law::Expression { .. } => false,
+    }
+}
+
+/// What the modes of a state have in common.
+struct About<'a> {
+    body: &'a FlexibleBody,
+    state: &'a SteadyState,
+    system: &'a System,
+    pencil: &'a Pencil<'a>,
+    attitude: bool,
+    conservative: bool,
+    /// Slopes of the loads of each drag, by name.
+    drags: Vec<(String, DMatrix<f64>)>,
+}
+
+impl About<'_> {
+    fn modes(&self, found: &[Eigenmotion]) -> Vec<Mover> {
+        let mut modes: Vec<Mover> = Vec::with_capacity(found.len());
+        let mut kept: Vec<C> = Vec::new();
+        for (i, motion) in found.iter().enumerate() {
+            let start = (motion.lambda, self.pencil.unknowns(motion.turn, &motion.q, &motion.velocity));
+            let refined = inverse_iteration(self.pencil, start.clone())
+                .filter(|(lambda, _)| near(*lambda, motion.lambda));
+            let known = |lambda: C| kept.iter().any(|other| (other - lambda).norm() < SAME * lambda.norm());
+            let apart = |lambda: C| {
+                let before = found[..i]
+                    .iter()
+                    .all(|other| (other.lambda - motion.lambda).norm() > 10.0 * SAME * lambda.norm());
+                known(lambda) && before
+            };
+            if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
+                continue;
+            }
+            // Two motions that the iteration leads to one are those that were found.
+            let (lambda, x) = refined.filter(|(lambda, _)| !apart(*lambda)).unwrap_or(start);
+            kept.push(lambda);
+            modes.push(self.mode(motion.lambda, lambda, &x));
+        }
+        modes
+    }
+
+    fn mode(&self, of_motion: C, lambda: C, x: &[C]) -> Mover {
+        let delta = self.pencil.spin(lambda, x);
+        let q = self.pencil.coordinates(x);
+        let rate: Vec<C> = q.iter().map(|q| lambda * q).collect();
+        let liquids: Vec<_> =
+            self.pencil.liquids(x).map(|(liquid, angles)| (liquid, lambda, angles)).collect();
+        let mut lost = dissipation(self.body, self.state.omega, lambda, &q, &liquids);
+        let inside: f64 = lost.iter().map(|(_, power)| power).sum();
+        let mut velocities = delta.to_vec();
+        velocities.extend(&rate);
+        for (name, slopes) in &self.drags {
+            let power = -form(&self.velocities(slopes), &velocities, &velocities).re;
+            lost.push((format!("drag {name:?}"), power));
+        }
+        let total: f64 = lost.iter().map(|(_, power)| power).sum();
+        let moved = moving(self.body, &self.system.coefficients, delta, &rate, &liquids);
+        let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
+        let carried = moved.iter().all(|(name, energy)| name == "body" || *energy <= moved[0].1);
+        let largest = (0..q.len()).max_by(|a, b| self.energy(*a, &rate).total_cmp(&self.energy(*b, &rate)));
+        let name = match largest {
+            _ if carried => "rotation".to_owned(),
+            Some(j) => self.body.coordinates()[j].name.clone(),
+            None => "rotation".to_owned(),
+        };
+        let name = if kinetic > 0.0 { name } else { "translation".to_owned() };
+        let shares = |list: Vec<(String, f64)>, sum: f64| {
+            let shares = list.into_iter().map(|(name, value)| (name, value / sum));
+            shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
+        };
+        let rounding = self.pencil.rounding(lambda, x);
+        // The impedance of a liquid holds what it stores, which a fast decay gives back.
+        let told = liquids.is_empty() || lambda.re.abs() <= SLOW * lambda.norm();
+        let mode = SpinMode {
+            decay_rate: self.decay(lambda, x, &q, inside, rounding),
+            frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {
+                lambda.im.abs()
+            } else {
+                0.0
+            },
+            of_motion: [-of_motion.re, of_motion.im],
+            nutation: false,
+            name,
+            moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
+            dissipation: if total > 0.0 && told { shares(lost, total) } else { Vec::new() },
+            omega: delta.map(|entry| [entry.re, entry.im]),
+            shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
+        };
+        let turn = self.attitude.then(|| [x[0], x[1], x[2]]);
+        Mover { mode, turn, carried }
+    }
+
+    fn energy(&self, j: usize, rate: &[C]) -> f64 {
+        self.system.mass[(3 + j, 3 + j)] * rate[j].norm_sqr()
+    }
+
+    /// Slopes of loads by angular velocity and rates.
+    fn velocities(&self, by: &DMatrix<f64>) -> DMatrix<f64> {
+        let (n, elastic) = (self.body.coordinates().len(), self.body.elastic());
+        DMatrix::from_fn(3 + n, 3 + n, |row, column| {
+            by[(row, if column < 3 { OMEGA + column } else { DISPLACED + elastic + column - 3 })]
+        })
+    }
+
+    /// Slopes of loads by rotation and displacements.
+    fn displacements(&self, by: &DMatrix<f64>) -> DMatrix<f64> {
+        let (n, elastic) = (self.body.coordinates().len(), self.body.elastic());
+        DMatrix::from_fn(3 + n, 3 + n, |row, column| match column {
+            0..3 => by[(row, THETA + column)],
+            _ if column < 3 + elastic => by[(row, DISPLACED + column - 3)],
+            _ => 0.0,
+        })
+    }
+
+    /// Decay rate: of a light loss from the balance of what is lost, where the other forces have a potential. (M8)
+    fn decay(&self, lambda: C, x: &[C], q: &[C], inside: f64, rounding: f64) -> f64 {
+        let found = if lambda.re.abs() > rounding.max(1e-12 * lambda.norm()) { -lambda.re } else { 0.0 };
+        let light = lambda.re.abs() < LIGHT * lambda.norm();
+        if !(light && self.conservative && self.body.memories().is_empty()) {
+            return found;
+        }
+        let mut y = vec![x[0], x[1], x[2]];
+        y.extend(q);
+        let turn = Vector3::new(x[0], x[1], x[2]);
+        let whirled = self.system.turning().map(Complex::from) * turn;
+        let mut z = vec![C::from(0.0); y.len()];
+        z[..3].copy_from_slice(whirled.as_slice());
+        let size = y.len();
+        let mass = self.system.mass.view((0, 0), (size, size)).into_owned();
+        let rate = self.system.rate.view((0, 0), (size, size)).into_owned();
+        let b = lambda.im;
+        let m = form(&mass, &y, &y).re;
+        let gyroscopic = (form(&mass, &y, &z) + form(&rate, &y, &y)).im;
+        let mut lost = b * inside / lambda.norm_sqr();
+        for (_, slopes) in &self.drags {
+            let velocities = self.velocities(slopes);
+            lost -= b * form(&velocities, &y, &y).re;
+            lost -= (form(&velocities, &y, &z) + form(&self.displacements(slopes), &y, &y)).im;
+        }
+        let below = 2.0 * b * m + gyroscopic;
+        let terms = 2.0 * b.abs() * m + gyroscopic.abs();
+        if below.abs() > CANCELLED * terms { lost / below } else { found }
+    }
+}
+
+/// Refined eigenvalues belong to the mode that they start from.
+fn near(refined: C, start: C) -> bool {
+    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -1e-12 * refined.norm()
+}

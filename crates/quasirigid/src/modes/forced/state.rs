@@ -1,0 +1,138 @@
+use nalgebra::Vector3;
+
+use super::error::SteadyError;
+use super::newton::Problem;
+use super::slopes::Instant;
+use super::steadiness;
+use super::turning::{Turning, effective, rests};
+use crate::math::rotation;
+use crate::math::sym::norm;
+use crate::model::force::Force;
+use crate::model::{FlexibleBody, Marker, Motion};
+
+type V = Vector3<f64>;
+
+/// Where a steady state is looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// Angular velocity (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+    /// Place of the pole of a held body (m), inertial axes.
+    pub place: [f64; 3],
+    /// Its velocity (m/s); where the steady velocity of a free body is looked for near.
+    pub velocity: [f64; 3],
+    /// Whether the angular velocity is asked for, with the attitude to follow it, or that of the start, of which the part about the axis
+    /// of the forces counts.
+    pub asked: bool,
+}
+
+/// Steady state of a body under moments: in axes that turn at a constant rate about an axis fixed in space everything rests. (M6)
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyState {
+    /// Angular velocity (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Attitude at `t = 0`, unit quaternion, scalar first, from body to inertial axes.
+    pub attitude: [f64; 4],
+    /// Unit vector of the axis that it turns about, inertial axes; none of a body that rests.
+    pub axis: Option<[f64; 3]>,
+    /// Displacements of the internal coordinates; zero of cyclic ones.
+    pub q: Vec<f64>,
+    /// Angular momentum with that of wheels (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Energy of rotation and deformation (J), without that of wheels and of position.
+    pub energy: f64,
+    /// Velocity (m/s): of the centre of mass of a free body that drag holds back, body axes; of a held pole, inertial axes.
+    pub velocity: [f64; 3],
+    /// Angle (rad) between the attitude where it was looked for and its own; between the angular velocities, where one was asked for or no
+    /// force knows the attitude.
+    pub away: f64,
+    pub(super) place: [f64; 3],
+    pub(super) turning: Turning,
+    pub(super) followed: bool,
+}
+
+/// Coordinates of the largest body.
+pub(super) const MOST: usize = 250;
+/// Whether anything moves a body that is not its own, or a motor changes the speed of a wheel: if not, its steady states are those of
+/// (M1).
+#[must_use]
+pub fn acts(body: &FlexibleBody, forces: &[Force<Marker>]) -> bool {
+    let changing = body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0));
+    !effective(body, forces).0.is_empty() || !rests(body) || changing
+}
+
+impl SteadyState {
+    /// The steady state next to a start. (M6)
+    ///
+    /// # Errors
+    /// [`SteadyError`] says why there is none, or that none was found.
+    pub fn near(body: &FlexibleBody, forces: &[Force<Marker>], near: Near) -> Result<Self, SteadyError> {
+        let coordinates = body.coordinates().len();
+        if coordinates > MOST {
+            return Err(SteadyError::TooMany { coordinates, most: MOST });
+        }
+        let (forces, followed) = effective(body, forces);
+        let mut turning = Turning::of(body, &forces, near.velocity)?;
+        let attitude = rotation::normalized(near.attitude);
+        let omega_N = V::from(rotation::to_inertial(attitude, near.omega));
+        if turning == Turning::Unknown {
+            turning =
+                if omega_N == V::zeros() { Turning::Still } else { Turning::About(omega_N.normalize()) };
+        }
+        let problem = Problem { body, forces: &forces, followed, near: Near { attitude, ..near } };
+        let found = match &turning {
+            Turning::Set { what, .. } if near.asked => return Err(SteadyError::Set { what: what.clone() }),
+            Turning::Set { rate, .. } => problem.turned(rate.normalize(), rate.norm())?,
+            Turning::About(axis) => problem.about(*axis, omega_N)?,
+            Turning::Still | Turning::Unknown => problem.turned(V::zeros(), 0.0)?,
+            Turning::Own => problem.own()?,
+        };
+        let state = Self::of(&problem, &found, turning);
+        steadiness::check(body, &forces, &state)?;
+        Ok(state)
+    }
+
+    /// What the state is at a time, as the forces see it; a held pole at its place at `t = 0`.
+    pub(super) fn at(&self, t: f64) -> Instant {
+        let spin = V::from(rotation::to_inertial(self.attitude, self.omega));
+        let attitude = rotation::turned(self.attitude, (t * spin).into());
+        Instant {
+            t,
+            attitude,
+            omega: self.omega,
+            q: self.q.clone(),
+            place: self.place,
+            velocity: self.velocity,
+        }
+    }
+
+    fn of(problem: &Problem, at: &Instant, turning: Turning) -> Self {
+        let Problem { body, followed, near, .. } = *problem;
+        let still = vec![0.0; at.q.len()];
+        let motion = Motion { omega: at.omega, q: &at.q, rate: &still };
+        let momentum = V::from(body.momentum(motion)) + V::from(body.wheels().momentum(0.0));
+        let spin = norm(at.omega);
+        let spins = near.asked || turning == Turning::Own;
+        let away = if spins {
+            rotation::angle(near.omega, at.omega)
+        } else {
+            rotation::angle_between(near.attitude, at.attitude)
+        };
+        let axis = rotation::to_inertial(at.attitude, at.omega).map(|entry| entry / spin);
+        Self {
+            omega: at.omega,
+            attitude: at.attitude,
+            axis: (spin > 0.0).then_some(axis),
+            q: at.q.clone(),
+            momentum: momentum.into(),
+            energy: body.energy(motion),
+            velocity: at.velocity,
+            away,
+            place: at.place,
+            turning,
+            followed,
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Whether a state is steady: the loads and their slopes stay what they are in axes that turn with the body.
+
+use nalgebra::{DMatrix, Vector3};
+
+use super::error::SteadyError;
+use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
+use super::state::SteadyState;
+use super::system::length;
+use crate::math::sym::norm;
+use crate::model::force::Force;
+use crate::model::{FlexibleBody, Marker, Support};
+
+type V = Vector3<f64>;
+
+/// Later times, in turns.
+const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1237];
+/// Change that is rounding, relative to the largest load or slope.
+const SAME: f64 = 1e-8;
+
+/// Looks at each force at some later times, and at what the support does.
+pub(super) fn check(
+    body: &FlexibleBody,
+    forces: &[Force<Marker>],
+    state: &SteadyState,
+) -> Result<(), SteadyError> {
+    let spin = norm(state.omega);
+    let speed = norm(state.velocity);
+    let held = body.translation().is_none();
+    let period = if spin > 0.0 {
+        std::f64::consts::TAU / spin
+    } else if held && speed > 0.0 {
+        length(body) / speed
+    } else {
+        return Ok(());
+    };
+    let driven = matches!(body.support(), Support::Prescribed { .. });
+    for turns in TURNS {
+        let later = later(body, state, turns * period);
+        if driven && changed(body, &[], state, &later, period) {
+            return Err(SteadyError::Changes { what: "the acceleration of the support".into() });
+        }
+        for force in forces {
+            // What the support does is the same for each force.
+            if changed(body, std::slice::from_ref(force), state, &later, period) {
+                return Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The state at a later time, a driven pole where its path has taken it.
+fn later(body: &FlexibleBody, state: &SteadyState, t: f64) -> Instant {
+    let mut later = state.at(t);
+    if let Support::Prescribed { acceleration, .. } = body.support() {
+        let a = V::from(acceleration.each_ref().map(|component| component.value(&[0.0])));
+        let axis = V::from(state.axis.unwrap_or_default());
+        let rate = norm(state.omega);
+        let along = a.dot(&axis) * axis;
+        let (out, ahead) = (a - along, axis.cross(&a));
+        let (sin, cos) = (rate * t).sin_cos();
+        let (v, x) = (V::from(state.velocity), V::from(state.place));
+        let turns = acceleration.iter().any(|component| component.uses(0));
+        let (change, path) = if turns && rate > 0.0 {
+            (
+                along * t + (out * sin + ahead * (1.0 - cos)) / rate,
+                along * (0.5 * t * t) + (out * (1.0 - cos) + ahead * (rate * t - sin)) / (rate * rate),
+            )
+        } else {
+            (a * t, a * (0.5 * t * t))
+        };
+        later.velocity = (v + change).into();
+        later.place = (x + v * t + path).into();
+    }
+    later
+}
+
+/// Whether the loads of some forces, or their slopes, differ from those at `t = 0`.
+fn changed(
+    body: &FlexibleBody,
+    forces: &[Force<Marker>],
+    state: &SteadyState,
+    later: &Instant,
+    period: f64,
+) -> bool {
+    let now = weighted(body, &Slopes::of(body, forces, &state.at(0.0)), period);
+    let then = weighted(body, &Slopes::of(body, forces, later), period);
+    let gap = (&then - &now).amax();
+    !(gap <= SAME * now.amax().max(then.amax()))
+}
+
+/// Value and slopes in units of a moment: lengths in units of the body's, coordinates of its inertia, times of the period.
+fn weighted(body: &FlexibleBody, slopes: &Slopes, period: f64) -> DMatrix<f64> {
+    let n = body.coordinates().len();
+    let elastic = body.elastic();
+    let free = body.translation().is_some();
+    let length = length(body);
+    let inertia = length * length * body.invariants().mass;
+    let unit = |j: usize| {
+        let pairs = &body.invariants().pairs;
+        pairs.row(j).find(|(k, _)| *k == j).map_or(1.0, |(_, pair)| (inertia / pair.A).sqrt())
+    };
+    let row = |i: usize| {
+        if i < 3 {
+            1.0
+        } else if i < 3 + n {
+            unit(i - 3)
+        } else {
+            length
+        }
+    };
+    let column = |k: usize| match k {
+        THETA..OMEGA => 1.0,
+        OMEGA..VELOCITY => period.recip(),
+        // The velocity of a held pole is given in inertial axes, and no unknown.
+        VELOCITY..DISPLACED => {
+            if free {
+                length / period
+            } else {
+                0.0
+            }
+        }
+        _ if k < DISPLACED + elastic => unit(k - DISPLACED),
+        _ => unit(k - DISPLACED - elastic) / period,
+    };
+    let (rows, columns) = slopes.by.shape();
+    let value = |i: usize| {
+        if i < 3 {
+            slopes.value.moment[i]
+        } else if i < 3 + n {
+            slopes.value.generalized[i - 3]
+        } else {
+            slopes.value.force[i - 3 - n]
+        }
+    };
+    DMatrix::from_fn(rows, columns + 1, |i, k| {
+        row(i) * if k == 0 { value(i) } else { column(k - 1) * slopes.by[(i, k - 1)] }
+    })
+}

@@ -1,0 +1,216 @@
+//! In which axes the forces on a body are constant: what sets the rate, and what the axis.
+
+use nalgebra::Vector3;
+
+use super::error::SteadyError;
+use crate::math::expression::Expression;
+use crate::math::taylor::Taylor;
+use crate::model::force::{Axes, Force, Law, MagneticField, Orbit};
+use crate::model::{FlexibleBody, Marker, Support};
+
+type V = Vector3<f64>;
+
+/// The axes in which the forces can be constant.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Turning {
+    /// They turn at this angular velocity (rad/s, inertial axes), which something sets.
+    Set { rate: V, what: String, orbit: bool },
+    /// They turn about this unit vector (inertial axes) at any rate.
+    About(V),
+    /// Directions that differ are fixed in space: the body rests.
+    Still,
+    /// Some formula: about an axis that is not known.
+    Unknown,
+    /// No force knows the attitude.
+    Own,
+}
+
+/// A free body does not feel the same acceleration everywhere; where no force feels its velocity, nothing else does.
+pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<Force<Marker>>, bool) {
+    let free = body.translation().is_some();
+    let at_rest = |law: &Law<Marker>| match law {
+        Law::Drag { coefficient, .. } | Law::SpinDrag { coefficient } => *coefficient == 0.0,
+        Law::Torque { torque: a, .. } | Law::Thrust { force: a, .. } => *a == [0.0; 3],
+        Law::UniformGravity { acceleration } => *acceleration == [0.0; 3],
+        Law::MagneticDipole { moment, .. } => *moment == [0.0; 3],
+        _ => false,
+    };
+    let acting: Vec<_> = forces.iter().filter(|force| !at_rest(&force.law)).cloned().collect();
+    let followed = free && acting.iter().any(|force| feels_velocity(&force.law));
+    let felt = |law: &Law<Marker>| !(free && !followed && matches!(law, Law::UniformGravity { .. }));
+    (acting.into_iter().filter(|force| felt(&force.law)).collect(), followed)
+}
+
+/// Whether a law feels the velocity of the place it acts at.
+fn feels_velocity(law: &Law<Marker>) -> bool {
+    match law {
+        Law::Drag { .. } => true,
+        Law::Expression { force, .. } => force.iter().any(|component| (3..6).any(|i| component.uses(i))),
+        _ => false,
+    }
+}
+
+/// Whether a law feels where the place it acts at is, or its velocity.
+fn feels_path(law: &Law<Marker>) -> bool {
+    let placed = |force: &[Expression; 3]| force.iter().any(|component| (0..3).any(|i| component.uses(i)));
+    feels_velocity(law) || matches!(law, Law::Expression { force, .. } if placed(force))
+}
+
+/// Whether the acceleration of the support vanishes, if it has one.
+pub(super) fn rests(body: &FlexibleBody) -> bool {
+    match body.support() {
+        Support::Prescribed { acceleration, .. } => {
+            acceleration.iter().all(|component| !component.uses(0) && component.value(&[0.0]) == 0.0)
+        }
+        _ => true,
+    }
+}
+
+/// What a turn was set by, so far.
+#[derive(Default)]
+struct Found {
+    set: Option<(V, String, bool)>,
+    /// With what they are of.
+    directions: Vec<(V, String)>,
+    unknown: bool,
+}
+
+/// Relative difference of rates and directions that is rounding.
+const SAME: f64 = 1e-9;
+
+impl Turning {
+    /// From the laws of the forces that act and the support.
+    pub fn of(
+        body: &FlexibleBody,
+        forces: &[Force<Marker>],
+        velocity: [f64; 3],
+    ) -> Result<Self, SteadyError> {
+        if body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0)) {
+            return Err(SteadyError::Wheel);
+        }
+        let mut found = Found::default();
+        let mut acceleration = V::zeros();
+        let driven = matches!(body.support(), Support::Prescribed { .. });
+        let placed = forces.iter().any(|force| feels_path(&force.law));
+        if driven {
+            acceleration = -found.support(body)?;
+            if placed && !rests(body) && found.set.is_none() {
+                return Err(SteadyError::Changes {
+                    what: "the velocity of the support, which a force feels,".into(),
+                });
+            }
+            if placed && velocity != [0.0; 3] && found.set.is_none() {
+                found.directions.push((velocity.into(), "the velocity of the support".into()));
+            }
+        }
+        for force in forces {
+            found.force(body, force, &mut acceleration)?;
+        }
+        if acceleration != V::zeros() {
+            found.directions.push((acceleration, "the weight, or the acceleration of the support,".into()));
+        }
+        found.turning()
+    }
+}
+
+impl Found {
+    /// The acceleration of the support (m/s²) where it is constant; otherwise how it turns.
+    fn support(&mut self, body: &FlexibleBody) -> Result<V, SteadyError> {
+        let Support::Prescribed { acceleration, .. } = body.support() else { return Ok(V::zeros()) };
+        let series = acceleration
+            .each_ref()
+            .map(|component| component.value(&[Taylor::<8>::variable(0.0)]).derivatives());
+        let a = |k: usize| V::from([0, 1, 2].map(|axis| series[axis][k]));
+        if !acceleration.iter().any(|component| component.uses(0)) {
+            return Ok(a(0));
+        }
+        let rate = a(1).cross(&a(2)) / a(1).norm_squared();
+        let follows = |k: usize| {
+            let expected = rate.cross(&a(k));
+            (a(k + 1) - expected).norm() <= SAME * (rate.norm() * a(k).norm() + a(k + 1).norm())
+        };
+        if !(rate.norm() > 0.0 && rate.norm().is_finite() && (0..7).all(follows)) {
+            return Err(SteadyError::Changes { what: "the acceleration of the support".into() });
+        }
+        self.set(rate, "the support".into(), false)?;
+        Ok(V::zeros())
+    }
+
+    fn force(
+        &mut self,
+        body: &FlexibleBody,
+        force: &Force<Marker>,
+        acceleration: &mut V,
+    ) -> Result<(), SteadyError> {
+        let named = format!("the force {:?}", force.name);
+        let changes = || Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
+        match &force.law {
+            Law::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
+            Law::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
+            Law::MagneticDipole { field: MagneticField::Uniform(field), .. } => {
+                self.directions.push(((*field).into(), named))
+            }
+            Law::MagneticDipole { field: MagneticField::Dipole { orbit, strength }, .. } => {
+                self.orbit(&force.name, orbit)?;
+                self.directions.push(((*strength).into(), named));
+            }
+            Law::Drag { .. } | Law::SpinDrag { .. } => {}
+            Law::Torque { torque: amplitude, axes, wave }
+            | Law::Thrust { force: amplitude, axes, wave, .. } => {
+                if wave.frequency != 0.0 {
+                    return changes();
+                }
+                if *axes == Axes::Inertial {
+                    self.directions.push(((*amplitude).into(), named));
+                }
+            }
+            Law::Expression { force: components, .. } => {
+                let uses = |variable: usize| components.iter().any(|component| component.uses(variable));
+                if uses(6) {
+                    return changes();
+                }
+                if body.translation().is_some() && (0..3).any(uses) {
+                    return Err(SteadyError::Placed { name: force.name.clone() });
+                }
+                self.unknown = true;
+            }
+        }
+        Ok(())
+    }
+
+    fn orbit(&mut self, name: &str, orbit: &Orbit) -> Result<(), SteadyError> {
+        if orbit.eccentricity > 0.0 {
+            return Err(SteadyError::Eccentric { name: name.into(), eccentricity: orbit.eccentricity });
+        }
+        let passage = orbit.at(0.0);
+        let normal = V::from(passage.place).cross(&V::from(passage.velocity)).normalize();
+        self.set(orbit.mean_motion() * normal, format!("the force {name:?}"), true)
+    }
+
+    fn set(&mut self, rate: V, what: String, orbit: bool) -> Result<(), SteadyError> {
+        if let Some((other, one, _)) = &self.set {
+            if (other - rate).norm() > SAME * rate.norm() {
+                return Err(SteadyError::Apart { one: one.clone(), other: what });
+            }
+            return Ok(());
+        }
+        self.set = Some((rate, what, orbit));
+        Ok(())
+    }
+
+    fn turning(self) -> Result<Turning, SteadyError> {
+        let across =
+            |axis: V| move |(other, _): &&(V, String)| other.cross(&axis).norm() > SAME * other.norm();
+        if let Some((rate, what, orbit)) = self.set {
+            return match self.directions.iter().find(across(rate.normalize())) {
+                Some((_, what)) => Err(SteadyError::Changes { what: what.clone() }),
+                None => Ok(Turning::Set { rate, what, orbit }),
+            };
+        }
+        let Some(first) = self.directions.first().map(|(direction, _)| direction.normalize()) else {
+            return Ok(if self.unknown { Turning::Unknown } else { Turning::Own });
+        };
+        let apart = self.directions.iter().any(|pair| across(first)(&pair));
+        Ok(if apart { Turning::Still } else { Turning::About(first) })
+    }
+}

@@ -1,0 +1,70 @@
+//! Inverse iteration for nonlinear eigenproblems.
+
+use nalgebra::Complex;
+
+use crate::math::lu::{ComplexDense, ComplexLu};
+
+/// An eigenproblem `P(λ)x = 0`.
+pub(super) trait Nonlinear {
+    /// `P(λ)`.
+    fn at(&self, lambda: Complex<f64>) -> ComplexDense;
+
+    /// Product of two motions by the masses that move.
+    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64>;
+}
+
+/// An eigenpair: `λ` (1/s) and the unknowns.
+pub(super) type Pair = (Complex<f64>, Vec<Complex<f64>>);
+
+/// Steps of inverse iteration.
+const STEPS: usize = 30;
+/// Change of an eigenvalue, relative to itself, that is rounding.
+const SETTLED: f64 = 1e-14;
+/// Change that is good enough where rounding ends the progress.
+const ACCEPTED: f64 = 1e-8;
+/// Step of the derivative by `λ`, relative to it: exact for polynomials of the second degree.
+const STEP: f64 = 1e-4;
+
+/// The eigenpair that inverse iteration leads to; none if it settles nowhere. (M3)
+pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
+    let mut best = f64::INFINITY;
+    for step in 0..STEPS {
+        let factor = ComplexLu::new(&problem.at(lambda))?;
+        let h = Complex::from(STEP * lambda.norm());
+        let ahead = times(&problem.at(lambda + h), &x);
+        let behind = times(&problem.at(lambda - h), &x);
+        let right: Vec<[f64; 2]> = ahead
+            .iter()
+            .zip(&behind)
+            .map(|(a, b)| (a - b) / (2.0 * h))
+            .map(|value| [value.re, value.im])
+            .collect();
+        let Some(solved) = factor.solve(&right, 1) else {
+            return Some((lambda, x));
+        };
+        let solved: Vec<Complex<f64>> = solved.iter().map(|[re, im]| Complex::new(*re, *im)).collect();
+        let (before, after) = (problem.product(&x, &x, lambda), problem.product(&x, &solved, lambda));
+        let change = before / after;
+        if step > 0 {
+            lambda -= change;
+        }
+        let length = problem.product(&solved, &solved, lambda).re.sqrt();
+        x = solved.iter().map(|entry| entry / length).collect();
+        let moved = change.norm() / lambda.norm();
+        if step > 0 {
+            if moved <= SETTLED || (moved >= 0.5 * best && best <= ACCEPTED) {
+                return Some((lambda, x));
+            }
+            best = best.min(moved);
+        }
+    }
+    None
+}
+
+fn times(P: &ComplexDense, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    let entry = |row: usize, column: usize| {
+        let [re, im] = P.at(row, column);
+        Complex::new(re, im)
+    };
+    (0..x.len()).map(|row| (0..x.len()).map(|column| entry(row, column) * x[column]).sum()).collect()
+}

@@ -1,0 +1,479 @@
+//! Modes of bodies under moments and on supports against closed forms: tops, pendulums, librations on an orbit. (M6)–(M8)
+
+use nalgebra::{Complex, Matrix3, Rotation3, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use quasirigid::elements::{Assembly, Carrier, Station, Wheel, WheelSpeed};
+use quasirigid::math::expression::Expression;
+use quasirigid::model::Support;
+use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
+
+use crate::forced::formula;
+use crate::support::{cases, rotation, units};
+use crate::transform::rescaled;
+
+type V = Vector3<f64>;
+type C = Complex<f64>;
+
+/// A rigid body whose principal axes are turned in its file's axes, with its centre away from the origin.
+struct Rigid {
+    mass: f64,
+    moments: [f64; 3],
+    /// Columns: principal axes in the axes of the file.
+    axes: Matrix3<f64>,
+    center: V,
+}
+
+impl Rigid {
+    fn carrier(&self) -> Carrier {
+        let J = self.axes * Matrix3::from_diagonal(&V::from(self.moments)) * self.axes.transpose();
+        Carrier {
+            mass: self.mass,
+            center_of_mass: self.center.into(),
+            inertia: (0.5 * (J + J.transpose())).into(),
+        }
+    }
+
+    fn free(&self) -> Assembly {
+        Assembly { carrier: Some(self.carrier()), ..Assembly::default() }
+    }
+
+    /// Held at a distance below the centre of mass along the third principal axis.
+    fn held(&self, below: f64) -> Assembly {
+        let point = (self.center - below * self.axes.column(2)).into();
+        Assembly { support: Support::FixedPoint { point }, ..self.free() }
+    }
+}
+
+pub fn quaternion(R: &Matrix3<f64>) -> [f64; 4] {
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*R));
+    [q.w, q.i, q.j, q.k]
+}
+
+fn gravity(g: V) -> Force<Station> {
+    Force { name: "weight".into(), law: Law::UniformGravity { acceleration: g.into() } }
+}
+
+fn found(assembly: &Assembly, near: Near) -> Result<SteadyModes, SteadyError> {
+    let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+    let state = SteadyState::near(&body, &forces, near)?;
+    SteadyModes::about(&body, &forces, state)
+}
+
+fn near(omega: V, attitude: &Matrix3<f64>) -> Near {
+    Near {
+        omega: omega.into(),
+        attitude: quaternion(attitude),
+        place: [0.0; 3],
+        velocity: [0.0; 3],
+        asked: false,
+    }
+}
+
+/// Eigenvalues with positive or no imaginary part, as found.
+fn eigenvalues(modes: &SteadyModes) -> Vec<C> {
+    modes.modes.iter().map(|mode| C::new(-mode.decay_rate, mode.frequency)).collect()
+}
+
+/// Largest distance between two lists as sets, relative to the largest of them.
+fn apart(found: &[C], expected: &[C]) -> f64 {
+    if found.len() != expected.len() {
+        return f64::INFINITY;
+    }
+    let size = expected.iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let from = |a: &[C], b: &[C]| {
+        a.iter().map(|x| b.iter().map(|y| (x - y).norm()).fold(f64::INFINITY, f64::min)).fold(0.0, f64::max)
+    };
+    from(found, expected).max(from(expected, found)) / size
+}
+
+/// `a λ² + b λ + c = 0`.
+fn roots(a: f64, b: f64, c: f64) -> [C; 2] {
+    let root = C::from(b * b - 4.0 * a * c).sqrt();
+    [(-b + root) / (2.0 * a), (-b - root) / (2.0 * a)]
+}
+
+/// Eigenvalues of `λ⁴ + bλ² + c` of which one of each pair counts.
+fn quartic(a: f64, b: f64, c: f64) -> Vec<C> {
+    roots(a, b, c).iter().flat_map(|square| [square.sqrt(), -square.sqrt()]).filter(upper).collect()
+}
+
+fn upper(lambda: &C) -> bool {
+    lambda.im > -1e-12 * lambda.norm()
+}
+
+/// Turned axes with the third along a direction.
+fn frame(R: &Matrix3<f64>, tilt: f64) -> Matrix3<f64> {
+    *Rotation3::from_axis_angle(&V::x_axis(), tilt).matrix() * R
+}
+
+proptest! {
+    #![proptest_config(cases(48))]
+
+    /// A symmetric top upright at the spin `Ω`: in axes that do not turn with its own spin the axis obeys
+    /// `A ẍ − iCΩ ẋ − m g l x = 0`; in the body everything turns back at `Ω`. Critical: `C²Ω² = 4 A m g l`.
+    #[test]
+    fn a_sleeping_top_has_the_motions_of_its_closed_form(
+        R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..2.0f64, share in 0.3..1.9f64,
+        l in 0.1..1.0f64, spin in 0.1..3.0f64, side in any::<bool>(), tilt in -0.2..0.2f64, units in units()
+    ) {
+        let C3 = share * A;
+        let body = Rigid { mass, moments: [A, A, C3], axes: R, center: V::new(0.4, -0.3, 0.8) };
+        let (g, m) = (9.81, mass);
+        let about = A + m * l * l;
+        let critical = (4.0 * about * m * g * l).sqrt() / C3;
+        let rate = if side { spin * critical } else { -spin * critical };
+        let up = S.column(2).into_owned();
+        let mut assembly = body.held(l);
+        assembly.forces.push(gravity(-g * up));
+        let axis = R.column(2).into_owned();
+        // The third axis up, then leaned.
+        let attitude = S * frame(&R.transpose(), tilt);
+        let modes = found(&assembly, near(rate * axis, &attitude)).unwrap();
+        let rate = rate * tilt.cos();
+        prop_assert!((V::from(modes.state.omega) - rate * axis).norm() < 1e-9 * rate.abs(), "{:?}", modes.state);
+        // In the axes that stand still transverse motions e^{st}: A s² − iCΩ s − mgl = 0; in the body s − iΩ.
+        let b = C3 * rate;
+        let root = C::from(b * b - 4.0 * about * m * g * l).sqrt();
+        let seen = [1.0, -1.0].map(|sign| C::i() * (b + sign * root) / (2.0 * about));
+        let expected: Vec<C> = seen
+            .iter()
+            .map(|s| s - C::i() * rate)
+            .map(|s| if s.im >= 0.0 { s } else { s.conj() })
+            .collect();
+        let gap = apart(&eigenvalues(&modes), &expected);
+        prop_assert!(gap < 1e-9, "{gap:e} {:?} {expected:?}", eigenvalues(&modes));
+        prop_assert_eq!(modes.stable(), spin * tilt.cos() > 1.0);
+        prop_assert_eq!(modes.neutral, 0);
+        // Units.
+        let scaled = rescaled(&assembly, units);
+        let mut scaled = Assembly { forces: vec![gravity(-g * up * units.factor([1, 0, -2]))], ..scaled };
+        scaled.support = match assembly.support {
+            Support::FixedPoint { point } => Support::FixedPoint { point: point.map(|x| x * units.length) },
+            _ => unreachable!(),
+        };
+        let other = found(&scaled, near(rate / tilt.cos() * axis / units.time, &attitude)).unwrap();
+        let back: Vec<C> = eigenvalues(&other).iter().map(|x| x * units.time).collect();
+        let gap = apart(&back, &eigenvalues(&modes));
+        prop_assert!(gap < 1e-9, "{gap:e} {back:?}");
+    }
+
+    /// A symmetric top with its own spin in a wheel, leaning and precessing at `Ω`: with `K₃` about its axis
+    /// `AΩ² cos θ − K₃Ω + mgl = 0`, and it nods at `ν² = (K₃/A − 2Ω cos θ)² + Ω² sin² θ`.
+    #[test]
+    fn a_conical_top_nods_as_its_closed_form(
+        R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..2.0f64, share in 0.3..1.9f64,
+        l in 0.1..1.0f64, lean in 0.2..2.9f64, rate in -8.0..8.0f64, off in -0.05..0.05f64
+    ) {
+        prop_assume!(rate.abs() > 0.5);
+        let body = Rigid { mass, moments: [A, A, share * A], axes: R, center: V::new(-0.4, 0.3, 0.8) };
+        let about = A + mass * l * l;
+        let pull = mass * 9.81 * l;
+        let K3 = (about * rate * rate * lean.cos() + pull) / rate;
+        let own = K3 - share * A * rate * lean.cos();
+        let up = S.column(2).into_owned();
+        let mut assembly = body.held(l);
+        assembly.forces.push(gravity(-9.81 * up));
+        let axis: [f64; 3] = R.column(2).into_owned().into();
+        assembly.wheels.push(Wheel { name: "own spin".into(), axis, speed: WheelSpeed::Constant { momentum: own } });
+        let attitude = S * frame(&R.transpose(), lean + off);
+        let omega = rate * (attitude.transpose() * up);
+        let modes = found(&assembly, near(omega, &attitude)).unwrap();
+        let leaning = (attitude_of(&modes) * V::from(axis)).dot(&up);
+        prop_assert!((leaning - lean.cos()).abs() < 1e-9, "{leaning} {}", lean.cos());
+        let nods = ((K3 / about - 2.0 * rate * lean.cos()).powi(2) + (rate * lean.sin()).powi(2)).sqrt();
+        let gap = apart(&eigenvalues(&modes), &[C::new(0.0, nods)]);
+        prop_assert!(gap < 1e-9, "{gap:e} {:?} {nods}", eigenvalues(&modes));
+        prop_assert!(modes.stable());
+        // Its turn about its own axis and the spin about it.
+        prop_assert_eq!(modes.neutral, 2);
+    }
+
+    /// Hanging at rest: `ν² = mgl/I` about each horizontal axis. Turned over: the same real. Weight or a support that accelerates.
+    #[test]
+    fn a_pendulum_swings_as_its_closed_form(
+        R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..1.0f64, B in 0.5..1.0f64, l in 0.1..1.0f64,
+        tilt in -0.6..0.6f64, over in any::<bool>(), driven in any::<bool>()
+    ) {
+        let body = Rigid { mass, moments: [A, B, 0.7], axes: R, center: V::new(-0.4, 0.3, 0.8) };
+        let up = S.column(2).into_owned();
+        let assembly = body.held(l);
+        let Support::FixedPoint { point } = assembly.support else { unreachable!() };
+        let pull = if over { -9.81 } else { 9.81 };
+        let assembly = if driven {
+            let acceleration = (-pull * up).map(constant).into();
+            let support = Support::Prescribed { point, acceleration, velocity: [0.0; 3], position: [0.0; 3] };
+            Assembly { support, ..assembly }
+        } else {
+            Assembly { forces: vec![gravity(pull * up)], ..assembly }
+        };
+        let attitude = S * frame(&R.transpose(), tilt);
+        let modes = found(&assembly, near(V::zeros(), &attitude)).unwrap();
+        let squares = [A, B].map(|I| pull.abs() * mass * l / (I + mass * l * l));
+        let expected: Vec<C> = squares
+            .iter()
+            .flat_map(|square| {
+                let rate = square.sqrt();
+                if over { vec![C::new(rate, 0.0), C::new(-rate, 0.0)] } else { vec![C::new(0.0, rate)] }
+            })
+            .collect();
+        let gap = apart(&eigenvalues(&modes), &expected);
+        prop_assert!(gap < 1e-12, "{gap:e} {:?} {expected:?}", eigenvalues(&modes));
+        prop_assert!(modes.stable() != over && modes.neutral == 0 && modes.state.axis.is_none());
+    }
+
+    /// On a circular orbit: pitch `3(I₁ − I₃)/I₂ n²`, roll and yaw `s⁴ + (1 + 3k₁ + k₁k₃)n²s² + 4k₁k₃n⁴`, with the first axis ahead, the
+    /// second across, the third outward. [DeBra and Delp 1961]
+    #[test]
+    fn a_satellite_librates_as_its_closed_form(
+        R in rotation(), S in rotation(), raw in proptest::array::uniform3(0.3..1.0f64), period in 0.1..100.0f64,
+        phase in 0.0..6.0f64, turn in proptest::array::uniform3(-0.08..0.08f64), units in units()
+    ) {
+        let [a, b, c] = raw;
+        let moments = [b + c, c + a, a + b];
+        let [I1, I2, I3] = moments;
+        prop_assume!((I1 - I3).abs() > 0.05 && (I2 - I3).abs() > 0.05 && (I1 - I2).abs() > 0.05);
+        let body = Rigid { mass: 3.0, moments, axes: R, center: V::new(5.0, 1.0, -2.0) };
+        let n = 6.0 / period;
+        let orbit = turned_orbit(&S, n, phase);
+        let place = V::from(orbit.at(0.0).place).normalize();
+        let ahead = V::from(orbit.at(0.0).velocity).normalize();
+        let mut assembly = body.free();
+        assembly.forces.push(Force { name: "Earth".into(), law: Law::CentralGravity { orbit } });
+        let axes = Matrix3::from_columns(&[ahead, place.cross(&ahead), place]);
+        let attitude = axes * R.transpose() * Rotation3::new(V::from(turn)).matrix();
+        let modes = found(&assembly, near(V::new(0.3, 0.1, 0.2) * n, &attitude)).unwrap();
+        let [k1, k3] = [(I2 - I3) / I1, (I2 - I1) / I3];
+        let square = 3.0 * (I1 - I3) / I2;
+        let pitch = if square > 0.0 { vec![C::new(0.0, square.sqrt())] } else { [1.0, -1.0].map(|s| C::new(s * (-square).sqrt(), 0.0)).into() };
+        let expected: Vec<C> = pitch
+            .into_iter()
+            .chain(quartic(1.0, 1.0 + 3.0 * k1 + k1 * k3, 4.0 * k1 * k3))
+            .map(|s| s * n)
+            .collect();
+        let gap = apart(&eigenvalues(&modes), &expected);
+        prop_assert!(gap < 1e-8, "{gap:e} {:?} {expected:?}", eigenvalues(&modes));
+        let stable = expected.iter().all(|s| s.re < 1e-9 * n);
+        prop_assert_eq!(modes.stable(), stable);
+        if stable {
+            let of = |name: &str| modes.modes.iter().filter(|mode| mode.name == name).count();
+            prop_assert_eq!((of("pitch"), of("roll-yaw")), (1, 2));
+        }
+        // Units.
+        let mut scaled = rescaled(&assembly, units);
+        let orbit = Orbit {
+            parameter: orbit.parameter * units.factor([3, 0, -2]),
+            semi_major_axis: orbit.semi_major_axis * units.length,
+            ..orbit
+        };
+        scaled.forces = vec![Force { name: "Earth".into(), law: Law::CentralGravity { orbit } }];
+        let other = found(&scaled, near(V::new(0.3, 0.1, 0.2) * n / units.time, &attitude)).unwrap();
+        let back: Vec<C> = eigenvalues(&other).iter().map(|x| x * units.time).collect();
+        let gap = apart(&back, &eigenvalues(&modes));
+        prop_assert!(gap < 1e-8, "{gap:e} {back:?}");
+    }
+
+    /// A pivot carried round a circle: the body points outward, turns with it, and swings: in the plane `I₃ν² = mlRΩ²`; across it
+    /// with twist, `(I₁s² + (I₃−I₂)Ω²)(I₂s² + (I₃−I₁)Ω² + mlRΩ²) + (I₁+I₂−I₃)²Ω²s² = 0`.
+    #[test]
+    fn a_centrifuge_pendulum_swings_as_its_closed_form(
+        R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..1.0f64, B in 0.5..1.0f64, l in 0.1..1.0f64,
+        radius in 0.2..5.0f64, rate in 0.3..9.0f64, turn in proptest::array::uniform3(-0.05..0.05f64)
+    ) {
+        prop_assume!((A - B).abs() > 0.05);
+        // The centre of mass lies ahead on the body's third axis: its moments about the pivot.
+        let body = Rigid { mass, moments: [A, B, 0.7], axes: R, center: V::new(-0.4, 0.3, 0.8) };
+        let assembly = body.held(l);
+        let Support::FixedPoint { point } = assembly.support else { unreachable!() };
+        let (out, ahead, normal) = (S.column(0).into_owned(), S.column(1).into_owned(), S.column(2).into_owned());
+        let pull = radius * rate * rate;
+        let component = |i: usize| formula_of_t(&format!("{:e}*cos({rate:e}*t) + {:e}*sin({rate:e}*t)", -pull * out[i], -pull * ahead[i]));
+        let acceleration = [component(0), component(1), component(2)];
+        let velocity = (radius * rate * ahead).into();
+        let support = Support::Prescribed { point, acceleration, velocity, position: (radius * out).into() };
+        let assembly = Assembly { support, ..assembly };
+        let axes = Matrix3::from_columns(&[ahead, normal, out]);
+        let attitude = axes * R.transpose() * Rotation3::new(V::from(turn)).matrix();
+        let modes = found(&assembly, near(attitude.transpose() * normal * rate, &attitude)).unwrap();
+        let (I1, I2, I3) = (0.7, A + mass * l * l, B + mass * l * l);
+        let (w, held) = (rate * rate, mass * l * pull);
+        let inertia = [I1 * I2, I1 * ((I3 - I1) * w + held) + I2 * (I3 - I2) * w + (I1 + I2 - I3).powi(2) * w];
+        let expected: Vec<C> = quartic(inertia[0], inertia[1], (I3 - I2) * w * ((I3 - I1) * w + held))
+            .into_iter()
+            .chain([C::new(0.0, (held / I3).sqrt())])
+            .collect();
+        let gap = apart(&eigenvalues(&modes), &expected);
+        prop_assert!(gap < 1e-9, "{gap:e} {:?} {expected:?}", eigenvalues(&modes));
+    }
+
+    /// A torque fixed in the body against a drag of its rotation: `ω = M/κ`, which falls back at `κ/C`, and
+    /// `(As + κ)(Bs + κ) + (C−A)(C−B)Ω² = 0`.
+    #[test]
+    fn a_driven_spin_settles_as_its_closed_form(
+        R in rotation(), S in rotation(), raw in proptest::array::uniform3(0.3..1.0f64), drag in 0.01..1.0f64, rate in 0.3..3.0f64
+    ) {
+        let [a, b, c] = raw;
+        let [A, B, C3] = [b + c, c + a, a + b];
+        let body = Rigid { mass: 2.0, moments: [A, B, C3], axes: R, center: V::new(5.0, 1.0, -2.0) };
+        let axis = R.column(2).into_owned();
+        let mut assembly = body.free();
+        let law = Law::Torque { torque: (drag * rate * axis).into(), axes: Axes::Body, wave: Wave::default() };
+        assembly.forces.push(Force { name: "motor".into(), law });
+        assembly.forces.push(Force { name: "air".into(), law: Law::SpinDrag { coefficient: drag } });
+        let start = axis * (0.9 * rate) + R.column(0) * (0.05 * rate);
+        let modes = found(&assembly, near(start, &S)).unwrap();
+        prop_assert!((V::from(modes.state.omega) - rate * axis).norm() < 1e-10 * rate, "{:?}", modes.state);
+        let both = roots(A * B, drag * (A + B), drag * drag + (C3 - A) * (C3 - B) * rate * rate);
+        let expected: Vec<C> = both.into_iter().filter(upper).chain([C::from(-drag / C3)]).collect();
+        let gap = apart(&eigenvalues(&modes), &expected);
+        prop_assert!(gap < 1e-9, "{gap:e} {:?} {expected:?}", eigenvalues(&modes));
+        let lost: f64 = modes.modes.iter().map(|mode| mode.dissipation.iter().map(|(_, share)| share).sum::<f64>()).sum();
+        prop_assert!((lost - modes.modes.len() as f64).abs() < 1e-9 && modes.modes[0].dissipation[0].0 == "drag \"air\"");
+    }
+}
+
+/// A body of revolution that falls upright at the terminal speed of a drag above its centre of mass: down `m s + k`, and to each side
+/// `(ms + k)(As² + kd²s + mgd) − k²d²s = 0`.
+#[test]
+fn a_body_under_a_parachute_swings_as_its_closed_form() {
+    let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
+    let S = *Rotation3::new(V::new(-1.3, 0.4, 0.9)).matrix();
+    let (m, A, k, d, g) = (2.0, 0.5, 3.0, 0.8, 9.81);
+    let body = Rigid { mass: m, moments: [A, A, 0.3], axes: R, center: V::new(0.4, -0.3, 0.8) };
+    let mut assembly = body.free();
+    let place = (body.center + d * R.column(2)).into();
+    let at = Station { on: quasirigid::elements::End::Carrier, at: Some(place) };
+    let up = S.column(2).into_owned();
+    assembly.forces =
+        vec![gravity(-g * up), Force { name: "canopy".into(), law: Law::Drag { at, coefficient: k } }];
+    let attitude = S * frame(&R.transpose(), 0.3);
+    let modes = found(&assembly, near(V::zeros(), &attitude)).unwrap();
+    let falling = attitude_of(&modes) * V::from(modes.state.velocity);
+    assert!((falling + m * g / k * up).norm() < 1e-10, "{falling}");
+    let cubic = |s: C| (s * m + k) * (s * s * A + s * (k * d * d) + m * g * d) - s * (k * d).powi(2);
+    let size = m * A * 10f64.powi(3);
+    let side: Vec<C> = eigenvalues(&modes).into_iter().filter(|s| cubic(*s).norm() < 1e-9 * size).collect();
+    let down = eigenvalues(&modes).into_iter().filter(|s| (s + k / m).norm() < 1e-9).count();
+    // A real root and a pair to each side, and down.
+    assert_eq!((side.len(), down, modes.modes.len()), (4, 1, 5), "{:?}", eigenvalues(&modes));
+    assert!(modes.stable());
+}
+
+/// With no more than drag of a place a free body comes to rest.
+#[test]
+fn drag_of_a_place_leaves_a_free_body_at_rest() {
+    let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
+    let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };
+    let at = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
+    let mut assembly = body.free();
+    assembly.forces = vec![
+        Force { name: "canopy".into(), law: Law::Drag { at, coefficient: 0.3 } },
+        Force { name: "air".into(), law: Law::SpinDrag { coefficient: 0.1 } },
+    ];
+    let modes = found(&assembly, near(V::new(0.1, 0.2, 1.0), &R)).unwrap();
+    assert!(
+        V::from(modes.state.omega).norm() < 1e-9 && modes.stable() && modes.modes.len() == 6,
+        "{modes:?}"
+    );
+}
+
+fn attitude_of(modes: &SteadyModes) -> Matrix3<f64> {
+    let [w, i, j, k] = modes.state.attitude;
+    *UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, i, j, k)).to_rotation_matrix().matrix()
+}
+
+fn formula_of_t(text: &str) -> Expression {
+    Expression::parse(text, &["t"]).unwrap()
+}
+
+fn constant(value: f64) -> Expression {
+    formula_of_t(&format!("{value:e}"))
+}
+
+/// A circular orbit of mean motion `n` whose plane is turned.
+pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
+    let (P, Q, W) = (S.column(0), S.column(1), S.column(2));
+    let semi_major_axis = 7.0e6;
+    Orbit {
+        parameter: n * n * f64::powi(semi_major_axis, 3),
+        semi_major_axis,
+        eccentricity: 0.0,
+        inclination: W[0].hypot(W[1]).atan2(W[2]),
+        node: W[0].atan2(-W[1]),
+        periapsis: P[2].atan2(Q[2]),
+        mean_anomaly: phase,
+    }
+}
+
+/// Why there is no steady state, of a held and of a free body with forces of these laws.
+fn refused(law: &[Law<Station>], free: bool, omega: V) -> String {
+    let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
+    let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };
+    let mut assembly = if free { body.free() } else { body.held(0.4) };
+    let named = |(i, law): (usize, &Law<Station>)| Force { name: format!("force {i}"), law: law.clone() };
+    assembly.forces = law.iter().enumerate().map(named).collect();
+    found(&assembly, near(omega, &Matrix3::identity())).unwrap_err().to_string()
+}
+
+#[test]
+fn what_has_no_steady_state_is_refused_in_words() {
+    let carrier = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
+    let spin = V::new(0.1, 0.2, 1.0);
+    let orbit = turned_orbit(&Matrix3::identity(), 0.1, 0.4);
+    let weight = Law::UniformGravity { acceleration: [0.0, 0.0, -9.81] };
+    let level = Law::UniformGravity { acceleration: [9.81, 0.0, 0.0] };
+    let eccentric = Law::CentralGravity { orbit: Orbit { eccentricity: 0.01, ..orbit } };
+    let wave = Wave { frequency: 0.2, phase: 0.0 };
+    let shaken = Law::Torque { torque: [0.1, 0.0, 0.0], axes: Axes::Body, wave };
+    let driven = Law::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Inertial, wave: Wave::default() };
+    let timed = Law::Expression { at: carrier, force: ["0", "0", "sin(t)"].map(formula) };
+    let placed = Law::Expression { at: carrier, force: ["-x", "0", "0"].map(formula) };
+    let field = Law::MagneticDipole {
+        moment: [1.0, 0.0, 0.2],
+        field: MagneticField::Dipole { strength: [1e20, 0.0, 3e20], orbit },
+    };
+    let told = [
+        (refused(&[eccentric], true, spin), "\"force 0\" is eccentric (0.01)"),
+        (refused(&[weight.clone(), shaken], false, spin), "the force \"force 1\" changes with time"),
+        (refused(&[timed], false, spin), "the force \"force 0\" changes with time"),
+        (refused(std::slice::from_ref(&placed), true, spin), "depends on where the free body is"),
+        (refused(&[weight.clone(), placed], false, spin), "the force \"force 1\" changes with time"),
+        (refused(&[weight.clone(), driven], false, spin), "N·m about the axis"),
+        (
+            refused(&[level, Law::CentralGravity { orbit }], false, spin),
+            "the acceleration of the support, changes with time",
+        ),
+        (refused(&[field], true, spin), "the force \"force 0\" changes with time"),
+        (
+            refused(
+                &[
+                    Law::CentralGravity { orbit },
+                    Law::CentralGravity { orbit: turned_orbit(&Matrix3::identity(), 0.2, 0.4) },
+                ],
+                true,
+                spin,
+            ),
+            "turn differently",
+        ),
+    ];
+    for (message, words) in told {
+        assert!(message.contains(words), "{message}");
+    }
+    let spun_up = Law::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Body, wave: Wave::default() };
+    assert!(refused(&[spun_up], true, spin).contains("spin it up or down"));
+    let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: Matrix3::identity(), center: V::zeros() };
+    let mut assembly = body.held(0.4);
+    let Support::FixedPoint { point } = assembly.support else { unreachable!() };
+    for acceleration in ["sin(t)", "t", "1 + 0.1*t^3", "0.3*cos(2*t) + 0.1*sin(t)"] {
+        let acceleration = [formula_of_t(acceleration), formula_of_t("cos(2*t)"), formula_of_t("0")];
+        assembly.support =
+            Support::Prescribed { point, acceleration, velocity: [0.0; 3], position: [0.0; 3] };
+        let message = found(&assembly, near(spin, &Matrix3::identity())).unwrap_err().to_string();
+        assert!(message.contains("acceleration of the support changes"), "{message}");
+    }
+    let speed = WheelSpeed::Prescribed { inertia: 0.1, speed: formula_of_t("10*t") };
+    let mut assembly = Assembly { forces: vec![gravity(V::z())], ..body.held(0.4) };
+    assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.0, 0.0, 1.0], speed });
+    let message = found(&assembly, near(spin, &Matrix3::identity())).unwrap_err().to_string();
+    assert!(message.contains("wheel changes its speed"), "{message}");
+}

@@ -284,13 +284,3 @@ fn a_forced_average_says_that_it_does_not_hold() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.stdout.starts_with("nutation damper: THE AVERAGE DOES NOT HOLD"), "{}", ran.stdout);
 }
-
-#[test]
-fn modes_of_a_body_under_forces_are_refused() {
-    let model = format!("{FLYWHEEL}[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e-4\n");
-    insta::assert_snapshot!(ran_with(&model, "modes model.toml").refusal().trim(), @"
-    quasirigid: modes are those of a body that no moment acts on: take the forces
-    and the driven support out of the model
-    ");
-    insta::assert_snapshot!(ran_with(FLYWHEEL, "modes model.toml --spin 1,2").refusal().trim(), @"quasirigid: an angular velocity has three components, not 2: --spin 0,0,1.5");
-}

@@ -2,7 +2,7 @@ use nalgebra::Complex;
 
 use super::equilibrium::RelativeEquilibrium;
 use super::pencil::Pencil;
-use super::shares::{dissipation, moving};
+use super::shares::{dissipation, known, moving};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::eigen::NoConvergence;
 use crate::math::sym::{self, norm, scale};
@@ -242,6 +242,7 @@ impl Frame<'_> {
             let shares = list.into_iter().map(|(name, value)| (name, value / sum));
             shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
         };
+        let told = known(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
             frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
@@ -249,7 +250,7 @@ impl Frame<'_> {
             nutation,
             name,
             moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
-            dissipation: if total > 0.0 { shares(lost, total) } else { Vec::new() },
+            dissipation: if total > 0.0 && told { shares(lost, total) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         }

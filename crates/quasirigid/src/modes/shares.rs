@@ -53,6 +53,14 @@ pub(super) fn moving(
     parts
 }
 
+/// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
+const SLOW: f64 = 1e-3;
+
+/// Whether shares of what is dissipated are known: the impedance of a liquid holds what it stores, too, which a fast decay gives back.
+pub(super) fn known(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
+    liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
+}
+
 /// Twice the mean power that each dissipator takes from a motion `e^{λt}`, by name.
 pub(super) fn dissipation(
     body: &FlexibleBody,

@@ -12,7 +12,7 @@ use crate::model::force::{Force, Law};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::inverse_iteration;
 use crate::modes::mode::SpinMode;
-use crate::modes::shares::{dissipation, moving};
+use crate::modes::shares::{dissipation, known, moving};
 
 type C = Complex<f64>;
 
@@ -36,8 +36,6 @@ const SAME: f64 = 1e-6;
 const LIGHT: f64 = 1e-5;
 /// A denominator of the balance below this share of its terms is lost in rounding.
 const CANCELLED: f64 = 1e-7;
-/// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
-const SLOW: f64 = 1e-3;
 /// Shares below this are not listed.
 const SHOWN: f64 = 1e-3;
 
@@ -192,8 +190,7 @@ impl About<'_> {
             shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
         };
         let rounding = self.pencil.rounding(lambda, x);
-        // The impedance of a liquid holds what it stores, which a fast decay gives back.
-        let told = liquids.is_empty() || lambda.re.abs() <= SLOW * lambda.norm();
+        let told = known(lambda, liquids.len(), lost.len());
         let mode = SpinMode {
             decay_rate: self.decay(lambda, x, &q, inside, rounding),
             frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {

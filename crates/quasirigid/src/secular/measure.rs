@@ -147,6 +147,7 @@ impl Window {
             Outcome::Finished => None,
             Outcome::Interrupted => return Err(MeasureError::Interrupted),
             Outcome::StepLimit => Some("the steps allowed were used up".to_owned()),
+            Outcome::LeftRange(left) => Some(left.to_string()),
             Outcome::Event(_) => Some("an event".to_owned()),
             Outcome::Failed(error) => Some(error.to_string()),
         };

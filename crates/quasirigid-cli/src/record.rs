@@ -180,7 +180,9 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
         Outcome::StepLimit => {
             ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
         }
-        Outcome::LeftRange(left) => ("left-validity", format!("{} at t = {t} s", describe::displaced(body, left))),
+        Outcome::LeftRange(left) => {
+            ("left-validity", format!("{} at t = {t} s", describe::displaced(body, left)))
+        }
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {
             ("event", format!("the energy passed {energy} J at t = {t} s, where the run was to stop"))

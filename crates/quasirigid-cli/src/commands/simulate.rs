@@ -105,7 +105,12 @@ fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Res
     }
 }
 
-fn object(body: &FlexibleBody, system: System, budget: &[(String, f64)], Run { outcome, last, work }: &Run) -> String {
+fn object(
+    body: &FlexibleBody,
+    system: System,
+    budget: &[(String, f64)],
+    Run { outcome, last, work }: &Run,
+) -> String {
     let (status, message) = status(body, *outcome, last.t);
     let object = json!({
         "system": name(system),

@@ -85,7 +85,8 @@ impl<'a> CurvedKinetics<'a> {
             s = add(s, scale(*zj, S[j]));
             let mut square = [0.0; 6];
             let row = j * all..(j + 1) * all;
-            let shared = self.second[row.clone()].iter().zip(&self.turning[row]).zip(&self.z).zip(&mut self.h);
+            let shared =
+                self.second[row.clone()].iter().zip(&self.turning[row]).zip(&self.z).zip(&mut self.h);
             for (((J2, Z), zk), h) in shared {
                 square.iter_mut().zip(J2).for_each(|(sum, J2)| *sum += zk * J2);
                 h.iter_mut().zip(Z).for_each(|(h, Z)| *h += zj * Z);
@@ -143,7 +144,8 @@ impl<'a> CurvedKinetics<'a> {
         self.spin = omega;
         (self.drift, self.u) = ([0.0; 3], [0.0; 3]);
         if self.body.translation().is_some() {
-            self.drift = S.iter().zip(&self.z_rate).fold([0.0; 3], |sum, (S, rate)| add(sum, scale(*rate, *S)));
+            self.drift =
+                S.iter().zip(&self.z_rate).fold([0.0; 3], |sum, (S, rate)| add(sum, scale(*rate, *S)));
             self.u = add(self.drift, cross(omega, s));
         }
     }
@@ -191,7 +193,8 @@ impl<'a> CurvedKinetics<'a> {
         let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
         let recoil = scale(per_mass, cross(self.u, self.spin));
         let load = |i: usize| {
-            let centrifugal: f64 = self.grown[i].iter().zip(square).map(|(grown, square)| grown * square).sum();
+            let centrifugal: f64 =
+                self.grown[i].iter().zip(square).map(|(grown, square)| grown * square).sum();
             let mut turning = [0.0; 3];
             for (Z, rate) in self.turning[i * all..(i + 1) * all].iter().zip(&self.z_rate) {
                 turning.iter_mut().zip(Z).for_each(|(turning, Z)| *turning += rate * Z);

@@ -57,7 +57,13 @@ impl<'a> Kinetics<'a> {
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
         if let Some(curved) = &mut self.curved {
             let omega = curved.velocities(K, p, q, rate);
-            return Velocities { omega, body: self.body, u: [0.0; 3], slopes: &[], curved: self.curved.as_ref() };
+            return Velocities {
+                omega,
+                body: self.body,
+                u: [0.0; 3],
+                slopes: &[],
+                curved: self.curved.as_ref(),
+            };
         }
         let (J, s) = self.prepare(q);
         for (row, p) in self.rows.iter_mut().zip(p) {

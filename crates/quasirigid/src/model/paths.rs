@@ -47,7 +47,10 @@ pub const RANGE: f64 = 0.2;
 impl fmt::Display for Displaced {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [share, range] = [self.share, RANGE].map(|share| 100.0 * share);
-        write!(f, "a beam was displaced by {share:.1} % of its length, beyond the {range} % to which its curved paths hold")
+        write!(
+            f,
+            "a beam was displaced by {share:.1} % of its length, beyond the {range} % to which its curved paths hold"
+        )
     }
 }
 

@@ -13,8 +13,8 @@ use crate::elements::matrices::Block;
 use crate::elements::moment;
 use crate::elements::structure::Condensation;
 use crate::math::eigen::NoConvergence;
-use crate::math::sym::Sym;
 use crate::math::sparse::SparseRows;
+use crate::math::sym::Sym;
 use crate::model::{Coordinate, CurvedPaths, Invariants, Pair};
 
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
@@ -94,7 +94,8 @@ impl Structure {
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
         let fields = scaled(&discrete, basis.displacements(forces.ncols()), whole.mass);
         let works = &fields * forces.transpose();
-        let energies: Vec<f64> = fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
+        let energies: Vec<f64> =
+            fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
         let paths = discrete.paths(&solver, &whole, purpose.floating, &fields, &energies);

@@ -58,14 +58,16 @@ impl Discrete<'_> {
             return None;
         }
         let second = solver.answers(forces);
-        let mut points = Points { masses: Vec::new(), places: Vec::new(), first: Vec::new(), second: Vec::new() };
+        let mut points =
+            Points { masses: Vec::new(), places: Vec::new(), first: Vec::new(), second: Vec::new() };
         for (element, bent) in elements.iter().zip(&inner) {
             let own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
             for grain in element.grains() {
                 points.push(&grain, whole.center, &own, bent.as_ref(), &pairs);
             }
         }
-        let scales: Vec<f64> = pairs.iter().map(|(j, k)| (energies[j] * energies[k]).sqrt().recip()).collect();
+        let scales: Vec<f64> =
+            pairs.iter().map(|(j, k)| (energies[j] * energies[k]).sqrt().recip()).collect();
         Some(points.paths(floating, &scales, &pairs))
     }
 }

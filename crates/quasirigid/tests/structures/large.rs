@@ -258,9 +258,10 @@ fn the_tip_follows_a_chain_of_rigid_links() {
     }
 }
 
-/// A short undamped boom on a free stage, nutating: nothing but the integrator changes the energy.
+/// A thick undamped boom on a free stage, nutating: nothing but the integrator changes the energy. Over 100 turns the drift was
+/// 7.5e-8 J of 30.5 J, in 80 s.
 #[test]
-fn energy_stays_over_a_hundred_turns() {
+fn energy_stays_over_many_turns() {
     let mut boom = TUBE.assembly();
     let part = &mut boom.parts[0];
     let Kind::Frame(frame) = &mut part.kind else { panic!("a frame") };
@@ -270,10 +271,10 @@ fn energy_stays_over_a_hundred_turns() {
     frame.members[0].elements = 2;
     part.rayleigh = [0.0; 2];
     let body = boom.body().unwrap();
-    let turns = 100.0;
+    let turns = 20.0;
     let (run, samples) = run(&body, [0.0, 0.02, 0.4], turns * std::f64::consts::TAU / 0.4, 1e-9);
     assert_eq!(run.outcome, Outcome::Finished);
     let drift = samples.iter().map(|sample| sample.energy_drift.abs()).fold(0.0, f64::max);
     println!("{:.0} turns, drift {drift:.1e} J of {} J", run.last.turns, run.last.energy);
-    assert!(run.last.turns > 99.0 && drift < 1e-7 * run.last.energy, "{drift}");
+    assert!(run.last.turns > 0.99 * turns && drift < 1e-7 * run.last.energy, "{drift}");
 }

@@ -158,7 +158,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
     velocities.add_loads(&q, &back, &mut found);
     for j in 0..n {
         let step = 1e-4 * bent(&body, 0.1)[j];
-        let mut lagrangian = |sign: f64| {
+        let lagrangian = |sign: f64| {
             let mut moved = q.clone();
             moved[j] += sign * step;
             let motion = Motion { omega, q: &moved, rate: &rate };

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::layout::FIRM;
+use quasirigid::model::{Displaced, FlexibleBody, RANGE};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
@@ -244,4 +245,31 @@ pub fn count(number: f64) -> String {
     const WORDS: [(f64, &str); 4] = [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
     let (size, word) = WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
     format!("{}{word}", significant(number / size, 3))
+}
+
+/// A place on a beam that has left the range of its curved paths.
+pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
+    let name = body.paths().and_then(|paths| Some(paths.reaches.get(left.reach)?.name.as_str()));
+    let [share, range] = [left.share, RANGE].map(|share| significant(100.0 * share, 3));
+    format!(
+        "{} was displaced by {share} % of its distance from where it is held, beyond the {range} % to which curved paths hold,",
+        name.unwrap_or("a beam")
+    )
+}
+
+/// How far the curved paths of the beams of a body hold; nothing without beams.
+pub fn range(body: &FlexibleBody) -> Option<String> {
+    let paths = body.paths()?;
+    let names: Vec<String> = paths
+        .reaches
+        .iter()
+        .map(|reach| format!("{} {} m", reach.name, significant(RANGE * reach.length, 3)))
+        .collect();
+    let range = significant(100.0 * RANGE, 3);
+    (!names.is_empty()).then(|| {
+        format!(
+            "The full system follows beams along curved paths up to displacements of {range} % of their length ({}), and ends there.",
+            names.join(", ")
+        )
+    })
 }

@@ -125,10 +125,10 @@ pub fn history(
     equations: &str,
     options: &Options,
     (samples, budget): (&[Sample], &[(String, f64)]),
-    run: &Run,
+    (body, run): (&FlexibleBody, &Run),
     axis: [f64; 3],
 ) -> HistoryRecord {
-    let (status, message) = status(run.outcome, run.last.t);
+    let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
         system: name(system).into(),
         form: equations.into(),
@@ -173,12 +173,15 @@ fn method(system: System, work: Work) -> String {
 }
 
 /// How a run ended: a word, and a sentence.
-pub fn status(outcome: Outcome, t: f64) -> (&'static str, String) {
+pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, String) {
     match outcome {
         Outcome::Finished => ("finished", "the run reached its end".into()),
         Outcome::Interrupted => ("interrupted", format!("the run was interrupted at t = {t} s")),
         Outcome::StepLimit => {
             ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
+        }
+        Outcome::LeftRange(left) => {
+            ("left-validity", format!("{} at t = {t} s", describe::displaced(body, left)))
         }
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {

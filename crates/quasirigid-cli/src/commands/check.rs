@@ -16,7 +16,7 @@ use serde_json::json;
 use super::modes::near;
 use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
-use crate::describe::{criterion, dissipation, reasons, shares, significant, time, verdict, word};
+use crate::describe::{criterion, dissipation, range, reasons, shares, significant, time, verdict, word};
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
@@ -55,6 +55,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
         model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
         condensation.iter().for_each(|known| text.push_str(&condensed(known)));
+        range(body).iter().for_each(|words| text.push_str(&format!("\n{}\n", paragraph(words, "", "  "))));
         model.assembly.parts.iter().for_each(|part| text.push_str(&truncation(part, body.pole())));
         text
     };

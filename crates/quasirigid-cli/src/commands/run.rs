@@ -212,11 +212,23 @@ impl<'a> Plan<'a> {
         let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
         let budget = collector.budget().to_vec();
         let (samples, _) = collector.finish();
-        if !self.quiet && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit) {
-            remark(&format!("{name}: {}", record::status(run.outcome, run.last.t).1));
+        if !self.quiet
+            && matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_))
+        {
+            remark(&format!(
+                "{name}: {}",
+                record::status(self.motion.system().body, run.outcome, run.last.t).1
+            ));
         }
         let equations = self.motion.equations(system, self.options.form);
-        Ok(record::history(system, equations, &self.options, (&samples, &budget), &run, self.axis))
+        Ok(record::history(
+            system,
+            equations,
+            &self.options,
+            (&samples, &budget),
+            (self.motion.system().body, &run),
+            self.axis,
+        ))
     }
 }
 

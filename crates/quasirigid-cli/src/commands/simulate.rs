@@ -1,4 +1,5 @@
 use quasirigid::dynamics::{Event, Outcome, Run};
+use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
@@ -73,9 +74,9 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     }
     table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
-        output::print(&object(arguments.system, &budget, &run))?;
+        output::print(&object(body, arguments.system, &budget, &run))?;
     }
-    let message = status(run.outcome, run.last.t).1;
+    let message = status(body, run.outcome, run.last.t).1;
     match run.outcome {
         Outcome::Finished => Ok(Ending::Done),
         Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
@@ -104,8 +105,13 @@ fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Res
     }
 }
 
-fn object(system: System, budget: &[(String, f64)], Run { outcome, last, work }: &Run) -> String {
-    let (status, message) = status(*outcome, last.t);
+fn object(
+    body: &FlexibleBody,
+    system: System,
+    budget: &[(String, f64)],
+    Run { outcome, last, work }: &Run,
+) -> String {
+    let (status, message) = status(body, *outcome, last.t);
     let object = json!({
         "system": name(system),
         "status": status,

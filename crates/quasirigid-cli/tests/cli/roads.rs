@@ -284,3 +284,8 @@ fn a_forced_average_says_that_it_does_not_hold() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.stdout.starts_with("nutation damper: THE AVERAGE DOES NOT HOLD"), "{}", ran.stdout);
 }
+
+#[test]
+fn a_spin_has_three_components() {
+    insta::assert_snapshot!(ran_with(FLYWHEEL, "modes model.toml --spin 1,2").refusal().trim(), @"quasirigid: an angular velocity has three components, not 2: --spin 0,0,1.5");
+}

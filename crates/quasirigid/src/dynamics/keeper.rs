@@ -8,6 +8,7 @@ use super::run::{Observer, Options, PROGRESS, Sample};
 use crate::math::ode::{Solver, State, Watcher};
 use crate::math::rotation;
 use crate::math::sym::{add, norm, scale};
+use crate::model::Displaced;
 
 /// A system whose state begins with the slow parts of [`layout`](super::layout).
 pub(super) trait Motion {
@@ -16,6 +17,12 @@ pub(super) trait Motion {
 
     /// What is constant along the motion.
     fn invariant(&self) -> Invariant;
+
+    /// The part that a state displaces beyond the range of the equations. (K14)
+    fn left(&self, y: &[f64]) -> Option<Displaced> {
+        let _ = y;
+        None
+    }
 }
 
 /// What a state means.
@@ -53,6 +60,8 @@ pub(super) struct Keeper<'o, F> {
     /// `Σ ln(|K|/G)` of the projections made. (P6)
     drift: f64,
     pub alarm: Alarm,
+    /// The part that has left the range of the equations, which ends the run.
+    pub left: Option<Displaced>,
     observer: &'o mut dyn Observer,
 }
 
@@ -69,7 +78,8 @@ impl<'o, F: Motion> Keeper<'o, F> {
         let K_N = rotation::to_inertial(attitude(y), start.momentum);
         let momentum = Conserved::new(K_N, norm(K_N), inside);
         let alarm = Alarm::new(&options.events);
-        let mut keeper = Self { motion, momentum, energy: start.energy, drift: 0.0, alarm, observer };
+        let mut keeper =
+            Self { motion, momentum, energy: start.energy, drift: 0.0, alarm, left: None, observer };
         let sample = keeper.sample(0.0, y);
         keeper.alarm.set(&sample);
         keeper
@@ -167,6 +177,10 @@ impl<M: Solver, F: Motion> Watcher<M> for Keeper<'_, F> {
 
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
         self.hold_invariants(solver);
+        self.left = self.motion.left(solver.y().as_ref());
+        if self.left.is_some() {
+            return ControlFlow::Break(());
+        }
         if solver.work().steps.is_multiple_of(PROGRESS) {
             self.observer.progress(solver.t())
         } else {

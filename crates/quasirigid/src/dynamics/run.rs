@@ -6,6 +6,7 @@ use super::event::Event;
 use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
 use crate::math::ode::{Ending, StepError, Work};
+use crate::model::Displaced;
 
 /// Where a propagation starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,6 +136,9 @@ pub enum Outcome {
     Event(Event),
     /// The steps allowed were used up.
     StepLimit,
+    /// A part was displaced beyond the range of the equations; its place is one of those of [`CurvedPaths`](crate::model::CurvedPaths).
+    /// (K14)
+    LeftRange(Displaced),
     /// No step could be made.
     Failed(StepError),
 }

@@ -73,3 +73,9 @@ pub fn smooth_inverse<T: Smooth>([xx, yy, zz, yz, zx, xy]: [T; 6]) -> [T; 6] {
 pub fn smooth_times<T: Scalar>([xx, yy, zz, yz, zx, xy]: [T; 6], x: [T; 3]) -> [T; 3] {
     [dot([xx, xy, zx], x), dot([xy, yy, yz], x), dot([zx, yz, zz], x)]
 }
+
+/// Products `xx, yy, zz, yz, zx, xy` of the components of a vector.
+#[must_use]
+pub fn products([x, y, z]: [f64; 3]) -> Sym {
+    [x * x, y * y, z * z, y * z, z * x, x * y]
+}

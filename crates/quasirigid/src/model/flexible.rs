@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{Dissipator, Invariants, Rheology, Support, Wheels};
+use super::{CurvedPaths, Dissipator, Invariants, Rheology, Support, Wheels};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -31,6 +31,7 @@ pub struct FlexibleBody {
     wheels: Wheels,
     coordinates: Vec<Coordinate>,
     markers: Vec<Marker>,
+    paths: Option<CurvedPaths>,
 }
 
 /// An internal coordinate.
@@ -190,7 +191,20 @@ impl FlexibleBody {
             wheels,
             coordinates,
             markers,
+            paths: None,
         })
+    }
+
+    /// The same body with all that the second order of its paths does to the full equations. (K12)
+    #[must_use]
+    pub fn along(self, paths: Option<CurvedPaths>) -> Self {
+        Self { paths, ..self }
+    }
+
+    /// Paths whose second order the full equations have in full; none where all paths are straight, or where only (I6) is known.
+    #[must_use]
+    pub fn paths(&self) -> Option<&CurvedPaths> {
+        self.paths.as_ref()
     }
 
     /// The same body with `C → C/ε²`, `B → B/ε`; paper, (2.2).
@@ -198,7 +212,7 @@ impl FlexibleBody {
     /// # Errors
     /// [`FlexibleError`] if the stiffness overflows.
     pub fn stiffened(&self, epsilon: f64) -> Result<Self, FlexibleError> {
-        Self::new(Parts {
+        let stiffened = Self::new(Parts {
             support: self.support.clone(),
             pole: self.pole,
             center_of_mass: self.center_of_mass,
@@ -212,7 +226,8 @@ impl FlexibleBody {
             cyclic: self.cyclic().len(),
             wheels: self.wheels.clone(),
             markers: self.markers.clone(),
-        })
+        });
+        Ok(stiffened?.along(self.paths.clone()))
     }
 
     /// The same body with its cyclic coordinates locked.
@@ -266,7 +281,9 @@ impl FlexibleBody {
             wheels: self.wheels.clone(),
             markers: self.markers.iter().map(|m| Marker { shapes: shapes(m), ..m.clone() }).collect(),
         };
-        Self::new(parts).expect("a block of a positive definite matrix is positive definite")
+        let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
+        let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");
+        body.along(paths)
     }
 
     /// How the body is held.

@@ -1,9 +1,11 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::{FlexibleBody, Invariants};
+use super::curved::CurvedKinetics;
+use super::{FlexibleBody, Invariants, Motion};
 use crate::math::cholesky::Cholesky;
+use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{self, Sym, add, cross, dot, scale, times};
+use crate::math::sym::{self, Sym, add, cross, dot, products, scale, times};
 
 /// Velocities from momenta: solves (S2) and (S4) for the spin and the rates of the coordinates, at any displacement.
 ///
@@ -17,6 +19,8 @@ pub struct Kinetics<'a> {
     solved: Vec<[f64; 4]>,
     /// `½∂J/∂q_j` of the body that does not recoil.
     slopes: Vec<Sym>,
+    /// The same with paths that are curved point by point.
+    curved: Option<CurvedKinetics<'a>>,
 }
 
 /// Spin of a state, and what its loads are computed from.
@@ -28,6 +32,7 @@ pub struct Velocities<'k> {
     /// Inertial rate of the first moment of the displacement, `ṡ + ω × s` (N·s); zero where the body is held.
     u: [f64; 3],
     slopes: &'k [Sym],
+    curved: Option<&'k CurvedKinetics<'k>>,
 }
 
 impl<'a> Kinetics<'a> {
@@ -36,7 +41,9 @@ impl<'a> Kinetics<'a> {
     pub fn new(body: &'a FlexibleBody) -> Self {
         let n = body.coordinates().len();
         let rows = vec![[0.0; 4]; n];
-        Self { body, inverse: MassInverse::new(body), solved: rows.clone(), rows, slopes: vec![[0.0; 6]; n] }
+        let curved = body.paths().map(|paths| CurvedKinetics::new(body, paths));
+        let slopes = vec![[0.0; 6]; n];
+        Self { body, inverse: MassInverse::new(body), solved: rows.clone(), rows, slopes, curved }
     }
 
     /// The body.
@@ -48,6 +55,16 @@ impl<'a> Kinetics<'a> {
     /// Spin at these momenta (N·m·s, without the wheels; coordinates' own units) and coordinates; writes the rates of the
     /// coordinates.
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
+        if let Some(curved) = &mut self.curved {
+            let omega = curved.velocities(K, p, q, rate);
+            return Velocities {
+                omega,
+                body: self.body,
+                u: [0.0; 3],
+                slopes: &[],
+                curved: self.curved.as_ref(),
+            };
+        }
         let (J, s) = self.prepare(q);
         for (row, p) in self.rows.iter_mut().zip(p) {
             row[3] = *p;
@@ -67,7 +84,31 @@ impl<'a> Kinetics<'a> {
             drift = add(drift, scale(*rate, *S));
         }
         let u = if self.body.translation().is_some() { add(drift, cross(omega, s)) } else { [0.0; 3] };
-        Velocities { omega, body: self.body, u, slopes: &self.slopes }
+        Velocities { omega, body: self.body, u, slopes: &self.slopes, curved: None }
+    }
+
+    /// Angular momentum about the pole without that of the wheels (N·m·s, body axes), and generalised momenta, of a motion: what
+    /// [`velocities`](Self::velocities) takes. (S2), (S4), (K13)
+    #[must_use]
+    pub fn momenta(&mut self, motion: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+        match &mut self.curved {
+            Some(curved) => curved.momenta(motion),
+            None => (self.body.momentum(motion), self.body.generalized_momentum(motion)),
+        }
+    }
+
+    /// Mass matrix at displacements with the body free to recoil, `A(q) − h J⁻¹ hᵀ`, where it changes with them. (V2), (K13)
+    pub fn recoiling_mass(&mut self, q: &[f64]) -> Option<Dense> {
+        self.curved.as_mut().map(|curved| curved.recoiling_mass(q))
+    }
+
+    /// Energy of a motion (J), kinetic and elastic, without that of the wheels. (S5), (K13)
+    #[must_use]
+    pub fn energy(&mut self, motion: Motion<f64>) -> f64 {
+        let (K, p) = self.momenta(motion);
+        let kinetic = dot(motion.omega, K) + p.iter().zip(motion.rate).map(|(p, rate)| p * rate).sum::<f64>();
+        let forces = self.body.stiffness().times(motion.q);
+        0.5 * (kinetic + forces.iter().zip(motion.q).map(|(force, q)| force * q).sum::<f64>())
     }
 
     /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows, and the slopes.
@@ -108,30 +149,37 @@ impl Velocities<'_> {
     /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; the power that the
     /// dashpots take (W). (S4)
     pub fn add_loads(&self, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
-        let Self { omega, body, u, slopes } = *self;
+        let Self { omega, body, u, slopes, curved } = *self;
+        if let Some(curved) = curved {
+            curved.add_loads(sum);
+            return add_internal(body, q, rate, sum);
+        }
         let Invariants { S, pairs, .. } = body.invariants();
         let [xx, yy, zz, yz, zx, xy] = products(omega);
         let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
         let recoil = scale(body.translation().unwrap_or(0.0), cross(u, omega));
-        let mut power = 0.0;
         for (j, sum) in sum.iter_mut().enumerate() {
             let centrifugal: f64 = slopes[j].iter().zip(square).map(|(slope, square)| slope * square).sum();
             let mut turning = [0.0; 3];
             for (k, pair) in pairs.row(j) {
                 turning.iter_mut().zip(pair.Z).for_each(|(turning, Z)| *turning += rate[k] * Z);
             }
-            let damped: f64 = body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
-            let elastic: f64 = body.stiffness().row(j).map(|(k, c)| c * q[k]).sum();
-            power += damped * rate[j];
-            *sum += centrifugal + dot(omega, turning) - dot(S[j], recoil) - damped - elastic;
+            *sum += centrifugal + dot(omega, turning) - dot(S[j], recoil);
         }
-        power
+        add_internal(body, q, rate, sum)
     }
 }
 
-/// `xx, yy, zz, yz, zx, xy` of a vector.
-fn products([x, y, z]: [f64; 3]) -> Sym {
-    [x * x, y * y, z * z, y * z, z * x, x * y]
+/// Adds the loads of springs and dashpots; the power that the dashpots take (W).
+fn add_internal(body: &FlexibleBody, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
+    let mut power = 0.0;
+    for (j, sum) in sum.iter_mut().enumerate() {
+        let damped: f64 = body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
+        let elastic: f64 = body.stiffness().row(j).map(|(k, c)| c * q[k]).sum();
+        power += damped * rate[j];
+        *sum -= damped + elastic;
+    }
+    power
 }
 
 /// Inverse of the mass matrix `A − SSᵀ/m*` of a free body, `A` of a held one.

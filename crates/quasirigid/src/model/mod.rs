@@ -1,5 +1,6 @@
 //! What a body *is*.
 
+mod curved;
 mod dissipator;
 mod equations;
 mod flexible;
@@ -8,6 +9,7 @@ pub(crate) mod impedance;
 mod inertia;
 mod invariants;
 mod kinetics;
+mod paths;
 mod principal;
 mod reduced;
 mod rheology;
@@ -21,6 +23,7 @@ pub use flexible::{Coordinate, FlexibleBody, FlexibleError, LiquidMemory, Lossy,
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};
+pub use paths::{CurvedPaths, Displaced, RANGE, Reach};
 pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
 pub use rheology::{Measured, Rheology, RheologyError};

@@ -154,6 +154,7 @@ impl DirectRun {
             Outcome::Event(_) => Some(DirectEnding::Reached),
             Outcome::StepLimit => Some(DirectEnding::StepLimit),
             Outcome::Interrupted => Some(DirectEnding::Interrupted),
+            Outcome::LeftRange(left) => Some(DirectEnding::Failed { reason: left.to_string() }),
             Outcome::Failed(error) => Some(DirectEnding::Failed { reason: error.to_string() }),
         };
         if self.rows.last().is_none_or(|last| last.t < end.t) {

@@ -150,6 +150,7 @@ impl Window {
             Outcome::Finished => None,
             Outcome::Interrupted => return Err(MeasureError::Interrupted),
             Outcome::StepLimit => return Err(MeasureError::StepLimit),
+            Outcome::LeftRange(left) => Some(left.to_string()),
             Outcome::Event(_) => Some("an event".to_owned()),
             Outcome::Failed(error) => Some(error.to_string()),
         };

@@ -36,7 +36,8 @@ pub fn propagate_full(
     let mut solver = FullSolver::new(full, y, allowed, options.method);
     let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
     let last = keeper.sample(solver.t(), solver.y());
-    let run = Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() };
+    let outcome = keeper.left.map_or_else(|| Outcome::of(ending, keeper.alarm.rung), Outcome::LeftRange);
+    let run = Run { outcome, last, work: solver.work() };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
 }

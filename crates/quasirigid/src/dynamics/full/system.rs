@@ -4,12 +4,13 @@ use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
 use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
+use crate::math::eigen::Dense;
 use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::{self, add, cross, dot, norm, scale};
-use crate::model::{FlexibleBody, Kinetics, Motion};
+use crate::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
 /// (S3), (S4), (T1), (C2)
@@ -22,6 +23,8 @@ pub(super) struct FullSystem<'a> {
     accounts: Vec<Vec<(usize, usize, f64)>>,
     vibrator: Vibrator,
     shifts: Vec<DynamicStiffness>,
+    /// Mass matrix of the vibrations, where it changes with the displacements.
+    mass: Option<Dense>,
 }
 
 /// Steps of power iteration: the frequency is needed to a few per cent.
@@ -39,7 +42,16 @@ impl<'a> FullSystem<'a> {
             accounts: accounts.collect(),
             vibrator: vibrator(body),
             shifts: Vec::new(),
+            mass: None,
         }
+    }
+
+    /// Free vibrations with this mass matrix.
+    fn vibrator_of(&self, mass: &Dense) -> Vibrator {
+        let (n, body) = (mass.size(), self.system.body);
+        let entries = (0..n).flat_map(|j| (0..n).map(move |k| (j, k, mass.at(j, k))));
+        let A = SparseRows::sum(n, entries.collect());
+        Vibrator::new(A, vec![[0.0; 6]; n], [[0.0; 6]; 6], body.damping().clone(), body.stiffness().clone())
     }
 
     /// Adds what external forces do to the rates of a state. (F1), (F11)
@@ -127,6 +139,11 @@ impl Followed for FullSystem<'_> {
         Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate }
     }
 
+    fn left(&self, y: &[f64]) -> Option<Displaced> {
+        let farthest = self.system.body.paths()?.farthest(&y[self.layout.q()])?;
+        (farthest.share > RANGE).then_some(farthest)
+    }
+
     fn invariant(&self) -> Invariant {
         if self.system.acts() { Invariant::Impulse } else { Invariant::Momentum }
     }
@@ -136,6 +153,16 @@ impl Followed for FullSystem<'_> {
 impl Stiff for FullSystem<'_> {
     fn stiff(&self) -> usize {
         self.layout.slow()
+    }
+
+    fn renew(&mut self, y: &[f64]) -> bool {
+        let Some(mass) = self.kinetics.recoiling_mass(&y[self.layout.q()]) else { return false };
+        if self.mass.as_ref().is_some_and(|known| alike(known, &mass)) {
+            return false;
+        }
+        self.vibrator = self.vibrator_of(&mass);
+        self.mass = Some(mass);
+        true
     }
 
     fn shift(&mut self, shifts: [[f64; 2]; 4]) {
@@ -160,6 +187,20 @@ fn vibrator(body: &FlexibleBody) -> Vibrator {
         weights[3 + i][3..].copy_from_slice(&inverse[i]);
     }
     Vibrator::new(A, rows.collect(), weights, body.damping().clone(), body.stiffness().clone())
+}
+
+/// Change of an entry of the mass matrix, over the geometric mean of those on its diagonal, that the iteration of an implicit step
+/// does not feel.
+const CHANGED: f64 = 0.01;
+
+/// Whether two mass matrices are nearly the same.
+fn alike(known: &Dense, mass: &Dense) -> bool {
+    (0..mass.size()).all(|j| {
+        (0..=j).all(|k| {
+            let size = (mass.at(j, j) * mass.at(k, k)).sqrt();
+            (mass.at(j, k) - known.at(j, k)).abs() <= CHANGED * size
+        })
+    })
 }
 
 /// Entries of a symmetric matrix on and above the diagonal, the others doubled.

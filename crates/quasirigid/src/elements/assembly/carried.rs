@@ -17,7 +17,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
+    Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -56,8 +56,12 @@ impl Assembly {
         let invariants = whole.invariants(pole, mass);
         self.has_inertia(Place::Carrier, &invariants)?;
         let start = whole.flexible();
+        let paths =
+            whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
         let nodes = net.as_ref().zip(whole.component.as_ref());
         let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
+        let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&pulled));
+        let paths = paths.map(|paths| CurvedPaths { reaches, ..paths });
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
         let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
@@ -81,7 +85,7 @@ impl Assembly {
             wheels: self.spinning_wheels()?,
             markers,
         });
-        let body = body.map_err(|error| self.blame(error))?;
+        let body = body.map_err(|error| self.blame(error))?.along(paths);
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow })

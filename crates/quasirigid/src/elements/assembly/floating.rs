@@ -9,7 +9,7 @@ use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::model::force::Force;
-use crate::model::{FlexibleBody, Invariants, Parts, Support, Wheels};
+use crate::model::{CurvedPaths, FlexibleBody, Invariants, Parts, Support, Wheels};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
@@ -27,10 +27,12 @@ impl Assembly {
         let invariants = invariants(&component, center);
         let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
         self.has_inertia(whole, &invariants)?;
+        let paths = component.curved_paths(center, 0, &invariants);
         let size = component.size();
         let Matrices { stiffness, damping, lossy, dissipators } =
             Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
         let pulled = net.pulled(&component, 0);
+        let paths = paths.map(|paths| CurvedPaths { reaches: net.reaches(&pulled), ..paths });
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
             End::Carrier => None,
@@ -55,9 +57,9 @@ impl Assembly {
         });
         let body = body.map_err(|error| {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
-        })?;
+        });
         Ok(Built {
-            body,
+            body: body?.along(paths),
             forces,
             condensation: Some(component.condensation()),
             speeds: Vec::new(),

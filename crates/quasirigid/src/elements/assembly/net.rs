@@ -12,7 +12,7 @@ use crate::elements::structure::{
     Component, Fault, Freedoms, Hold, Joint, Node, Purpose, Structure, Unknown,
 };
 use crate::elements::{End, Motion, coefficient};
-use crate::model::Rheology;
+use crate::model::{Reach, Rheology};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
 pub(super) struct Net<'a> {
@@ -121,6 +121,23 @@ impl<'a> Net<'a> {
             (*node, Pulled { name, place, shapes: component.shapes(number, start) })
         };
         self.stations.iter().enumerate().map(pulled).collect()
+    }
+
+    /// Named nodes of beams, by which their displacement is measured, each with its distance from where the beams are attached, or
+    /// from the farthest of their nodes.
+    pub fn reaches(&self, pulled: &BTreeMap<NodeRef, Pulled>) -> Vec<Reach> {
+        let reach = |(node, pulled): (&NodeRef, &Pulled)| {
+            let part = self.assembly.parts.get(node.part)?;
+            let Kind::Frame(frame) = &part.kind else { return None };
+            let places = part.nodes();
+            let from = |other: usize| (places[other].place - places[node.node].place).norm();
+            let held = part.attached.iter().map(|other| from(*other)).min_by(f64::total_cmp);
+            let length = held.or_else(|| (0..places.len()).map(from).max_by(f64::total_cmp))?;
+            let watched = node.node < frame.nodes.len() && length > 0.0;
+            let (name, shapes) = (pulled.name.clone(), pulled.shapes.clone());
+            watched.then_some(Reach { name, length, shapes })
+        };
+        pulled.iter().filter_map(reach).collect()
     }
 
     /// Name of a node of the structure.

@@ -7,13 +7,15 @@ use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
+use super::paths::Paths;
 use super::solver::Solver;
 use crate::elements::matrices::Block;
 use crate::elements::moment;
 use crate::elements::structure::Condensation;
 use crate::math::eigen::NoConvergence;
+use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
-use crate::model::{Coordinate, Pair};
+use crate::model::{Coordinate, CurvedPaths, Invariants, Pair};
 
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
 #[derive(Clone, Debug)]
@@ -30,6 +32,8 @@ pub(in crate::elements) struct Component {
     masses: DMatrix<f64>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
+    /// Their second order point by point; none if they are straight, or those of a panel or a solid.
+    paths: Option<Paths>,
     /// Stiffness, damping and rheology by what dissipates.
     blocks: Vec<Block>,
     /// Displacement of each station per unit of each coordinate.
@@ -90,10 +94,14 @@ impl Structure {
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
         let fields = scaled(&discrete, basis.displacements(forces.ncols()), whole.mass);
         let works = &fields * forces.transpose();
+        let energies: Vec<f64> =
+            fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
+        let paths = discrete.paths(&solver, &whole, purpose.floating, &fields, &energies);
         Ok(Component {
             whole,
+            paths,
             sums,
             moments,
             products: by_pair(&discrete.products(&fields)),
@@ -141,9 +149,13 @@ impl Component {
         (self.sums[j].into(), moment::cross(&W), moment::inertia(&W))
     }
 
+    fn straight_pair(&self, j: usize, k: usize) -> Pair {
+        Pair { A: self.masses[(j, k)], ..moment::straight_pair(&self.products[j][k]) }
+    }
+
     /// Invariants of two coordinates about a pole. (I4)–(I6)
     pub fn pair(&self, j: usize, k: usize, pole: Vector3<f64>) -> Pair {
-        let straight = Pair { A: self.masses[(j, k)], ..moment::straight_pair(&self.products[j][k]) };
+        let straight = self.straight_pair(j, k);
         let Some(curvatures) = &self.curvatures else { return straight };
         let Curvature { sum, moment } = curvatures[j][k];
         let G = moment + (self.whole.center - pole) * sum.transpose();
@@ -157,6 +169,48 @@ impl Component {
             let (j, k) = (entry / size, entry % size);
             (start + j, start + k, self.pair(j, k, pole))
         })
+    }
+
+    /// The paths with all that their second order does, in a body with these invariants; coordinates are numbered from `start`. (K12)
+    pub fn curved_paths(&self, pole: Vector3<f64>, start: usize, body: &Invariants) -> Option<CurvedPaths> {
+        let paths = self.paths.as_ref()?;
+        let (own, first) = (start..start + self.size(), body.S.len());
+        let arm = self.whole.center - pole;
+        let mut whole = body.clone();
+        let others = body.pairs.iter().filter(|(j, k, _)| !(own.contains(j) && own.contains(k)));
+        let mut pairs: Vec<(usize, usize, Pair)> = others.map(|(j, k, pair)| (j, k, *pair)).collect();
+        for (j, k) in own.clone().flat_map(|j| own.clone().map(move |k| (j, k))) {
+            pairs.push((j, k, self.rest(j - start, k - start, pole, paths)));
+        }
+        for (e, (sum, moment)) in paths.sums.iter().zip(&paths.moments).enumerate() {
+            let W = moment + arm * sum.transpose();
+            whole.S.push((*sum).into());
+            whole.h.push(moment::cross(&W));
+            whole.J1.push(moment::inertia(&W));
+            for (other, W) in paths.products[e].iter().enumerate() {
+                let fields = other.checked_sub(self.size());
+                let place = fields.map_or(start + other, |field| first + field);
+                pairs.push((first + e, place, moment::straight_pair(W)));
+                if fields.is_none() {
+                    pairs.push((place, first + e, moment::straight_pair(&W.transpose())));
+                }
+            }
+        }
+        whole.pairs = SparseRows::sum(whole.S.len(), pairs);
+        let forms = paths.forms.iter().map(|form| form.as_slice().to_vec()).collect();
+        Some(CurvedPaths { straight: whole, coordinates: own, forms, reaches: Vec::new() })
+    }
+
+    /// Invariants of two coordinates without what the fields of the second order bring themselves.
+    fn rest(&self, j: usize, k: usize, pole: Vector3<f64>, paths: &Paths) -> Pair {
+        let mut rest = self.pair(j, k, pole);
+        for ((sum, moment), form) in paths.sums.iter().zip(&paths.moments).zip(&paths.forms) {
+            let W = form[(j, k)] * (moment + (self.whole.center - pole) * sum.transpose());
+            let (grown, turned) = (moment::inertia(&W), moment::cross(&W));
+            rest.J2.iter_mut().zip(grown).for_each(|(rest, part)| *rest -= 0.5 * part);
+            rest.Z.iter_mut().zip(turned).for_each(|(rest, part)| *rest -= part);
+        }
+        rest
     }
 
     /// Its coordinates, by name.
@@ -209,6 +263,10 @@ fn scaled(discrete: &Discrete<'_>, mut fields: DMatrix<f64>, mass: f64) -> DMatr
         fields.row_mut(j).scale_mut(rms.recip());
     }
     fields
+}
+
+fn energy(discrete: &Discrete<'_>, field: &nalgebra::RowDVector<f64>) -> f64 {
+    field.dot(&nalgebra::RowDVector::from_vec(discrete.total.times(field.as_slice())))
 }
 
 fn by_pair(products: &[DMatrix<f64>; 9]) -> Vec<Vec<Matrix3<f64>>> {

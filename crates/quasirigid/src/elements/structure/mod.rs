@@ -9,6 +9,7 @@ mod freedoms;
 mod grains;
 mod loads;
 mod losses;
+mod paths;
 mod rows;
 mod solver;
 mod sum;

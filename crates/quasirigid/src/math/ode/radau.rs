@@ -89,7 +89,8 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     }
 
     fn factor(&mut self, h: f64) {
-        if self.factored != h {
+        let renewed = self.system.renew(&self.y);
+        if renewed || self.factored != h {
             self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
             self.factored = h;
             self.work.factorizations += 1;

@@ -1,0 +1,261 @@
+use nalgebra::{DMatrix, Dyn};
+
+use super::{CurvedPaths, FlexibleBody, Invariants, Motion};
+use crate::math::eigen::Dense;
+use crate::math::sym::{Sym, add, cross, dot, products, scale, times};
+
+/// The full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
+#[derive(Clone, Debug)]
+pub(super) struct CurvedKinetics<'a> {
+    body: &'a FlexibleBody,
+    paths: &'a CurvedPaths,
+    /// Invariants of pairs, row by row over all coordinates of the body on straight paths.
+    second: Vec<Sym>,
+    turning: Vec<[f64; 3]>,
+    mass: DMatrix<f64>,
+    /// Values and rates of all coordinates; values of cyclic ones are zero.
+    z: Vec<f64>,
+    z_rate: Vec<f64>,
+    /// `∂y_e/∂q_j`, a row for each field.
+    slopes: DMatrix<f64>,
+    /// `h(z)` of all coordinates, and `½∂J/∂z` of the body that does not recoil.
+    h: Vec<[f64; 3]>,
+    grown: Vec<Sym>,
+    spin: [f64; 3],
+    /// Rate of the first moment of the displacement, and the same with that of the turn.
+    drift: [f64; 3],
+    u: [f64; 3],
+}
+
+impl<'a> CurvedKinetics<'a> {
+    /// Prepares the body.
+    pub fn new(body: &'a FlexibleBody, paths: &'a CurvedPaths) -> Self {
+        let Invariants { S, pairs, .. } = &paths.straight;
+        let all = S.len();
+        let mut curved = Self {
+            body,
+            paths,
+            second: vec![[0.0; 6]; all * all],
+            turning: vec![[0.0; 3]; all * all],
+            mass: DMatrix::zeros(all, all),
+            z: vec![0.0; all],
+            z_rate: vec![0.0; all],
+            slopes: DMatrix::zeros(paths.fields(), body.coordinates().len()),
+            h: vec![[0.0; 3]; all],
+            grown: vec![[0.0; 6]; all],
+            spin: [0.0; 3],
+            drift: [0.0; 3],
+            u: [0.0; 3],
+        };
+        for (j, k, pair) in pairs.iter() {
+            curved.second[j * all + k] = pair.J2;
+            curved.turning[j * all + k] = pair.Z;
+            curved.mass[(j, k)] = pair.A;
+        }
+        curved
+    }
+
+    /// Takes displacements: what follows them, and the inertia tensor there with the first moment of the displacement.
+    fn displace(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
+        let CurvedPaths { coordinates, forms, .. } = self.paths;
+        let (n, elastic) = (q.len(), self.body.elastic());
+        self.z[..elastic].copy_from_slice(&q[..elastic]);
+        let curving = &q[coordinates.clone()];
+        let size = curving.len();
+        for (e, form) in forms.iter().enumerate() {
+            let mut y = 0.0;
+            for (j, row) in form.chunks_exact(size.max(1)).enumerate() {
+                let slope: f64 = row.iter().zip(curving).map(|(form, q)| form * q).sum();
+                self.slopes[(e, coordinates.start + j)] = slope;
+                y += 0.5 * slope * curving[j];
+            }
+            self.z[n + e] = y;
+        }
+        self.straight()
+    }
+
+    /// `J(z)` and the first moment of the displacement; `h(z)` and `½∂J/∂z` into their places.
+    fn straight(&mut self) -> (Sym, [f64; 3]) {
+        let Invariants { J, J1, S, h, .. } = &self.paths.straight;
+        let all = self.z.len();
+        let mut J = *J;
+        let mut s = [0.0; 3];
+        self.h.copy_from_slice(h);
+        for (j, zj) in self.z.iter().enumerate() {
+            s = add(s, scale(*zj, S[j]));
+            let mut square = [0.0; 6];
+            let row = j * all..(j + 1) * all;
+            let shared =
+                self.second[row.clone()].iter().zip(&self.turning[row]).zip(&self.z).zip(&mut self.h);
+            for (((J2, Z), zk), h) in shared {
+                square.iter_mut().zip(J2).for_each(|(sum, J2)| *sum += zk * J2);
+                h.iter_mut().zip(Z).for_each(|(h, Z)| *h += zj * Z);
+            }
+            for (((J, J1), square), grown) in J.iter_mut().zip(J1[j]).zip(square).zip(&mut self.grown[j]) {
+                *J += zj * (J1 + square);
+                *grown = 0.5 * J1 + square;
+            }
+        }
+        let Some(per_mass) = self.body.translation() else { return (J, [0.0; 3]) };
+        let [xx, yy, zz, yz, zx, xy] = products(s);
+        let about_center = [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy];
+        J.iter_mut().zip(about_center).for_each(|(J, part)| *J -= per_mass * part);
+        for (h, S) in self.h.iter_mut().zip(S) {
+            *h = add(*h, scale(-per_mass, cross(s, *S)));
+        }
+        (J, s)
+    }
+
+    /// A vector of each coordinate with what the fields that follow it have.
+    fn gathered(&self, vectors: &[[f64; 3]], j: usize) -> [f64; 3] {
+        let n = self.body.coordinates().len();
+        let fields = vectors[n..].iter().enumerate();
+        fields.fold(vectors[j], |sum, (e, vector)| add(sum, scale(self.slopes[(e, j)], *vector)))
+    }
+
+    /// Mass matrix of the coordinates at the displacements taken, the translation of a free body eliminated. (K13)
+    fn mass(&self) -> DMatrix<f64> {
+        let n = self.body.coordinates().len();
+        let fields = self.paths.fields();
+        let own = self.mass.view((0, 0), (n, n));
+        let cross = self.mass.view((n, 0), (fields, n));
+        let inner = self.mass.view((n, n), (fields, fields));
+        let mixed = self.slopes.transpose() * (0.5 * inner * &self.slopes + cross);
+        let mut mass = own + &mixed + mixed.transpose();
+        if let Some(per_mass) = self.body.translation() {
+            let S: Vec<[f64; 3]> = (0..n).map(|j| self.gathered(&self.paths.straight.S, j)).collect();
+            for (j, S_j) in S.iter().enumerate() {
+                for (k, S_k) in S.iter().enumerate() {
+                    mass[(j, k)] -= per_mass * dot(*S_j, *S_k);
+                }
+            }
+        }
+        mass
+    }
+
+    /// Takes a motion whose displacements have been taken.
+    fn move_on(&mut self, omega: [f64; 3], rate: &[f64], s: [f64; 3]) {
+        let n = rate.len();
+        self.z_rate[..n].copy_from_slice(rate);
+        for e in 0..self.paths.fields() {
+            self.z_rate[n + e] = self.slopes.row(e).iter().zip(rate).map(|(slope, rate)| slope * rate).sum();
+        }
+        let S = &self.paths.straight.S;
+        self.spin = omega;
+        (self.drift, self.u) = ([0.0; 3], [0.0; 3]);
+        if self.body.translation().is_some() {
+            self.drift =
+                S.iter().zip(&self.z_rate).fold([0.0; 3], |sum, (S, rate)| add(sum, scale(*rate, *S)));
+            self.u = add(self.drift, cross(omega, s));
+        }
+    }
+
+    /// Spin at these momenta; writes the rates of the coordinates.
+    pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> [f64; 3] {
+        let n = q.len();
+        let (J, s) = self.displace(q);
+        let rows = DMatrix::from_row_iterator(
+            n,
+            4,
+            (0..n).flat_map(|j| {
+                let [x, y, z] = self.gathered(&self.h, j);
+                [x, y, z, p[j]]
+            }),
+        );
+        let solved = match nalgebra::Cholesky::<f64, Dyn>::new(self.mass()) {
+            Some(factor) => factor.solve(&rows),
+            None => DMatrix::from_element(n, 4, f64::NAN),
+        };
+        let mut schur = J;
+        let mut load = K;
+        for (row, solved) in rows.row_iter().zip(solved.row_iter()) {
+            let [hx, hy, hz] = [row[0], row[1], row[2]];
+            let [x, y, z, p] = [solved[0], solved[1], solved[2], solved[3]];
+            let products = [hx * x, hy * y, hz * z, hy * z, hz * x, hx * y];
+            schur.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
+            load = add(load, scale(-p, [hx, hy, hz]));
+        }
+        let omega = times(crate::math::sym::inverse(schur), load);
+        for (rate, solved) in rate.iter_mut().zip(solved.row_iter()) {
+            *rate = solved[3] - (solved[0] * omega[0] + solved[1] * omega[1] + solved[2] * omega[2]);
+        }
+        self.move_on(omega, rate, s);
+        omega
+    }
+
+    /// Adds the centrifugal and Coriolis loads of the motion taken last to `sum`. (K13)
+    pub fn add_loads(&self, sum: &mut [f64]) {
+        let n = self.body.coordinates().len();
+        let all = self.z.len();
+        let S = &self.paths.straight.S;
+        let per_mass = self.body.translation().unwrap_or(0.0);
+        let [xx, yy, zz, yz, zx, xy] = products(self.spin);
+        let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
+        let recoil = scale(per_mass, cross(self.u, self.spin));
+        let load = |i: usize| {
+            let centrifugal: f64 =
+                self.grown[i].iter().zip(square).map(|(grown, square)| grown * square).sum();
+            let mut turning = [0.0; 3];
+            for (Z, rate) in self.turning[i * all..(i + 1) * all].iter().zip(&self.z_rate) {
+                turning.iter_mut().zip(Z).for_each(|(turning, Z)| *turning += rate * Z);
+            }
+            centrifugal + dot(self.spin, turning) - dot(S[i], recoil)
+        };
+        for (i, sum) in sum.iter_mut().enumerate() {
+            *sum += load(i);
+        }
+        let CurvedPaths { coordinates, forms, .. } = self.paths;
+        let rates = &self.z_rate[coordinates.clone()];
+        for (e, form) in forms.iter().enumerate() {
+            let field = n + e;
+            let (load, momentum) = (load(field), self.momentum(field));
+            for (j, row) in form.chunks_exact(rates.len().max(1)).enumerate() {
+                let changing: f64 = row.iter().zip(rates).map(|(form, rate)| form * rate).sum();
+                let at = coordinates.start + j;
+                sum[at] += self.slopes[(e, at)] * load + changing * momentum;
+            }
+        }
+    }
+
+    /// Momentum of a coordinate of the body on straight paths.
+    fn momentum(&self, i: usize) -> f64 {
+        let own: f64 = self.mass.row(i).iter().zip(&self.z_rate).map(|(mass, rate)| mass * rate).sum();
+        let per_mass = self.body.translation().unwrap_or(0.0);
+        own + dot(self.h[i], self.spin) - per_mass * dot(self.paths.straight.S[i], self.drift)
+    }
+
+    /// Angular momentum about the pole without that of the wheels, and the generalised momenta of a motion.
+    pub fn momenta(&mut self, Motion { omega, q, rate }: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+        let (J, s) = self.displace(q);
+        self.move_on(omega, rate, s);
+        let n = q.len();
+        let turning = (0..n).fold([0.0; 3], |sum, j| add(sum, scale(rate[j], self.gathered(&self.h, j))));
+        let all: Vec<f64> = (0..self.z.len()).map(|i| self.momentum(i)).collect();
+        let own = (0..n).map(|j| {
+            let fields = all[n..].iter().enumerate();
+            all[j] + fields.map(|(e, momentum)| momentum * self.slopes[(e, j)]).sum::<f64>()
+        });
+        (add(times(J, omega), turning), own.collect())
+    }
+
+    /// Mass matrix at displacements with the body free to recoil, `A(q) − h J⁻¹ hᵀ`. (V2), (K13)
+    pub fn recoiling_mass(&mut self, q: &[f64]) -> Dense {
+        let (J, _) = self.displace(q);
+        let inverse = crate::math::sym::inverse(J);
+        let h: Vec<[f64; 3]> = (0..q.len()).map(|j| self.gathered(&self.h, j)).collect();
+        let mut mass = self.mass();
+        for (j, h_j) in h.iter().enumerate() {
+            let turn = times(inverse, *h_j);
+            for (k, h_k) in h.iter().enumerate() {
+                mass[(j, k)] -= dot(turn, *h_k);
+            }
+        }
+        let mut dense = Dense::zero(q.len());
+        for j in 0..q.len() {
+            for k in 0..q.len() {
+                dense.add(j, k, mass[(j, k)]);
+            }
+        }
+        dense
+    }
+}

@@ -42,7 +42,7 @@ fn a_spun_up_beam_answers_as_its_page_shows() {
     assert_answers_as_shown("spin-up-beam", "check");
 }
 
-/// The lag that the page of the example names, -0.574 m in the publication; the body starts at rest, parts included.
+/// The lag that the page of the example names, next to -0.574 m in the publication; the body starts at rest, parts included.
 #[test]
 fn the_tip_of_a_spun_up_beam_lags_as_published() {
     let line =

@@ -1,6 +1,7 @@
 //! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
 
 mod equilibrium;
+mod error;
 mod forced;
 mod iteration;
 mod mode;
@@ -9,5 +10,6 @@ mod shares;
 mod spectrum;
 
 pub use equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
+pub use error::ModesError;
 pub use forced::{Near, SteadyError, SteadyModes, SteadyState, acts};
 pub use mode::{SpinMode, SpinModes};

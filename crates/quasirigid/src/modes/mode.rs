@@ -1,10 +1,10 @@
 use nalgebra::Complex;
 
 use super::equilibrium::RelativeEquilibrium;
+use super::error::ModesError;
 use super::pencil::Pencil;
 use super::shares::{dissipation, known, moving};
 use super::spectrum::{Eigenmotion, spectrum};
-use crate::math::eigen::NoConvergence;
 use crate::math::sym::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 
@@ -54,6 +54,10 @@ const MANY: usize = 300;
 const ZERO: f64 = 1e-7;
 /// Modes whose angular momentum leaves the axis by this share of the most are nutations by that measure.
 const CLEAR: f64 = 0.1;
+/// A frequency below this share of the decay rate is no oscillation to speak of.
+const OVERDAMPED: f64 = 0.1;
+/// Logarithm of the ratio of frequencies from which on a mode is not taken for that of the rigid body if another may be.
+const FAR: f64 = 1.5;
 /// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
 const SAME: f64 = 1e-6;
 /// A decay below this share of the eigenvalue is rounding, if no energy balance gives it.
@@ -86,8 +90,8 @@ impl SpinModes {
     /// The modes about a relative equilibrium of a body without external moments.
     ///
     /// # Errors
-    /// [`NoConvergence`] if the eigenvalue solver fails.
-    pub fn about(body: &FlexibleBody, equilibrium: RelativeEquilibrium) -> Result<Self, NoConvergence> {
+    /// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive at the displacements.
+    pub fn about(body: &FlexibleBody, equilibrium: RelativeEquilibrium) -> Result<Self, ModesError> {
         let coefficients = equilibrium.coefficients(body);
         let pencil = Pencil::new(body, &equilibrium, &coefficients);
         let spin = norm(equilibrium.omega);
@@ -183,9 +187,9 @@ impl Frame<'_> {
         K
     }
 
-    /// The nutation: of the modes in which the angular momentum leaves the axis most the one next to that of the rigid body.
+    /// The nutation: of the modes in which the angular momentum leaves the axis most the one next to that of the rigid body; of those
+    /// that oscillate, if one of them is near.
     fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Option<usize> {
-        let most = tilts.iter().copied().fold(0.0, f64::max);
         let spin = norm(self.equilibrium.omega);
         let axis = scale(spin.recip(), self.equilibrium.omega);
         let J = self.coefficients.inertia;
@@ -194,8 +198,15 @@ impl Frame<'_> {
         let [A, B] = if along - I1 < I3 - along { [I2, I3] } else { [I1, I2] };
         let rigid = spin * ((along - A) * (along - B) / (A * B)).abs().sqrt();
         let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();
-        let candidates = (0..found.len()).filter(|i| tilts[*i] >= CLEAR * most);
-        candidates.min_by(|a, b| near(a).total_cmp(&near(b)))
+        let nearest = |candidates: &[usize]| {
+            let most = candidates.iter().map(|i| tilts[*i]).fold(0.0, f64::max);
+            let clear = candidates.iter().copied().filter(|i| tilts[*i] >= CLEAR * most);
+            clear.min_by(|a, b| near(a).total_cmp(&near(b)))
+        };
+        let all: Vec<usize> = (0..found.len()).collect();
+        let swings = |i: &usize| found[*i].lambda.im.abs() > OVERDAMPED * found[*i].lambda.re.abs();
+        let swinging: Vec<usize> = all.iter().copied().filter(swings).collect();
+        nearest(&swinging).filter(|i| near(i) < FAR).or_else(|| nearest(&all))
     }
 
     /// Share of the angle that the angular momentum makes with the axis in what moves, by kinetic energy.

@@ -1,6 +1,7 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::equilibrium::RelativeEquilibrium;
+use super::error::ModesError;
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
 use crate::math::krylov::Pencil;
 use crate::math::span::Span;
@@ -19,12 +20,12 @@ pub(super) struct Eigenmotion {
 /// Eigenvalues of the linear equations in first order with their motions, those with `Im λ ≥ 0`. (M2)
 ///
 /// # Errors
-/// [`NoConvergence`] if the eigenvalue solver fails, or the mass matrix is not positive.
+/// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive.
 pub(super) fn spectrum(
     body: &FlexibleBody,
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,
-) -> Result<Vec<Eigenmotion>, NoConvergence> {
+) -> Result<Vec<Eigenmotion>, ModesError> {
     within(body, equilibrium, coefficients, WHOLE)
 }
 
@@ -34,13 +35,16 @@ fn within(
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,
     whole: usize,
-) -> Result<Vec<Eigenmotion>, NoConvergence> {
+) -> Result<Vec<Eigenmotion>, ModesError> {
     let few = Few::of(body, coefficients, whole)?;
     let (elastic, moving) = (few.elastic.ncols(), 3 + few.elastic.ncols() + body.cyclic().len());
     let size = moving + elastic;
     let failed = || NoConvergence { size };
     let all = few.all(body.cyclic().len());
-    let L = (all.transpose() * mass(body, coefficients) * &all).cholesky().ok_or_else(failed)?.unpack();
+    let L = (all.transpose() * mass(body, coefficients) * &all)
+        .cholesky()
+        .ok_or(ModesError::BeyondRange)?
+        .unpack();
     let back = L.transpose();
     let (velocity, stiffness) = forces(body, equilibrium.omega, equilibrium.momentum, coefficients);
     let velocity = all.transpose() * velocity * &all;

@@ -1,7 +1,6 @@
 use super::energy_range::EnergyRange;
-use crate::math::eigen::NoConvergence;
 use crate::model::{FlexibleBody, Mode};
-use crate::modes::SpinModes;
+use crate::modes::{ModesError, SpinModes};
 
 /// Pole: a steady spin with its modes, at one end of the evolution. (Q3)
 #[derive(Clone, Debug)]
@@ -23,9 +22,9 @@ impl Poles {
     /// The poles of an energy range.
     ///
     /// # Errors
-    /// [`NoConvergence`] if the eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, NoConvergence> {
-        let pole = |mode: Mode| {
+    /// [`ModesError`] if the modes about one are not found.
+    pub fn of(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, ModesError> {
+        let pole = |mode: Mode| -> Result<Option<Pole>, ModesError> {
             let equilibrium = range.equilibrium(mode).cloned();
             equilibrium.map(|spin| Ok(Pole { modes: SpinModes::about(body, spin)? })).transpose()
         };

@@ -139,6 +139,11 @@ impl Choice<'_> {
         }
         let Ground { range, poles, .. } = self.ground;
         let power = CalibratedPower::new(ageing.copied(), range.momentum(), |mode| poles.rate(mode));
+        if self.way.ends.iter().any(|stage| poles.rate(stage.mode).is_none_or(|rate| rate <= 0.0)) {
+            return Err(
+                "the modes about the steady spins give no rate at which a small wobble changes".into()
+            );
+        }
         let off = self.way.ends.map(|stage| (power.factor(stage.mode) - 1.0).abs());
         let off = off[0].max(off[1]);
         let wobble = self.way.ends.map(|stage| self.ground.motion(stage).nutation()[1]);

@@ -83,6 +83,11 @@ pub enum SteadyError {
         /// The most that is taken.
         most: usize,
     },
+    /// The parts are displaced so far that their equations have no positive mass matrix there.
+    #[error(
+        "the parts bend so far in this steady state that their equations do not hold there: the kinetic energy is negative for some motion"
+    )]
+    BeyondRange,
     /// The eigenvalue solver failed.
     #[error(transparent)]
     Eigenvalues(#[from] NoConvergence),

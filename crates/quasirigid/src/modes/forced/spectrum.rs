@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::error::SteadyError;
 use super::system::System;
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
 use crate::model::FlexibleBody;
@@ -23,13 +24,13 @@ pub(super) fn spectrum(
     body: &FlexibleBody,
     system: &System,
     attitude: bool,
-) -> Result<(Vec<Eigenmotion>, usize), NoConvergence> {
+) -> Result<(Vec<Eigenmotion>, usize), SteadyError> {
     let (n, elastic) = (body.coordinates().len(), body.elastic());
     let moving = system.mass.nrows();
     let turns = if attitude { 3 } else { 0 };
     let size = moving + turns + elastic;
     let failed = || NoConvergence { size };
-    let L = system.mass.clone().cholesky().ok_or_else(failed)?.unpack();
+    let L = system.mass.clone().cholesky().ok_or(SteadyError::BeyondRange)?.unpack();
     let back = L.transpose();
     let solved = |right: DMatrix<f64>| L.solve_lower_triangular(&right).ok_or_else(failed);
     let units = units(body, system, attitude);

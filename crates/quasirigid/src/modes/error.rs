@@ -1,0 +1,17 @@
+use thiserror::Error;
+
+use crate::math::eigen::NoConvergence;
+
+/// Modes that were not found.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum ModesError {
+    /// The parts are displaced so far that their equations have no positive mass matrix there.
+    #[error(
+        "the parts bend so far in this steady spin that their equations do not hold there: the kinetic energy is negative for some motion"
+    )]
+    BeyondRange,
+    /// The eigenvalue solver failed.
+    #[error(transparent)]
+    Eigenvalues(#[from] NoConvergence),
+}

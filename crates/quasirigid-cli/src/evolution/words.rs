@@ -173,8 +173,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     }
     table(out, &record.columns)?;
     writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
-    writeln!(out, "  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
-    writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
+    small_wobbles(out, record)?;
     if let Some(lingering) = record.lingering {
         writeln!(
             out,
@@ -196,9 +195,19 @@ fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Resul
     if record.damping_time.is_nan() {
         return Ok(());
     }
-    writeln!(out, "\n  small wobble, short axis   falls e-fold in {}", time(record.damping_time))?;
-    writeln!(out, "  small wobble, long axis    grows e-fold in {}", time(record.growth_time))?;
+    writeln!(out)?;
+    small_wobbles(out, record)?;
     writeln!(out, "  (from the modes about the steady spins: quasirigid modes)")
+}
+
+/// How fast small wobbles change about the axes.
+fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
+    let folding = |verb: &str, seconds: f64| match seconds {
+        f64::INFINITY => "stays as it is".to_owned(),
+        _ => format!("{verb} e-fold in {}", time(seconds)),
+    };
+    writeln!(out, "  small wobble, short axis   {}", folding("falls", record.damping_time))?;
+    writeln!(out, "  small wobble, long axis    {}", folding("grows", record.growth_time))
 }
 
 fn table(out: &mut String, columns: &[Column]) -> fmt::Result {

@@ -289,3 +289,32 @@ fn a_forced_average_says_that_it_does_not_hold() {
 fn a_spin_has_three_components() {
     insta::assert_snapshot!(ran_with(FLYWHEEL, "modes model.toml --spin 1,2").refusal().trim(), @"quasirigid: an angular velocity has three components, not 2: --spin 0,0,1.5");
 }
+
+/// A weight on a soft spring two kilometres away: the motions that are overdamped are no nutation, and what the modes do not know is not
+/// told.
+#[test]
+fn a_tether_whose_wobble_the_modes_do_not_know_is_refused() {
+    let model = "\
+[carrier]
+mass = 100.0
+center_of_mass = [0, 0, 0]
+inertia = [10.0, 12.0, 15.0]
+[[point]]
+name = \"tip\"
+mass = 20.0
+position = [0, 0, 2000]
+[[spring]]
+from = \"tip\"
+to = \"carrier\"
+stiffness = 50.0
+damping = 5.0
+[initial]
+angular_velocity = [0.01, 0.001, 0.01]
+";
+    let ran = ran_with(model, "evolve model.toml");
+    assert_eq!(ran.code, Some(1), "{}", ran.stdout);
+    assert!(ran.stdout.starts_with("model: NO ANSWER"), "{}", ran.stdout);
+    assert!(ran.stdout.contains("small wobble, short axis   stays as it is"), "{}", ran.stdout);
+    let found = ran_with(model, "modes model.toml --axis greatest --json").json();
+    assert!(number(mode(&found, "nutation"), "frequency") > 0.0, "{found}");
+}

@@ -66,13 +66,14 @@ fn told(
     name: &str,
     found: Result<RelativeEquilibrium, EquilibriumError>,
 ) -> Result<SteadySpinRecord, Failure> {
+    let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
-        Err(error) => return Ok(missing(name, error.to_string())),
+        Err(error) => return Ok(unfound(error.to_string())),
     };
     let modes = match SpinModes::about(body, equilibrium) {
         Ok(modes) => modes,
-        Err(error) => return Ok(missing(name, error.to_string())),
+        Err(error) => return Ok(unfound(error.to_string())),
     };
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
     Ok(SteadySpinRecord {
@@ -102,9 +103,10 @@ pub fn recorded(mode: &SpinMode, seen_from_outside: [f64; 2]) -> ModeRecord {
     }
 }
 
-fn missing(name: &str, message: String) -> SteadySpinRecord {
+/// The record of a steady spin that was not found.
+pub fn missing(name: &str, sentence: String) -> SteadySpinRecord {
     SteadySpinRecord {
-        sentence: format!("About {}: {message}.", axis(name)),
+        sentence,
         axis: name.into(),
         spin: None,
         momentum: None,

@@ -1,13 +1,19 @@
 //! The steady state of a body under moments with the modes about it, found, recorded and told.
 
+use std::path::Path;
+
 use quasirigid::math::sym::norm;
-use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
+use quasirigid::model::Support;
+use quasirigid::modes::{Near, SteadyModes, SteadyState};
+use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
 use crate::commands::Loaded;
 use crate::describe::significant;
-use crate::steady::{fate, recorded};
+use crate::failure::Failure;
+use crate::rotation::initial;
+use crate::steady::{fate, missing, recorded};
 
 /// What the record of such a state has for the axis that it was looked for near.
 pub const UNDER_FORCES: &str = "under forces";
@@ -21,13 +27,31 @@ pub struct Told {
     pub state: Option<Value>,
 }
 
+/// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
+pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Near, Failure> {
+    let Loaded { model, body, order, .. } = loaded;
+    let omega = match (asked, model.initial.rotation) {
+        (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
+        (None, Some(_)) => initial(model, body, *order, file)?.omega,
+        (None, None) => [0.0; 3],
+    };
+    let (place, velocity) = match body.support() {
+        Support::Free => (model.initial.position, model.initial.velocity),
+        Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
+        Support::Prescribed { position, velocity, .. } => (*position, *velocity),
+    };
+    Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
+}
+
 /// The steady state next to a start with the modes about it, or why there is none.
 pub fn told(loaded: &Loaded, near: Near) -> Told {
     let found = SteadyState::near(&loaded.body, &loaded.forces, near)
         .and_then(|state| SteadyModes::about(&loaded.body, &loaded.forces, state));
     match found {
         Ok(modes) => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
-        Err(error) => Told { record: missing(&error), state: None },
+        Err(error) => {
+            Told { record: missing(UNDER_FORCES, format!("Under the forces: {error}.")), state: None }
+        }
     }
 }
 
@@ -43,19 +67,6 @@ fn record(loaded: &Loaded, modes: &SteadyModes, near: Near) -> SteadySpinRecord 
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
         modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
-    }
-}
-
-fn missing(error: &SteadyError) -> SteadySpinRecord {
-    SteadySpinRecord {
-        sentence: format!("Under the forces: {error}."),
-        axis: UNDER_FORCES.into(),
-        spin: None,
-        momentum: None,
-        energy: None,
-        displacements: std::collections::BTreeMap::new(),
-        stable: false,
-        modes: Vec::new(),
     }
 }
 

@@ -13,7 +13,6 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::json;
 
-use super::modes::near;
 use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
 use crate::describe::{criterion, dissipation, range, reasons, shares, significant, time, verdict, word};
@@ -76,7 +75,7 @@ fn under_forces(loaded: &Loaded, file: &Path) -> Result<String, Failure> {
     let words = if body.coordinates().len() > FEW {
         "The modes of its steady state are left out: quasirigid modes finds them.".to_owned()
     } else {
-        steady_state::told(loaded, near(loaded, None, file)?).record.sentence
+        steady_state::told(loaded, steady_state::near(loaded, None, file)?).record.sentence
     };
     let heading = "Steady state under the forces (quasirigid modes)";
     Ok(format!("\n{heading}\n{}\n", paragraph(&words, "  ", "    ")))

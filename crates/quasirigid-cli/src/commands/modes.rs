@@ -1,8 +1,6 @@
-use std::path::Path;
-
 use quasirigid::math::sym::norm;
-use quasirigid::model::{Principal, Support};
-use quasirigid::modes::{Given, Near, acts};
+use quasirigid::model::Principal;
+use quasirigid::modes::{Given, acts};
 use quasirigid_io::model::Rotation;
 use serde_json::json;
 
@@ -59,7 +57,7 @@ fn under_forces(arguments: &Modes, loaded: &Loaded) -> Result<Ending, Failure> {
         return Err(Failure::AxisUnderForces);
     }
     let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let near = near(loaded, asked, &arguments.common.model)?;
+    let near = steady_state::near(loaded, asked, &arguments.common.model)?;
     let steady_state::Told { record, state } = steady_state::told(loaded, near);
     let found = record.spin.is_some();
     let name = &loaded.model.name;
@@ -73,22 +71,6 @@ fn under_forces(arguments: &Modes, loaded: &Loaded) -> Result<Ending, Failure> {
         output::print(&steady::text(name, &[record]))?;
     }
     Ok(if found { Ending::Done } else { Ending::CheckFailed })
-}
-
-/// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
-pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Near, Failure> {
-    let Loaded { model, body, order, .. } = loaded;
-    let omega = match (asked, model.initial.rotation) {
-        (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
-        (None, Some(_)) => initial(model, body, *order, file)?.omega,
-        (None, None) => [0.0; 3],
-    };
-    let (place, velocity) = match body.support() {
-        Support::Free => (model.initial.position, model.initial.velocity),
-        Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
-        Support::Prescribed { position, velocity, .. } => (*position, *velocity),
-    };
-    Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
 /// The principal axis next to an angular velocity, on its side.

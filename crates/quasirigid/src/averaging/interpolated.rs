@@ -18,7 +18,6 @@ pub struct InterpolatedPower {
 /// Whether the mode is the short-axis one, how often its piece was halved, and the number of the piece.
 type Key = (bool, u32, i64);
 
-#[derive(Clone)]
 enum Piece {
     Fit(Box<Chebyshev<1>>),
     Halved,
@@ -44,10 +43,13 @@ impl InterpolatedPower {
 
     /// Logarithm of the ratio at a place; none where no polynomial fits.
     fn ratio(&self, mode: Mode, xi: f64) -> Option<f64> {
+        let mut pieces = self.pieces.lock().unwrap_or_else(PoisonError::into_inner);
         for depth in 0..=DEEPEST {
             let width = WIDTH / f64::from(1 << depth);
             let index = (xi / width).floor();
-            match self.piece(mode, depth, index, width) {
+            let key = (mode == Mode::ShortAxis, depth, index as i64);
+            let ends = [index * width, (index + 1.0) * width];
+            match pieces.entry(key).or_insert_with(|| self.piece(mode, depth, ends)) {
                 Piece::Fit(fit) => return Some(fit.at(xi)[0]),
                 Piece::Halved => {}
                 Piece::Rough => return None,
@@ -56,23 +58,17 @@ impl InterpolatedPower {
         None
     }
 
-    fn piece(&self, mode: Mode, depth: u32, index: f64, width: f64) -> Piece {
-        let key = (mode == Mode::ShortAxis, depth, index as i64);
-        let mut pieces = self.pieces.lock().unwrap_or_else(PoisonError::into_inner);
-        let make = || {
-            let ends = [index * width, (index + 1.0) * width];
-            let fit = Chebyshev::of(ends, |xi| {
-                let motion = FreeRotation::at_logit(self.moments(), self.momentum, mode, xi);
-                let ratio = (self.source.mean_power(&motion) / motion.mean_square_acceleration()).ln();
-                ratio.is_finite().then_some([ratio])
-            });
-            match fit {
-                Some(fit) if fit.tail() < FITS => Piece::Fit(Box::new(fit)),
-                _ if depth < DEEPEST => Piece::Halved,
-                _ => Piece::Rough,
-            }
-        };
-        pieces.entry(key).or_insert_with(make).clone()
+    fn piece(&self, mode: Mode, depth: u32, ends: [f64; 2]) -> Piece {
+        let fit = Chebyshev::of(ends, |xi| {
+            let motion = FreeRotation::at_logit(self.moments(), self.momentum, mode, xi);
+            let ratio = (self.source.mean_power(&motion) / motion.mean_square_acceleration()).ln();
+            ratio.is_finite().then_some([ratio])
+        });
+        match fit {
+            Some(fit) if fit.tail() < FITS => Piece::Fit(Box::new(fit)),
+            _ if depth < DEEPEST => Piece::Halved,
+            _ => Piece::Rough,
+        }
     }
 }
 

@@ -40,20 +40,27 @@ impl<const N: usize> Chebyshev<N> {
         self.coefficients.iter().map(share).fold(0.0, f64::max)
     }
 
+    fn half(&self) -> f64 {
+        0.5 * (self.ends[1] - self.ends[0])
+    }
+
+    /// `acos` of a place in the interval, from 1 to −1.
+    fn angle(&self, x: f64) -> f64 {
+        ((x - self.ends[0]) / self.half() - 1.0).clamp(-1.0, 1.0).acos()
+    }
+
     /// Values at a place in the interval.
     #[must_use]
     pub fn at(&self, x: f64) -> [f64; N] {
-        let half = 0.5 * (self.ends[1] - self.ends[0]);
-        let angle = ((x - self.ends[0]) / half - 1.0).clamp(-1.0, 1.0).acos();
+        let angle = self.angle(x);
         self.coefficients.map(|row| row.iter().enumerate().map(|(j, c)| c * (j as f64 * angle).cos()).sum())
     }
 
     /// Integrals from the start of the interval to a place in it.
     #[must_use]
     pub fn integral(&self, x: f64) -> [f64; N] {
-        let half = 0.5 * (self.ends[1] - self.ends[0]);
-        let angle = ((x - self.ends[0]) / half - 1.0).clamp(-1.0, 1.0).acos();
-        self.coefficients.map(|row| half * (primitive(&row, angle) - primitive(&row, PI)))
+        let angle = self.angle(x);
+        self.coefficients.map(|row| self.half() * (primitive(&row, angle) - primitive(&row, PI)))
     }
 }
 

@@ -35,6 +35,27 @@ pub struct Velocities<'k> {
     curved: Option<&'k CurvedKinetics<'k>>,
 }
 
+impl FlexibleBody {
+    /// Angular momentum about the pole without that of the wheels (N·m·s, body axes), and generalised momenta, of a motion along curved
+    /// paths: what [`Kinetics::velocities`] takes. (S2), (S4), (K13)
+    #[must_use]
+    pub fn full_momenta(&self, motion: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+        match self.paths() {
+            Some(paths) => CurvedKinetics::new(self, paths).momenta(motion),
+            None => (self.momentum(motion), self.generalized_momentum(motion)),
+        }
+    }
+
+    /// Energy of a motion along curved paths (J), kinetic and elastic, without that of the wheels. (S5), (K13)
+    #[must_use]
+    pub fn full_energy(&self, motion: Motion<f64>) -> f64 {
+        let (K, p) = self.full_momenta(motion);
+        let kinetic = dot(motion.omega, K) + p.iter().zip(motion.rate).map(|(p, rate)| p * rate).sum::<f64>();
+        let forces = self.stiffness().times(motion.q);
+        0.5 * (kinetic + forces.iter().zip(motion.q).map(|(force, q)| force * q).sum::<f64>())
+    }
+}
+
 impl<'a> Kinetics<'a> {
     /// Factors the mass matrix of a body.
     #[must_use]
@@ -87,28 +108,9 @@ impl<'a> Kinetics<'a> {
         Velocities { omega, body: self.body, u, slopes: &self.slopes, curved: None }
     }
 
-    /// Angular momentum about the pole without that of the wheels (N·m·s, body axes), and generalised momenta, of a motion: what
-    /// [`velocities`](Self::velocities) takes. (S2), (S4), (K13)
-    #[must_use]
-    pub fn momenta(&mut self, motion: Motion<f64>) -> ([f64; 3], Vec<f64>) {
-        match &mut self.curved {
-            Some(curved) => curved.momenta(motion),
-            None => (self.body.momentum(motion), self.body.generalized_momentum(motion)),
-        }
-    }
-
     /// Mass matrix at displacements with the body free to recoil, `A(q) − h J⁻¹ hᵀ`, where it changes with them. (V2), (K13)
     pub fn recoiling_mass(&mut self, q: &[f64]) -> Option<Dense> {
         self.curved.as_mut().map(|curved| curved.recoiling_mass(q))
-    }
-
-    /// Energy of a motion (J), kinetic and elastic, without that of the wheels. (S5), (K13)
-    #[must_use]
-    pub fn energy(&mut self, motion: Motion<f64>) -> f64 {
-        let (K, p) = self.momenta(motion);
-        let kinetic = dot(motion.omega, K) + p.iter().zip(motion.rate).map(|(p, rate)| p * rate).sum::<f64>();
-        let forces = self.body.stiffness().times(motion.q);
-        0.5 * (kinetic + forces.iter().zip(motion.q).map(|(force, q)| force * q).sum::<f64>())
     }
 
     /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows, and the slopes.

@@ -25,6 +25,9 @@ const ACCEPTED: f64 = 1e-8;
 /// Step of the derivative by `λ`, relative to it: exact for polynomials of the second degree.
 const STEP: f64 = 1e-4;
 
+/// An imaginary part below this share of an eigenvalue is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The eigenpair that inverse iteration leads to; none if it settles nowhere. (M3)
 pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
     let mut best = f64::INFINITY;
@@ -59,6 +62,11 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): P
         }
     }
     None
+}
+
+/// Whether a refined eigenvalue belongs to the mode that it starts from.
+pub(super) fn belongs(refined: Complex<f64>, start: Complex<f64>) -> bool {
+    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -ROUNDING * refined.norm()
 }
 
 fn times(P: &ComplexDense, x: &[Complex<f64>]) -> Vec<Complex<f64>> {

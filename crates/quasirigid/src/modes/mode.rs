@@ -2,8 +2,9 @@ use nalgebra::Complex;
 
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
+use super::iteration::belongs;
 use super::pencil::Pencil;
-use super::shares::{dissipation, known, moving};
+use super::shares::{dissipation, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::sym::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
@@ -117,7 +118,7 @@ impl SpinModes {
             }
             let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
             let refined = if again(i) { pencil.refined(start.clone()) } else { None };
-            let kept = refined.filter(|(lambda, _)| near(*lambda, motion.lambda));
+            let kept = refined.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
             let known = |lambda: Complex<f64>| {
                 let gap =
                     |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
@@ -158,11 +159,6 @@ impl SpinModes {
         let spin = norm(self.equilibrium.omega);
         [(mode.frequency - spin).abs(), mode.frequency + spin]
     }
-}
-
-/// Refined eigenvalues belong to the mode that they start from.
-fn near(refined: Complex<f64>, start: Complex<f64>) -> bool {
-    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -ROUNDING * refined.norm()
 }
 
 /// What the modes of a steady spin have in common.
@@ -249,19 +245,15 @@ impl Frame<'_> {
                 .to_owned(),
             None => "spin".to_owned(),
         };
-        let shares = |list: Vec<(String, f64)>, sum: f64| {
-            let shares = list.into_iter().map(|(name, value)| (name, value / sum));
-            shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
-        };
-        let told = known(lambda, liquids.len(), lost.len());
+        let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
             frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
             of_motion: [-of_motion.re, of_motion.im],
             nutation,
             name,
-            moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
-            dissipation: if total > 0.0 && told { shares(lost, total) } else { Vec::new() },
+            moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
+            dissipation: if total > 0.0 && told { listed(lost, total) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         }
@@ -309,8 +301,6 @@ impl Frame<'_> {
     }
 }
 
-/// Shares below this are not listed.
-const SHOWN: f64 = 1e-3;
 /// A second variation below this share of the energy that moves is lost in rounding.
 const CANCELLED: f64 = 1e-7;
 

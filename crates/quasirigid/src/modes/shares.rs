@@ -56,8 +56,17 @@ pub(super) fn moving(
 /// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
 const SLOW: f64 = 1e-3;
 
-/// Whether shares of what is dissipated are known: the impedance of a liquid holds what it stores, too, which a fast decay gives back.
-pub(super) fn known(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
+/// Shares below this are not listed.
+const SHOWN: f64 = 1e-3;
+
+/// The shares of a sum, by name, that are worth listing.
+pub(super) fn listed(list: Vec<(String, f64)>, sum: f64) -> Vec<(String, f64)> {
+    let shares = list.into_iter().map(|(name, value)| (name, value / sum));
+    shares.filter(|(_, share)| *share >= SHOWN).collect()
+}
+
+/// Whether shares of what is dissipated can be told: the impedance of a liquid holds what it stores, too, which a fast decay gives back.
+pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
     liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
 }
 

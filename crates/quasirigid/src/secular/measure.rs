@@ -84,7 +84,6 @@ pub(super) fn measured(
     body: &FlexibleBody,
     range: &EnergyRange,
     start: FullState,
-    reference: &dyn Fn(&FreeRotation) -> f64,
     plan: Plan,
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Measurement, MeasureError> {
@@ -92,6 +91,7 @@ pub(super) fn measured(
     let (mut turns, mut steps) = (0.0, 0);
     let mut before: Option<Mean> = None;
     let mut change = f64::INFINITY;
+    let share = |mean: &Mean, motion: &FreeRotation| mean.power / motion.mean_square_acceleration();
     for doubling in 0..=plan.doublings {
         let period = range.polhode(state.energy(body)).polhode_period();
         let longer = 2.0_f64.powi(doubling as i32);
@@ -105,7 +105,7 @@ pub(super) fn measured(
         let now = range.polhode(mean.energy);
         if let Some(before) = &before {
             let then = range.polhode(before.energy);
-            change = (mean.power / reference(&now) / (before.power / reference(&then)) - 1.0).abs();
+            change = (share(&mean, &now) / share(before, &then) - 1.0).abs();
             if change <= plan.change || (doubling == plan.doublings && change <= 4.0 * plan.change) {
                 let Mean { power, budget, .. } = mean;
                 return Ok(Measurement { stage, power, error: change, budget, turns, steps });

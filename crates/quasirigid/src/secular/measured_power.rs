@@ -4,7 +4,7 @@ use super::criteria::uneven;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
-use super::site::{MeasureOptions, NEAREST, Site, small};
+use super::site::{MeasureOptions, NEAREST, Site, small, span};
 use crate::averaging::{FreeRotation, MeanPower, Stage};
 use crate::model::{FlexibleBody, Mode};
 
@@ -44,7 +44,7 @@ impl MeasuredPower {
         let mut power =
             Self { moments: range.moments(), curves: [None, None], measurements: Vec::new(), error: 0.0 };
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
-            let Some(ends) = ends(range, mode, [from, to]) else { continue };
+            let Some(ends) = span(range, mode, [from, to], NEAREST) else { continue };
             let mut worker = Worker { body, range, poles, mode, options, power: &mut power, watch };
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
@@ -75,19 +75,6 @@ impl MeanPower for MeasuredPower {
         let curve = &self.curves[usize::from(motion.mode() == Mode::ShortAxis)];
         curve.as_ref().map_or(0.0, |curve| reference * curve.at(motion.logit()).exp())
     }
-}
-
-/// Places in a mode between which the power is needed, ascending; none if the way does not lead through the mode.
-fn ends(range: &EnergyRange, mode: Mode, [from, to]: [Stage; 2]) -> Option<[f64; 2]> {
-    let at = |stage: Stage| (stage.mode == mode).then_some(stage.xi);
-    let small = small(range, mode);
-    let (one, other) = match (at(from), at(to)) {
-        (Some(one), Some(other)) => (one, other),
-        (Some(one), None) | (None, Some(one)) => (one, NEAREST),
-        (None, None) => return None,
-    };
-    let [low, high] = [one.min(other), one.max(other)].map(|xi| xi.clamp(NEAREST, small));
-    Some([low, high])
 }
 
 struct Worker<'w, 'b> {

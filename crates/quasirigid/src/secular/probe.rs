@@ -3,7 +3,7 @@ use std::ops::ControlFlow;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
-use super::site::{MeasureOptions, Site, small};
+use super::site::{MeasureOptions, Site, span};
 use crate::averaging::{FreeRotation, MeanPower, Stage};
 use crate::model::{FlexibleBody, Mode};
 
@@ -67,15 +67,11 @@ impl Probes {
 }
 
 /// Places of a way at which the wobble is wide.
-fn places(range: &EnergyRange, [from, to]: [Stage; 2]) -> Vec<Stage> {
+fn places(range: &EnergyRange, ends: [Stage; 2]) -> Vec<Stage> {
     let in_mode = |mode: Mode| {
-        let own = [from, to].into_iter().filter(|stage| stage.mode == mode).map(|stage| stage.xi);
-        let least = own.clone().fold(f64::INFINITY, f64::min);
-        let most = own.fold(f64::NEG_INFINITY, f64::max);
-        let low = if from.mode == to.mode { least.max(NEAREST) } else { NEAREST };
-        let high = most.min(small(range, mode));
+        let [low, high] = span(range, mode, ends, NEAREST).unwrap_or([0.0; 2]);
         let count = match high - low {
-            way if way < 0.0 => 0,
+            way if way <= 0.0 => 0,
             way if way < SHORT => 1,
             _ => PLACES,
         };

@@ -69,7 +69,7 @@ impl Site<'_> {
             steps: options.most_steps,
             doublings: DOUBLINGS,
         };
-        let found = measured(body, range, start, &FreeRotation::mean_square_acceleration, plan, watch)?;
+        let found = measured(body, range, start, plan, watch)?;
         if found.stage.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }
     }
 }
@@ -78,4 +78,23 @@ impl Site<'_> {
 pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
     let angle = |xi: f64| wobble(range.moments(), range.momentum(), Stage { mode, xi });
     crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
+}
+
+/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`; none if the way does not lead
+/// through the mode.
+pub(super) fn span(
+    range: &EnergyRange,
+    mode: Mode,
+    [from, to]: [Stage; 2],
+    nearest: f64,
+) -> Option<[f64; 2]> {
+    let at = |stage: Stage| (stage.mode == mode).then_some(stage.xi);
+    let (one, other) = match (at(from), at(to)) {
+        (Some(one), Some(other)) => (one, other),
+        (Some(one), None) | (None, Some(one)) => (one, nearest),
+        (None, None) => return None,
+    };
+    let small = small(range, mode);
+    let within = |xi: f64| xi.clamp(nearest, small);
+    (small >= nearest).then(|| [within(one.min(other)), within(one.max(other))])
 }

@@ -18,9 +18,9 @@ const DIFFERENCE: f64 = 1e-3;
 
 /// The last state of a full run.
 #[derive(Default)]
-struct Last {
-    omega: [f64; 3],
-    q: Vec<f64>,
+pub struct Last {
+    pub omega: [f64; 3],
+    pub q: Vec<f64>,
 }
 
 impl Observer for Last {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
-use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
+use quasirigid::dynamics::{Forced, FullState, Options, propagate_full};
 use quasirigid::elements::{Assembly, End, Rotor, RotorKind, Station, Wheel, WheelSpeed};
 use quasirigid::math::expression::Expression;
 use quasirigid::math::rotation::{to_inertial, turned};
@@ -12,6 +12,7 @@ use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
 
 use crate::forced::formula;
+use crate::spin_modes::Last;
 use crate::steady_states::{quaternion, turned_orbit};
 use crate::support::{assemblies, cases, direction, rotation};
 
@@ -22,22 +23,6 @@ type C = Complex<f64>;
 const SMALL: f64 = 1e-5;
 /// Relative difference between a small motion and its mode.
 const DIFFERENCE: f64 = 1e-3;
-
-#[derive(Default)]
-struct Last {
-    omega: [f64; 3],
-    q: Vec<f64>,
-}
-
-impl Observer for Last {
-    fn sample(&mut self, sample: &Sample) {
-        self.omega = sample.omega;
-    }
-
-    fn coordinates(&mut self, q: &[f64], _: &[f64]) {
-        self.q = q.to_vec();
-    }
-}
 
 fn complex(pair: &[f64; 2]) -> C {
     C::new(pair[0], pair[1])

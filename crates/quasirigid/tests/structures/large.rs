@@ -104,9 +104,8 @@ fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
         let second = least(&body, &q, &mut |motion| {
             [&body.momentum(motion)[..], &body.generalized_momentum(motion)].concat()
         });
-        let mut kinetics = Kinetics::new(&body);
         let whole = least(&body, &q, &mut |motion| {
-            let (K, p) = kinetics.momenta(motion);
+            let (K, p) = body.full_momenta(motion);
             [&K[..], &p].concat()
         });
         println!(
@@ -122,13 +121,12 @@ fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
 fn explicit_paths_agree_with_reciprocity_to_the_second_order() {
     let body = Boom { aside: 0.7, ..TUBE }.body();
     let n = body.coordinates().len();
-    let mut kinetics = Kinetics::new(&body);
     let omega = [0.3, -0.8, 1.1];
     let differences = [1e-3, 1e-4].map(|share| {
         let q = bent(&body, share);
         let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
         let motion = Motion { omega, q: &q, rate: &rate };
-        let (K, p) = kinetics.momenta(motion);
+        let (K, p) = body.full_momenta(motion);
         let known = body.momentum(motion);
         let gap = Vector3::from(K) - Vector3::from(known);
         let largest =
@@ -150,7 +148,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
     let omega = <[f64; 3]>::from(turned_axes() * Vector3::new(0.3, -0.8, 1.1));
     let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
     let mut kinetics = Kinetics::new(&body);
-    let (K, p) = kinetics.momenta(Motion { omega, q: &q, rate: &rate });
+    let (K, p) = body.full_momenta(Motion { omega, q: &q, rate: &rate });
     let mut found = vec![0.0; n];
     let mut back = vec![0.0; n];
     let velocities = kinetics.velocities(K, &p, &q, &mut back);
@@ -164,7 +162,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
             let motion = Motion { omega, q: &moved, rate: &rate };
             let forces = body.stiffness().times(&moved);
             let elastic: f64 = forces.iter().zip(&moved).map(|(force, q)| force * q).sum();
-            Kinetics::new(&body).energy(motion) - elastic
+            body.full_energy(motion) - elastic
         };
         let expected = (lagrangian(1.0) - lagrangian(-1.0)) / (2.0 * step);
         let damped: f64 = body.damping().row(j).map(|(k, b)| b * rate[k]).sum();

@@ -29,6 +29,11 @@ impl<'a> Ground<'a> {
         }
     }
 
+    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes.
+    pub fn rates(&self) -> [Option<f64>; 2] {
+        [Mode::LongAxis, Mode::ShortAxis].map(|mode| self.poles.rate(mode))
+    }
+
     /// The equivalent polhode at a stage.
     pub fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
         FreeRotation::at_logit(self.range.moments(), self.range.momentum(), mode, xi)

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use quasirigid::averaging::LevelPassage;
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria};
 use quasirigid_io::model::EvolveMethod;
 
@@ -74,13 +74,13 @@ pub fn choose(
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
     };
-    ageing.verdict.rates = Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)));
+    ageing.verdict.rates = Some(ground.rates());
     if let (None, Some(unstable)) = (asked.method, ground.unstable()) {
         return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
     }
     let way = Way::of(&ground, full, asked, ageing)?;
     let choice = Choice::new(&ground, &way, asked.duration);
-    let refused = |message: String| Refusal { message, rates: ageing_rates(&ground) };
+    let refused = |message: String| Refusal { message, rates: Some(ground.rates()) };
     let found = match asked.method {
         Some(EvolveMethod::Average) => Ok(choice.forced_average(ageing)),
         Some(EvolveMethod::Modes) => choice.calibrated(ageing),
@@ -123,7 +123,7 @@ pub fn under_torque(
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),
     };
-    let rates = ageing_rates(&ground);
+    let rates = Some(ground.rates());
     let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
     let judged = |ageing: &Ageing| average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
     let mut criteria = judged(ageing);
@@ -145,10 +145,6 @@ pub fn under_torque(
         unfounded(criteria)
     );
     Ok(Some(Refusal { message, rates }))
-}
-
-fn ageing_rates(ground: &Ground) -> Option<[Option<f64>; 2]> {
-    Some([Mode::LongAxis, Mode::ShortAxis].map(|mode| ground.poles.rate(mode)))
 }
 
 /// Whether a body is so stiff, with moments so distinct, that the average needs no judgement.

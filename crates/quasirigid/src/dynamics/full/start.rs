@@ -3,7 +3,7 @@ use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
 use crate::dynamics::run::PropagateError;
 use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
 use crate::math::sym::add;
-use crate::model::{FlexibleBody, Kinetics, Motion};
+use crate::model::{FlexibleBody, Motion};
 
 /// Where a full run starts.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,13 +44,13 @@ impl FullState {
     /// Angular momentum (N·m·s), that of wheels included, body axes.
     #[must_use]
     pub fn momentum(&self, body: &FlexibleBody) -> [f64; 3] {
-        add(Kinetics::new(body).momenta(self.motion()).0, body.wheels().momentum(0.0))
+        add(body.full_momenta(self.motion()).0, body.wheels().momentum(0.0))
     }
 
     /// Energy of rotation and deformation (J), without that of wheels.
     #[must_use]
     pub fn energy(&self, body: &FlexibleBody) -> f64 {
-        Kinetics::new(body).energy(self.motion())
+        body.full_energy(self.motion())
     }
 
     pub(super) fn pose(&self) -> Pose<f64> {
@@ -64,7 +64,7 @@ impl FullState {
     pub(super) fn pack(&self, body: &FlexibleBody) -> Vec<f64> {
         let layout = Layout::of(body);
         let mut y = vec![0.0; layout.len()];
-        let (own, p) = Kinetics::new(body).momenta(self.motion());
+        let (own, p) = body.full_momenta(self.motion());
         let momentum = add(own, body.wheels().momentum(0.0));
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&momentum);
         y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);

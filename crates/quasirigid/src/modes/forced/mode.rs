@@ -10,9 +10,9 @@ use super::system::System;
 use super::turning::{Turning, effective};
 use crate::model::force::{Force, Law};
 use crate::model::{FlexibleBody, Marker};
-use crate::modes::iteration::inverse_iteration;
+use crate::modes::iteration::{belongs, inverse_iteration};
 use crate::modes::mode::SpinMode;
-use crate::modes::shares::{dissipation, known, moving};
+use crate::modes::shares::{dissipation, listed, moving, tellable};
 
 type C = Complex<f64>;
 
@@ -36,8 +36,6 @@ const SAME: f64 = 1e-6;
 const LIGHT: f64 = 1e-5;
 /// A denominator of the balance below this share of its terms is lost in rounding.
 const CANCELLED: f64 = 1e-7;
-/// Shares below this are not listed.
-const SHOWN: f64 = 1e-3;
 
 impl SteadyModes {
     /// The modes about a steady state. (M7)
@@ -141,7 +139,7 @@ impl About<'_> {
         for (i, motion) in found.iter().enumerate() {
             let start = (motion.lambda, self.pencil.unknowns(motion.turn, &motion.q, &motion.velocity));
             let refined = inverse_iteration(self.pencil, start.clone())
-                .filter(|(lambda, _)| near(*lambda, motion.lambda));
+                .filter(|(lambda, _)| belongs(*lambda, motion.lambda));
             let known = |lambda: C| kept.iter().any(|other| (other - lambda).norm() < SAME * lambda.norm());
             let apart = |lambda: C| {
                 let before = found[..i]
@@ -185,12 +183,8 @@ impl About<'_> {
             None => "rotation".to_owned(),
         };
         let name = if kinetic > 0.0 { name } else { "translation".to_owned() };
-        let shares = |list: Vec<(String, f64)>, sum: f64| {
-            let shares = list.into_iter().map(|(name, value)| (name, value / sum));
-            shares.filter(|(_, share)| *share >= SHOWN).collect::<Vec<_>>()
-        };
         let rounding = self.pencil.rounding(lambda, x);
-        let told = known(lambda, liquids.len(), lost.len());
+        let told = tellable(lambda, liquids.len(), lost.len());
         let mode = SpinMode {
             decay_rate: self.decay(lambda, x, &q, inside, rounding),
             frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {
@@ -201,8 +195,8 @@ impl About<'_> {
             of_motion: [-of_motion.re, of_motion.im],
             nutation: false,
             name,
-            moves: if kinetic > 0.0 { shares(moved, kinetic) } else { Vec::new() },
-            dissipation: if total > 0.0 && told { shares(lost, total) } else { Vec::new() },
+            moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
+            dissipation: if total > 0.0 && told { listed(lost, total) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
@@ -261,9 +255,4 @@ impl About<'_> {
         let terms = 2.0 * b.abs() * m + gyroscopic.abs();
         if below.abs() > CANCELLED * terms { lost / below } else { found }
     }
-}
-
-/// Refined eigenvalues belong to the mode that they start from.
-fn near(refined: C, start: C) -> bool {
-    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -1e-12 * refined.norm()
 }

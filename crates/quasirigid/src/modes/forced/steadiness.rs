@@ -33,16 +33,21 @@ pub(super) fn check(
     } else {
         return Ok(());
     };
+    let loads =
+        |forces: &[Force<Marker>], at: &Instant| weighted(body, &Slopes::of(body, forces, at), period);
+    // What the support does is the same for each force.
     let driven = matches!(body.support(), Support::Prescribed { .. });
+    let support = driven.then(|| (&[][..], "the acceleration of the support".to_owned()));
+    let each =
+        forces.iter().map(|force| (std::slice::from_ref(force), format!("the force {:?}", force.name)));
+    let start = state.at(0.0);
+    let now: Vec<_> =
+        support.into_iter().chain(each).map(|(forces, what)| (forces, what, loads(forces, &start))).collect();
     for turns in TURNS {
         let later = later(body, state, turns * period);
-        if driven && changed(body, &[], state, &later, period) {
-            return Err(SteadyError::Changes { what: "the acceleration of the support".into() });
-        }
-        for force in forces {
-            // What the support does is the same for each force.
-            if changed(body, std::slice::from_ref(force), state, &later, period) {
-                return Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
+        for (forces, what, now) in &now {
+            if changed(now, &loads(forces, &later)) {
+                return Err(SteadyError::Changes { what: what.clone() });
             }
         }
     }
@@ -75,17 +80,9 @@ fn later(body: &FlexibleBody, state: &SteadyState, t: f64) -> Instant {
     later
 }
 
-/// Whether the loads of some forces, or their slopes, differ from those at `t = 0`.
-fn changed(
-    body: &FlexibleBody,
-    forces: &[Force<Marker>],
-    state: &SteadyState,
-    later: &Instant,
-    period: f64,
-) -> bool {
-    let now = weighted(body, &Slopes::of(body, forces, &state.at(0.0)), period);
-    let then = weighted(body, &Slopes::of(body, forces, later), period);
-    let gap = (&then - &now).amax();
+/// Whether loads or their slopes differ from those at `t = 0`.
+fn changed(now: &DMatrix<f64>, then: &DMatrix<f64>) -> bool {
+    let gap = (then - now).amax();
     !(gap <= SAME * now.amax().max(then.amax()))
 }
 

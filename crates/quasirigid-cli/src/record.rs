@@ -61,6 +61,7 @@ pub fn validity(validity: &Validity) -> ValidityRecord {
     ValidityRecord {
         valid: validity.verdict() != Verdict::Fails,
         verdict: describe::verdict(validity),
+        overall: describe::word(validity.verdict()).into(),
         T1: validity.T1,
         T2: validity.T2.is_finite().then_some(validity.T2),
         T3: validity.T3,

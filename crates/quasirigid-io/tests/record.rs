@@ -36,11 +36,11 @@ prop_compose! {
 
 prop_compose! {
     fn validity()(
-        valid: bool, verdict in ".*", T1 in ANY, T2 in option::of(ANY), T3 in ANY,
+        valid: bool, verdict in ".*", overall in ".*", T1 in ANY, T2 in option::of(ANY), T3 in ANY,
         frequencies in vec(ANY, 0..4), decay_rates in vec(ANY, 0..4), relaxations in vec(ANY, 0..4),
         criteria in vec(criterion(), 0..3),
     ) -> ValidityRecord {
-        ValidityRecord { valid, verdict, T1, T2, T3, frequencies, decay_rates, relaxations, criteria }
+        ValidityRecord { valid, verdict, overall, T1, T2, T3, frequencies, decay_rates, relaxations, criteria }
     }
 }
 
@@ -119,18 +119,28 @@ prop_compose! {
         separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
         harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
         dissipation in shares(), road in ".*", verdict in ".*", time_error in option::of(ANY),
+        estimates in vec((".*", ANY, ANY), 0..3), approach in option::of((1usize..9, ".*", [ANY; 3])), observed in [option::of([ANY; 5]), option::of([ANY; 5])],
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
         let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
         let harmonic = |(number, frequency, share)| HarmonicRecord { number, frequency, share };
         let mode = mode_end.clone();
+        let [start, end] = observed.map(|numbers| numbers.map(|[rotation_period, precession_period, nutation_least, nutation_greatest, energy_ratio]| {
+            ObservedRecord { rotation_period, precession_period, nutation_least, nutation_greatest, energy_ratio }
+        }));
         let crossing = |(harmonic, coordinate, [frequency, ratio, share]): (usize, String, [f64; 3])| CrossingRecord {
             harmonic, frequency, coordinate, ratio, mode: mode.clone(), share,
         };
+        let estimate = |(source, least, greatest)| EstimateRecord { source, least, greatest };
+        let approach = approach.map(|(harmonic, coordinate, [frequency, distance, ratio])| ApproachRecord {
+            harmonic, frequency, coordinate, distance, ratio,
+        });
         EvolutionRecord {
+            approach,
+            estimates: estimates.into_iter().map(estimate).collect(),
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
-            sentence, road, verdict, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, time,
+            sentence, road, verdict, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, start, end, time,
             time_error, time_range, turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
         }
     }
@@ -200,6 +210,7 @@ fn sample() -> RunRecord {
         validity: ValidityRecord {
             valid: true,
             verdict: "The reduced equations hold.".into(),
+            overall: "holds".into(),
             T1: f64::INFINITY,
             T2: None,
             T3: 0.1 + 0.2,
@@ -247,6 +258,14 @@ fn sample() -> RunRecord {
             mode_end: "short-axis".into(),
             ratio_start: 0.9,
             ratio_end: 0.9,
+            start: None,
+            end: Some(ObservedRecord {
+                rotation_period: f64::INFINITY,
+                precession_period: 2.5,
+                nutation_least: 0.0,
+                nutation_greatest: -0.0,
+                energy_ratio: 1.1,
+            }),
             time: f64::INFINITY,
             time_error: Some(f64::NAN),
             time_range: Some([1.5, f64::INFINITY]),
@@ -257,8 +276,10 @@ fn sample() -> RunRecord {
             lingering: None,
             damping_time: f64::INFINITY,
             growth_time: f64::INFINITY,
+            estimates: vec![],
             harmonics: vec![],
             resonances: vec![],
+            approach: None,
             columns: vec![column("t", "s", [0.0, f64::INFINITY]), column("power", "W", [0.0, -0.0])],
         }),
     }

@@ -9,8 +9,9 @@ use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
-use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
+use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord, ObservedRecord};
 
+use super::approach::approach;
 use super::road::{Refusal, Verdict};
 use super::rows::Rows;
 use super::{Asked, words};
@@ -118,6 +119,8 @@ impl Ageing {
             mode_end: mode(self.initial.mode()).into(),
             ratio_start: f64::NAN,
             ratio_end: f64::NAN,
+            start: None,
+            end: None,
             time: f64::NAN,
             time_error: None,
             time_range: None,
@@ -128,8 +131,10 @@ impl Ageing {
             lingering: None,
             damping_time,
             growth_time,
+            estimates: Vec::new(),
             harmonics: Vec::new(),
             resonances: Vec::new(),
+            approach: None,
             columns: Vec::new(),
         }
     }
@@ -286,6 +291,8 @@ impl Ageing {
             mode_end: mode(to.mode).into(),
             ratio_start: evolution.ratio(from),
             ratio_end: evolution.ratio(to),
+            start: observed(&columns, 0),
+            end: observed(&columns, rows.states.len() - 1),
             time: if ages { last.t } else { f64::INFINITY },
             time_error: self.verdict.error,
             time_range,
@@ -303,8 +310,10 @@ impl Ageing {
                 .folding(Mode::ShortAxis)
                 .unwrap_or(folding(evolution, Mode::ShortAxis)),
             growth_time: self.verdict.folding(Mode::LongAxis).unwrap_or(folding(evolution, Mode::LongAxis)),
+            estimates: Vec::new(),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
+            approach: approach(&self.response, evolution, [from, to]),
             columns,
         };
         record.sentence = words::sentence(&record, rows.drift.as_ref());
@@ -378,6 +387,18 @@ const COLUMNS: [(&str, &str); 12] = [
     ("polynomial_power", "W"),
     ("turns", "1"),
 ];
+
+/// A row of the table as observers describe it.
+fn observed(columns: &[Column], row: usize) -> Option<ObservedRecord> {
+    let at = |column: usize| columns[column].values.get(row).copied();
+    Some(ObservedRecord {
+        rotation_period: at(PERIOD)?,
+        precession_period: at(PERIOD + 1)?,
+        nutation_least: at(NUTATION)?,
+        nutation_greatest: at(NUTATION + 1)?,
+        energy_ratio: at(RATIO)?.recip(),
+    })
+}
 
 /// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost.
 fn folding(evolution: &Evolution, mode: Mode) -> f64 {

@@ -1,20 +1,24 @@
 //! The averaged rotation: how it is asked for, followed and recorded.
 
 mod ageing;
+mod approach;
 mod road;
 mod rows;
 mod words;
 
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, SlowTorque, Stage};
+use quasirigid::averaging::{
+    DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
+    SmallBody, Stage,
+};
 use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
 use quasirigid::math::sym::norm;
-use quasirigid::model::Support;
+use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
-use quasirigid_io::record::EvolutionRecord;
+use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 
 use crate::commands::Loaded;
 use crate::failure::Failure;
@@ -136,7 +140,24 @@ pub fn follow(
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
     notes.extend(waves(loaded, norm(start.omega)));
-    Ok((ageing.record(&evolution, from, &rows, asked, time_range, columns), notes))
+    let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
+    let estimates = estimates(loaded, record.momentum / ageing.principal.moments[2]);
+    Ok((EvolutionRecord { estimates, ..record }, notes))
+}
+
+/// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.
+fn estimates(Loaded { model, body, .. }: &Loaded, spin: f64) -> Vec<EstimateRecord> {
+    let Some(material) = model.assembly.homogeneous() else { return Vec::new() };
+    let Rheology::QualityFactor { factor } = material.rheology else { return Vec::new() };
+    let mass = body.invariants().mass;
+    let small = SmallBody { mass, density: material.density, shear: material.shear(), quality: factor };
+    let unit = small.damping_unit(spin);
+    let estimate = |DampingEstimate { source, factors: [least, greatest] }: DampingEstimate| EstimateRecord {
+        source: source.into(),
+        least: least * unit,
+        greatest: greatest * unit,
+    };
+    DAMPING_ESTIMATES.map(estimate).into()
 }
 
 /// Times (s) of the same way at both ends of what is known of the materials.

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::averaging::{DriftEnding, DriftHistory, MeanPower, Stage};
-use quasirigid_io::record::{Column, EvolutionRecord};
+use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRecord};
 
 use super::Asked;
 use super::ageing::Ageing;
@@ -172,8 +172,15 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
         writeln!(out, "{}", paragraph(after.trim_end(), "  ", "  "))?;
     }
     table(out, &record.columns)?;
-    writeln!(out, "\n  mean power at the start    {} W", significant(record.power, 4))?;
+    writeln!(out)?;
+    for (place, rotation) in [("start", record.start), ("end", record.end)] {
+        if let Some(rotation) = rotation {
+            writeln!(out, "  {:<25}  {}", format!("periods at the {place}"), periods(&rotation))?;
+        }
+    }
+    writeln!(out, "  mean power at the start    {} W", significant(record.power, 4))?;
     small_wobbles(out, record)?;
+    estimates(out, record)?;
     if let Some(lingering) = record.lingering {
         writeln!(
             out,
@@ -198,6 +205,37 @@ fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Resul
     writeln!(out)?;
     small_wobbles(out, record)?;
     writeln!(out, "  (from the modes about the steady spins: quasirigid modes)")
+}
+
+/// What published estimates say of the small wobble about the axis of greatest inertia.
+fn estimates(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
+    if record.estimates.is_empty() || !record.damping_time.is_finite() {
+        return Ok(());
+    }
+    let told = |EstimateRecord { source, least, greatest }: &EstimateRecord| {
+        let ours = [*greatest, *least].map(|estimate| significant(record.damping_time / estimate, 2));
+        if least == greatest {
+            format!("{source} {} (ours is {} of it)", time(*least), ours[0])
+        } else {
+            format!(
+                "{source} {} to {} (ours is {} to {} of it)",
+                time(*least),
+                time(*greatest),
+                ours[0],
+                ours[1]
+            )
+        }
+    };
+    let told: Vec<String> = record.estimates.iter().map(told).collect();
+    writeln!(out, "{}", paragraph(&format!("published estimates of it: {}", told.join("; ")), "  ", "      "))
+}
+
+/// The periods that an observer sees, and how far the energy lies above the least.
+fn periods(rotation: &ObservedRecord) -> String {
+    let ObservedRecord { rotation_period, precession_period, energy_ratio, .. } = *rotation;
+    let spun = |period: f64| if period.is_finite() { time(period) } else { "none".into() };
+    let around = spun(precession_period);
+    format!("P_psi {}, P_phi {around}, E/E0 {}", spun(rotation_period), significant(energy_ratio, 5))
 }
 
 /// How fast small wobbles change about the axes.
@@ -252,7 +290,16 @@ fn harmonics(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
 
 fn resonances(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     if record.resonances.is_empty() {
-        return writeln!(out, "  resonances on the way: none");
+        let Some(near) = &record.approach else { return writeln!(out, "  resonances on the way: none") };
+        let text = format!(
+            "resonances on the way: none is passed, but harmonic {} is within {} % of {} rad/s, {}, at D/I3 = {:.5}",
+            near.harmonic,
+            significant(100.0 * near.distance.abs(), 2),
+            significant(near.frequency, 4),
+            near.coordinate,
+            near.ratio
+        );
+        return writeln!(out, "{}", paragraph(&text, "  ", "      "));
     }
     writeln!(out, "  resonances on the way:")?;
     record.resonances.iter().try_for_each(|crossing| {

@@ -318,3 +318,52 @@ angular_velocity = [0.01, 0.001, 0.01]
     let found = ran_with(model, "modes model.toml --axis greatest --json").json();
     assert!(number(mode(&found, "nutation"), "frequency") > 0.0, "{found}");
 }
+
+/// A ball of water in a stage: the harmonics know its boundary layer, the full system only its slow flow.
+const WATER: &str = "\
+[carrier]
+mass = 260.0
+center_of_mass = [0, 0, 0.1]
+inertia = [150.0, 155.0, 220.0]
+[[rotor]]
+name = \"wheel\"
+axis = [1, 0.2, 0]
+inertia = 0.02
+friction = 0.5
+[[cavity]]
+name = \"water\"
+shape = \"sphere\"
+radius = \"0.25 m\"
+center = [0.0, 0.0, -0.4]
+density = \"1 g/cm^3\"
+dynamic_viscosity = \"1 mPa s\"
+[initial]
+wobble = { angle = \"5 deg\", rate = \"30 rpm\", mode = \"short-axis\" }
+[run]
+evolve = { until = \"1 deg\" }
+";
+
+/// What the full system has no equations of motion for it is not asked about, though it be by name.
+#[test]
+fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
+    for method in ["direct", "micro-runs"] {
+        let ran = ran_with(WATER, &format!("evolve model.toml --method {method} --json"));
+        let found = ran.json();
+        assert_eq!((&found["status"], ran.code), (&"refused".into(), Some(1)), "{found}");
+        let message = found["message"].as_str().unwrap();
+        assert!(message.contains("no equations of motion") && message.contains("% off"), "{message}");
+    }
+}
+
+/// The core of a liquid that turns against its tank is the liquid's motion, whatever else moves a little with it.
+#[test]
+fn a_motion_of_a_liquid_has_its_name() {
+    let found = ran_with(WATER, "modes model.toml --json").json();
+    let modes = found["modes"].as_array().unwrap();
+    let names: Vec<&str> = modes.iter().map(|mode| mode["name"].as_str().unwrap()).collect();
+    assert!(names.contains(&"water"), "{names:?}");
+    for mode in modes.iter().filter(|mode| mode["name"] == "water") {
+        assert!(number(mode, "frequency") > 1.0, "{mode}");
+        assert!(mode["moves"]["water"].as_f64().unwrap() > 0.5, "{mode}");
+    }
+}

@@ -41,6 +41,12 @@ pub struct EvolutionRecord {
     /// The same at the end.
     #[serde(with = "number")]
     pub ratio_end: f64,
+    /// The rotation at the start as observers describe it; none in a record of a version that did not tell it.
+    #[serde(default)]
+    pub start: Option<ObservedRecord>,
+    /// The same at the end.
+    #[serde(default)]
+    pub end: Option<ObservedRecord>,
     /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number")]
     pub time: f64,
@@ -71,12 +77,51 @@ pub struct EvolutionRecord {
     /// Time in which a small wobble about the axis of least inertia grows by e (s).
     #[serde(with = "number")]
     pub growth_time: f64,
+    /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.
+    #[serde(default)]
+    pub estimates: Vec<EstimateRecord>,
     /// The strongest harmonics at the start, in the order of their numbers.
     pub harmonics: Vec<HarmonicRecord>,
     /// Resonances on the way, the strongest first.
     pub resonances: Vec<CrossingRecord>,
+    /// The nearest that a harmonic comes to a vibration at either end, within a tenth of its frequency; none otherwise.
+    #[serde(default)]
+    pub approach: Option<ApproachRecord>,
     /// Rows of the evolution, one array per column. The values are kept in a CSV file of their own.
     pub columns: Vec<Column>,
+}
+
+/// A rotation as observers describe it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ObservedRecord {
+    /// Period of the rotation about the long axis, in body axes (s); `P_ψ`. Infinite in a steady spin.
+    #[serde(with = "number")]
+    pub rotation_period: f64,
+    /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
+    #[serde(with = "number")]
+    pub precession_period: f64,
+    /// Least angle between the angular momentum and the axis that it circles (rad).
+    #[serde(with = "number")]
+    pub nutation_least: f64,
+    /// Greatest angle (rad).
+    #[serde(with = "number")]
+    pub nutation_greatest: f64,
+    /// Energy over the least that this angular momentum allows; `E/E₀ = I₃/D`.
+    #[serde(with = "number")]
+    pub energy_ratio: f64,
+}
+
+/// A published estimate of the time in which a wobble is damped.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct EstimateRecord {
+    /// Who published it, and when.
+    pub source: String,
+    /// Least time (s) that it gives.
+    #[serde(with = "number")]
+    pub least: f64,
+    /// Greatest time (s).
+    #[serde(with = "number")]
+    pub greatest: f64,
 }
 
 /// A harmonic of the polhode.
@@ -110,4 +155,22 @@ pub struct CrossingRecord {
     /// Share of the harmonic in the mean power there.
     #[serde(with = "number")]
     pub share: f64,
+}
+
+/// A harmonic beside a vibration that it does not pass.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ApproachRecord {
+    /// Number of the harmonic.
+    pub harmonic: usize,
+    /// Frequency of the vibration (rad/s).
+    #[serde(with = "number")]
+    pub frequency: f64,
+    /// Coordinate with the largest share in it.
+    pub coordinate: String,
+    /// Frequency of the harmonic over that of the vibration, less one.
+    #[serde(with = "number")]
+    pub distance: f64,
+    /// `D/I₃` there.
+    #[serde(with = "number")]
+    pub ratio: f64,
 }

@@ -17,7 +17,9 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use error::RecordError;
-pub use evolution::{CrossingRecord, EvolutionRecord, HarmonicRecord};
+pub use evolution::{
+    ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
+};
 pub use modes::{ModeRecord, SteadySpinRecord};
 pub use table::history_csv;
 
@@ -126,6 +128,10 @@ pub struct ValidityRecord {
     pub valid: bool,
     /// The verdict in one sentence.
     pub verdict: String,
+    /// The verdict of all that judge the equations, which leaves out how long vibrations last: `holds`, `marginal` or `fails`; empty in
+    /// a record of a version that did not tell it.
+    #[serde(default)]
+    pub overall: String,
     /// Longest period of free vibration (s).
     #[serde(with = "number")]
     pub T1: f64,

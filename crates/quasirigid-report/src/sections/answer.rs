@@ -61,6 +61,13 @@ fn spin(history: &HistoryRecord) -> Markup {
 }
 
 fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
+    if let Some(power) = elsewhere(record, history) {
+        return tile(
+            "Energy dissipated",
+            html! { "not in this history" },
+            html! { "what dissipates has no equation of motion; over many turns it takes " (short(power)) " W at the start" },
+        );
+    }
     let (share, of) = match free_energy(record, history) {
         Some(free) => (history.dissipated / free, "of what it can lose at this |K|"),
         None => (history.dissipated / history.energy, "of the energy at the start"),
@@ -72,6 +79,12 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
             @if share.is_finite() { (percent(share)) " " (of) }
         },
     )
+}
+
+/// Mean power (W) of what dissipates by laws that the equations of a history do not hold; none if there is no such thing.
+fn elsewhere(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
+    let evolution = record.evolution.as_ref()?;
+    (history.dissipated == 0.0 && evolution.power > 0.0).then_some(evolution.power)
 }
 
 /// Energy above the least that the body can have at its angular momentum, `E − |K|²/2J₃`; none where external forces

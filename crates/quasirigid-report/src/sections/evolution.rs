@@ -1,7 +1,9 @@
 use std::f64::consts::TAU;
 
 use maud::{Markup, html};
-use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
+use quasirigid_io::record::{
+    ApproachRecord, Column, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
+};
 
 use super::answer::tile;
 use super::curve::{Curve, unit};
@@ -43,7 +45,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             (map(evolution, &columns).draw())
             (bars("What dissipates at the start", &evolution.dissipation))
             (harmonics(&evolution.harmonics))
-            (resonances(&evolution.resonances))
+            (resonances(&evolution.resonances, evolution.approach.as_ref()))
             (details(evolution))
         }
     }
@@ -262,11 +264,18 @@ fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
     )
 }
 
-fn resonances(crossings: &[CrossingRecord]) -> Markup {
+fn resonances(crossings: &[CrossingRecord], approach: Option<&ApproachRecord>) -> Markup {
     html! {
         div.resonances {
             @if crossings.is_empty() {
-                p { "No harmonic of the wobble passes a natural frequency on the way." }
+                p {
+                    "No harmonic of the wobble passes a natural frequency on the way"
+                    @if let Some(near) = approach {
+                        "; harmonic " (near.harmonic) " comes within " (percent(near.distance.abs())) " of "
+                        (digits(near.frequency, 4)) " rad/s, " (near.coordinate)
+                    }
+                    "."
+                }
             } @else {
                 (crossing_table(crossings))
             }
@@ -299,21 +308,52 @@ fn details(evolution: &EvolutionRecord) -> Markup {
         Some(f64::INFINITY) => "for ever".into(),
         Some(seconds) => duration(seconds),
     };
-    facts(
-        "How it ages",
-        &[
-            ("Method", html! { (evolution.method) }),
-            ("Status", html! { (evolution.status) }),
-            ("End", html! { (evolution.message) }),
-            (
-                "Small wobble about the axis of greatest inertia, decay by e",
-                html! { (until(evolution.damping_time)) },
-            ),
-            (
-                "Small wobble about the axis of least inertia, growth by e",
-                html! { (until(evolution.growth_time)) },
-            ),
-            ("Time within 1 % of the separatrix", html! { (lingering) }),
-        ],
+    let mut rows = vec![
+        ("Method", html! { (evolution.method) }),
+        ("Status", html! { (evolution.status) }),
+        ("End", html! { (evolution.message) }),
+    ];
+    let ends = [("Rotation at the start", evolution.start), ("Rotation at the end", evolution.end)];
+    let told =
+        |(place, rotation): (_, Option<ObservedRecord>)| rotation.map(|it| (place, html! { (observed(it)) }));
+    rows.extend(ends.into_iter().filter_map(told));
+    rows.extend([
+        (
+            "Small wobble about the axis of greatest inertia, decay by e",
+            html! { (until(evolution.damping_time)) },
+        ),
+        (
+            "Small wobble about the axis of least inertia, growth by e",
+            html! { (until(evolution.growth_time)) },
+        ),
+    ]);
+    if !evolution.estimates.is_empty() {
+        rows.push(("Published estimates of the decay", html! { (estimates(&evolution.estimates)) }));
+    }
+    rows.push(("Time within 1 % of the separatrix", html! { (lingering) }));
+    facts("How it ages", &rows)
+}
+
+/// Published estimates, one after the other.
+fn estimates(estimates: &[EstimateRecord]) -> String {
+    let told = |EstimateRecord { source, least, greatest }: &EstimateRecord| {
+        if least == greatest {
+            return format!("{source} {}", duration(*least));
+        }
+        format!("{source} {} to {}", duration(*least), duration(*greatest))
+    };
+    estimates.iter().map(told).collect::<Vec<_>>().join("; ")
+}
+
+/// A rotation as observers describe it.
+fn observed(rotation: ObservedRecord) -> String {
+    let spun = |period: f64| if period.is_finite() { duration(period) } else { "none".into() };
+    let [least, greatest] =
+        [rotation.nutation_least, rotation.nutation_greatest].map(|angle| digits(angle.to_degrees(), 3));
+    format!(
+        "P_ψ {}, P_φ {}, E/E₀ {}, wobble {least} to {greatest} degrees",
+        spun(rotation.rotation_period),
+        spun(rotation.precession_period),
+        digits(rotation.energy_ratio, 5)
     )
 }

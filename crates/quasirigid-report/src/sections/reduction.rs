@@ -14,7 +14,7 @@ pub fn section(reduction: &ReductionRecord) -> Markup {
                 ("Order p", html! { (reduction.order) }),
                 ("Order with the smallest terms at this spin", html! { (reduction.optimal_order) }),
                 ("Residual of the invariance equation, relative to the load", html! { (short(reduction.residual)) }),
-                ("Mean power dissipated", html! { (short(reduction.power)) " W" }),
+                ("Mean power dissipated by these equations", html! { (short(reduction.power)) " W" }),
             ]))
             (bars("What dissipates at the initial spin", &reduction.dissipation))
             @if reduction.degrees.is_empty() {

@@ -93,9 +93,14 @@ fn vibrations(caption: &str, headings: [&str; 3], rates: &[f64], numerator: f64)
         &headings,
         html! {
             @for (i, rate) in shown.iter().enumerate() {
-                tr { th scope="row" { (i + 1) } td { (digits(*rate, 5)) } td { (digits(numerator / rate, 4)) } }
+                tr { th scope="row" { (i + 1) } td { (digits(*rate, 5)) } td { (lasting(*rate, numerator)) } }
             }
             @if let Some(more) = more { tr { td.remark colspan="3" { (more) } } }
         },
     )
+}
+
+/// The time `numerator / rate`, in words where there is none.
+fn lasting(rate: f64, numerator: f64) -> String {
+    if rate == 0.0 { "for ever".into() } else { digits(numerator / rate, 4) }
 }

@@ -89,6 +89,8 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         mode_end: mode(END).into(),
         ratio_start,
         ratio_end: END,
+        start: observed(&columns, 0),
+        end: observed(&columns, usize::MAX),
         time: t,
         time_error: Some(0.002),
         time_range: Some([0.31 * t, 27.0 * t]),
@@ -99,6 +101,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         lingering: (lingering > 0.0).then_some(lingering),
         damping_time: 0.12 * t,
         growth_time: 0.07 * t,
+        estimates: vec![EstimateRecord { source: "Harris 1994".into(), least: 0.3 * t, greatest: 0.3 * t }],
         harmonics: [0.061, 0.912, 0.0032, 0.0237, 7.1e-5]
             .into_iter()
             .zip(1..)
@@ -118,6 +121,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
                 share,
             })
             .into(),
+        approach: None,
         columns: columns.into(),
     }
 }
@@ -154,4 +158,19 @@ fn polhode_period(ratio: f64) -> f64 {
 /// None at either axis, less near the separatrix.
 fn power(ratio: f64) -> f64 {
     POWER * (1.0 / ratio - 1.0) * (1.0 / ASTEROID[0] - 1.0 / ratio) / near_separatrix(ratio).powi(2)
+}
+
+/// A row as observers describe it; the last one if there are fewer.
+fn observed(columns: &[Column], row: usize) -> Option<ObservedRecord> {
+    let at = |column: usize| {
+        let values = &columns[column].values;
+        values[row.min(values.len() - 1)]
+    };
+    Some(ObservedRecord {
+        rotation_period: at(7),
+        precession_period: at(8),
+        nutation_least: at(3),
+        nutation_greatest: at(4),
+        energy_ratio: at(1).recip(),
+    })
 }

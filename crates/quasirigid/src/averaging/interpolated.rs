@@ -137,4 +137,49 @@ mod tests {
         let other = FreeRotation::at_logit(response.moments(), 1.1 * momentum, Mode::ShortAxis, 0.3);
         assert_eq!(interpolated.mean_power(&other), response.mean_power(&other));
     }
+
+    /// Power with a resonance of a width and a height at a place of the way.
+    struct Peaked {
+        width: f64,
+        height: f64,
+        place: f64,
+    }
+
+    impl MeanPower for Peaked {
+        fn moments(&self) -> [f64; 3] {
+            [1.0, 1.7, 2.0]
+        }
+
+        fn mean_power(&self, motion: &FreeRotation) -> f64 {
+            let off = (motion.logit() - self.place) / self.width;
+            1e-6 * motion.mean_square_acceleration() * (1.0 + self.height / (1.0 + off * off))
+        }
+    }
+
+    /// Times over a resonance, wide or narrow, high or low, wherever it lies, against sums over cells.
+    #[test]
+    fn times_over_a_resonance() {
+        let stage = |xi: f64| Stage { mode: Mode::ShortAxis, xi };
+        let (cells, ends) = (10_000, [-2.0, 3.0]);
+        let at = |i: f64| ends[0] + (ends[1] - ends[0]) * i / f64::from(cells);
+        let smooth = Peaked { width: 1.0, height: 0.0, place: 0.0 };
+        let smooth = Evolution::new(&smooth, 2.0);
+        let plain: Vec<f64> =
+            (0..cells).map(|i| smooth.time(stage(at(f64::from(i))), stage(at(f64::from(i + 1))))).collect();
+        for width in [2e-3, 0.01, 0.03, 0.1, 0.3] {
+            for height in [1.0, 10.0, 100.0, 1e4] {
+                for place in [-1.31, 0.217, 0.5, 1.04, 1.993] {
+                    let slower = |i: usize| {
+                        let off = (at(i as f64 + 0.5) - place) / width;
+                        1.0 / (1.0 + height / (1.0 + off * off))
+                    };
+                    let expected: f64 = plain.iter().enumerate().map(|(i, time)| time * slower(i)).sum();
+                    let power = InterpolatedPower::new(Box::new(Peaked { width, height, place }), 2.0);
+                    let found = Evolution::new(&power, 2.0).time(stage(ends[0]), stage(ends[1]));
+                    let allowed = if width < 0.01 { width } else { 1e-5 };
+                    assert!((found / expected - 1.0).abs() < allowed, "{width} {height} {place}");
+                }
+            }
+        }
+    }
 }

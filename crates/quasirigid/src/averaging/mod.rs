@@ -12,6 +12,7 @@ mod levels;
 mod observed;
 mod poinsot;
 mod power;
+mod published;
 mod response;
 mod rows;
 mod slow_torque;
@@ -29,5 +30,6 @@ pub use levels::{
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::FreeRotation;
 pub use power::{MeanPower, PolynomialPower};
+pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody};
 pub use response::Response;
 pub use slow_torque::{SlowTorque, Unaveraged};

@@ -4,7 +4,7 @@ use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::iteration::belongs;
 use super::pencil::Pencil;
-use super::shares::{dissipation, listed, moving, tellable};
+use super::shares::{dissipation, leading, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::sym::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
@@ -236,15 +236,9 @@ impl Frame<'_> {
             let size = |(j, rate): &(usize, &Complex<f64>)| rate.norm_sqr() * self.weight(*j);
             size(a).total_cmp(&size(b))
         });
-        let name = match largest {
-            _ if nutation => "nutation".to_owned(),
-            Some((j, rate)) if rate.norm_sqr() > 0.0 => self.body.coordinates()[j].name.clone(),
-            Some(_) => liquids
-                .first()
-                .map_or("spin", |(liquid, ..)| self.body.coordinates()[liquid.coordinates.start].part())
-                .to_owned(),
-            None => "spin".to_owned(),
-        };
+        let largest = largest.filter(|(_, rate)| rate.norm_sqr() > 0.0).map(|(j, _)| j);
+        let leading = leading(self.body, &moved, largest, &liquids).unwrap_or("spin");
+        let name = if nutation { "nutation" } else { leading }.to_owned();
         let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),

@@ -53,6 +53,24 @@ pub(super) fn moving(
     parts
 }
 
+/// Name of what moves most beside the body: a coordinate, or a liquid with more kinetic energy than the coordinate's part.
+pub(super) fn leading<'a>(
+    body: &'a FlexibleBody,
+    moved: &[(String, f64)],
+    largest: Option<usize>,
+    liquids: &[Turning<'_>],
+) -> Option<&'a str> {
+    let energy =
+        |part: &str| moved.iter().find(|(name, _)| name == part).map_or(0.0, |(_, energy)| energy.abs());
+    let flowing = liquids
+        .iter()
+        .map(|(liquid, ..)| body.coordinates()[liquid.coordinates.start].part())
+        .max_by(|a, b| energy(a).total_cmp(&energy(b)));
+    let own = largest.map(|j| &body.coordinates()[j]);
+    let own = own.filter(|own| flowing.is_none_or(|liquid| energy(own.part()) >= energy(liquid)));
+    own.map(|own| own.name.as_str()).or(flowing)
+}
+
 /// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
 const SLOW: f64 = 1e-3;
 

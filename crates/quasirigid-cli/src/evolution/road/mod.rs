@@ -20,6 +20,7 @@ use quasirigid_io::model::EvolveMethod;
 use super::Asked;
 use super::ageing::Ageing;
 use crate::commands::Loaded;
+use crate::describe::significant;
 use crate::failure::Failure;
 use crate::motion::Motion;
 use choice::Choice;
@@ -84,6 +85,9 @@ pub fn choose(
     let found = match asked.method {
         Some(EvolveMethod::Average) => Ok(choice.forced_average(ageing)),
         Some(EvolveMethod::Modes) => choice.calibrated(ageing),
+        Some(EvolveMethod::MicroRuns | EvolveMethod::Direct) if !ground.complete(way.ends) => {
+            Err(without_equations(ground.left_out(way.ends)))
+        }
         Some(EvolveMethod::MicroRuns) => match choice.measured(watch) {
             Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
             found => found.map_err(|error| error.to_string()),
@@ -101,6 +105,19 @@ pub fn choose(
         Ok(road) => Ok(take(road, &ground, &way, ageing)),
         Err(message) => Err(refused(message)),
     })
+}
+
+/// Why the full system gives no answer, in words.
+fn without_equations(left_out: f64) -> String {
+    let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose answer is known at each \
+               frequency alone)";
+    if !left_out.is_finite() {
+        return format!("{why}, and the modes do not say how much that is");
+    }
+    format!(
+        "{why}: by those that it has a small wobble changes at a rate that is {} % off",
+        significant(100.0 * left_out, 2)
+    )
 }
 
 /// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.

@@ -3,6 +3,7 @@
 mod carried;
 mod floating;
 mod held;
+mod homogeneous;
 mod mover;
 mod names;
 mod net;

@@ -12,7 +12,7 @@ use crate::model::force::{Force, Law};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{belongs, inverse_iteration};
 use crate::modes::mode::SpinMode;
-use crate::modes::shares::{dissipation, listed, moving, tellable};
+use crate::modes::shares::{dissipation, leading, listed, moving, tellable};
 
 type C = Complex<f64>;
 
@@ -177,12 +177,9 @@ impl About<'_> {
         let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
         let carried = moved.iter().all(|(name, energy)| name == "body" || *energy <= moved[0].1);
         let largest = (0..q.len()).max_by(|a, b| self.energy(*a, &rate).total_cmp(&self.energy(*b, &rate)));
-        let name = match largest {
-            _ if carried => "rotation".to_owned(),
-            Some(j) => self.body.coordinates()[j].name.clone(),
-            None => "rotation".to_owned(),
-        };
-        let name = if kinetic > 0.0 { name } else { "translation".to_owned() };
+        let leading =
+            leading(self.body, &moved, largest, &liquids).filter(|_| !carried).unwrap_or("rotation");
+        let name = if kinetic > 0.0 { leading } else { "translation" }.to_owned();
         let rounding = self.pencil.rounding(lambda, x);
         let told = tellable(lambda, liquids.len(), lost.len());
         let mode = SpinMode {

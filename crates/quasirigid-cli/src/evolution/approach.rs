@@ -1,0 +1,31 @@
+use quasirigid::averaging::{Evolution, Response, Stage};
+use quasirigid_io::record::ApproachRecord;
+
+/// Relative distance within which a harmonic is near a vibration.
+const NEAR: f64 = 0.1;
+/// Shares of harmonics below this excite nothing.
+const FAINT: f64 = 1e-4;
+
+/// The harmonic of the polhode that comes nearest to a vibration at an end of the way; none if none comes near.
+///
+/// The frequency of the polhode rises from the separatrix to either axis, so that what is not passed is nearest at an end.
+pub fn approach(response: &Response, evolution: &Evolution, ends: [Stage; 2]) -> Option<ApproachRecord> {
+    let near = ends.into_iter().flat_map(|stage| {
+        let motion = evolution.motion(stage);
+        let powers: Vec<(f64, f64)> = response.harmonic_powers(&motion).collect();
+        let sum: f64 = powers.iter().map(|(_, power)| power).sum();
+        let ratio = motion.ratio();
+        let alive = powers.into_iter().zip(1..).filter(move |((_, power), _)| *power > FAINT * sum);
+        alive.flat_map(move |((harmonic, _), number)| {
+            response.frequencies().map(move |(frequency, coordinate)| ApproachRecord {
+                harmonic: number,
+                frequency,
+                coordinate: coordinate.into(),
+                distance: harmonic / frequency - 1.0,
+                ratio,
+            })
+        })
+    });
+    let nearest = near.min_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()))?;
+    (nearest.distance.abs() < NEAR).then_some(nearest)
+}

@@ -93,6 +93,11 @@ pub enum Failure {
         "under a torque the rotation need not reach any target; say how long to follow it, with --duration or with evolve = {{ duration = \"10 yr\" }} in [run]"
     )]
     NoEvolutionDuration,
+    #[error(
+        "dissipation only lowers the wobble, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with --to, or an earlier start with --from",
+        significant(from.to_degrees(), 3), significant(to.to_degrees(), 3)
+    )]
+    Calmer { from: f64, to: f64 },
     #[error("{0} (kinds \"spin-drag\" and \"torque\")")]
     Unaveraged(#[from] Unaveraged),
     #[error(
@@ -109,6 +114,8 @@ pub enum Failure {
     Signals(#[from] ctrlc::Error),
     #[error("interrupted; the table breaks off here")]
     Interrupted,
+    #[error("interrupted; nothing was written")]
+    Abandoned,
     #[error("the reader of the output went away")]
     BrokenPipe,
 }

@@ -10,7 +10,7 @@ use super::sparse::SparseRows;
 /// The iteration of an eigenvalue solver did not converge.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error(
-    "the eigenvalues of a {size} x {size} matrix did not converge; look for entries of very different size in the model"
+    "the modes of {size} coordinates were not found: a mass or a stiffness among them is lost in rounding beside the others; look for values in the model that are many orders of magnitude from the rest"
 )]
 pub struct NoConvergence {
     /// Size of the matrix.

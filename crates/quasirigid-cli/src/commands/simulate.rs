@@ -48,7 +48,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let motion = Motion::new(&loaded, start);
     let judged = start.omega != [0.0; 3] || !motion.system().acts();
     if !arguments.common.quiet && arguments.system == System::Reduced && judged {
-        warn(&Validity::of(body, *order, start.omega)?);
+        warn(&Validity::of(body, *order, motion.settled_spin()?)?);
     }
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);
@@ -72,13 +72,13 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     if arguments.coordinates {
         columns.extend(coordinate_columns(body.coordinates(), &coordinates));
     }
-    table(arguments, &columns, &interrupt)?;
+    let in_place = table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
         output::print(&object(body, arguments.system, &budget, &run))?;
     }
     let message = status(body, run.outcome, run.last.t).1;
     match run.outcome {
-        Outcome::Finished => Ok(Ending::Done),
+        Outcome::Finished => Ok(if in_place { Ending::Done } else { Ending::CheckFailed }),
         Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
             remark(&message);
             Ok(Ending::Done)
@@ -96,13 +96,18 @@ fn warn(validity: &Validity) {
     }
 }
 
-fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<(), Failure> {
+/// Writes the table; whether it stands where it should.
+fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<bool, Failure> {
     let TableFormat::Csv = arguments.format;
     match (&arguments.out, arguments.common.json) {
-        (Some(path), _) => output::to_file(path, |out| history_csv(columns, out)),
-        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out)),
-        (None, true) => Ok(()),
+        (Some(path), _) => {
+            let placed = output::to_file(path, arguments.overwrite, |out| history_csv(columns, out))?;
+            return Ok(placed.told(path));
+        }
+        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out))?,
+        (None, true) => {}
     }
+    Ok(true)
 }
 
 fn object(

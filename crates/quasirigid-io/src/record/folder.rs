@@ -10,6 +10,8 @@ use super::{Column, RecordError, RunRecord};
 
 /// File of the evolution's rows.
 const EVOLUTION: &str = "evolution.csv";
+/// File of everything but rows.
+const RECORD: &str = "record.json";
 
 impl RunRecord {
     /// Writes the record into an existing empty folder: the CSV files first, then `record.json`, so that a folder
@@ -25,7 +27,7 @@ impl RunRecord {
         for (file, columns) in tables {
             create(&dir.join(file), |out| history_csv(columns, out))?;
         }
-        create(&dir.join("record.json"), |out| {
+        create(&dir.join(RECORD), |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
             out.write_all(b"\n")
         })
@@ -36,7 +38,7 @@ impl RunRecord {
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
     pub fn read(dir: &Path) -> Result<Self, RecordError> {
-        let file = dir.join("record.json");
+        let file = dir.join(RECORD);
         let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
         let mut record: Self = serde_json::from_slice(&text).map_err(|error| RecordError::Json {
             line: error.line(),
@@ -51,6 +53,13 @@ impl RunRecord {
             read_rows(columns, input, &file)?;
         }
         Ok(record)
+    }
+
+    /// Names of the files that [`write`](Self::write) makes.
+    #[must_use]
+    pub fn files(&self) -> Vec<String> {
+        let tables = self.tables().map(|(file, _)| file);
+        tables.chain([RECORD.to_owned()]).collect()
     }
 
     /// Every CSV file with its columns.
@@ -126,7 +135,16 @@ fn history_file(system: &str) -> String {
 }
 
 fn unusable(file: &Path, error: &io::Error) -> RecordError {
-    RecordError::File { file: file.into(), kind: error.kind() }
+    RecordError::File { file: file.into(), kind: kind(error) }
+}
+
+/// The kind of an error, which writers of tables may wrap into their own.
+fn kind(error: &io::Error) -> io::ErrorKind {
+    let mut cause = error as &dyn std::error::Error;
+    while let Some(deeper) = cause.source() {
+        cause = deeper;
+    }
+    cause.downcast_ref::<io::Error>().map_or(error.kind(), io::Error::kind)
 }
 
 /// The message without the place that serde_json adds at its end.

@@ -30,7 +30,7 @@ pub fn propagate_full(
     let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
     check(scales.spin, times, options.tolerance)?;
     let allowed = allowed(system.body, &scales, options.tolerance);
-    let full = FullSystem::new(system);
+    let full = FullSystem::new(system).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
     let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);

@@ -4,6 +4,7 @@ use quasirigid::averaging::{ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
 use quasirigid::math::eigen::NoConvergence;
+use quasirigid::math::memory::TooMuchMemory;
 use quasirigid::modes::EquilibriumError;
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::verification::VerificationError;
@@ -48,6 +49,8 @@ pub enum Failure {
     NotAVector { count: usize },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]
     Samples { samples: usize },
+    #[error("{samples} rows: {cause}; ask for fewer with --samples")]
+    History { samples: usize, cause: TooMuchMemory },
     #[error("{option}: only the full system has internal coordinates of its own; add --system full")]
     NoCoordinates { option: &'static str },
     #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
@@ -85,6 +88,8 @@ pub enum Failure {
     NoShortAxis { moments: [f64; 3] },
     #[error("{file}: [initial] wobble: {cause}", file = file.display())]
     NoWobble { file: PathBuf, cause: NoWobble },
+    #[error("a wobble of {} degrees is none; give an angle above 0 and below 90 degrees", significant(angle.to_degrees(), 6))]
+    Nutation { angle: f64 },
     #[error(
         "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
     )]
@@ -114,7 +119,7 @@ pub enum Failure {
     Signals(#[from] ctrlc::Error),
     #[error("interrupted; the table breaks off here")]
     Interrupted,
-    #[error("interrupted; nothing was written")]
+    #[error("interrupted; no file was written or changed")]
     Abandoned,
     #[error("the reader of the output went away")]
     BrokenPipe,

@@ -1,8 +1,8 @@
 //! The motion that a model asks for, in each of its systems.
 
 use quasirigid::dynamics::{
-    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState, SpinState,
-    matched_start, propagate, propagate_forced, propagate_full,
+    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
+    SpinState, matched_start, propagate, propagate_forced, propagate_full,
 };
 use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::Force;

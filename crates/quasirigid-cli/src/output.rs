@@ -15,6 +15,7 @@ pub use leftover::abandon;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
+use crate::visible::visible;
 
 /// Where a result stands.
 pub struct Placed {
@@ -40,7 +41,7 @@ impl Placed {
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
+    out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
 /// Writes to standard output, buffered, until Ctrl-C.

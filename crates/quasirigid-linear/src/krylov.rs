@@ -180,7 +180,8 @@ mod tests {
         let size = 3000;
         let theta = |i: usize| 1.0 / (1.0 + 1e-3 * (i / 3) as f64);
         let mass = |x: &[f64]| x.iter().enumerate().map(|(i, x)| theta(i) * x).collect::<Vec<f64>>();
-        let pencil = Pencil { size, stiffness: &|x: &[f64]| x.to_vec(), solve: &|_: &mut [f64]| (), mass: &mass };
+        let pencil =
+            Pencil { size, stiffness: &|x: &[f64]| x.to_vec(), solve: &|_: &mut [f64]| (), mass: &mass };
         for (i, x) in pencil.largest(12).unwrap().iter().enumerate() {
             let value = dot(x, &mass(x));
             assert!((value - theta(i)).abs() < 1e-4, "{i}: {value} {}", theta(i));

@@ -41,7 +41,11 @@ pub fn dense(size: usize, matrices: usize) -> f64 {
 }
 
 fn within(needed: f64, allowed: f64) -> Result<(), TooMuchMemory> {
-    if needed <= allowed { Ok(()) } else { Err(TooMuchMemory { needed: needed as u64, allowed: allowed as u64 }) }
+    if needed <= allowed {
+        Ok(())
+    } else {
+        Err(TooMuchMemory { needed: needed as u64, allowed: allowed as u64 })
+    }
 }
 
 fn gibi(bytes: u64) -> f64 {
@@ -51,7 +55,8 @@ fn gibi(bytes: u64) -> f64 {
 /// Free memory (bytes): the least of what the machine, the group of processes and the process have left.
 fn free() -> Option<f64> {
     let read = |file: &str| fs::read_to_string(file).ok();
-    let machine = read("/proc/meminfo").and_then(|text| entry(&text, "MemAvailable:")).map(|kibi| 1024.0 * kibi);
+    let machine =
+        read("/proc/meminfo").and_then(|text| entry(&text, "MemAvailable:")).map(|kibi| 1024.0 * kibi);
     let number = |file: &str| read(file)?.trim().parse::<f64>().ok();
     let most = number("/sys/fs/cgroup/memory.max");
     let group = most.zip(number("/sys/fs/cgroup/memory.current")).map(|(most, used)| (most - used).max(0.0));
@@ -74,7 +79,10 @@ mod tests {
     #[test]
     fn estimates_are_judged_on_both_sides_of_the_limit() {
         assert!(within(1e9, 1e9).is_ok());
-        assert_eq!(within(1e9 + 1.0, 1e9), Err(TooMuchMemory { needed: 1_000_000_001, allowed: 1_000_000_000 }));
+        assert_eq!(
+            within(1e9 + 1.0, 1e9),
+            Err(TooMuchMemory { needed: 1_000_000_001, allowed: 1_000_000_000 })
+        );
         assert!(within(f64::NAN, 1e9).is_err());
         let words = TooMuchMemory { needed: 3 << 30, allowed: 5 << 29 }.to_string();
         assert_eq!(words, "it would take about 3.000 GiB of memory, and 2.500 GiB may be used");
@@ -89,7 +97,8 @@ mod tests {
 
     #[test]
     fn entries_are_found_by_name() {
-        let text = "MemTotal:  16 kB\nMemAvailable:   12 kB\nMax address space   unlimited   unlimited bytes\n";
+        let text =
+            "MemTotal:  16 kB\nMemAvailable:   12 kB\nMax address space   unlimited   unlimited bytes\n";
         assert_eq!(entry(text, "MemAvailable:"), Some(12.0));
         assert_eq!(entry(text, "Max address space"), None);
     }

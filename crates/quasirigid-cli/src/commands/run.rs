@@ -7,7 +7,7 @@ use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, summary};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, room, summary};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
@@ -129,9 +129,11 @@ impl<'a> Plan<'a> {
         let turns = duration * norm(omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
         let rows = arguments.propagation.samples.or(model.run.samples).unwrap_or(rows);
+        let systems = systems(model);
+        room(rows, systems.len() + 1, 0)?;
         Ok(Self {
             motion,
-            systems: systems(model),
+            systems,
             times: even_times(rows, duration)?,
             options: options(loaded, &arguments.propagation, axis)?,
             axis,

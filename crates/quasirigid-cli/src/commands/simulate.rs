@@ -4,7 +4,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options, room};
 use crate::args::{Simulate, System, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -35,6 +35,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
             even_times(rows, duration(model, &arguments.propagation, start.omega)?)?
         }
     };
+    let kept = arguments.coordinates || arguments.displacements;
+    room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }
@@ -53,7 +55,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);
     let mut collector = Collector::new(&interrupt, "propagating", end, arguments.common.quiet);
-    if arguments.coordinates || arguments.displacements {
+    if kept {
         collector.keep_coordinates();
     }
     let run = motion.follow(arguments.system, &times, options, &mut collector)?;

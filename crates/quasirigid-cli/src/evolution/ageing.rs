@@ -185,7 +185,9 @@ impl Ageing {
         let [start, end] = [from, target].map(|stage| evolution.ratio(stage));
         if end < start {
             return Err(match asked.until {
-                Some(Target::Wobble(to)) => Failure::Calmer { from: evolution.motion(from).nutation()[1], to },
+                Some(Target::Wobble(to)) => {
+                    Failure::Calmer { from: evolution.motion(from).nutation()[1], to }
+                }
                 _ => Failure::Backwards { from: start, to: end },
             });
         }

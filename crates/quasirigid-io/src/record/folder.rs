@@ -153,3 +153,32 @@ fn problem(error: &serde_json::Error) -> String {
     let place = format!(" at line {} column {}", error.line(), error.column());
     text.strip_suffix(&place).unwrap_or(&text).into()
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// A disk that is full, behind the buffer of a writer of tables.
+    struct Full;
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::Error::from_raw_os_error(28))
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn full_disk_is_called_so() {
+        let column = Column { name: "t".into(), unit: "s".into(), values: vec![0.0; 100_000] };
+        let error = history_csv(&[column], Full).unwrap_err();
+        assert_eq!(kind(&error), io::ErrorKind::StorageFull);
+        let said = unusable(Path::new("history-full.csv"), &error).to_string();
+        assert!(said.starts_with("history-full.csv: no storage space; "), "{said}");
+    }
+}

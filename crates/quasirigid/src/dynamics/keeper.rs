@@ -79,8 +79,16 @@ impl<'o, F: Motion> Keeper<'o, F> {
         let K_N = rotation::to_inertial(attitude(y), start.momentum);
         let momentum = Conserved::new(K_N, norm(K_N), inside);
         let alarm = Alarm::new(&options.events);
-        let mut keeper =
-            Self { motion, momentum, energy: start.energy, drift: 0.0, alarm, left: None, observer, pace: Pace::new() };
+        let mut keeper = Self {
+            motion,
+            momentum,
+            energy: start.energy,
+            drift: 0.0,
+            alarm,
+            left: None,
+            observer,
+            pace: Pace::new(),
+        };
         let sample = keeper.sample(0.0, y);
         keeper.alarm.set(&sample);
         keeper

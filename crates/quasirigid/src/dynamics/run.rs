@@ -180,6 +180,17 @@ pub enum PropagateError {
         /// Size of the spin asked for (rad/s).
         spin: f64,
     },
+    /// The attitude is no rotation.
+    #[error("{attitude:?} is no attitude; give a unit quaternion, scalar first")]
+    Attitude {
+        /// Attitude asked for.
+        attitude: [f64; 4],
+    },
+    /// Coordinates, their rates, the place or its velocity are no numbers.
+    #[error(
+        "the state at the start holds what is no finite number; give finite coordinates, rates, place and velocity"
+    )]
+    NotFinite,
     /// The tolerance cannot be met, or means nothing.
     #[error("the tolerance {tolerance:e} is out of range; choose one from 1e-15 to 1e-2")]
     Tolerance {
@@ -263,14 +274,27 @@ impl Pace {
 
     fn passed(&mut self, steps: u64) -> bool {
         let moment = std::mem::replace(&mut self.looked, Instant::now()).elapsed();
-        self.stride = if moment < MOMENT { (2 * self.stride).min(MOST_STEPS) } else { self.stride.div_ceil(2) };
+        self.stride =
+            if moment < MOMENT { (2 * self.stride).min(MOST_STEPS) } else { self.stride.div_ceil(2) };
         self.next = steps + self.stride;
         true
     }
 }
 
+/// A unit quaternion, for a motion whose attitude nobody asks for.
+pub(super) const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+
 /// Refuses what no propagation can start from.
-pub(super) fn check(spin: f64, times: &[f64], tolerance: f64) -> Result<(), PropagateError> {
+pub(super) fn check(
+    spin: f64,
+    attitude: [f64; 4],
+    times: &[f64],
+    tolerance: f64,
+) -> Result<(), PropagateError> {
+    let size = attitude.iter().map(|part| part * part).sum::<f64>();
+    if !(size > 0.0 && size.is_finite()) {
+        return Err(PropagateError::Attitude { attitude });
+    }
     if !(spin.is_finite() && spin > 0.0) {
         return Err(PropagateError::NoSpin { spin });
     }

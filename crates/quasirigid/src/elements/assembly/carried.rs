@@ -68,9 +68,8 @@ impl Assembly {
         let paths = paths.map(|paths| CurvedPaths { reaches, ..paths });
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
         let inside = whole.inner.coordinates.len();
-        memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
-            at(Place::Carrier, Field::Name)(Problem::Memory { unknowns: inside, cause })
-        })?;
+        memory::ask(memory::dense(inside, INSIDE_MATRICES))
+            .map_err(|cause| at(Place::Carrier, Field::Name)(Problem::Memory { unknowns: inside, cause }))?;
         let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
             End::Carrier => None,

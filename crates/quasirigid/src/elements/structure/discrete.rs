@@ -109,7 +109,9 @@ impl<'a> Discrete<'a> {
         let ties: Vec<Tie> =
             structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();
         let pattern = pattern(&freedoms, &ties);
-        memory::ask(pattern.places() as f64 * size_of::<f64>() as f64 * (structure.matters.len() + MATRICES) as f64)?;
+        memory::ask(
+            pattern.places() as f64 * size_of::<f64>() as f64 * (structure.matters.len() + MATRICES) as f64,
+        )?;
         let zero = Symmetric::zero(pattern);
         let mut stiffness = vec![zero.clone(); structure.matters.len()];
         let (mut damping, mut mass) = (zero.clone(), zero.clone());

@@ -14,7 +14,7 @@ fn check_judges_the_spin_that_the_reduced_body_starts_from() {
     let row = ran_in(folder.path(), "simulate model.toml --duration 1 --samples 2");
     let omega = Table::of(&row.stdout).vector(["wx", "wy", "wz"], 0);
     let settled = omega.iter().map(|w| w * w).sum::<f64>().sqrt();
-    assert!(settled > 2.0 * 0.127, "{settled}: the point carries angular momentum of its own");
+    assert!(settled > 1.5 * 0.127, "{settled}: the body shrinks as the point comes in");
     let checked = ran_in(folder.path(), "check model.toml --json").json();
     let T3 = checked["T3"].as_f64().unwrap();
     assert!(difference([T3.recip()], [settled]) < 1e-9, "{} {settled}", T3.recip());
@@ -27,8 +27,7 @@ fn check_judges_the_spin_that_the_reduced_body_starts_from() {
 /// A spin far above that at the start, on which a fast rotor settles.
 #[test]
 fn check_fails_where_the_start_holds_and_what_follows_does_not() {
-    let rotor =
-        "[[rotor]]\nname = \"ball\"\ninertia = 0.2\nfriction = 2.0\nspeed = [0.1, 11326.3, 0.3]\n[initial]";
+    let rotor = "[[rotor]]\nname = \"ball\"\ninertia = 0.2\nfriction = 2.0\nshape = \"sphere\"\nspeed = [0.1, 11326.3, 0.3]\n[initial]";
     let model = MODEL.replace("[initial]", rotor).replace("[0.12, 0.035, 0.02]", "[0.003, 0.001, 0.03]");
     let checked = ran_with(&model, "check model.toml");
     assert_eq!(checked.code, Some(1), "{checked:?}");
@@ -43,8 +42,8 @@ fn carrier_lost_in_rounding_is_refused_in_words() {
         let said = flowing(with("1e-16", line).refusal());
         assert!(said.contains("is lost in rounding beside the mass that is"), "{line}: {said}");
     }
-    let said = flowing(with("1e-16", "check model.toml").refusal());
-    assert!(said.contains("lost in rounding beside the others") && !said.contains("matrix"), "{said}");
+    let checked = with("1e-16", "check model.toml"); // a light carrier on a heavy point vibrates fast
+    assert!(checked.code == Some(0) && !checked.stdout.contains("inf"), "{checked:?}");
     let light = with("1e-6", "simulate model.toml --system full --duration 1e-3 --samples 2");
     assert_eq!(light.code, Some(0), "{}", light.stderr);
 }
@@ -79,7 +78,7 @@ fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
     let calm = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 1e-4, 0.2]");
     let said = flowing(ran_with(&calm, "evolve model.toml --to 20deg --method average").refusal());
     assert!(
-        said.contains("dissipation only lowers the wobble") && said.contains("target, 20 degrees"),
+        said.contains("dissipation only lowers the wobble") && said.contains("target, 20.0 degrees"),
         "{said}"
     );
 }

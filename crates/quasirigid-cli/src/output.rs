@@ -155,16 +155,7 @@ fn temporary() -> tempfile::Builder<'static, 'static> {
 
 /// The error without the name of a temporary file, which says nothing to a user.
 fn plain(error: io::Error) -> io::Error {
-    let mut cause = &error as &dyn std::error::Error;
-    loop {
-        if let Some(code) = cause.downcast_ref::<io::Error>().and_then(io::Error::raw_os_error) {
-            return io::Error::from_raw_os_error(code);
-        }
-        match cause.source() {
-            Some(deeper) => cause = deeper,
-            None => return error.kind().into(),
-        }
-    }
+    error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 fn parent(path: &Path) -> &Path {

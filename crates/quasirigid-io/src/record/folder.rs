@@ -135,16 +135,7 @@ fn history_file(system: &str) -> String {
 }
 
 fn unusable(file: &Path, error: &io::Error) -> RecordError {
-    RecordError::File { file: file.into(), kind: kind(error) }
-}
-
-/// The kind of an error, which writers of tables may wrap into their own.
-fn kind(error: &io::Error) -> io::ErrorKind {
-    let mut cause = error as &dyn std::error::Error;
-    while let Some(deeper) = cause.source() {
-        cause = deeper;
-    }
-    cause.downcast_ref::<io::Error>().map_or(error.kind(), io::Error::kind)
+    RecordError::File { file: file.into(), kind: error.kind() }
 }
 
 /// The message without the place that serde_json adds at its end.
@@ -177,7 +168,7 @@ mod tests {
     fn full_disk_is_called_so() {
         let column = Column { name: "t".into(), unit: "s".into(), values: vec![0.0; 100_000] };
         let error = history_csv(&[column], Full).unwrap_err();
-        assert_eq!(kind(&error), io::ErrorKind::StorageFull);
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
         let said = unusable(Path::new("history-full.csv"), &error).to_string();
         assert!(said.starts_with("history-full.csv: no storage space; "), "{said}");
     }

@@ -10,7 +10,7 @@ use super::sparse::SparseRows;
 /// The iteration of an eigenvalue solver did not converge.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error(
-    "the modes of {size} coordinates were not found: a mass or a stiffness among them is lost in rounding beside the others; look for values in the model that are many orders of magnitude from the rest"
+    "the modes of {size} coordinates were not found: the iteration for them did not converge; if masses or stiffnesses in the model differ by many orders of magnitude, bring them closer together"
 )]
 pub struct NoConvergence {
     /// Size of the matrix.

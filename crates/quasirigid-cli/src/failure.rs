@@ -4,6 +4,7 @@ use quasirigid::averaging::{ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
 use quasirigid::math::eigen::NoConvergence;
+use quasirigid::math::memory::TooMuchMemory;
 use quasirigid::modes::EquilibriumError;
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::verification::VerificationError;
@@ -48,6 +49,8 @@ pub enum Failure {
     NotAVector { count: usize },
     #[error("--samples {samples} is out of range; give 2 to 10000000")]
     Samples { samples: usize },
+    #[error("{samples} rows: {cause}; ask for fewer with --samples")]
+    History { samples: usize, cause: TooMuchMemory },
     #[error("{option}: only the full system has internal coordinates of its own; add --system full")]
     NoCoordinates { option: &'static str },
     #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
@@ -85,6 +88,8 @@ pub enum Failure {
     NoShortAxis { moments: [f64; 3] },
     #[error("{file}: [initial] wobble: {cause}", file = file.display())]
     NoWobble { file: PathBuf, cause: NoWobble },
+    #[error("a wobble of {} degrees is none; give an angle above 0 and below 90 degrees", significant(angle.to_degrees(), 6))]
+    Nutation { angle: f64 },
     #[error(
         "dissipation only raises D/I3, and the target {to} lies below the start, {from}; choose a higher one with --to, or an earlier start with --from"
     )]
@@ -93,6 +98,11 @@ pub enum Failure {
         "under a torque the rotation need not reach any target; say how long to follow it, with --duration or with evolve = {{ duration = \"10 yr\" }} in [run]"
     )]
     NoEvolutionDuration,
+    #[error(
+        "dissipation only lowers the wobble, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with --to, or an earlier start with --from",
+        significant(from.to_degrees(), 3), significant(to.to_degrees(), 3)
+    )]
+    Calmer { from: f64, to: f64 },
     #[error("{0} (kinds \"spin-drag\" and \"torque\")")]
     Unaveraged(#[from] Unaveraged),
     #[error(
@@ -109,6 +119,8 @@ pub enum Failure {
     Signals(#[from] ctrlc::Error),
     #[error("interrupted; the table breaks off here")]
     Interrupted,
+    #[error("interrupted; no file was written or changed")]
+    Abandoned,
     #[error("the reader of the output went away")]
     BrokenPipe,
 }

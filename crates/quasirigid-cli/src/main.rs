@@ -18,6 +18,7 @@ mod rotation;
 mod steady;
 mod steady_state;
 mod verification;
+mod visible;
 
 use std::process::ExitCode;
 

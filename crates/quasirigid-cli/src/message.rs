@@ -5,6 +5,7 @@ use quasirigid_io::model::{Diagnostic, ModelError};
 
 use crate::failure::Failure;
 use crate::layout;
+use crate::visible::{masked, visible};
 
 /// Columns before a message, `Error: `.
 const ERROR: usize = 7;
@@ -14,9 +15,10 @@ const MARGIN: usize = 15;
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
 pub fn print(failure: &Failure) {
     if let Failure::Model(ModelError::Invalid { model, diagnostics }) = failure {
-        let file = model.file.display().to_string();
+        let file = masked(&model.file.display().to_string());
+        let text = masked(&model.text);
         for diagnostic in diagnostics {
-            eprintln!("{}", located(&file, &model.text, diagnostic));
+            eprintln!("{}", located(&file, &text, diagnostic));
         }
         let count = diagnostics.len();
         let problems = if count == 1 { "1 problem".into() } else { format!("{count} problems") };
@@ -28,7 +30,7 @@ pub fn print(failure: &Failure) {
 
 /// Prints a remark on standard error.
 pub fn remark(text: &str) {
-    eprintln!("{}", layout::message(&format!("quasirigid: {text}")));
+    eprintln!("{}", layout::message(&visible(&format!("quasirigid: {text}"))));
 }
 
 /// A diagnostic as `file:line:column: message`, the source line, and what to try.
@@ -38,16 +40,16 @@ fn located(file: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let span = (file, diagnostic.span.clone());
     let mut report = Report::build(ReportKind::Error, span.clone())
         .with_config(config)
-        .with_message(layout::paragraph_after(&diagnostic.message, ERROR))
-        .with_label(Label::new(span).with_message(&diagnostic.label).with_color(Color::Red));
+        .with_message(layout::paragraph_after(&visible(&diagnostic.message), ERROR))
+        .with_label(Label::new(span).with_message(visible(&diagnostic.label)).with_color(Color::Red));
     if let Some(help) = &diagnostic.help {
-        report = report.with_help(layout::narrowed(help, MARGIN));
+        report = report.with_help(layout::narrowed(&visible(help), MARGIN));
     }
     let mut bytes = Vec::new();
     let written = report.finish().write((file, Source::from(text)), &mut bytes);
     let (line, column) = diagnostic.position(text);
     match written {
         Ok(()) => String::from_utf8_lossy(&bytes).into_owned(),
-        Err(_) => format!("{file}:{line}:{column}: {}", diagnostic.message),
+        Err(_) => format!("{file}:{line}:{column}: {}", visible(&diagnostic.message)),
     }
 }

@@ -1,10 +1,10 @@
 //! The motion that a model asks for, in each of its systems.
 
 use quasirigid::dynamics::{
-    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Run, SlowState, SpinState,
-    matched_start, propagate, propagate_forced, propagate_full,
+    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
+    SpinState, matched_start, propagate, propagate_forced, propagate_full,
 };
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::reduction::{frequencies, reduce};
@@ -16,6 +16,10 @@ use crate::args::System;
 use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::rotation::{follows_its_spin, slaved_order};
+
+/// Difference between an angular momentum and that of the spin which the series finds for it, relative to itself, from which the
+/// series means nothing there.
+const CLOSED: f64 = 0.01;
 
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
@@ -80,7 +84,7 @@ impl<'a> Motion<'a> {
                 let Start { omega, attitude, .. } = self.start;
                 let spin = if system == System::Reduced && self.starts_displaced() {
                     let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
-                    SpinState { omega: reduced.Omega.vector(slow.momentum), attitude: slow.attitude }
+                    SpinState { omega: self.settled_spin()?, attitude: slow.attitude }
                 } else {
                     SpinState { omega, attitude }
                 };
@@ -129,6 +133,19 @@ impl<'a> Motion<'a> {
         let omega = self.start.omega;
         let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
         Ok(asked && !follows_its_spin(self.body, &reduce(self.body, self.order)?, omega))
+    }
+
+    /// Spin (rad/s) at which the reduced equations start: the one given, or the one on which displacements and rotors off the slow
+    /// manifold settle.
+    pub fn settled_spin(&self) -> Result<[f64; 3], Failure> {
+        if !self.starts_displaced() || self.order == 0 {
+            return Ok(self.start.omega);
+        }
+        let reduced = reduce(self.body, self.order)?;
+        let slow = self.matched(self.order.min(MAX_FORCED_ORDER))?;
+        let omega = reduced.Omega.vector(slow.momentum);
+        let gap = norm(add(reduced.momentum(omega), scale(-1.0, slow.momentum)));
+        if gap <= CLOSED * norm(slow.momentum) { Ok(omega) } else { Err(PropagateError::NoMomentum.into()) }
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, Failure> {

@@ -1,21 +1,47 @@
 //! Results on standard output, and in files and folders that appear only when they are whole.
 
 mod folder;
+mod leftover;
+mod place;
 
-use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
 pub use folder::Folder;
+pub use leftover::abandon;
 
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::message::remark;
+use crate::visible::visible;
+
+/// Where a result stands.
+pub struct Placed {
+    pub path: PathBuf,
+    /// Whether this is beside the place asked for, because something has appeared there.
+    pub beside: bool,
+}
+
+impl Placed {
+    /// Says so if it stands elsewhere than asked for; whether it does not.
+    pub fn told(&self, asked: &Path) -> bool {
+        if self.beside {
+            remark(&format!(
+                "{} appeared while the work went on, and is left as it is; the result is in {}",
+                asked.display(),
+                self.path.display()
+            ));
+        }
+        !self.beside
+    }
+}
 
 /// Prints a text on standard output.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
+    out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
 /// Writes to standard output, buffered, until Ctrl-C.
@@ -41,23 +67,56 @@ pub fn check_file(path: &Path, overwrite: bool) -> Result<(), Failure> {
     if is_device(path) {
         return Ok(());
     }
-    if path.exists() && !overwrite {
-        return Err(Failure::Exists { path: path.into(), option: "--out" });
+    check_parent(path)?;
+    match path.symlink_metadata() {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        Err(cause) => Err(Failure::Write { path: path.into(), cause: plain(cause) }),
+        Ok(_) if !overwrite => Err(Failure::Exists { path: path.into(), option: "--out" }),
+        Ok(_) => Ok(()),
     }
-    check_parent(path)
 }
 
-/// Writes a file that appears only when it is whole. What is no file on a disk, such as a pipe, is written directly.
-pub fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+/// Writes a file that appears only when it is whole, and over nothing unless that is asked for: what has appeared meanwhile
+/// stays, and the file goes beside it. What is no file on a disk, such as a pipe, is written directly.
+pub fn to_file(
+    path: &Path,
+    overwrite: bool,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<Placed, Failure> {
     let whole = || {
         if is_device(path) {
-            return filled(&mut std::fs::OpenOptions::new().write(true).open(path)?, write);
+            filled(&mut std::fs::OpenOptions::new().write(true).open(path)?, write)?;
+            return Ok(path.to_owned());
         }
         let mut file = temporary().tempfile_in(parent(path))?;
+        leftover::remember(file.path());
+        let _ = file.as_file().try_lock(); // where the file system has no locks nothing is ever taken for a leftover
         filled(file.as_file_mut(), write)?;
-        file.persist(path).map(drop).map_err(|error| error.error)
+        place::settle(file.as_file())?;
+        let undisturbed = leftover::undisturbed();
+        let placed = placed(file, path, overwrite)?;
+        drop(undisturbed);
+        let _ = place::settle_folder(parent(path)); // it stands there; whether a loss of power would be survived is not known
+        Ok(placed)
     };
-    whole().map_err(|cause| Failure::Write { path: path.into(), cause })
+    match whole() {
+        Ok(placed) => Ok(Placed { beside: placed != path, path: placed }),
+        Err(cause) => Err(Failure::Write { path: path.into(), cause: plain(cause) }),
+    }
+}
+
+/// Puts a file in its place, or beside it if something is there that may not be replaced.
+fn placed(file: NamedTempFile, path: &Path, overwrite: bool) -> io::Result<PathBuf> {
+    let mut file = Some(file);
+    place::first_free(path, |place| {
+        let Some(new) = file.take() else { return Err(ErrorKind::NotFound.into()) };
+        let over = overwrite && place == path && !path.is_dir();
+        let persisted = if over { new.persist(place) } else { new.persist_noclobber(place) };
+        persisted.map(drop).map_err(|error| {
+            file = Some(error.file);
+            error.error
+        })
+    })
 }
 
 fn filled(file: &mut std::fs::File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
@@ -77,6 +136,7 @@ fn check_parent(path: &Path) -> Result<(), Failure> {
     if !folder.is_dir() {
         return Err(Failure::NoFolder { path: path.into(), folder: folder.into() });
     }
+    leftover::sweep(folder);
     let probe: io::Result<NamedTempFile> = temporary().tempfile_in(folder);
     probe.map(drop).map_err(|cause| Failure::Write { path: path.into(), cause: plain(cause) })
 }
@@ -84,7 +144,7 @@ fn check_parent(path: &Path) -> Result<(), Failure> {
 /// Temporary files with the access that files usually have, not the private one.
 fn temporary() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".quasirigid-");
+    builder.prefix(leftover::PREFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -95,7 +155,7 @@ fn temporary() -> tempfile::Builder<'static, 'static> {
 
 /// The error without the name of a temporary file, which says nothing to a user.
 fn plain(error: io::Error) -> io::Error {
-    error.kind().into()
+    error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 fn parent(path: &Path) -> &Path {

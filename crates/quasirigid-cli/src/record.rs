@@ -15,6 +15,7 @@ use quasirigid_io::record::{
 
 use crate::args::System;
 use crate::describe;
+use crate::visible::one_line;
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -237,7 +238,7 @@ pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
 pub fn coordinate_columns(coordinates: &[Coordinate], rows: &[Vec<f64>]) -> Vec<Column> {
     let name = |i: usize| {
         let Coordinate { name, unit } = &coordinates[i % coordinates.len()];
-        let name = name.replace('"', "");
+        let name = one_line(&name.replace('"', ""));
         if i < coordinates.len() {
             (name, (*unit).to_owned())
         } else {
@@ -257,7 +258,7 @@ pub fn displacement_columns(markers: &[Marker], rows: &[Vec<f64>]) -> Vec<Column
     let column = |marker: &Marker, axis: usize| {
         let displacement =
             |row: &Vec<f64>| marker.shapes.iter().map(|(j, shape)| row[*j] * shape[axis]).sum::<f64>();
-        let name = format!("{} along {}", marker.name.replace('"', ""), ["x", "y", "z"][axis]);
+        let name = format!("{} along {}", one_line(&marker.name.replace('"', "")), ["x", "y", "z"][axis]);
         Column { name, unit: "m".to_owned(), values: rows.iter().map(displacement).collect() }
     };
     let axes = |marker| [0, 1, 2].map(|axis| column(marker, axis));

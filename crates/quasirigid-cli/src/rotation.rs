@@ -33,7 +33,8 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
                 return Err(Failure::NoWobble { file: file.into(), cause });
             }
             let size = rate * principal.moments[mode.circled()];
-            momentum(&principal, &FreeRotation::at_nutation(principal.moments, size, mode, angle))
+            let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
+            momentum(&principal, &motion.ok_or(Failure::Nutation { angle })?)
         }
     };
     if let Displacements::Given { q, .. } = &model.initial.displacements {
@@ -70,7 +71,8 @@ fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f
     let axis = Principal::of(body.invariants().J).axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(Failure::NoStart)?;
     let principal = Principal::of(body.inertia_at(&steady.q));
-    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle);
+    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)
+        .ok_or(Failure::Nutation { angle })?;
     Ok(momentum(&principal, &motion).0)
 }
 

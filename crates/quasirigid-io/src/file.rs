@@ -9,12 +9,23 @@ use std::path::Path;
 pub(crate) enum Unread {
     Unreadable(ErrorKind),
     Folder,
+    /// It is a pipe, a device or the like, which may never end.
+    NoFile,
     /// It has more bytes than the limit.
     TooLarge,
 }
 
-/// The bytes of a file, which are at most `limit`.
+/// The bytes of a file on a disk, which are at most `limit`.
 pub(crate) fn bytes_of(file: &Path, limit: u64) -> Result<Vec<u8>, Unread> {
+    let metadata = std::fs::metadata(file).map_err(|error| Unread::Unreadable(error.kind()))?;
+    if !metadata.is_file() && !metadata.is_dir() {
+        return Err(Unread::NoFile);
+    }
+    stream_of(file, limit)
+}
+
+/// The bytes of a file or a pipe, which are at most `limit`.
+pub(crate) fn stream_of(file: &Path, limit: u64) -> Result<Vec<u8>, Unread> {
     let unreadable = |error: Error| Unread::Unreadable(error.kind());
     let metadata = std::fs::metadata(file).map_err(unreadable)?;
     if metadata.is_dir() {

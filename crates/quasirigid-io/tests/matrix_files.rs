@@ -394,3 +394,26 @@ proptest! {
         let _ = (nodes_of(name, text.as_bytes()), freedoms_of(name, text.as_bytes()));
     }
 }
+
+/// An archive a thousand times smaller than what it unpacks to is not unpacked.
+#[test]
+fn archives_that_inflate_are_refused() {
+    use std::io::Write;
+    let archive = |mebi: usize| {
+        let numbers = mebi << 17;
+        let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({numbers},), }}");
+        let mut out = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+        let options =
+            zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
+        out.start_file("K.npy", options).unwrap();
+        out.write_all(b"\x93NUMPY\x01\0").unwrap();
+        out.write_all(&(head.len() as u16).to_le_bytes()).unwrap();
+        out.write_all(head.as_bytes()).unwrap();
+        (0..mebi).for_each(|_| out.write_all(&vec![0; 1 << 20]).unwrap());
+        out.finish().unwrap().into_inner()
+    };
+    let read = |mebi| quasirigid_io::matrix::matrix_of(std::path::Path::new("a.npz"), &archive(mebi), None);
+    let said = read(80).unwrap_err().to_string();
+    assert!(said.contains("unpacks to more than 64 MiB"), "{said}");
+    assert_eq!(read(8).unwrap().rows, 1 << 20);
+}

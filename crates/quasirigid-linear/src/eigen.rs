@@ -10,7 +10,7 @@ use super::sparse::SparseRows;
 /// The iteration of an eigenvalue solver did not converge.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error(
-    "the eigenvalues of a {size} x {size} matrix did not converge; look for entries of very different size in the model"
+    "the modes of {size} coordinates were not found: the iteration for them did not converge; if masses or stiffnesses in the model differ by many orders of magnitude, bring them closer together"
 )]
 pub struct NoConvergence {
     /// Size of the matrix.

@@ -18,6 +18,11 @@ pub struct Pencil<'a> {
 const SPARE: usize = 4;
 /// Powers of `C⁻¹M` in one Krylov space.
 const DEPTH: usize = 4;
+/// Restarts after which the spaces are made twice as deep.
+const PATIENCE: usize = 8;
+/// Most vectors of a space deeper than that, and entries in them.
+const MOST: usize = 600;
+const LARGEST: usize = 100_000_000;
 /// Krylov spaces tried.
 const RESTARTS: usize = 60;
 /// Residual relative to the largest eigenvalue; an eigenvalue apart from others is then right to its
@@ -48,8 +53,8 @@ impl Pencil<'_> {
         let width = (count + SPARE).min(self.size);
         let mut basis = Basis::default();
         let mut block: Vec<Vec<f64>> = (0..width).map(|column| scattered(self.size, column)).collect();
-        for _ in 0..RESTARTS {
-            self.extend(&mut basis, block);
+        for restart in 0..RESTARTS {
+            self.extend(&mut basis, block, self.depth(restart, width));
             let (values, ritz) = self.ritz(&basis, width)?;
             let wanted = count.min(values.len());
             let worst = (0..wanted).map(|i| self.residual(&ritz, i, values[i])).fold(0.0, f64::max);
@@ -62,9 +67,15 @@ impl Pencil<'_> {
         Err(NoConvergence { size: self.size })
     }
 
+    /// Powers in the space of a restart: more of them where a crowd of eigenvalues keeps the residuals from falling.
+    fn depth(&self, restart: usize, width: usize) -> usize {
+        let most = (LARGEST / self.size.max(1)).min(MOST) / width.max(1);
+        (DEPTH << (restart / PATIENCE).min(usize::BITS as usize / 4)).min(most).max(DEPTH)
+    }
+
     /// Adds a block and its images under powers of `C⁻¹M`; a basis of Ritz vectors counts as the first power.
-    fn extend(&self, basis: &mut Basis, mut block: Vec<Vec<f64>>) {
-        let powers = if basis.vectors.is_empty() { DEPTH } else { DEPTH - 1 };
+    fn extend(&self, basis: &mut Basis, mut block: Vec<Vec<f64>>, depth: usize) {
+        let powers = if basis.vectors.is_empty() { depth } else { depth - 1 };
         for _ in 0..powers {
             let first = basis.vectors.len();
             for vector in block {
@@ -164,6 +175,19 @@ mod tests {
     use super::*;
 
     /// Diagonal pencil with a repeated largest eigenvalue and a dense spectrum below.
+    #[test]
+    fn crowded_eigenvalues_are_found() {
+        let size = 3000;
+        let theta = |i: usize| 1.0 / (1.0 + 1e-3 * (i / 3) as f64);
+        let mass = |x: &[f64]| x.iter().enumerate().map(|(i, x)| theta(i) * x).collect::<Vec<f64>>();
+        let pencil =
+            Pencil { size, stiffness: &|x: &[f64]| x.to_vec(), solve: &|_: &mut [f64]| (), mass: &mass };
+        for (i, x) in pencil.largest(12).unwrap().iter().enumerate() {
+            let value = dot(x, &mass(x));
+            assert!((value - theta(i)).abs() < 1e-4, "{i}: {value} {}", theta(i));
+        }
+    }
+
     #[test]
     fn repeated_eigenvalues_are_found_with_their_multiplicity() {
         let size = 900;

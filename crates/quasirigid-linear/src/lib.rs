@@ -11,6 +11,7 @@ pub mod eigen;
 pub mod factor;
 pub mod krylov;
 pub mod lu;
+pub mod memory;
 pub mod span;
 pub mod sparse;
 pub mod symmetric;

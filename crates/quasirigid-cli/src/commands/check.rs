@@ -19,6 +19,7 @@ use crate::describe::{criterion, dissipation, range, reasons, shares, significan
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
+use crate::motion::Motion;
 use crate::{Ending, output, steady, steady_state};
 
 /// Frequencies printed one by one.
@@ -29,7 +30,9 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, condensation, order, .. } = &loaded;
     notes(model, &arguments.common);
-    let omega = initial(model, body, *order, &arguments.common.model)?.omega;
+    let start = initial(model, body, *order, &arguments.common.model)?;
+    let motion = Motion::new(&loaded, start);
+    let omega = motion.settled_spin()?;
     let validity = Validity::of(body, *order, omega)?;
     let reduced = reduce(body, *order)?;
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
@@ -40,6 +43,9 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     } else {
         let mut text = String::new();
         write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        if motion.starts_displaced() {
+            text.push_str(&settled(start.omega, omega));
+        }
         text.push_str(&steady::lines(&spins));
         text.push_str(&under_forces(&loaded, &arguments.common.model)?);
         if let Some(words) = dissipation(&budget) {
@@ -61,6 +67,16 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     output::print(&text)?;
     let fails = [validity.verdict(), validity.dissipation()].contains(&Verdict::Fails);
     Ok(if fails { Ending::CheckFailed } else { Ending::Done })
+}
+
+/// Which spin was judged, where what moves inside does not start on the slow manifold.
+fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
+    let words = format!(
+        "What moves inside does not start on the slow manifold. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
+        significant(norm(omega), 4),
+        significant(norm(start), 4)
+    );
+    format!("\n{}\n", paragraph(&words, "", "  "))
 }
 
 /// Coordinates of a body whose modes under forces are found in a moment.

@@ -36,9 +36,12 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     if !arguments.common.quiet {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));
     }
-    if let Some(path) = &arguments.out {
-        output::to_file(path, |out| history_csv(&record.columns, out))?;
-    }
+    let in_place = match &arguments.out {
+        Some(path) => {
+            output::to_file(path, arguments.overwrite, |out| history_csv(&record.columns, out))?.told(path)
+        }
+        None => true,
+    };
     if arguments.common.json {
         let mut object = json!(record);
         object.as_object_mut().map(|entries| entries.remove("columns"));
@@ -50,7 +53,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         output::print(&evolution::text(&loaded.model.name, &record))?;
     }
     if record.status == "finished" {
-        return Ok(Ending::Done);
+        return Ok(if in_place { Ending::Done } else { Ending::CheckFailed });
     }
     remark(&record.message);
     Ok(Ending::CheckFailed)

@@ -11,6 +11,7 @@ pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
 use quasirigid::elements::{Built, Condensation, SlowLiquid};
+use quasirigid::math::memory;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
@@ -147,6 +148,15 @@ fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
         2
     };
     axes[axis].map(|entry| entry * along(axis).signum())
+}
+
+/// Numbers of a row, in the history and in its table.
+const ROW: usize = 40;
+
+/// Refuses histories that have no room in memory, with so many internal coordinates kept in each row.
+fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), Failure> {
+    let numbers = (ROW + 4 * coordinates) as f64 * samples as f64 * histories as f64;
+    memory::ask(numbers * size_of::<f64>() as f64).map_err(|cause| Failure::History { samples, cause })
 }
 
 /// Output times from zero to `duration`.

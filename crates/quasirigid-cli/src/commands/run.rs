@@ -7,7 +7,7 @@ use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, summary};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, room, summary};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
@@ -42,7 +42,11 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
     let motion = Motion::new(&loaded, start);
-    let validity = Validity::of(body, order, start.omega)?;
+    let judged = match motion.settled_spin() {
+        Err(Failure::Propagate(PropagateError::NoMomentum)) => start.omega,
+        other => other?,
+    };
+    let validity = Validity::of(body, order, judged)?;
     let reduced = reduce(body, order)?;
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let mut notes = model.notes.clone();
@@ -64,7 +68,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         verification,
         evolution,
     };
-    let folder = Folder::new(&path)?;
+    let folder = Folder::new(&path, arguments.overwrite)?;
     record.write(&folder.building())?;
     let frequencies = &validity.vibrations.frequencies;
     let derived = Derived { name: &model.name, body, reduced: &reduced, frequencies, mechanisms: &[] };
@@ -73,11 +77,12 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     if let Some(picture) = quasirigid_report::sphere_picture(&record) {
         folder.write("sphere.svg", &picture)?;
     }
-    folder.finish()?;
+    let placed = folder.finish()?;
+    let in_place = placed.told(&path);
     if arguments.common.json {
         output::print(&format!("{:#}\n", serde_json::json!(record)))?;
     } else if !arguments.common.quiet {
-        output::print(&summary::text(&record, &path))?;
+        output::print(&summary::text(&record, &placed.path))?;
     }
     let complete = record.histories.len() == plan.systems.len()
         && record.verification.is_some() == model.run.verify.is_some();
@@ -87,7 +92,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let aged = record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished");
     let finished = finished && aged;
     let holds = validity.verdict() != Verdict::Fails && proved;
-    Ok(if finished && holds { Ending::Done } else { Ending::CheckFailed })
+    Ok(if finished && holds && in_place { Ending::Done } else { Ending::CheckFailed })
 }
 
 /// The file's name with `-run`; a file called `model.toml` has the name of its folder.
@@ -124,9 +129,11 @@ impl<'a> Plan<'a> {
         let turns = duration * norm(omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
         let rows = arguments.propagation.samples.or(model.run.samples).unwrap_or(rows);
+        let systems = systems(model);
+        room(rows, systems.len() + 1, 0)?;
         Ok(Self {
             motion,
-            systems: systems(model),
+            systems,
             times: even_times(rows, duration)?,
             options: options(loaded, &arguments.propagation, axis)?,
             axis,

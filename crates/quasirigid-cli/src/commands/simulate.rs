@@ -4,7 +4,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options, room};
 use crate::args::{Simulate, System, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -35,6 +35,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
             even_times(rows, duration(model, &arguments.propagation, start.omega)?)?
         }
     };
+    let kept = arguments.coordinates || arguments.displacements;
+    room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }
@@ -48,12 +50,12 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let motion = Motion::new(&loaded, start);
     let judged = start.omega != [0.0; 3] || !motion.system().acts();
     if !arguments.common.quiet && arguments.system == System::Reduced && judged {
-        warn(&Validity::of(body, *order, start.omega)?);
+        warn(&Validity::of(body, *order, motion.settled_spin()?)?);
     }
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);
     let mut collector = Collector::new(&interrupt, "propagating", end, arguments.common.quiet);
-    if arguments.coordinates || arguments.displacements {
+    if kept {
         collector.keep_coordinates();
     }
     let run = motion.follow(arguments.system, &times, options, &mut collector)?;
@@ -72,13 +74,13 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     if arguments.coordinates {
         columns.extend(coordinate_columns(body.coordinates(), &coordinates));
     }
-    table(arguments, &columns, &interrupt)?;
+    let in_place = table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
         output::print(&object(body, arguments.system, &budget, &run))?;
     }
     let message = status(body, run.outcome, run.last.t).1;
     match run.outcome {
-        Outcome::Finished => Ok(Ending::Done),
+        Outcome::Finished => Ok(if in_place { Ending::Done } else { Ending::CheckFailed }),
         Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
             remark(&message);
             Ok(Ending::Done)
@@ -96,13 +98,18 @@ fn warn(validity: &Validity) {
     }
 }
 
-fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<(), Failure> {
+/// Writes the table; whether it stands where it should.
+fn table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<bool, Failure> {
     let TableFormat::Csv = arguments.format;
     match (&arguments.out, arguments.common.json) {
-        (Some(path), _) => output::to_file(path, |out| history_csv(columns, out)),
-        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out)),
-        (None, true) => Ok(()),
+        (Some(path), _) => {
+            let placed = output::to_file(path, arguments.overwrite, |out| history_csv(columns, out))?;
+            return Ok(placed.told(path));
+        }
+        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out))?,
+        (None, true) => {}
     }
+    Ok(true)
 }
 
 fn object(

@@ -189,7 +189,12 @@ impl Ageing {
         };
         let [start, end] = [from, target].map(|stage| evolution.ratio(stage));
         if end < start {
-            return Err(Failure::Backwards { from: start, to: end });
+            return Err(match asked.until {
+                Some(Target::Wobble(to)) => {
+                    Failure::Calmer { from: evolution.motion(from).nutation()[1], to }
+                }
+                _ => Failure::Backwards { from: start, to: end },
+            });
         }
         match asked.duration {
             Some(duration) if evolution.time(from, target) > duration => {

@@ -1,85 +1,111 @@
-use std::ffi::OsStr;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
-use super::{check_parent, parent, plain};
+use super::leftover::{self, BUILDING, PREFIX};
+use super::place::{exchange, first_free, put, settle, settle_folder};
+use super::{Placed, check_parent, parent, plain};
 use crate::failure::Failure;
 
 /// A folder of results that appears only when it is whole.
 pub struct Folder {
     path: PathBuf,
-    /// A folder beside it that holds the new folder until it is whole, and the old one until it is replaced.
+    overwrite: bool,
+    /// A folder beside it that holds the new folder until it is whole, and the old one until it is removed.
     beside: TempDir,
+    /// Kept locked as long as this process lives.
+    _lock: File,
 }
 
-/// The record's file, the report and the derived body; histories have names of their own.
-const FILES: [&str; 5] = ["record.json", "evolution.csv", "report.html", "reduced.json", "sphere.svg"];
+/// The report and the derived body; the record knows its own files.
+const FILES: [&str; 3] = ["report.html", "reduced.json", "sphere.svg"];
 
 impl Folder {
     /// Refuses a folder that cannot be made, or may not be replaced, before the work for it starts.
     pub fn check(path: &Path, overwrite: bool) -> Result<(), Failure> {
-        if path.symlink_metadata().is_ok() {
-            if !is_record(path) {
-                return Err(Failure::Foreign { path: path.into() });
-            }
-            if !overwrite {
-                return Err(Failure::Exists { path: path.into(), option: "-o" });
-            }
+        check_parent(path)?;
+        match path.symlink_metadata() {
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+            Err(cause) => Err(Failure::Write { path: path.into(), cause: plain(cause) }),
+            Ok(_) if files_of(path).is_none() => Err(Failure::Foreign { path: path.into() }),
+            Ok(_) if !overwrite => Err(Failure::Exists { path: path.into(), option: "-o" }),
+            Ok(_) => Ok(()),
         }
-        check_parent(path)
     }
 
     /// Starts a folder that [`check`](Self::check) accepted.
-    pub fn new(path: &Path) -> Result<Self, Failure> {
+    pub fn new(path: &Path, overwrite: bool) -> Result<Self, Failure> {
         let wrote = |cause| Failure::Write { path: path.into(), cause: plain(cause) };
-        let beside =
-            tempfile::Builder::new().prefix(".quasirigid-").tempdir_in(parent(path)).map_err(wrote)?;
-        let folder = Self { path: path.into(), beside };
+        let beside = tempfile::Builder::new().prefix(PREFIX).tempdir_in(parent(path)).map_err(wrote)?;
+        leftover::remember(beside.path());
+        let lock = leftover::claim(beside.path(), path).map_err(wrote)?;
+        let folder = Self { path: path.into(), overwrite, beside, _lock: lock };
         fs::create_dir(folder.building()).map_err(wrote)?;
         Ok(folder)
     }
 
     /// Where the files go until the folder is whole.
     pub fn building(&self) -> PathBuf {
-        self.beside.path().join("new")
+        self.beside.path().join(BUILDING)
     }
 
     /// Writes a text file into the folder.
     pub fn write(&self, name: &str, text: &str) -> Result<(), Failure> {
         let written = File::create(self.building().join(name)).and_then(|mut f| f.write_all(text.as_bytes()));
-        written.map_err(|cause| Failure::Write { path: self.path.join(name), cause })
+        written.map_err(|cause| Failure::Write { path: self.path.join(name), cause: plain(cause) })
     }
 
-    /// Puts the folder in its place. An older one goes only when the new one stands there.
-    pub fn finish(self) -> Result<(), Failure> {
-        self.place().map_err(|cause| Failure::Write { path: self.path, cause })
+    /// Puts the folder in its place. An older record goes only when the new one stands there and is on the disk; whatever else
+    /// has appeared there stays, and the new one goes beside it.
+    pub fn finish(self) -> Result<Placed, Failure> {
+        let settled = self.settle();
+        let undisturbed = leftover::undisturbed();
+        let placed = settled.and_then(|()| self.place());
+        drop(undisturbed);
+        let path = placed.map_err(|cause| Failure::Write { path: self.path.clone(), cause: plain(cause) })?;
+        let _ = settle_folder(parent(&path)); // it stands there; whether a loss of power would be survived is not known
+        Ok(Placed { beside: path != self.path, path })
     }
 
-    fn place(&self) -> io::Result<()> {
-        if self.path.symlink_metadata().is_err() {
-            return fs::rename(self.building(), &self.path);
+    /// Waits until every file is on the disk.
+    fn settle(&self) -> io::Result<()> {
+        let building = self.building();
+        for entry in fs::read_dir(&building)? {
+            settle(&File::open(entry?.path())?)?;
         }
-        let old = self.beside.path().join("old");
-        fs::rename(&self.path, &old)?;
-        fs::rename(self.building(), &self.path).inspect_err(|_| {
-            let _ = fs::rename(&old, &self.path); // nothing better can be done if this fails too
-        })
+        settle_folder(&building)
+    }
+
+    /// The place taken: the one asked for, or the first free one beside it.
+    fn place(&self) -> io::Result<PathBuf> {
+        let new = self.building();
+        if self.overwrite && files_of(&self.path).is_some() {
+            exchange(&new, &self.path)?;
+            if let Some(files) = files_of(&new) {
+                files.iter().for_each(|file| drop(fs::remove_file(new.join(file))));
+                return Ok(self.path.clone());
+            }
+            exchange(&new, &self.path)?; // something was put into it meanwhile
+        }
+        first_free(&self.path, |place| put(&new, place))
     }
 }
 
-/// Whether a folder holds a record of ours and nothing else.
-fn is_record(path: &Path) -> bool {
-    let Ok(entries) = fs::read_dir(path) else {
-        return false;
-    };
-    let ours = |name: &OsStr| {
-        let name = name.to_string_lossy();
-        FILES.contains(&&*name) || (name.starts_with("history-") && name.ends_with(".csv"))
-    };
-    let known = |entry: io::Result<fs::DirEntry>| entry.is_ok_and(|entry| ours(&entry.file_name()));
-    entries.into_iter().all(known) && RunRecord::read(path).is_ok()
+/// The files of a folder that holds a record of ours and nothing else; none of any other.
+fn files_of(path: &Path) -> Option<Vec<String>> {
+    if !path.symlink_metadata().ok()?.is_dir() {
+        return None;
+    }
+    let entries: Vec<fs::DirEntry> = fs::read_dir(path).ok()?.collect::<io::Result<_>>().ok()?;
+    let regular = |entry: &fs::DirEntry| entry.file_type().is_ok_and(|kind| kind.is_file());
+    if !entries.iter().all(regular) {
+        return None; // so that nothing is read that is no file
+    }
+    let mut ours = RunRecord::read(path).ok()?.files();
+    ours.extend(FILES.map(String::from));
+    let names = entries.iter().map(|entry| entry.file_name().into_string().ok());
+    names.map(|name| name.filter(|name| ours.contains(name))).collect()
 }

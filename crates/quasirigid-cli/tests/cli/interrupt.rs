@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -14,18 +14,18 @@ use super::support::{Ran, Table, folder_of, names, program};
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-fn start(folder: &TempDir, line: &str) -> Child {
+pub fn start(folder: &TempDir, line: &str) -> Child {
     let mut command = program(folder.path());
     command.args(line.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
-fn signal(child: &Child, name: &str) {
+pub fn signal(child: &Child, name: &str) {
     let status = Command::new("kill").args([name, &child.id().to_string()]).status();
     assert!(status.unwrap().success());
 }
 
 /// Waits until the program listens for Ctrl-C, which is when it propagates.
-fn wait_until_it_listens(child: &Child) {
+pub fn wait_until_it_listens(child: &Child) {
     let start = Instant::now();
     while !listens(child) && start.elapsed() < PATIENCE {
         std::thread::sleep(Duration::from_millis(10));
@@ -53,18 +53,23 @@ fn interrupted(folder: &TempDir, line: &str) -> Ran {
     let [stdout, stderr] = [reading(stdout), reading(stderr)];
     wait_until_it_listens(&child);
     signal(&child, "-INT");
+    let status = ended(&mut child);
+    Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
+}
+
+/// How a child ends after a signal, which must be at once.
+pub fn ended(child: &mut Child) -> ExitStatus {
     let pressed = Instant::now();
-    let status = loop {
+    loop {
         if let Some(status) = child.try_wait().unwrap() {
-            break status;
+            return status;
         }
         if pressed.elapsed() > Duration::from_secs(15) {
             child.kill().unwrap();
             panic!("it goes on after Ctrl-C");
         }
         std::thread::sleep(Duration::from_millis(10));
-    };
-    Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
+    }
 }
 
 /// Reads a pipe to its end beside what else goes on.
@@ -211,4 +216,56 @@ fn reader_that_goes_away_ends_the_program_quietly() {
         assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
         assert!(first.ends_with('\n'));
     }
+}
+
+/// Systems end programs by SIGTERM.
+#[test]
+fn signal_to_end_does_what_ctrl_c_does() {
+    let folder = folder_of("explorer1-stiff");
+    let mut child = start(&folder, LONG);
+    wait_until_it_listens(&child);
+    signal(&child, "-TERM");
+    assert_eq!(ended(&mut child).code(), Some(1));
+    let record = RunRecord::read(&folder.path().join("spin")).unwrap();
+    assert_eq!(record.histories[0].status, "interrupted");
+    assert_eq!(names(&folder), ["model.toml", "spin"]);
+}
+
+/// Nobody reads the pipe, so the program never asks whether it should end.
+#[test]
+fn work_that_does_not_see_ctrl_c_ends_all_the_same() {
+    let folder = folder_of("axial-mass");
+    for presses in [1, 2] {
+        let mut child = start(&folder, "simulate model.toml --duration 10 --samples 100001");
+        let mut out = BufReader::new(child.stdout.take().unwrap());
+        out.read_line(&mut String::new()).unwrap(); // it prints now, and waits for the pipe to be read
+        std::thread::sleep(Duration::from_millis(300));
+        let pressed = Instant::now();
+        for _ in 0..presses {
+            signal(&child, "-INT");
+            std::thread::sleep(Duration::from_millis(200));
+        }
+        assert_eq!(ended(&mut child).code(), Some(1));
+        assert!(
+            presses == 1 || pressed.elapsed() < Duration::from_millis(1900),
+            "the second one ends it at once"
+        );
+        let mut words = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut words).unwrap();
+        assert_eq!(words, "quasirigid: interrupted; no file was written or changed\n");
+    }
+}
+
+/// Each step of a structure under forces takes long, so that steps are no measure of time.
+#[test]
+fn slow_steps_are_asked_as_often_as_fast_ones() {
+    let folder = folder_of("solar-panels");
+    let file = folder.path().join("model.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text + "\n[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e-4\n").unwrap();
+    let ran = interrupted(&folder, "simulate model.toml --duration 1h --samples 11");
+    assert_eq!(ran.code, Some(1));
+    assert!(Table::of(&ran.stdout).column("t")[0] == 0.0, "{ran:?}");
+    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("the run was interrupted at t = "), "{words}");
 }

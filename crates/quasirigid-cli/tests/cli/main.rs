@@ -1,6 +1,8 @@
 //! The command line as its users meet it: what each command prints and writes, and how it ends.
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
+#[cfg(unix)]
+mod appeared;
 mod check;
 mod derive;
 mod docs;
@@ -12,11 +14,14 @@ mod help;
 mod interrupt;
 mod model_errors;
 mod modes;
+#[cfg(unix)]
+mod odd_files;
 mod roads;
 mod run;
 mod run_folder;
 mod simulate;
 mod simulate_refusals;
+mod starts;
 mod structures;
 mod support;
 mod torques;

@@ -2,6 +2,7 @@ use std::fmt;
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
+use quasirigid::math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::Freedom;
@@ -64,10 +65,22 @@ pub enum MatrixProblem {
     /// It is a folder.
     #[error("this is a folder; give the file inside it")]
     Folder,
+    /// It is a pipe, a device or the like.
+    #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
+    NoFile,
+    /// What it holds takes more memory than there is.
+    #[error("{0}; reduce what the file holds")]
+    Memory(TooMuchMemory),
     /// It is larger than any matrix that is read.
     #[error("more than {} MiB, the most that is read; reduce the model", limit / (1024 * 1024))]
     TooLarge {
         /// Largest size that is read (bytes).
+        limit: u64,
+    },
+    /// An archive that unpacks to far more than it has.
+    #[error("the archive unpacks to more than {} MiB, a hundred times its size; save the matrix as a sparse one, or without compression", limit / (1024 * 1024))]
+    Inflated {
+        /// Largest size that is unpacked (bytes).
         limit: u64,
     },
     /// It has nothing in it.

@@ -1,3 +1,5 @@
+use quasirigid::math::memory;
+
 use super::MatrixFile;
 use super::error::MatrixProblem;
 
@@ -50,6 +52,11 @@ impl Listed {
             let (rows, columns) = (self.rows, self.columns);
             let (row, column) = (row.saturating_add(1), column.saturating_add(1));
             return Err((at, MatrixProblem::Outside { row, column, rows, columns }));
+        }
+        let count = self.entries.len();
+        if count == self.entries.capacity() {
+            let bytes = 2 * (size_of::<Entry>() + size_of::<(usize, usize, f64)>());
+            memory::ask((count * bytes) as f64).map_err(|cause| (at, MatrixProblem::Memory(cause)))?;
         }
         self.entries.push(Entry { row, column, value, at });
         Ok(())

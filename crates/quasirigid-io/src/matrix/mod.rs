@@ -132,6 +132,7 @@ fn bytes_of(file: &Path) -> Result<Vec<u8>, MatrixError> {
     let problem = |unread: Unread| match unread {
         Unread::Unreadable(kind) => MatrixProblem::Unreadable { kind },
         Unread::Folder => MatrixProblem::Folder,
+        Unread::NoFile => MatrixProblem::NoFile,
         Unread::TooLarge => MatrixProblem::TooLarge { limit: LARGEST },
     };
     file::bytes_of(file, LARGEST).map_err(|unread| MatrixError {

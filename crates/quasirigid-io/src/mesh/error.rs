@@ -2,6 +2,7 @@ use std::fmt;
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
+use quasirigid::math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::volume::VolumeProblem;
@@ -171,6 +172,12 @@ pub enum MeshProblem {
     /// It is a folder.
     #[error("this is a folder; give the file of the mesh inside it")]
     Folder,
+    /// It is a pipe, a device or the like.
+    #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
+    NoFile,
+    /// What it holds takes more memory than there is.
+    #[error("{0}; reduce what the file holds")]
+    Memory(TooMuchMemory),
     /// It is larger than any mesh.
     #[error("the file is larger than {} MiB, the most that is read; make the mesh coarser", limit / (1024 * 1024))]
     TooLarge {

@@ -21,6 +21,7 @@ pub(super) fn bytes_of(file: &Path) -> Result<Vec<u8>, MeshError> {
     let problem = |unread: Unread| match unread {
         Unread::Unreadable(kind) => MeshProblem::Unreadable { kind },
         Unread::Folder => MeshProblem::Folder,
+        Unread::NoFile => MeshProblem::NoFile,
         Unread::TooLarge => MeshProblem::TooLarge { limit: LARGEST },
     };
     file::bytes_of(file, LARGEST).map_err(|unread| MeshError {

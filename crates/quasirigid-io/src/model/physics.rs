@@ -14,6 +14,7 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
         Problem::BesideWhole
         | Problem::InsideNothing
         | Problem::HeavyInside
+        | Problem::Memory { .. }
         | Problem::NotAttached
         | Problem::Circle { .. } => {
             format!("{}: {problem}", described(*place, assembly))
@@ -91,6 +92,7 @@ fn label(problem: &Problem) -> &'static str {
         Problem::BesideWhole => "beside a whole body",
         Problem::InsideNothing => "held by no carrier",
         Problem::HeavyInside => "less than what turns inside",
+        Problem::Memory { .. } => "too large",
         Problem::LiquidUnresolved => "not resolved",
         Problem::FlowDegree { .. } => "not offered",
         Problem::TooManyModes { .. } => "too many",

@@ -127,7 +127,7 @@ pub struct Verify {
 
 /// Reads `[run]`.
 pub(super) fn run(table: &Table<'_>) -> Option<Run> {
-    let order = optional(table.get("order"), |value| value.integer(1..=HIGHEST_ORDER));
+    let order = optional(table.get("order"), |value| value.integer(0..=HIGHEST_ORDER));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use super::{Diagnostic, FileProblem, ModelError};
-use crate::file::{Unread, bytes_of};
+use crate::file::{Unread, stream_of};
 
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
 const LARGEST: u64 = 64 * 1024 * 1024;
@@ -31,10 +31,10 @@ impl Source {
         let problem = |unread: Unread| match unread {
             Unread::Unreadable(ErrorKind::NotFound) => FileProblem::Missing,
             Unread::Unreadable(kind) => FileProblem::Refused { kind },
-            Unread::Folder => FileProblem::Folder,
+            Unread::Folder | Unread::NoFile => FileProblem::Folder,
             Unread::TooLarge => FileProblem::TooLarge { limit: LARGEST },
         };
-        let bytes = bytes_of(file, LARGEST)
+        let bytes = stream_of(file, LARGEST)
             .map_err(|unread| ModelError::Unreadable { file: file.to_owned(), problem: problem(unread) })?;
         String::from_utf8(bytes)
             .map(|text| Self::new(file, text))

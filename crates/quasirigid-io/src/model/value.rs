@@ -1,5 +1,6 @@
 use std::ops::{Range, RangeInclusive};
 
+use quasirigid::math::memory;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
@@ -153,6 +154,18 @@ impl<'a> Value<'a> {
     }
 
     /// An integer in a range.
+    /// Refuses a value that makes elements, so many of these bytes each, for which there is no room.
+    pub(super) fn room(&self, elements: f64, bytes: f64) -> Option<()> {
+        match memory::ask(elements * bytes) {
+            Ok(()) => Some(()),
+            Err(cause) => self.refuse(
+                format!("`{}` makes {elements} elements: {cause}", self.key),
+                "too many",
+                Some("write fewer: a body that spins slowly bends in long waves".to_owned()),
+            ),
+        }
+    }
+
     pub(super) fn integer(&self, range: RangeInclusive<usize>) -> Option<usize> {
         let expected = format!("an integer from {} to {}", range.start(), range.end());
         let DeValue::Integer(integer) = self.inner.get_ref() else {

@@ -10,6 +10,8 @@ use super::{Column, RecordError, RunRecord};
 
 /// File of the evolution's rows.
 const EVOLUTION: &str = "evolution.csv";
+/// File of everything but rows.
+const RECORD: &str = "record.json";
 
 impl RunRecord {
     /// Writes the record into an existing empty folder: the CSV files first, then `record.json`, so that a folder
@@ -25,7 +27,7 @@ impl RunRecord {
         for (file, columns) in tables {
             create(&dir.join(file), |out| history_csv(columns, out))?;
         }
-        create(&dir.join("record.json"), |out| {
+        create(&dir.join(RECORD), |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
             out.write_all(b"\n")
         })
@@ -36,7 +38,7 @@ impl RunRecord {
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
     pub fn read(dir: &Path) -> Result<Self, RecordError> {
-        let file = dir.join("record.json");
+        let file = dir.join(RECORD);
         let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
         let mut record: Self = serde_json::from_slice(&text).map_err(|error| RecordError::Json {
             line: error.line(),
@@ -51,6 +53,13 @@ impl RunRecord {
             read_rows(columns, input, &file)?;
         }
         Ok(record)
+    }
+
+    /// Names of the files that [`write`](Self::write) makes.
+    #[must_use]
+    pub fn files(&self) -> Vec<String> {
+        let tables = self.tables().map(|(file, _)| file);
+        tables.chain([RECORD.to_owned()]).collect()
     }
 
     /// Every CSV file with its columns.
@@ -134,4 +143,33 @@ fn problem(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
     text.strip_suffix(&place).unwrap_or(&text).into()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// A disk that is full, behind the buffer of a writer of tables.
+    struct Full;
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::Error::from_raw_os_error(28))
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn full_disk_is_called_so() {
+        let column = Column { name: "t".into(), unit: "s".into(), values: vec![0.0; 100_000] };
+        let error = history_csv(&[column], Full).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        let said = unusable(Path::new("history-full.csv"), &error).to_string();
+        assert!(said.starts_with("history-full.csv: no storage space; "), "{said}");
+    }
 }

@@ -25,23 +25,30 @@ pub fn history_csv(columns: &[Column], out: impl Write) -> io::Result<()> {
         return Err(ErrorKind::InvalidInput.into());
     }
     let mut writer = Writer::from_writer(out);
-    writer.write_record(columns.iter().map(|column| &column.name))?;
+    writer.write_record(columns.iter().map(|column| &column.name)).map_err(cause)?;
     let mut digits = String::new();
     for row in 0..rows {
         for column in columns {
             digits.clear();
             write!(digits, "{:?}", column.values[row]).expect("a String takes any text");
-            writer.write_field(&digits)?;
+            writer.write_field(&digits).map_err(cause)?;
         }
-        writer.write_record(None::<&[u8]>)?;
+        writer.write_record(None::<&[u8]>).map_err(cause)?;
     }
     writer.flush()
 }
 
+/// What was wrong with the file, which the writer of a table wraps into an error of its own.
+fn cause(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        _ => ErrorKind::InvalidInput.into(),
+    }
+}
+
 /// Fills the columns with the rows of a CSV file, whose header must be their names.
 pub(super) fn read_rows(columns: &mut [Column], input: impl Read, file: &Path) -> Result<(), RecordError> {
-    let unreadable =
-        |error: csv::Error| RecordError::File { file: file.into(), kind: io::Error::from(error).kind() };
+    let unreadable = |error: csv::Error| RecordError::File { file: file.into(), kind: cause(error).kind() };
     let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(input);
     let mut row = ByteRecord::new();
     reader.read_byte_record(&mut row).map_err(unreadable)?;

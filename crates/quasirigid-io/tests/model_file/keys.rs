@@ -96,9 +96,9 @@ fn single_and_double_brackets_are_told_apart() {
 
 #[test]
 fn every_mistake_is_reported_in_the_order_of_the_file() {
-    assert_snapshot!(refusal("[run]\norder = 0\n[carrier]\nmass = 0\ninertia = 3\ncentre_of_mass = [0, 0, 0]\n"), @r#"
-    model.toml:2:9: `order` is 0, but must be an integer from 1 to 12
-      write an integer from 1 to 12
+    assert_snapshot!(refusal("[run]\norder = 13\n[carrier]\nmass = 0\ninertia = 3\ncentre_of_mass = [0, 0, 0]\n"), @r#"
+    model.toml:2:9: `order` is 13, but must be an integer from 0 to 12
+      write an integer from 0 to 12
     model.toml:4:8: `mass` is 0 kg, but must be positive
       write a number in kg, or a text with its unit such as "12 lb"
     model.toml:5:11: `inertia`: found an integer, expected 3 principal values or a 3x3 matrix

@@ -22,8 +22,8 @@ fn an_attitude_is_a_unit_quaternion() {
 #[test]
 fn settings_out_of_range_are_refused() {
     assert_snapshot!(refusal_of("[run]\norder = 13\nduration = 0\ntolerance = 0.5\nsamples = 1\nform = \"quick\"\n"), @r#"
-    model.toml:10:9: `order` is 13, but must be an integer from 1 to 12
-      write an integer from 1 to 12
+    model.toml:10:9: `order` is 13, but must be an integer from 0 to 12
+      write an integer from 0 to 12
     model.toml:11:12: `duration` is 0 s, but must be positive
       write a number in s, or a text with its unit such as "2 h"
     model.toml:12:13: `tolerance` is 5e-1, but must lie from 1e-15 to 1e-2
@@ -34,8 +34,8 @@ fn settings_out_of_range_are_refused() {
       write "momentum" or "paper"
     "#);
     assert_snapshot!(refusal_of("[run]\norder = 3.0\ntolerance = 0.9e-15\nsamples = 10_000_001\n"), @"
-    model.toml:10:9: `order`: found a decimal number, expected an integer from 1 to 12
-      write an integer from 1 to 12
+    model.toml:10:9: `order`: found a decimal number, expected an integer from 0 to 12
+      write an integer from 0 to 12
     model.toml:11:13: `tolerance` is 9e-16, but must lie from 1e-15 to 1e-2
       write for example tolerance = 1e-9
     model.toml:12:11: `samples` is 10000001, but must be an integer from 2 to 10000000

@@ -120,3 +120,41 @@ fn damaged_blocks_are_named() {
     file[data + 4] ^= 0xFF;
     assert_snapshot!(says("a.vtu", file), @r#"a.vtu:39: block 0 of the array "types" cannot be decompressed; is the file damaged?"#);
 }
+
+/// 64 MiB of zeros are 64 kB in a file: they are refused by the counts of the file before anything of that size is made.
+#[test]
+fn arrays_that_decompress_to_more_than_the_counts_need_are_refused() {
+    let block = 1usize << 22;
+    let packed = miniz_oxide::deflate::compress_to_vec_zlib(&vec![0; block], 6);
+    let array = |blocks: usize, points: bool| {
+        let point = miniz_oxide::deflate::compress_to_vec_zlib(&[0; 12], 6);
+        let (count, size, packed) = if points { (1, 12, &point) } else { (blocks, block, &packed) };
+        let head = [count as u64, size as u64, 0].into_iter().chain(vec![packed.len() as u64; count]);
+        let mut bytes: Vec<u8> = head.flat_map(u64::to_le_bytes).collect();
+        (0..count).for_each(|_| bytes.extend(packed));
+        bytes
+    };
+    let file = |cells: u64, blocks: usize| {
+        let (points, zeros) = (array(1, true), array(blocks, false));
+        let names = ["connectivity", "offsets", "types"].map(|name| {
+            format!(
+                "<DataArray type=\"UInt8\" Name=\"{name}\" format=\"appended\" offset=\"{}\"/>",
+                points.len()
+            )
+        });
+        let head = format!(
+            "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
+             compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid><Piece NumberOfPoints=\"1\" NumberOfCells=\"{cells}\"><Points>\
+             <DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points><Cells>{}</Cells></Piece>\
+             </UnstructuredGrid><AppendedData encoding=\"raw\">_",
+            names.concat()
+        );
+        [head.as_bytes(), &points, &zeros, b"</AppendedData></VTKFile>"].concat()
+    };
+    let few = says("a.vtu", file(1000, 4));
+    assert!(few.contains("array \"connectivity\" decompresses to more than 27000 bytes"), "{few}");
+    let many = says("a.vtu", file(16 << 22, 16));
+    assert!(many.contains("decompresses to more than 16777216 bytes"), "{many}");
+    let enough = says("a.vtu", file(4 << 22, 4));
+    assert!(enough.contains("cells of type 0 are not read"), "{enough}");
+}

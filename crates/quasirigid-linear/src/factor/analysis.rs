@@ -37,6 +37,14 @@ impl Analysis {
         self.structure.as_ref().map_or(0, Structure::entries)
     }
 
+    /// Bytes that the factor will take, at least.
+    #[must_use]
+    pub fn bytes(&self, precision: Precision) -> f64 {
+        let large = precision == Precision::Automatic && self.scale.len() > LARGE;
+        let single = large || precision == Precision::Single;
+        self.entries() as f64 * if single { 4.0 } else { 8.0 }
+    }
+
     /// Multiplications that the factorisation will take.
     #[must_use]
     pub fn multiplications(&self) -> f64 {

@@ -92,10 +92,12 @@ impl FreeRotation {
     }
 
     /// The motion with this angular momentum (N·m·s) whose greatest angle between the momentum and the circled axis is
-    /// `nutation` (rad), above 0 and below a right angle. It starts as [`at_ratio`](Self::at_ratio) says.
+    /// `nutation` (rad). It starts as [`at_ratio`](Self::at_ratio) says. None if the angle is not above 0 and below a right angle, or
+    /// the angular momentum is negative or no number.
     #[must_use]
-    pub fn at_nutation(moments: [f64; 3], G: f64, mode: Mode, nutation: f64) -> Self {
-        Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation))
+    pub fn at_nutation(moments: [f64; 3], G: f64, mode: Mode, nutation: f64) -> Option<Self> {
+        let possible = G >= 0.0 && nutation > 0.0 && nutation < FRAC_PI_2;
+        possible.then(|| Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation)))
     }
 
     /// The place `ξ` where the greatest angle between the momentum and the circled axis is `nutation` (rad), above 0 and below

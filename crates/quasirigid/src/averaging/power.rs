@@ -25,7 +25,7 @@ impl MeanPower for Response {
 
     /// The sum over the harmonics. (G7)
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
-        self.harmonic_powers(motion).map(|(_, power)| power).sum()
+        self.harmonic_powers(motion).fold(0.0, |sum, (_, power)| sum + power)
     }
 
     fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
@@ -110,7 +110,8 @@ fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
 
 fn value(terms: &Terms, squares: [f64; 3]) -> f64 {
     let power = |axis: usize, exponent: usize| squares[axis].powi(exponent as i32);
-    terms.iter().map(|([i, j, k], value)| value * power(0, *i) * power(1, *j) * power(2, *k)).sum()
+    let term = |([i, j, k], value): &([usize; 3], f64)| value * power(0, *i) * power(1, *j) * power(2, *k);
+    terms.iter().map(term).fold(0.0, |sum, term| sum + term) // the sum of no terms is +0, not -0
 }
 
 impl MeanPower for PolynomialPower {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use super::conserved::Conserved;
 use super::event::Alarm;
 use super::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, WORK, attitude, triple};
-use super::run::{Observer, Options, PROGRESS, Sample};
+use super::run::{Observer, Options, Pace, Sample};
 use crate::math::ode::{Solver, State, Watcher};
 use crate::math::rotation;
 use crate::math::sym::{add, norm, scale};
@@ -63,6 +63,7 @@ pub(super) struct Keeper<'o, F> {
     /// The part that has left the range of the equations, which ends the run.
     pub left: Option<Displaced>,
     observer: &'o mut dyn Observer,
+    pace: Pace,
 }
 
 impl<'o, F: Motion> Keeper<'o, F> {
@@ -78,8 +79,16 @@ impl<'o, F: Motion> Keeper<'o, F> {
         let K_N = rotation::to_inertial(attitude(y), start.momentum);
         let momentum = Conserved::new(K_N, norm(K_N), inside);
         let alarm = Alarm::new(&options.events);
-        let mut keeper =
-            Self { motion, momentum, energy: start.energy, drift: 0.0, alarm, left: None, observer };
+        let mut keeper = Self {
+            motion,
+            momentum,
+            energy: start.energy,
+            drift: 0.0,
+            alarm,
+            left: None,
+            observer,
+            pace: Pace::new(),
+        };
         let sample = keeper.sample(0.0, y);
         keeper.alarm.set(&sample);
         keeper
@@ -181,7 +190,7 @@ impl<M: Solver, F: Motion> Watcher<M> for Keeper<'_, F> {
         if self.left.is_some() {
             return ControlFlow::Break(());
         }
-        if solver.work().steps.is_multiple_of(PROGRESS) {
+        if self.pace.due(solver.work().steps) {
             self.observer.progress(solver.t())
         } else {
             ControlFlow::Continue(())

@@ -5,7 +5,7 @@ use super::conserved::{Conserved, inside};
 use super::event::Alarm;
 use super::form::{Equations, Form, MomentumForm, PaperForm};
 use super::quadrature::Quadrature;
-use super::run::{Observer, Options, Outcome, PROGRESS, PropagateError, Run, Sample, SpinState, check};
+use super::run::{Observer, Options, Outcome, Pace, PropagateError, Run, Sample, SpinState, check};
 use super::spin::{Accounted, Accounts};
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, Watcher, integrate};
@@ -26,7 +26,7 @@ pub fn propagate(
     options: Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    check(norm(initial.omega), times, options.tolerance)?;
+    check(norm(initial.omega), initial.attitude, times, options.tolerance)?;
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let power = Kernel::new(&body.power);
     let inside = inside(body.momentum(initial.omega), body.J, initial.omega);
@@ -81,6 +81,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
             taken: (!shares.kernels.is_empty()).then(|| Quadrature::new(0.0, shares.powers(initial.omega))),
             shares,
             observer,
+            pace: Pace::new(),
         };
         keeper.alarm.set(&keeper.sample(0.0, start));
         let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
@@ -105,6 +106,7 @@ struct Keeper<'a, E> {
     /// What each dissipator has taken, if there are several.
     taken: Option<Quadrature>,
     observer: &'a mut dyn Observer,
+    pace: Pace,
 }
 
 /// Powers of the dissipators of a reduced body, if there are several.
@@ -213,7 +215,7 @@ impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
             let omega = self.equations.omega::<Plain>(Accounts::unpack(*solver.y()).x);
             taken.add(solver.t(), self.shares.powers(omega));
         }
-        if solver.work().steps.is_multiple_of(PROGRESS) {
+        if self.pace.due(solver.work().steps) {
             self.observer.progress(solver.t())
         } else {
             ControlFlow::Continue(())

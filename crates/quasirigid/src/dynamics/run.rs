@@ -1,4 +1,6 @@
+use std::fmt;
 use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
 
 use thiserror::Error;
 
@@ -101,7 +103,7 @@ pub trait Observer {
         let _ = energies;
     }
 
-    /// Called every few thousand steps; `Break` ends the propagation.
+    /// Called from moment to moment, and after the first step; `Break` ends the propagation.
     fn progress(&mut self, t: f64) -> ControlFlow<()> {
         let _ = t;
         ControlFlow::Continue(())
@@ -143,6 +145,19 @@ pub enum Outcome {
     Failed(StepError),
 }
 
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finished => f.write_str("the last time was reached"),
+            Self::Interrupted => f.write_str("interrupted"),
+            Self::Event(_) => f.write_str("an event that was to end it happened"),
+            Self::StepLimit => f.write_str("the steps allowed were used up; loosen the tolerance"),
+            Self::LeftRange(_) => f.write_str("a part was displaced beyond the range of the equations"),
+            Self::Failed(error) => error.fmt(f),
+        }
+    }
+}
+
 impl Outcome {
     pub(super) fn of(ending: Ending, rung: Option<Event>) -> Self {
         match (ending, rung) {
@@ -165,6 +180,17 @@ pub enum PropagateError {
         /// Size of the spin asked for (rad/s).
         spin: f64,
     },
+    /// The attitude is no rotation.
+    #[error("{attitude:?} is no attitude; give a unit quaternion, scalar first")]
+    Attitude {
+        /// Attitude asked for.
+        attitude: [f64; 4],
+    },
+    /// Coordinates, their rates, the place or its velocity are no numbers.
+    #[error(
+        "the state at the start holds what is no finite number; give finite coordinates, rates, place and velocity"
+    )]
+    NotFinite,
     /// The tolerance cannot be met, or means nothing.
     #[error("the tolerance {tolerance:e} is out of range; choose one from 1e-15 to 1e-2")]
     Tolerance {
@@ -207,16 +233,68 @@ pub enum PropagateError {
         /// Coordinates of the body.
         needed: usize,
     },
+    /// The forces have no value at the start.
+    #[error(
+        "the forces are not finite numbers at the start: look for a square root, logarithm or division in a force that fails there"
+    )]
+    NoForce,
+    /// The mass matrix is not positive: what carries is too light beside what moves on it.
+    #[error(
+        "the mass that is not on springs is lost in rounding beside the mass that is: less than 1e-13 of it; give the carrier a mass, or leave it out"
+    )]
+    LightCarrier,
     /// The free vibrations cannot be told apart.
     #[error("the damped modes of the body could not be found; the damping matrix may be defective")]
     NoModes,
 }
 
-/// Steps between two calls of [`Observer::progress`].
-pub(super) const PROGRESS: u64 = 4096;
+/// When [`Observer::progress`] is called: after a moment, whatever a step costs, but not so often that the clock does.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pace {
+    /// Steps between two looks at the clock.
+    stride: u64,
+    next: u64,
+    looked: Instant,
+}
+
+/// A moment, and most steps in it.
+const MOMENT: Duration = Duration::from_millis(50);
+const MOST_STEPS: u64 = 4096;
+
+impl Pace {
+    pub fn new() -> Self {
+        Self { stride: 1, next: 1, looked: Instant::now() }
+    }
+
+    /// Whether it is time after so many steps.
+    #[inline]
+    pub fn due(&mut self, steps: u64) -> bool {
+        steps >= self.next && self.passed(steps)
+    }
+
+    fn passed(&mut self, steps: u64) -> bool {
+        let moment = std::mem::replace(&mut self.looked, Instant::now()).elapsed();
+        self.stride =
+            if moment < MOMENT { (2 * self.stride).min(MOST_STEPS) } else { self.stride.div_ceil(2) };
+        self.next = steps + self.stride;
+        true
+    }
+}
+
+/// A unit quaternion, for a motion whose attitude nobody asks for.
+pub(super) const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// Refuses what no propagation can start from.
-pub(super) fn check(spin: f64, times: &[f64], tolerance: f64) -> Result<(), PropagateError> {
+pub(super) fn check(
+    spin: f64,
+    attitude: [f64; 4],
+    times: &[f64],
+    tolerance: f64,
+) -> Result<(), PropagateError> {
+    let size = attitude.iter().map(|part| part * part).sum::<f64>();
+    if !(size > 0.0 && size.is_finite()) {
+        return Err(PropagateError::Attitude { attitude });
+    }
     if !(spin.is_finite() && spin > 0.0) {
         return Err(PropagateError::NoSpin { spin });
     }

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::conserved::inside;
 use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
-use super::run::{Options, Outcome, PropagateError, check};
+use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, Watcher, Work, integrate};
@@ -31,7 +31,7 @@ pub fn spin_path(
     times: &[f64],
     options: Options,
 ) -> Result<SpinPath, PropagateError> {
-    check(norm(omega), times, options.tolerance)?;
+    check(norm(omega), ALIGNED, times, options.tolerance)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let error = options.tolerance * options.form.size(x, inside(body.momentum(omega), body.J, omega));
     Ok(match options.form {

@@ -57,14 +57,14 @@ impl FlexibleBody {
 }
 
 impl<'a> Kinetics<'a> {
-    /// Factors the mass matrix of a body.
+    /// Factors the mass matrix of a body; none if it is not positive, as where the carrier is too light to be told from none.
     #[must_use]
-    pub fn new(body: &'a FlexibleBody) -> Self {
+    pub fn new(body: &'a FlexibleBody) -> Option<Self> {
         let n = body.coordinates().len();
         let rows = vec![[0.0; 4]; n];
         let curved = body.paths().map(|paths| CurvedKinetics::new(body, paths));
         let slopes = vec![[0.0; 6]; n];
-        Self { body, inverse: MassInverse::new(body), solved: rows.clone(), rows, slopes, curved }
+        Some(Self { body, inverse: MassInverse::new(body)?, solved: rows.clone(), rows, slopes, curved })
     }
 
     /// The body.
@@ -204,15 +204,17 @@ enum SparseInverse {
 const BLOCK: usize = 6;
 /// Up to so many coordinates the inverse is one block, with the recoil in it.
 const SMALL: usize = 12;
+/// Share of the whole mass that is rounding.
+const LOST: f64 = 1e-13;
 
 impl MassInverse {
-    fn new(body: &FlexibleBody) -> Self {
+    fn new(body: &FlexibleBody) -> Option<Self> {
         let Invariants { pairs, S, mass, .. } = body.invariants();
         let entries = pairs.iter().map(|(j, k, pair)| (j, k, pair.A)).collect();
         let A: SparseRows<f64> = SparseRows::sum(S.len(), entries);
         let sparse = match blocks(&A) {
             Some(inverse) => SparseInverse::Blocks(inverse),
-            None => SparseInverse::Factor(Cholesky::new(&A).expect("masses are positive")),
+            None => SparseInverse::Factor(Cholesky::new(&A).ok()?),
         };
         let mut inverse = Self { sparse, recoil: None, S: S.clone() };
         if body.translation().is_some() {
@@ -224,10 +226,11 @@ impl MassInverse {
             for (S, X) in S.iter().zip(&solved) {
                 middle -= Vector3::from(*S) * Vector3::from(*X).transpose();
             }
-            let middle = middle.try_inverse().expect("the carrier has mass");
+            let least = middle.symmetric_eigenvalues().min();
+            let middle = middle.try_inverse().filter(|_| least > LOST * mass)?;
             inverse.recoil = Some((solved, middle));
         }
-        if S.len() <= SMALL { inverse.joined() } else { inverse }
+        Some(if S.len() <= SMALL { inverse.joined() } else { inverse })
     }
 
     /// The same inverse as one block.

@@ -48,24 +48,27 @@ impl Vibrations {
     }
 }
 
+/// Those that are trusted and finite: a coordinate whose mass is lost in rounding follows at once.
 fn slow(mut ascending: Vec<f64>, trusted: usize) -> Vec<f64> {
     ascending.truncate(trusted);
+    ascending.retain(|value| value.is_finite());
     ascending
 }
 
 /// Decay rates of `λ²A + λB + C`, from its first-order form in the undamped modes `(Ωη, η̇)`. (V3)
 fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
-    let size = modes.frequencies.len();
+    let (all, finite) = (modes.frequencies.len(), modes.frequencies.iter().filter(|each| each.is_finite()));
+    let size = finite.clone().count();
     let mut system = Dense::zero(2 * size);
-    for (k, frequency) in modes.frequencies.iter().enumerate() {
+    for (k, frequency) in finite.enumerate() {
         system.add(k, size + k, *frequency);
         system.add(size + k, k, -frequency);
     }
     for column in 0..size {
         let force: Vec<f64> =
-            (0..size).map(|i| (0..size).map(|j| B.at(i, j) * modes.shapes.at(j, column)).sum()).collect();
+            (0..all).map(|i| (0..all).map(|j| B.at(i, j) * modes.shapes.at(j, column)).sum()).collect();
         for row in 0..size {
-            let damping: f64 = (0..size).map(|j| modes.shapes.at(j, row) * force[j]).sum();
+            let damping: f64 = (0..all).map(|j| modes.shapes.at(j, row) * force[j]).sum();
             system.add(size + row, size + column, -damping);
         }
     }

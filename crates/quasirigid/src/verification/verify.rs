@@ -90,7 +90,7 @@ pub enum VerificationError {
     #[error(transparent)]
     Propagate(#[from] PropagateError),
     /// A history ended early.
-    #[error("a history ended early: {outcome:?}")]
+    #[error("a history ended early: {outcome}")]
     Unfinished {
         /// Why it ended.
         outcome: Outcome,

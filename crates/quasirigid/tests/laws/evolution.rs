@@ -32,6 +32,18 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     }
 }
 
+/// Nothing is dissipated: no time leads anywhere, neither forwards nor to minus infinity. (api review, 2)
+#[test]
+fn without_power_no_stage_is_ever_reached() {
+    let undamped = AxialMass { b: 0.0, ..AXIAL };
+    let reduced = reduce(&undamped.assembly().body().unwrap(), 3).unwrap();
+    let power = PolynomialPower::of(&reduced);
+    let evolution = Evolution::new(&power, 1.4);
+    let [from, to] = [0.3, 0.7].map(|share| evolution.stage(1.0 / 1.5 + share / 3.0).unwrap());
+    assert!(evolution.power(from) == 0.0 && evolution.power(from).is_sign_positive());
+    assert_eq!(evolution.time(from, to), f64::INFINITY);
+}
+
 /// A triaxial body with two masses off every axis, the stiffer the smaller `ε`.
 pub fn tumbler(epsilon: f64) -> Assembly {
     let carrier = Carrier {

@@ -168,3 +168,16 @@ fn a_state_of_another_body_is_refused() {
         assert_eq!(found.err(), Some(PropagateError::Coordinates { coordinates, rates, needed }));
     }
 }
+
+/// What is no attitude, or no number, is refused before the first step.
+#[test]
+fn a_start_that_is_no_state_is_refused() {
+    let body = reduced(3);
+    let with = |attitude| {
+        let initial = SpinState { attitude, ..state(START) };
+        propagate(&body, initial, &[1.0], Options::default(), &mut Vec::<Sample>::new()).err()
+    };
+    assert!(matches!(with([f64::NAN; 4]), Some(PropagateError::Attitude { .. })));
+    assert!(matches!(with([0.0; 4]), Some(PropagateError::Attitude { .. })));
+    assert_eq!(with([0.0, 0.0, 1.0, 0.0]), None);
+}

@@ -223,8 +223,16 @@ fn euler_angles_are_those_of_the_attitude() {
 #[test]
 fn greatest_nutation_is_the_one_asked_for() {
     for (mode, degrees) in [(Mode::ShortAxis, 5.0), (Mode::ShortAxis, 89.0), (Mode::LongAxis, 40.0)] {
-        let motion = FreeRotation::at_nutation([0.31, 0.76, 1.0], 2.0, mode, f64::to_radians(degrees));
+        let motion =
+            FreeRotation::at_nutation([0.31, 0.76, 1.0], 2.0, mode, f64::to_radians(degrees)).unwrap();
         assert_eq!(motion.mode(), mode);
         assert!((motion.nutation()[1].to_degrees() / degrees - 1.0).abs() < 1e-12);
     }
+}
+
+#[test]
+fn nutation_that_is_none_has_no_motion() {
+    let at = |G: f64, angle: f64| FreeRotation::at_nutation([0.31, 0.76, 1.0], G, Mode::ShortAxis, angle);
+    assert!(at(2.0, 1.57).is_some() && at(2.0, 1.571).is_none() && at(2.0, 20.0).is_none());
+    assert!(at(2.0, 0.0).is_none() && at(-2.0, 0.3).is_none() && at(f64::NAN, 0.3).is_none());
 }

@@ -30,7 +30,8 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
         let [first, .., last] = &passage.rows[..] else { panic!("{passage:?}") };
         let stage = |wobble: f64| {
             let motion =
-                quasirigid::averaging::FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble);
+                quasirigid::averaging::FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble)
+                    .unwrap();
             Stage::of(&motion).unwrap()
         };
         let along = evolution.passage(stage(first.nutation[1]), stage(0.1));

@@ -147,7 +147,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
     let q = bent(&body, 0.1);
     let omega = <[f64; 3]>::from(turned_axes() * Vector3::new(0.3, -0.8, 1.1));
     let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
-    let mut kinetics = Kinetics::new(&body);
+    let mut kinetics = Kinetics::new(&body).unwrap();
     let (K, p) = body.full_momenta(Motion { omega, q: &q, rate: &rate });
     let mut found = vec![0.0; n];
     let mut back = vec![0.0; n];

@@ -44,7 +44,7 @@ fn unit() -> f64 {
 fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
     let n = body.coordinates().len();
     let (K, p, q) = ([state[0], state[1], state[2]], &state[3..3 + n], &state[3 + n..]);
-    let mut kinetics = Kinetics::new(body);
+    let mut kinetics = Kinetics::new(body).unwrap();
     let (mut load, mut rate) = (vec![0.0; n], vec![0.0; n]);
     let velocities = kinetics.velocities(K, p, q, &mut rate);
     velocities.add_loads(q, &rate, &mut load);

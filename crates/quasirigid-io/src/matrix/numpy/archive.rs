@@ -41,12 +41,19 @@ struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     /// How many more bytes are unpacked.
     left: u64,
+    /// How many are unpacked in all.
+    limit: u64,
 }
+
+/// Bytes that an archive may unpack to for each of its own, and always.
+const INFLATION: u64 = 100;
+const SMALL: u64 = 64 * 1024 * 1024;
 
 impl<'a> Archive<'a> {
     fn new(bytes: &'a [u8]) -> Result<Self, Fault> {
         let refused = |error: zip::result::ZipError| (Place::File, archive(&error));
-        Ok(Self { zip: ZipArchive::new(Cursor::new(bytes)).map_err(refused)?, left: LARGEST })
+        let left = (bytes.len() as u64).saturating_mul(INFLATION).clamp(SMALL, LARGEST);
+        Ok(Self { zip: ZipArchive::new(Cursor::new(bytes)).map_err(refused)?, left, limit: left })
     }
 
     /// The arrays without their ending, in alphabetic order.
@@ -66,7 +73,8 @@ impl<'a> Archive<'a> {
         let unpacked = file.take(self.left + 1).read_to_end(&mut bytes);
         unpacked.map_err(|error| refused(archive(&error)))?;
         let left = self.left.checked_sub(bytes.len() as u64);
-        self.left = left.ok_or_else(|| refused(MatrixProblem::TooLarge { limit: LARGEST }))?;
+        let limit = self.limit;
+        self.left = left.ok_or_else(|| refused(MatrixProblem::Inflated { limit }))?;
         read(&bytes).map_err(|(byte, problem)| (member(name, byte), problem))
     }
 }

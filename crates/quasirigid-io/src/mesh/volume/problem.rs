@@ -179,6 +179,16 @@ pub enum VolumeProblem {
         /// The block, from 0.
         block: u64,
     },
+    /// An array that decompresses to more than it may.
+    #[error(
+        "array {array:?} decompresses to more than {limit} bytes, which is more than its cells and points need; is the file damaged?"
+    )]
+    Inflated {
+        /// Its name.
+        array: String,
+        /// Bytes that it may have.
+        limit: u64,
+    },
     /// A compression that is not read.
     #[error("the compression {found:?} is not read; save with zlib or without compression")]
     Compressor {

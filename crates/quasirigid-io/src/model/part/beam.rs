@@ -15,6 +15,8 @@ pub(super) const BEAM: Keys = Keys {
 /// Elements of a line unless the file chooses another number: the energy of a bent cantilever is then right to 4e-6.
 const ELEMENTS: usize = 8;
 const MOST_ELEMENTS: usize = 10_000;
+/// Bytes that an element takes at least: its own, and six rows of some ten matrices.
+const ELEMENT: f64 = 8_000.0;
 
 /// Reads a `[[beam]]`.
 pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
@@ -38,7 +40,11 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let (section, (material, extremes)) = (section?, material?);
     let (up, elements) = (up?, elements?);
     let member = |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
-    let members: Vec<Member> = lines?.into_iter().map(member).collect();
+    let lines = lines?;
+    if let Some(value) = table.get("elements") {
+        value.room((lines.len() * elements) as f64, ELEMENT)?;
+    }
+    let members: Vec<Member> = lines.into_iter().map(member).collect();
     let extremes = vec![extremes; members.len()];
     let kind = Kind::Frame(Frame { nodes: frame_nodes, members });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };

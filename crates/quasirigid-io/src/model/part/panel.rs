@@ -94,6 +94,9 @@ fn span_a_plane(rectangle: &Table<'_>, sides: [[f64; 3]; 2]) -> Option<[[f64; 3]
     rectangle.get("sides")?.refuse(message, "no area", Some(help))
 }
 
+/// Bytes that a cell takes at least: an element for each of two materials, and six rows of some ten matrices.
+const CELL: f64 = 12_000.0;
+
 /// A parallelogram with a corner at the origin: its edges are the sets `left`, `right` (at the end of the first side),
 /// `bottom` and `top` (at the end of the second), its corners `left bottom` and so on.
 fn rectangle(value: &Value<'_>) -> Option<Mesh> {
@@ -104,9 +107,10 @@ fn rectangle(value: &Value<'_>) -> Option<Mesh> {
     let sides: Option<[[f64; 3]; 2]> = table
         .required("sides", "sides = [[2, 0, 0], [0, 1, 0]]")
         .and_then(|value| value.array("sides", |side| side.vector(Dimension::LENGTH)));
-    let cells: Option<[usize; 2]> = table
-        .required("cells", "cells = [8, 4]")
-        .and_then(|value| value.array("numbers", |count| count.integer(1..=MOST_CELLS)));
+    let cells: Option<[usize; 2]> = table.required("cells", "cells = [8, 4]").and_then(|value| {
+        let cells: [usize; 2] = value.array("numbers", |count| count.integer(1..=MOST_CELLS))?;
+        value.room(cells[0] as f64 * cells[1] as f64, CELL).map(|()| cells)
+    });
     let ([first, second], [m, n]) = (span_a_plane(&table, sides?)?, cells?);
     let node = |i: usize, j: usize| j * (m + 1) + i;
     let place = |i: usize, j: usize| {

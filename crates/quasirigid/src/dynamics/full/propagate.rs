@@ -25,12 +25,16 @@ pub fn propagate_full(
     if (coordinates, rates) != (needed, needed) {
         return Err(PropagateError::Coordinates { coordinates, rates, needed });
     }
+    let FullState { q, rate, place, velocity, .. } = initial;
+    if !q.iter().chain(rate).chain(place).chain(velocity).all(|value| value.is_finite()) {
+        return Err(PropagateError::NotFinite);
+    }
     let y = initial.pack(system.body);
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
-    check(scales.spin, times, options.tolerance)?;
+    check(scales.spin, initial.attitude, times, options.tolerance)?;
     let allowed = allowed(system.body, &scales, options.tolerance);
-    let full = FullSystem::new(system);
+    let full = FullSystem::new(system).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
     let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);

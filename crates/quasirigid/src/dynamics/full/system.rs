@@ -31,19 +31,20 @@ pub(super) struct FullSystem<'a> {
 const POWER_ITERATIONS: usize = 40;
 
 impl<'a> FullSystem<'a> {
-    pub fn new(system: Forced<'a>) -> Self {
+    /// The equations of a body; none if its mass matrix is not positive.
+    pub fn new(system: Forced<'a>) -> Option<Self> {
         let body = system.body;
         let layout = Layout::of(body);
         let accounts = body.dissipators().iter().take(layout.accounts).map(|part| upper(&part.damping));
-        Self {
+        Some(Self {
             system,
             layout,
-            kinetics: Kinetics::new(body),
+            kinetics: Kinetics::new(body)?,
             accounts: accounts.collect(),
             vibrator: vibrator(body),
             shifts: Vec::new(),
             mass: None,
-        }
+        })
     }
 
     /// Free vibrations with this mass matrix.

@@ -34,10 +34,13 @@ pub fn propagate_forced(
     if options.form == Form::Paper && !elastic_only {
         return Err(PropagateError::PaperForm);
     }
+    if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
+        return Err(PropagateError::NotFinite);
+    }
     let omega = slow_state_point(system, order, initial)?.omega;
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0), end);
-    check(scales.spin, times, options.tolerance)?;
+    check(scales.spin, initial.attitude, times, options.tolerance)?;
     let mut y = initial.pack();
     let mut first = scales.momentum;
     if options.form == Form::Paper {

@@ -25,7 +25,8 @@ impl SlowState {
     /// from `self`.
     ///
     /// # Errors
-    /// [`PropagateError::Order`], or [`PropagateError::NoMomentum`] if the slow manifold has no such spin.
+    /// [`PropagateError::Order`], [`PropagateError::NoForce`] if a force has no value there, or [`PropagateError::NoMomentum`] if
+    /// the slow manifold has no such spin.
     pub fn with_spin(self, system: Forced, order: usize, omega: [f64; 3]) -> Result<Self, PropagateError> {
         let J = system.body.invariants().J;
         let momentum = add(times(J, omega), system.body.wheels().momentum(0.0));
@@ -33,6 +34,9 @@ impl SlowState {
         let mut best = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let point = slow_state_point(system, order, &state)?;
+            if !best.is_finite() && system.acts() && !norm(point.omega).is_finite() {
+                return Err(PropagateError::NoForce); // at the first guess the series is that of a spin all but the one asked for
+            }
             let gap = add(omega, scale(-1.0, point.omega));
             if norm(gap) >= 0.9 * best {
                 break;

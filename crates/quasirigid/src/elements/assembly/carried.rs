@@ -13,6 +13,7 @@ use crate::elements::part::NodeRef;
 use crate::elements::spring::{Ends, Pulled};
 use crate::elements::structure::Component;
 use crate::elements::{End, Station};
+use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
@@ -31,6 +32,9 @@ struct Carried {
     component: Option<Component>,
     inner: Inner,
 }
+
+/// Dense matrices of what turns inside that are held at once.
+const INSIDE_MATRICES: usize = 4;
 
 impl Assembly {
     /// A body with a carrier.
@@ -63,6 +67,9 @@ impl Assembly {
         let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&pulled));
         let paths = paths.map(|paths| CurvedPaths { reaches, ..paths });
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
+        let inside = whole.inner.coordinates.len();
+        memory::ask(memory::dense(inside, INSIDE_MATRICES))
+            .map_err(|cause| at(Place::Carrier, Field::Name)(Problem::Memory { unknowns: inside, cause }))?;
         let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
             End::Carrier => None,

@@ -272,6 +272,9 @@ impl<'a> Net<'a> {
     fn refusal(&self, fault: Fault) -> ElementError {
         match fault {
             Fault::Loose(unknowns) => self.mechanism(&unknowns),
+            Fault::Memory(unknowns, cause) => {
+                at(Place::Part(0), Field::Name)(Problem::Memory { unknowns, cause })
+            }
             Fault::NoConvergence(cause) => at(Place::Part(0), Field::Modes)(Problem::NoModes { cause }),
         }
     }

@@ -5,6 +5,7 @@ use crate::elements::finite::elasticity::ElasticityError;
 use crate::elements::finite::shell::ShellError;
 use crate::elements::finite::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
+use crate::math::memory::TooMuchMemory;
 use crate::math::mesh::{MeshFault, MeshNote};
 use crate::math::meshing::MeshingError;
 use crate::model::{InertiaError, RheologyError};
@@ -429,14 +430,34 @@ pub enum Problem {
         /// The coordinates that move, by name.
         coordinates: String,
     },
+    /// The parts need more memory than there is.
+    #[error("{unknowns} unknowns are too many here: {cause}; make the mesh coarser, or model fewer parts")]
+    Memory {
+        /// Unknowns of the parts, or coordinates of the body.
+        unknowns: usize,
+        /// How much.
+        cause: TooMuchMemory,
+    },
     /// The frozen body has no inertia about some axis, so it cannot be told how it turns.
-    #[error("the whole body has no inertia about some axis (principal moments {moments:?} kg m^2)")]
+    #[error("{}", no_inertia(*moments))]
     NoInertia {
         /// Principal moments of inertia about the pole (kg·m²), ascending.
         moments: [f64; 3],
         /// Whether the pole is a point that is fixed or driven, not the centre of mass.
         held: bool,
     },
+}
+
+/// A moment of inertia that is zero, or so small that it counts as such beside the others.
+fn no_inertia(moments: [f64; 3]) -> String {
+    let [least, _, greatest] = moments;
+    if least > 1e-13 * greatest {
+        return format!(
+            "the moment of inertia about one axis, {least:.3e} kg m^2, is {:.1e} of the greatest, {greatest:.3e}: from 1.5e-8 on it can be told how the body turns about that axis",
+            least / greatest
+        );
+    }
+    format!("the whole body has no inertia about some axis (principal moments {moments:?} kg m^2)")
 }
 
 /// Faults listed in one message.

@@ -8,11 +8,12 @@ use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
 use super::paths::Paths;
-use super::solver::Solver;
+use super::solver::{Solver, Unsolved};
 use crate::elements::matrices::Block;
 use crate::elements::moment;
 use crate::elements::structure::Condensation;
 use crate::math::eigen::NoConvergence;
+use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::{Coordinate, CurvedPaths, Invariants, Pair};
@@ -51,6 +52,8 @@ pub(in crate::elements) enum Fault {
     Loose(Vec<Unknown>),
     /// Its lowest modes are not found.
     NoConvergence(NoConvergence),
+    /// Its unknowns, so many, need more memory than there is.
+    Memory(usize, TooMuchMemory),
 }
 
 /// What a structure is reduced for.
@@ -70,6 +73,8 @@ pub(in crate::elements) struct Purpose<'a> {
 
 /// Unknowns with less than this share of the largest take no part in a motion.
 const PART: f64 = 0.1;
+/// Fields of displacement and of force that are held at once for each load, at least.
+const COPIES: f64 = 6.0;
 
 impl Structure {
     /// The structure with few coordinates.
@@ -77,9 +82,15 @@ impl Structure {
     /// # Errors
     /// [`Fault`] if some motion meets no stiffness, or modes are not found.
     pub fn component(&self, freedoms: Freedoms, purpose: &Purpose<'_>) -> Result<Component, Fault> {
-        let discrete = Discrete::new(self, freedoms);
-        let solver = Solver::new(&discrete, purpose.floating)
-            .map_err(|singular| loose(&discrete.freedoms, &singular.direction))?;
+        let unknowns = freedoms.unknowns().len();
+        let room = |cause| Fault::Memory(unknowns, cause);
+        let discrete = Discrete::new(self, freedoms).map_err(room)?;
+        let solver = Solver::new(&discrete, purpose.floating).map_err(|fault| match fault {
+            Unsolved::Singular(singular) => loose(&discrete.freedoms, &singular.direction),
+            Unsolved::Memory(cause) => room(cause),
+        })?;
+        let fields = LOADS + 3 * purpose.pulled.len();
+        memory::ask((unknowns * fields * size_of::<f64>()) as f64 * COPIES).map_err(room)?;
         let whole = discrete.whole();
         let reference = whole.center;
         let forces = discrete.loads(reference);

@@ -3,6 +3,7 @@ use nalgebra::{DMatrix, Vector3};
 use super::freedoms::{Freedoms, Hold, Node, Unknown};
 use super::sum::{Tie, pattern};
 use crate::elements::finite::Element;
+use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
 use crate::model::Rheology;
 
@@ -93,12 +94,25 @@ pub(in crate::elements) struct Discrete<'a> {
     pub total: Symmetric,
 }
 
+/// Bytes that an element takes beside the matrices, at least: its nodes, and their places in the matrices.
+const ELEMENT: f64 = 1024.0;
+/// Matrices beside the stiffness of each matter: zero, damping, mass, the whole, and one to factor.
+const MATRICES: usize = 5;
+
 impl<'a> Discrete<'a> {
     /// Adds up the elements. (K1)–(K3)
-    pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Self {
+    ///
+    /// # Errors
+    /// [`TooMuchMemory`] if the matrices have no room.
+    pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Result<Self, TooMuchMemory> {
+        memory::ask(structure.elements.len() as f64 * ELEMENT)?;
         let ties: Vec<Tie> =
             structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();
-        let zero = Symmetric::zero(pattern(&freedoms, &ties));
+        let pattern = pattern(&freedoms, &ties);
+        memory::ask(
+            pattern.places() as f64 * size_of::<f64>() as f64 * (structure.matters.len() + MATRICES) as f64,
+        )?;
+        let zero = Symmetric::zero(pattern);
         let mut stiffness = vec![zero.clone(); structure.matters.len()];
         let (mut damping, mut mass) = (zero.clone(), zero.clone());
         for (element, tie) in structure.elements.iter().zip(&ties) {
@@ -122,7 +136,7 @@ impl<'a> Discrete<'a> {
             .iter()
             .fold(zero, |sum, part| sum.plus(1.0, part).expect("all matters are on one pattern"));
         let damping = damping.entries().iter().any(|entry| *entry != 0.0).then_some(damping);
-        Self { structure, freedoms, stiffness, damping, mass, total }
+        Ok(Self { structure, freedoms, stiffness, damping, mass, total })
     }
 
     /// What takes energy from a motion, as matrices; nothing that is a multiple of the stiffness.

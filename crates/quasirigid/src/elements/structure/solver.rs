@@ -3,8 +3,9 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
 use super::discrete::{Discrete, times};
 use super::freedoms::Unknown;
 use crate::math::eigen::NoConvergence;
-use crate::math::factor::{Factor, Method, NotPositive};
+use crate::math::factor::{Analysis, Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
+use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
 
 /// Answers of a structure to static loads: on its carrier, or floating in the Tisserand frame.
@@ -12,6 +13,29 @@ pub(super) struct Solver {
     factor: Factor,
     /// Motions as a rigid body, of a structure that floats.
     rigid: Option<Rigid>,
+}
+
+/// Why a structure has no solver.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Unsolved {
+    /// A motion meets no stiffness.
+    Singular(NotPositive),
+    /// The factor has no room.
+    Memory(TooMuchMemory),
+}
+
+impl From<NotPositive> for Unsolved {
+    fn from(singular: NotPositive) -> Self {
+        Self::Singular(singular)
+    }
+}
+
+/// The factor of a matrix, once it is known to have room.
+fn factor(matrix: &Symmetric) -> Result<Factor, Unsolved> {
+    let Method { precision, ordering } = Method::default();
+    let analysis = Analysis::new(matrix, ordering)?;
+    memory::ask(analysis.bytes(precision)).map_err(Unsolved::Memory)?;
+    Ok(analysis.factor(precision)?)
 }
 
 /// The six motions of a structure as a rigid body, a row each, and their forces of inertia.
@@ -25,13 +49,13 @@ impl Solver {
     /// The solver of a structure, floating or held.
     ///
     /// # Errors
-    /// [`NotPositive`] holds a motion that meets no stiffness.
-    pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, NotPositive> {
+    /// [`Unsolved`] holds a motion that meets no stiffness, or says how much memory the factor needs.
+    pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, Unsolved> {
         if !floating {
-            return Ok(Self { factor: Factor::new(&discrete.total, Method::default())?, rigid: None });
+            return Ok(Self { factor: factor(&discrete.total)?, rigid: None });
         }
         let rigid = Rigid::new(discrete);
-        Ok(Self { factor: Factor::new(&pinned(discrete), Method::default())?, rigid: Some(rigid) })
+        Ok(Self { factor: factor(&pinned(discrete))?, rigid: Some(rigid) })
     }
 
     /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and

@@ -50,7 +50,7 @@ impl Series {
 
     /// Sets the part of one degree.
     pub fn set(&mut self, part: Homogeneous) {
-        debug_assert_eq!(part.rows(), self.rows);
+        assert_eq!(part.rows(), self.rows);
         let degree = part.degree();
         self.parts[degree] = part;
     }

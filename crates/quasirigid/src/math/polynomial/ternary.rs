@@ -66,7 +66,7 @@ impl Ternary {
 
     /// Adds a multiple of a row of another map of the same degree to a row.
     pub fn add_row(&mut self, row: usize, factor: f64, (other, other_row): (&Self, usize)) {
-        debug_assert_eq!(self.degree, other.degree);
+        assert_eq!(self.degree, other.degree);
         axpy(self.row_mut(row), factor, other.row(other_row));
     }
 
@@ -82,7 +82,7 @@ impl Ternary {
 
     /// Adds a multiple of another map of the same degree and rows.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) {
-        debug_assert_eq!((self.degree, self.rows), (other.degree, other.rows));
+        assert_eq!((self.degree, self.rows), (other.degree, other.rows));
         axpy(&mut self.coefficients, factor, &other.coefficients);
     }
 
@@ -94,7 +94,7 @@ impl Ternary {
         (a, row_a): (&Self, usize),
         (b, row_b): (&Self, usize),
     ) {
-        debug_assert_eq!(self.degree, a.degree + b.degree);
+        assert_eq!(self.degree, a.degree + b.degree);
         let (left, right) = (a.row(row_a), b.row(row_b));
         let out = self.row_mut(row);
         for (r, block) in blocks(a.degree, left) {

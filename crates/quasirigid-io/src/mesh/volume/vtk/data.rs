@@ -7,7 +7,6 @@ use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
 use super::{MeshProblem, VolumeProblem};
-use crate::mesh::file::LARGEST;
 
 /// How the bytes of the arrays of a file are written.
 #[derive(Clone, Copy, Debug)]
@@ -44,14 +43,15 @@ impl Encoded<'_> {
 }
 
 impl Layout {
-    /// Bytes of an array, and how many bytes of a raw file stand before them.
+    /// Bytes of an array, of which no more than a limit are decompressed.
     pub(super) fn decoded<'a>(
         &self,
         encoded: &'a Encoded,
         array: &str,
+        limit: u64,
     ) -> Result<Cow<'a, [u8]>, MeshProblem> {
         if self.compressed {
-            return self.decompressed(encoded, array).map(Cow::Owned);
+            return self.decompressed(encoded, array, limit).map(Cow::Owned);
         }
         self.plain(encoded).ok_or_else(|| wrong_text(array))
     }
@@ -82,7 +82,7 @@ impl Layout {
 
     /// Number of blocks, size of a block, size of the last if it is smaller, size of each when compressed;
     /// then blocks.
-    fn decompressed(&self, encoded: &Encoded, array: &str) -> Result<Vec<u8>, MeshProblem> {
+    fn decompressed(&self, encoded: &Encoded, array: &str, limit: u64) -> Result<Vec<u8>, MeshProblem> {
         let width = self.width() as u64;
         let (head, _) = encoded.bytes(0, 3 * width).ok_or_else(|| wrong_text(array))?;
         let number =
@@ -99,8 +99,9 @@ impl Layout {
         let (mut rest, mut decompressed) = (&*bytes, Vec::new());
         for (block, compressed) in (0u64..).zip(sizes) {
             let expected = if block + 1 == blocks && last > 0 { last } else { size };
-            if expected.saturating_add(decompressed.len() as u64) > LARGEST {
-                return Err(MeshProblem::TooLarge { limit: LARGEST });
+            if expected.saturating_add(decompressed.len() as u64) > limit {
+                let array = array.to_owned();
+                return Err(VolumeProblem::Inflated { array, limit }.into());
             }
             let (here, after) = rest.split_at(compressed as usize); // the total is there
             rest = after;

@@ -1,16 +1,23 @@
 use std::borrow::Cow;
 
+use quasirigid::math::memory;
 use quasirigid::math::mesh::Mesh;
 use roxmltree::{Document, Node};
 
 use super::array::{Array, Origin, Scalar, Values, Words};
 use super::data::{Encoded, Layout};
 use super::grid::Grid;
-use super::{Fault, Place, Sets, VolumeProblem};
+use super::{Fault, MeshProblem, Place, Sets, VolumeProblem};
+use crate::mesh::file::LARGEST;
 use crate::mesh::text::text;
 
 const APPENDED: &[u8] = b"<AppendedData";
 const CLOSING: &[u8] = b"</VTKFile>";
+/// Corners that a cell has at most.
+const MOST_CORNERS: u64 = 27;
+/// Bytes that an array may decompress to for each byte of the file, and always.
+const INFLATION: u64 = 100;
+const SMALL: u64 = 16 * 1024 * 1024;
 
 /// An unstructured grid as XML, `.vtu`.
 pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
@@ -53,13 +60,17 @@ struct File<'a, 'input> {
     /// Appended bytes, and whether they are base64.
     appended: &'a [u8],
     appended_base64: bool,
+    /// Bytes that an array may decompress to.
+    unpacked: u64,
 }
 
 impl<'a, 'input> File<'a, 'input> {
     fn new(document: &'a Document<'input>, appended: &'a [u8]) -> Result<Self, Fault> {
         let root = document.root_element();
         let encoding = root.children().find(|child| child.has_tag_name("AppendedData"));
+        let size = (document.input_text().len() + appended.len()) as u64;
         let mut file = Self {
+            unpacked: size.saturating_mul(INFLATION).clamp(SMALL, LARGEST),
             document,
             layout: Layout { big_endian: false, wide: false, compressed: false },
             appended,
@@ -120,11 +131,11 @@ impl<'a, 'input> File<'a, 'input> {
             array.ok_or_else(|| self.lacks(listed, &format!("<DataArray Name={name:?}>")))
         };
         Ok(Grid {
-            points: self.array(place)?.has(points.saturating_mul(3))?,
-            corners: self.array(named("connectivity")?)?,
-            ends: self.array(named("offsets")?)?.has(cells)?,
+            points: self.array(place, points.saturating_mul(3))?.has(points.saturating_mul(3))?,
+            corners: self.array(named("connectivity")?, cells.saturating_mul(MOST_CORNERS))?,
+            ends: self.array(named("offsets")?, cells)?.has(cells)?,
             counted: false,
-            types: self.array(named("types")?)?.has(cells)?,
+            types: self.array(named("types")?, cells)?.has(cells)?,
             groups: self.groups(piece, cells)?,
         })
     }
@@ -138,10 +149,11 @@ impl<'a, 'input> File<'a, 'input> {
             let single = matches!(array.attribute("NumberOfComponents"), None | Some("1"));
             single && matches!(kind, Some(Ok(scalar)) if scalar.is_whole())
         });
-        groups.map(|array| self.array(array)?.has(cells)).collect()
+        groups.map(|array| self.array(array, cells)?.has(cells)).collect()
     }
 
-    fn array(&self, node: Node<'a, 'input>) -> Result<Array<'a>, Fault> {
+    /// An array of so many values, or fewer.
+    fn array(&self, node: Node<'a, 'input>, most: u64) -> Result<Array<'a>, Fault> {
         let here = |problem| (self.place(node), problem);
         let name = node.attribute("Name").unwrap_or("Points").to_owned();
         let scalar = node.attribute("type").ok_or_else(|| self.lacks(node, "type"))?;
@@ -162,7 +174,10 @@ impl<'a, 'input> File<'a, 'input> {
             }
             _ => return Err(self.lacks(node, "format")),
         };
-        let bytes = self.layout.decoded(&encoded, &name).map_err(here)?;
+        let limit = scalar.size(most).map_or(u64::MAX, |size| size as u64).min(self.unpacked);
+        let bytes = self.layout.decoded(&encoded, &name, limit).map_err(here)?;
+        let wide = bytes.len() / scalar.width() * size_of::<f64>();
+        memory::ask(wide as f64).map_err(|cause| here(MeshProblem::Memory(cause)))?;
         let values = Values::from_bytes(&bytes, scalar, self.layout.big_endian);
         Ok(Array { name, values, origin: Origin::Somewhere(self.place(node)) })
     }

@@ -1,0 +1,97 @@
+//! What killed runs leave behind: told from what living ones work in by a lock that ends with its process.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use super::place::put;
+
+/// How the names of all temporary files and folders begin.
+pub const PREFIX: &str = ".quasirigid-";
+/// File in a temporary folder that its process locks, and the one that names the place of the folder.
+const LOCK: &str = "lock";
+const PLACE: &str = "place";
+/// Age before which a file without a lock may be about to get one.
+const FRESH: Duration = Duration::from_secs(60);
+
+/// The folder inside a temporary one that is built, then holds the older record until that is removed.
+pub const BUILDING: &str = "new";
+
+/// Temporary files and folders of this process. While this is locked, results are being put in their places.
+static OWN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Keeps the program from being ended as long as the guard lives.
+pub fn undisturbed() -> MutexGuard<'static, Vec<PathBuf>> {
+    OWN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Remembers what is to be removed should the program be ended.
+pub fn remember(path: &Path) {
+    undisturbed().push(path.into());
+}
+
+/// Removes what this process has begun to write, and ends it, once nothing is being put in its place.
+pub fn abandon(end: impl FnOnce()) {
+    let own = undisturbed();
+    for path in own.iter() {
+        let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+    }
+    end();
+}
+
+/// Marks a temporary folder as one of a living process, which builds what belongs in a place.
+pub fn claim(folder: &Path, place: &Path) -> io::Result<File> {
+    let unlocked = folder.join("unlocked");
+    let file = File::create(&unlocked)?;
+    let _ = file.try_lock(); // where the file system has no locks nothing is ever taken for a leftover
+    fs::write(folder.join(PLACE), place.file_name().unwrap_or_default().as_encoded_bytes())?;
+    fs::rename(unlocked, folder.join(LOCK))?;
+    Ok(file)
+}
+
+/// Removes what killed runs have left in a folder. An older record that was between two places goes back.
+pub fn sweep(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    let ours = |entry: &fs::DirEntry| entry.file_name().to_string_lossy().starts_with(PREFIX);
+    for entry in entries.flatten().filter(ours) {
+        let path = entry.path();
+        match entry.file_type() {
+            Ok(kind) if kind.is_dir() => sweep_folder(&path),
+            Ok(kind) if kind.is_file() && is_old(&entry) && dead(&path) => drop(fs::remove_file(&path)),
+            _ => {}
+        }
+    }
+}
+
+fn sweep_folder(path: &Path) {
+    if !dead(&path.join(LOCK)) {
+        return;
+    }
+    let aside = path.join(format!("{BUILDING}-aside"));
+    if let (true, Some(place)) = (aside.exists(), place_of(path))
+        && put(&aside, &place).is_err_and(|error| error.kind() != io::ErrorKind::AlreadyExists)
+    {
+        return; // the older record stays where it is, rather than nowhere
+    }
+    let _ = fs::remove_dir_all(path);
+}
+
+/// Where the folder that was being built belongs.
+fn place_of(path: &Path) -> Option<PathBuf> {
+    let name = fs::read_to_string(path.join(PLACE)).ok()?;
+    let plain = Path::new(&name).file_name().is_some_and(|plain| plain == name.as_str());
+    plain.then(|| path.with_file_name(name))
+}
+
+/// Whether no process holds the lock of a file.
+fn dead(path: &Path) -> bool {
+    let regular = path.symlink_metadata().is_ok_and(|metadata| metadata.is_file());
+    regular && File::open(path).is_ok_and(|file| file.try_lock().is_ok())
+}
+
+fn is_old(entry: &fs::DirEntry) -> bool {
+    let written = entry.metadata().and_then(|metadata| metadata.modified());
+    written.is_ok_and(|written| written.elapsed().is_ok_and(|age| age > FRESH))
+}

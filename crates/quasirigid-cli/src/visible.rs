@@ -1,0 +1,61 @@
+//! Text of files on a terminal: what would steer the terminal is shown instead.
+
+use std::fmt::Write;
+
+/// A text in which control characters, line breaks and tabs apart, stand as `\u001b`; so do those that change the direction of
+/// writing. JSON means the same with them.
+pub fn visible(text: &str) -> String {
+    escaped(text, |letter| steers(letter) && !matches!(letter, '\n' | '\t'))
+}
+
+/// The same of a name, which has no line breaks either.
+pub fn one_line(name: &str) -> String {
+    escaped(name, steers)
+}
+
+/// A text of the same length in bytes, in which question marks stand for such characters; ends of lines stay.
+pub fn masked(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let ends_line = letter == '\n' || letter == '\r' && letters.peek() == Some(&'\n');
+        if !steers(letter) || ends_line || letter == '\t' {
+            out.push(letter);
+        } else {
+            out.extend(std::iter::repeat_n('?', letter.len_utf8()));
+        }
+    }
+    out
+}
+
+fn escaped(text: &str, hidden: impl Fn(char) -> bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if hidden(letter) {
+            let _ = write!(out, "\\u{:04x}", u32::from(letter)); // a string takes any text
+        } else {
+            out.push(letter);
+        }
+    }
+    out
+}
+
+/// Whether a character steers a terminal, or the direction in which it writes.
+fn steers(letter: char) -> bool {
+    letter.is_control()
+        || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_steers_a_terminal_is_shown() {
+        let text = "a\u{1b}[2J\u{9b}1m\r\u{7}\u{202e}é\n\tb";
+        assert_eq!(visible(text), "a\\u001b[2J\\u009b1m\\u000d\\u0007\\u202eé\n\tb");
+        assert_eq!(one_line("a\nb\u{1b}"), "a\\u000ab\\u001b");
+        let masked = masked("x\u{1b}y\u{9b}z\u{202e}\r\n\r\té");
+        assert_eq!(masked, "x?y??z???\r\n?\té");
+    }
+}

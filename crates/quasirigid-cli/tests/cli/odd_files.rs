@@ -1,0 +1,96 @@
+//! Files that hold what steers terminals, files that never end, and models too large for the machine.
+
+use std::fs;
+use std::process::Command;
+
+use super::support::{MODEL, Ran, folder_with, program, ran_in, ran_with};
+
+fn steers(text: &str) -> bool {
+    text.chars().any(|letter| letter.is_control() && letter != '\n')
+}
+
+#[test]
+fn nothing_from_a_file_steers_the_terminal() {
+    let name = "[body]\nname = \"a\\u001b]0;PWNED\\u0007\\u001b[2J\\u009b1m\\u202e\"\n";
+    for line in [
+        "check model.toml",
+        "derive model.toml",
+        "evolve model.toml",
+        "modes model.toml",
+        "check model.toml --json",
+    ] {
+        let ran = ran_with(&format!("{name}{MODEL}"), line);
+        assert!(!steers(&ran.stdout) && !steers(&ran.stderr), "{line}: {ran:?}");
+        assert!(
+            ran.stdout.contains("a\\u001b]0;PWNED\\u0007\\u001b[2J\\u009b1m\\u202e"),
+            "{line}: {}",
+            ran.stdout
+        );
+    }
+    let point = MODEL.replace("\"tip\"", "\"ti\\u001b[2J\\np\"");
+    let table = ran_with(&point, "simulate model.toml --system full --samples 2 --coordinates");
+    assert!(!steers(&table.stdout) && table.stdout.lines().count() == 3, "{}", table.stdout);
+}
+
+#[test]
+fn lines_that_are_quoted_do_not_steer_it_either() {
+    let comment = MODEL.replace("mass = 40.0", "mass = -40.0 # \u{1b}[2J\u{9b}1m é");
+    let refused = ran_with(&comment, "check model.toml");
+    assert!(!steers(refused.refusal()), "{}", refused.stderr);
+    assert!(refused.stderr.contains("mass = -40.0 # ?[2J??1m é"), "{}", refused.stderr);
+    let folder = folder_with(MODEL);
+    let file = folder.path().join("m\u{1b}[2J.toml");
+    fs::write(&file, comment).unwrap();
+    for name in ["m\u{1b}[2J.toml", "none\u{1b}[2J.toml"] {
+        let ran: Ran = program(folder.path()).args(["check", name]).output().unwrap().into();
+        assert!(!steers(ran.refusal()), "{}", ran.stderr);
+    }
+}
+
+#[test]
+fn pipe_in_the_place_of_a_mesh_is_refused() {
+    let folder = folder_with(
+        "[material.al]\ndensity = 2700\nyoung = \"70 GPa\"\npoisson = 0.33\n[[solid]]\nfile = \"pipe\"\nmaterial = \"al\"\n",
+    );
+    assert!(Command::new("mkfifo").arg(folder.path().join("pipe")).status().unwrap().success());
+    let refused = ran_in(folder.path(), "check model.toml");
+    assert!(
+        refused.refusal().contains("this is no file on a disk but a pipe or a device"),
+        "{}",
+        refused.stderr
+    );
+}
+
+/// The limit of the shell stands for a small machine.
+fn on_a_small_machine(folder: &std::path::Path, kibi: usize, line: &str) -> Ran {
+    let line = format!("ulimit -v {kibi}; exec {} {line}", env!("CARGO_BIN_EXE_quasirigid"));
+    Command::new("sh").args(["-c", &line]).current_dir(folder).output().unwrap().into()
+}
+
+#[test]
+fn panel_too_fine_for_the_memory_is_refused_with_an_estimate() {
+    let text =
+        fs::read_to_string(format!("{}/examples/solar-panels/model.toml", super::support::ROOT)).unwrap();
+    let at = text.find("cells = [").unwrap();
+    let end = at + text[at..].find(']').unwrap();
+    for (cells, words) in [
+        (1000, "`cells` makes 1000000 elements: it would take about"),
+        (200, "unknowns are too many here: it would take about"),
+    ] {
+        let folder = folder_with(&format!("{}cells = [{cells}, {cells}{}", &text[..at], &text[end..]));
+        let refused = on_a_small_machine(folder.path(), 1_000_000, "check model.toml");
+        let said = refused.refusal().replace(['│', '\n'], " ");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains(words), "{said}");
+    }
+}
+
+#[test]
+fn history_too_long_for_the_memory_is_refused_before_the_work() {
+    let folder = folder_with(MODEL);
+    for line in ["simulate model.toml --samples 10000000", "run model.toml --samples 10000000"] {
+        let refused = on_a_small_machine(folder.path(), 1_000_000, line);
+        let words = refused.refusal().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.starts_with("quasirigid: 10000000 rows: it would take about"), "{words}");
+    }
+}

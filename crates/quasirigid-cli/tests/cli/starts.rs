@@ -1,0 +1,114 @@
+//! Starts at which something does not hold: what is judged is what runs, and words name what is wrong.
+
+use super::support::{MODEL, Ran, Table, difference, folder_with, ran_in, ran_with};
+
+fn flowing(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The reduced body starts from the spin on which a displaced point settles; `check` judges that one.
+#[test]
+fn check_judges_the_spin_that_the_reduced_body_starts_from() {
+    let displaced = MODEL.replace("[run]", "displacements = { tip = [0, 3, 0] }\n[run]");
+    let folder = folder_with(&displaced);
+    let row = ran_in(folder.path(), "simulate model.toml --duration 1 --samples 2");
+    let omega = Table::of(&row.stdout).vector(["wx", "wy", "wz"], 0);
+    let settled = omega.iter().map(|w| w * w).sum::<f64>().sqrt();
+    assert!(settled > 1.5 * 0.127, "{settled}: the body shrinks as the point comes in");
+    let checked = ran_in(folder.path(), "check model.toml --json").json();
+    let T3 = checked["T3"].as_f64().unwrap();
+    assert!(difference([T3.recip()], [settled]) < 1e-9, "{} {settled}", T3.recip());
+    let text = flowing(&ran_in(folder.path(), "check model.toml").stdout);
+    assert!(text.contains("Judged is the spin on which it settles"), "{text}");
+    let still = flowing(&ran_with(MODEL, "check model.toml").stdout);
+    assert!(!still.contains("Judged is"), "{still}");
+}
+
+/// A spin far above that at the start, on which a fast rotor settles.
+#[test]
+fn check_fails_where_the_start_holds_and_what_follows_does_not() {
+    let rotor = "[[rotor]]\nname = \"ball\"\ninertia = 0.2\nfriction = 2.0\nshape = \"sphere\"\nspeed = [0.1, 11326.3, 0.3]\n[initial]";
+    let model = MODEL.replace("[initial]", rotor).replace("[0.12, 0.035, 0.02]", "[0.003, 0.001, 0.03]");
+    let checked = ran_with(&model, "check model.toml");
+    assert_ne!(checked.code, Some(0), "{checked:?}");
+    let said = flowing(&format!("{}{}", checked.stdout, checked.stderr)).to_lowercase();
+    assert!(said.contains("not hold") && !said.contains("equations hold"), "{said}");
+}
+
+#[test]
+fn carrier_lost_in_rounding_is_refused_in_words() {
+    let with =
+        |mass: &str, line: &str| ran_with(&MODEL.replace("mass = 40.0", &format!("mass = {mass}")), line);
+    for line in ["simulate model.toml --system full", "verify model.toml"] {
+        let said = flowing(with("1e-16", line).refusal());
+        assert!(said.contains("is lost in rounding beside the mass that is"), "{line}: {said}");
+    }
+    let checked = with("1e-16", "check model.toml"); // a light carrier on a heavy point vibrates fast
+    assert!(checked.code == Some(0) && !checked.stdout.contains("inf"), "{checked:?}");
+    let light = with("1e-6", "simulate model.toml --system full --duration 1e-3 --samples 2");
+    assert_eq!(light.code, Some(0), "{}", light.stderr);
+}
+
+#[test]
+fn force_without_a_value_at_the_start_is_named() {
+    let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(x-100)\", 0, 0]\n";
+    for system in ["reduced", "full"] {
+        let ran = ran_with(&format!("{MODEL}{force}"), &format!("simulate model.toml --system {system}"));
+        let said = flowing(ran.refusal());
+        assert!(said.contains("the forces are not finite numbers at the start"), "{system}: {said}");
+    }
+}
+
+#[test]
+fn verification_that_fails_says_so_in_words() {
+    let stiff = MODEL.replace("stiffness = 600.0", "stiffness = 1e-30");
+    let said = flowing(ran_with(&stiff, "verify model.toml").refusal());
+    assert!(said.contains("a history ended early") && !said.contains("Failed("), "{said}");
+}
+
+#[test]
+fn order_zero_is_an_order_of_the_file_too() {
+    let file = ran_with(&format!("{MODEL}order = 0\n"), "check model.toml");
+    let option = ran_with(MODEL, "check model.toml --order 0");
+    assert_eq!((file.code, file.stdout), (option.code, option.stdout));
+}
+
+/// Half a degree is more than the wobble of the start.
+#[test]
+fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
+    let calm = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 1e-4, 0.2]");
+    let said = flowing(ran_with(&calm, "evolve model.toml --to 20deg --method average").refusal());
+    assert!(
+        said.contains("dissipation only lowers the wobble") && said.contains("target, 20.0 degrees"),
+        "{said}"
+    );
+}
+
+/// A thousand points whose frequencies crowd: three of each, a thousandth apart.
+#[test]
+fn crowded_frequencies_are_found() {
+    let mut model = MODEL.replace("mass = 40.0", "mass = 100.0");
+    for i in 0..400 {
+        let [x, y, z] = [i % 11, i % 13, i % 17].map(|part| 0.05 * f64::from(part));
+        model.push_str(&format!(
+            "[[point]]\nname = \"p{i}\"\nmass = 0.01\nposition = [{x}, {y}, {z}]\n[[spring]]\nfrom = \"p{i}\"\nto = \"carrier\"\nstiffness = {}\ndamping = 0.01\n",
+            1.0 + 1e-3 * f64::from(i)
+        ));
+    }
+    let checked = ran_with(&model, "check model.toml --json").json();
+    let first = checked["frequencies"][0].as_f64().unwrap();
+    assert!(difference([first], [10.0]) < 0.01, "{first}");
+}
+
+/// Names a body of the guide whose answers to the spin are so nearly dependent that a mass among them is lost in rounding.
+#[test]
+fn mass_lost_in_rounding_leaves_the_other_frequencies() {
+    let guide = std::fs::read_dir(format!("{}/docs/guide", super::support::ROOT)).unwrap();
+    let pages = guide.map(|page| std::fs::read_to_string(page.unwrap().path()).unwrap());
+    let page = pages.into_iter().find(|text| text.contains("# complete: array.toml")).unwrap();
+    let model = page.split("# complete: array.toml").nth(1).unwrap().split("```").next().unwrap();
+    let checked: Ran = ran_with(model, "check model.toml --order 5 --json");
+    let frequencies = super::support::numbers(&checked.json()["frequencies"]);
+    assert!(frequencies.len() > 100 && frequencies.iter().all(|each| each.is_finite()), "{frequencies:?}");
+    assert!(difference([frequencies[0]], [4.233169]) < 1e-5, "{}", frequencies[0]);
+}

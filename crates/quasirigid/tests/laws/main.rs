@@ -34,6 +34,7 @@ mod orbits;
 mod orders;
 mod outcomes;
 mod poinsot;
+mod pole;
 mod propagation;
 mod refused;
 mod refused_forces;

@@ -33,6 +33,7 @@ mod nutation;
 mod orbits;
 mod orders;
 mod outcomes;
+mod places;
 mod poinsot;
 mod pole;
 mod propagation;

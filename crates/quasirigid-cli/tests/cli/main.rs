@@ -2,6 +2,7 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod check;
+mod complete;
 mod derive;
 mod docs;
 mod evolve;

@@ -92,7 +92,7 @@ fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
         let system = Forced { body: &body, forces: &forces };
         let start = Start { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
         let full: FullState = start.settled(system, 3).unwrap();
-        let mut runs = vec![Both::default(), Both::default(), Both::default()];
+        let mut runs = [Both::default(), Both::default(), Both::default()];
         propagate_full(system, &full, &times, options(Form::Momentum), &mut runs[0]).unwrap();
         for (run, form) in runs[1..].iter_mut().zip([Form::Momentum, Form::Paper]) {
             if forces.is_empty() {

@@ -51,7 +51,7 @@ pub enum Failure {
     Samples { samples: usize },
     #[error("{samples} rows: {cause}; ask for fewer with --samples")]
     History { samples: usize, cause: TooMuchMemory },
-    #[error("{option}: only the full system has internal coordinates of its own; add --system full")]
+    #[error("{option}: the rigid body has no internal coordinates; take --system reduced or --system full")]
     NoCoordinates { option: &'static str },
     #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
     NoSpin { file: PathBuf },

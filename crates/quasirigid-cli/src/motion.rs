@@ -81,13 +81,14 @@ impl<'a> Motion<'a> {
             }
             System::Reduced | System::Rigid => {
                 let reduced = reduce(self.body, order)?;
-                let Start { omega, attitude, .. } = self.start;
-                let spin = if system == System::Reduced && self.starts_displaced() {
+                let Start { omega, attitude, place, velocity } = self.start;
+                let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
                     let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
-                    SpinState { omega: self.settled_spin()?, attitude: slow.attitude }
+                    (self.settled_spin()?, slow.attitude)
                 } else {
-                    SpinState { omega, attitude }
+                    (omega, attitude)
                 };
+                let spin = SpinState { omega, attitude, place, velocity };
                 Ok(propagate(&reduced, spin, times, options, observer)?)
             }
         }

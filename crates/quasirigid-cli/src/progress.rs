@@ -90,6 +90,10 @@ impl Observer for Collector {
         self.samples.push(*sample);
     }
 
+    fn keeps_coordinates(&self) -> bool {
+        self.coordinates.is_some()
+    }
+
     fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
         if let Some(kept) = &mut self.coordinates {
             kept.push([q, rate].concat());

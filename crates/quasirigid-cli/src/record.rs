@@ -1,6 +1,6 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Form, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
@@ -103,6 +103,7 @@ pub fn verification(plan: &Plan, verification: &Verification) -> VerificationRec
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
             p: row.p,
+            form: if row.form == Form::Paper { "paper".into() } else { "momentum".into() },
             order: row.order,
             expected: row.p + 1,
             reached: row.reached(),
@@ -147,7 +148,7 @@ pub fn history(
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
-        columns: columns(samples, Some(axis)),
+        columns: columns(body.support(), samples, Some(axis)),
     }
 }
 
@@ -205,8 +206,8 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
     }
 }
 
-/// The columns of a table of samples; the last one, nutation, only with an axis to count it from.
-pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
+/// The columns of a table of samples: nutation only with an axis to count it from, places only of a body that can move away.
+pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
     let column = |name: &str, unit: &str, value: &dyn Fn(&Sample) -> f64| Column {
         name: name.into(),
         unit: unit.into(),
@@ -231,26 +232,37 @@ pub fn columns(samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
     if let Some(axis) = axis {
         columns.push(column("nutation", "rad", &|s| angle(s.momentum, axis)));
     }
+    if matches!(support, Support::FixedPoint { .. }) {
+        return columns;
+    }
+    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
+        columns.push(column(name, "m", &|s| s.place[axis]));
+    }
+    for (axis, name) in ["vx", "vy", "vz"].iter().enumerate() {
+        columns.push(column(name, "m/s", &|s| s.velocity[axis]));
+    }
+    if matches!(support, Support::Free) {
+        for (axis, name) in ["R0x", "R0y", "R0z"].iter().enumerate() {
+            columns.push(column(name, "m", &|s| s.pole[axis]));
+        }
+    }
     columns
 }
 
-/// Columns of the internal coordinates, then of their rates, from one list of both per row.
-pub fn coordinate_columns(coordinates: &[Coordinate], rows: &[Vec<f64>]) -> Vec<Column> {
-    let name = |i: usize| {
-        let Coordinate { name, unit } = &coordinates[i % coordinates.len()];
-        let name = one_line(&name.replace('"', ""));
-        if i < coordinates.len() {
-            (name, (*unit).to_owned())
-        } else {
-            (format!("{name} rate"), format!("{unit}/s"))
-        }
+/// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.
+pub fn coordinate_columns(coordinates: &[Coordinate], valued: usize, rows: &[Vec<f64>]) -> Vec<Column> {
+    let column = |i: usize, name: String, unit: String| Column {
+        name,
+        unit,
+        values: rows.iter().map(|row| row[i]).collect(),
     };
-    (0..2 * coordinates.len())
-        .map(|i| {
-            let (name, unit) = name(i);
-            Column { name, unit, values: rows.iter().map(|row| row[i]).collect() }
-        })
-        .collect()
+    let name = |coordinate: &Coordinate| one_line(&coordinate.name.replace('"', ""));
+    let values = coordinates.iter().enumerate().take(valued);
+    let values = values.map(|(i, each)| column(i, name(each), each.unit.to_owned()));
+    let rates = coordinates.iter().enumerate().map(|(i, each)| {
+        column(coordinates.len() + i, format!("{} rate", name(each)), format!("{}/s", each.unit))
+    });
+    values.chain(rates).collect()
 }
 
 /// Columns of the displacements of watched places, to the first order, from one list of internal coordinates per row.

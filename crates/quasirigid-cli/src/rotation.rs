@@ -21,7 +21,7 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
     let principal = Principal::of(body.invariants().J);
     let attitude = model.initial.attitude;
     let (K, rigid) = match rotation {
-        Rotation::Spin(omega) => return Ok(SpinState { omega, attitude }),
+        Rotation::Spin(omega) => return Ok(SpinState::new(omega, attitude)),
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
             let motion = observed.motion(principal.moments);
@@ -41,19 +41,19 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) ->
         let mut q = q.clone();
         q.resize(body.coordinates().len(), 0.0);
         let omega = times(inverse(body.inertia_at(&q)), K);
-        return Ok(SpinState { omega, attitude });
+        return Ok(SpinState::new(omega, attitude));
     }
     let reduced = reduce(body, slaved_order(body, order, rigid)?)?;
     let omega = reduced.Omega.vector(K);
     if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
-        return Ok(SpinState { omega, attitude });
+        return Ok(SpinState::new(omega, attitude));
     }
     let K = match rotation {
         Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,
         _ => K,
     };
     let (omega, _) = spun_state(body, K).map_err(Failure::NoStart)?;
-    Ok(SpinState { omega, attitude })
+    Ok(SpinState::new(omega, attitude))
 }
 
 /// An angular velocity this many times that of the frozen body is none that its angular momentum has.

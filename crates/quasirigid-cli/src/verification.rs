@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use quasirigid::model::FlexibleBody;
 use quasirigid::verification::{Plan, Verification, VerificationError, verify};
 use quasirigid_io::model::Model;
-use quasirigid_io::record::VerificationRecord;
+use quasirigid_io::record::{OrderRecord, VerificationRecord};
 
 use crate::describe::{significant, time};
 use crate::failure::Failure;
@@ -71,7 +71,11 @@ fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt
         write!(out, " {:>9}", format!("e = 1/{}", 1.0 / epsilon))?;
     }
     writeln!(out, "   order (expected)")?;
-    for row in orders {
+    let paper = |row: &OrderRecord| row.form == "paper";
+    for (i, row) in orders.iter().enumerate() {
+        if paper(row) && !i.checked_sub(1).is_some_and(|before| paper(&orders[before])) {
+            writeln!(out, "  in the paper's form")?;
+        }
         write!(out, "  {:>2}", row.p)?;
         for error in row.errors.iter().take(COLUMNS) {
             write!(out, " {error:>9.2e}")?;
@@ -81,7 +85,7 @@ fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt
     }
     writeln!(out, "\n  At the model's own stiffness, at most")?;
     writeln!(out, "   p      spin   attitude    energy dissipated")?;
-    for row in orders {
+    for row in orders.iter().filter(|row| !paper(row)) {
         let own = [&row.errors, &row.attitude, &row.dissipated, &row.dissipation].map(|list| list.first());
         let [Some(spin), Some(attitude), Some(off), Some(taken)] = own else { continue };
         let attitude = format!("{:.2e} deg", attitude.to_degrees());

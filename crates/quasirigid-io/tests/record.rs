@@ -101,7 +101,7 @@ prop_compose! {
     ) -> OrderRecord {
         let [epsilons, errors] = numbers;
         let (attitude, dissipated, dissipation) = (errors.clone(), epsilons.clone(), errors.clone());
-        OrderRecord { p, order, expected: p + 1, reached, epsilons, errors, attitude, dissipated, dissipation }
+        OrderRecord { p, form: "momentum".into(), order, expected: p + 1, reached, epsilons, errors, attitude, dissipated, dissipation }
     }
 }
 

@@ -13,6 +13,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::json;
 
+use super::derive::acting;
 use super::{Loaded, initial, load, lossless, notes};
 use crate::args::Check;
 use crate::describe::{criterion, dissipation, range, reasons, shares, significant, time, verdict, word};
@@ -42,7 +43,8 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         object(&loaded, &validity, &budget, &spins)
     } else {
         let mut text = String::new();
-        write(&mut text, &model.name, &reduced, omega, &validity).expect("a string takes any text");
+        let forced = acting(&loaded, None).is_some();
+        write(&mut text, &model.name, &reduced, (omega, forced), &validity).expect("a string takes any text");
         if motion.starts_displaced() {
             text.push_str(&settled(start.omega, omega));
         }
@@ -146,7 +148,7 @@ fn write(
     out: &mut String,
     name: &str,
     reduced: &ReducedBody,
-    omega: [f64; 3],
+    (omega, forced): ([f64; 3], bool),
     validity: &Validity,
 ) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
@@ -170,7 +172,7 @@ fn write(
             "\nWhat the reduced equations say of steady spins is left out: they do not hold."
         );
     }
-    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails)
+    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails, forced)
 }
 
 fn times(out: &mut String, validity: &Validity) -> fmt::Result {
@@ -227,13 +229,14 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
 }
 
-fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool) -> fmt::Result {
+fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, forced: bool) -> fmt::Result {
     let principal = Principal::of(reduced.J);
     let K = reduced.momentum(omega);
     if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
         return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
     }
-    writeln!(out, "\nSteady spins at this momentum, after the reduced equations")?;
+    let without = if forced { " WITHOUT the forces" } else { "" };
+    writeln!(out, "\nSteady spins at this momentum, after the reduced equations{without}")?;
     let names = ["least", "middle", "greatest"];
     let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));
     for (place, name) in names.into_iter().enumerate() {

@@ -20,6 +20,7 @@ use quasirigid_io::model::{Model, Stop};
 use quasirigid_io::units::{Dimension, quantity};
 
 use crate::args::{self, Common, Propagation};
+use crate::complete::beyond;
 use crate::failure::Failure;
 use crate::message::remark;
 use crate::rotation::initial;
@@ -47,6 +48,7 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     }
     let Built { body, forces, condensation, speeds, liquids } =
         model.assembly.build().map_err(|error| model.diagnose(&error))?;
+    model.notes.extend(beyond(&model.assembly, order));
     Ok(Loaded { model, body, forces, speeds, liquids, condensation, order })
 }
 

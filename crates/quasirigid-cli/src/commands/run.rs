@@ -7,6 +7,7 @@ use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
+use super::derive::acting;
 use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, room, summary};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
@@ -71,7 +72,15 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let folder = Folder::new(&path, arguments.overwrite)?;
     record.write(&folder.building())?;
     let frequencies = &validity.vibrations.frequencies;
-    let derived = Derived { name: &model.name, body, reduced: &reduced, frequencies, mechanisms: &[] };
+    let forces = acting(&loaded, Some(start));
+    let derived = Derived {
+        name: &model.name,
+        body,
+        reduced: &reduced,
+        frequencies,
+        mechanisms: &[],
+        forces: forces.as_ref(),
+    };
     folder.write("reduced.json", &derived.json())?;
     folder.write("report.html", &quasirigid_report::page(&record))?;
     if let Some(picture) = quasirigid_report::sphere_picture(&record) {

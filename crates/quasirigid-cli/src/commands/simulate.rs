@@ -43,7 +43,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     for (asked, option) in
         [(arguments.coordinates, "--coordinates"), (arguments.displacements, "--displacements")]
     {
-        if asked && arguments.system != System::Full {
+        if asked && arguments.system == System::Rigid {
             return Err(Failure::NoCoordinates { option });
         }
     }
@@ -67,12 +67,13 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     if let Some(note) = note {
         remark(&note);
     }
-    let mut columns = columns(&samples, None);
+    let mut columns = columns(body.support(), &samples, None);
     if arguments.displacements {
         columns.extend(displacement_columns(body.markers(), &coordinates));
     }
     if arguments.coordinates {
-        columns.extend(coordinate_columns(body.coordinates(), &coordinates));
+        let valued = if arguments.system == System::Full { body.coordinates().len() } else { body.elastic() };
+        columns.extend(coordinate_columns(body.coordinates(), valued, &coordinates));
     }
     let in_place = table(arguments, &columns, &interrupt)?;
     if arguments.common.json {
@@ -134,6 +135,9 @@ fn object(
         "energy_drift": last.energy_drift,
         "momentum_drift": last.momentum_drift,
         "turns": last.turns,
+        "position": last.place,
+        "velocity": last.velocity,
+        "pole": last.pole,
         "steps": work.steps,
         "rejected": work.rejected,
         "implicit_steps": work.implicit_steps,

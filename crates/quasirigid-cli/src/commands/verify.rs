@@ -3,8 +3,10 @@ use serde_json::json;
 
 use super::{Loaded, initial, load, note_lossless, notes};
 use crate::args::Verify;
+use crate::complete::beyond;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::layout::paragraph;
 use crate::message::remark;
 use crate::motion::Motion;
 use crate::{Ending, output, record, verification};
@@ -24,6 +26,12 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
         halvings: arguments.halvings.unwrap_or(file.halvings),
         ..file
     };
+    let highest = plan.orders.iter().copied().max().unwrap_or_default();
+    if let Some(note) =
+        beyond(&model.assembly, highest).filter(|_| highest > *order && !arguments.common.quiet)
+    {
+        remark(&format!("note: {note}"));
+    }
     let interrupt = Interrupt::listen()?;
     let Some(found) = verification::follow(&motion, &plan, &interrupt, arguments.common.quiet)? else {
         remark("the verification was interrupted; nothing was measured");
@@ -34,6 +42,9 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
         output::print(&format!("{:#}\n", json!(record)))?;
     } else {
         output::print(&verification::text(&model.name, &record))?;
+        if let Some(note) = beyond(&model.assembly, highest) {
+            output::print(&format!("{}\n", paragraph(&note, "", "  ")))?;
+        }
     }
     Ok(if record.reached { Ending::Done } else { Ending::CheckFailed })
 }

@@ -140,8 +140,9 @@ fn coordinates_of_the_full_system_are_columns_of_the_table() {
     assert_eq!(displacement[0], 0.01);
     assert!(displacement[1].abs() > 1e-6 && displacement[2].abs() < 1e-4, "{displacement:?}");
     assert_eq!(table.column("tip z rate").len(), 3);
-    let ran = ran_with(MODEL, "simulate model.toml --coordinates");
-    assert!(ran.refusal().contains("add --system full"), "{}", ran.stderr);
+    let ran = ran_with(MODEL, "simulate model.toml --coordinates --system rigid");
+    let refusal = ran.refusal().replace('\n', " ");
+    assert!(refusal.contains("take --system reduced"), "{refusal}");
 }
 
 #[test]
@@ -153,8 +154,8 @@ fn displacements_of_the_full_system_are_columns_of_the_table() {
         assert_eq!(displacement, table.column(&format!("tip {axis}")));
     }
     assert_eq!(table.column("tip along x")[0], 0.01);
-    let ran = ran_with(MODEL, "simulate model.toml --displacements");
-    assert!(ran.refusal().contains("--displacements: only the full system"), "{}", ran.stderr);
+    let ran = ran_with(MODEL, "simulate model.toml --displacements --system rigid");
+    assert!(ran.refusal().contains("--displacements: the rigid body has no internal"), "{}", ran.stderr);
 }
 
 #[test]
@@ -165,8 +166,9 @@ fn a_run_proves_itself_where_the_model_asks() {
     assert!(ran.stdout.contains("Every order is reached."), "{}", ran.stdout);
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     let verification = record.verification.unwrap();
-    let found: Vec<_> = verification.orders.iter().map(|row| (row.p, row.reached)).collect();
-    assert_eq!((verification.reached, &found[..]), (true, &[(1, true), (3, true)][..]));
+    let found: Vec<_> = verification.orders.iter().map(|row| (&*row.form, row.p, row.reached)).collect();
+    let rows = [("momentum", 1, true), ("momentum", 3, true), ("paper", 1, true), ("paper", 3, true)];
+    assert_eq!((verification.reached, &found[..]), (true, &rows[..]));
     let page = std::fs::read_to_string(folder.path().join("spin/report.html")).unwrap();
     assert!(page.contains("Proof against the full system"));
 }

@@ -4,6 +4,7 @@
 #[cfg(unix)]
 mod appeared;
 mod check;
+mod complete;
 mod derive;
 mod docs;
 mod evolve;
@@ -16,11 +17,13 @@ mod model_errors;
 mod modes;
 #[cfg(unix)]
 mod odd_files;
+mod place;
 mod roads;
 mod run;
 mod run_folder;
 mod simulate;
 mod simulate_refusals;
+mod slaved;
 mod starts;
 mod structures;
 mod support;

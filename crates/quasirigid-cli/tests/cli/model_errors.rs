@@ -21,7 +21,8 @@ fn unknown_key_is_answered_with_the_nearest() {
         │     ╰───── unknown key
         │ 
         │ Help: did you mean `stiffness`? the keys are name, from, to,
-        │       stiffness, damping, rheology, axial, anchor
+        │       stiffness, damping, rheology, axial, anchor, tension,
+        │       natural_length
     ────╯
 
     quasirigid: model.toml: 1 problem; nothing was computed

@@ -2,7 +2,7 @@ use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::Support;
 use serde::Serialize;
 
-use super::{Derived, parts};
+use super::{Derived, Forces, parts};
 
 /// The object that `derive --format json` prints.
 #[derive(Serialize)]
@@ -18,12 +18,16 @@ struct Object<'a> {
     wheels: [f64; 3],
     frequencies: &'a [f64],
     coordinates: Vec<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    forces: Option<&'a Forces>,
     mu: Vec<Term>,
     momentum: Vec<Term>,
     spin_of_momentum: Vec<Term>,
     force: Vec<Term>,
     energy: Vec<Term>,
     power: Vec<Term>,
+    displacements: Vec<Term>,
+    rates: Vec<Term>,
 }
 
 /// One monomial `ωx^i ωy^j ωz^k` with its coefficients.
@@ -37,7 +41,7 @@ impl Derived<'_> {
     /// The derived body as one JSON object: every monomial of every degree, all digits.
     #[must_use]
     pub fn json(&self) -> String {
-        let Derived { name, body, reduced, frequencies, .. } = *self;
+        let Derived { name, body, reduced, frequencies, forces, .. } = *self;
         let object = Object {
             name,
             units: "SI",
@@ -54,12 +58,15 @@ impl Derived<'_> {
             wheels: body.wheels().momentum(0.0),
             frequencies,
             coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.as_str()).collect(),
+            forces,
             mu: terms(&self.mu().iter().collect::<Vec<_>>()),
             momentum: terms(&self.momentum()),
             spin_of_momentum: terms(&parts(&reduced.Omega, 1)),
             force: terms(&parts(&reduced.phi, 4)),
             energy: terms(&parts(&reduced.energy, 2)),
             power: terms(&self.power()),
+            displacements: terms(&self.displacements().iter().collect::<Vec<_>>()),
+            rates: terms(&self.rates().iter().collect::<Vec<_>>()),
         };
         serde_json::to_string_pretty(&object).expect("numbers and strings always have a JSON text")
     }

@@ -28,6 +28,15 @@ impl Derived<'_> {
             self.name.replace('\n', " "),
             self.reduced.order
         )?;
+        let sum = if self.forces.is_some() {
+            writeln!(
+                out,
+                "% without the forces mu is the polynomial below; with them see derive --format text"
+            )?;
+            r"M^\ast + \mu".into()
+        } else {
+            sum
+        };
         writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times J\\omega = {sum}, \\qquad")?;
         writeln!(out, "  J = \\begin{{pmatrix}}")?;
         for row in self.body.inertia() {

@@ -1,11 +1,15 @@
 //! The reduced equations in forms that other programs and people read.
 
 mod comparison;
+mod forces;
 mod json;
 mod latex;
 mod text;
 
 pub use comparison::Mechanism;
+pub use forces::{DisplacedLoads, Forces, StartLoads};
+use std::ops::Range;
+
 use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 
@@ -22,12 +26,30 @@ pub struct Derived<'a> {
     pub frequencies: &'a [f64],
     /// What moves inside and what outside, each alone; none of a body that has not both.
     pub mechanisms: &'a [Mechanism],
+    /// External forces and the inertial force of a driven pole, if anything acts.
+    pub forces: Option<&'a Forces>,
 }
 
 impl Derived<'_> {
     /// Whether something turns inside the body.
     fn turns_inside(&self) -> bool {
         !self.body.cyclic().is_empty()
+    }
+
+    /// Whether all that moves inside is elastic.
+    fn elastic_only(&self) -> bool {
+        !self.turns_inside() && self.body.wheels().is_none()
+    }
+
+    /// Internal coordinates that springs hold, degree by degree from 2 up. (R4)
+    fn displacements(&self) -> Vec<Homogeneous> {
+        let elastic = 0..self.body.elastic();
+        parts(&self.reduced.q, 2).into_iter().map(|part| rows(part, elastic.clone())).collect()
+    }
+
+    /// Rates of what turns inside, degree by degree from 2 up. (C3)
+    fn rates(&self) -> Vec<Homogeneous> {
+        parts(&self.reduced.rate, 2).into_iter().map(|part| rows(part, self.body.cyclic())).collect()
     }
 
     /// Torque `μ` degree by degree, from 4 up for an elastic body, from 3 with rotors and liquids; the degrees below are zero.
@@ -45,6 +67,13 @@ impl Derived<'_> {
     fn power(&self) -> Vec<&Homogeneous> {
         parts(&self.reduced.power, if self.turns_inside() { 4 } else { 6 })
     }
+}
+
+/// Some rows of a map.
+fn rows(part: &Homogeneous, kept: Range<usize>) -> Homogeneous {
+    let mut some = Homogeneous::zero(part.degree(), kept.len());
+    kept.enumerate().for_each(|(to, from)| some.add_row(to, 1.0, (part, from)));
+    some
 }
 
 /// Parts of a series from a degree up.

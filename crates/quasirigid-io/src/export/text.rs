@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::{Principal, Support};
 
-use super::{Derived, comparison};
+use super::{Derived, comparison, forces, rows};
 
 /// Terms smaller than this share of the largest of their degree are rounding and not shown.
 const SHOWN: f64 = 1e-13;
@@ -18,16 +18,22 @@ impl Derived<'_> {
     }
 
     fn write(&self, out: &mut String) -> fmt::Result {
-        let Derived { name, body, reduced, frequencies, mechanisms } = *self;
+        let Derived { name, body, reduced, frequencies, mechanisms, forces } = *self;
         let principal = Principal::of(reduced.J);
         writeln!(out, "{name}: reduced equations of order {}", reduced.order)?;
         let wheels = body.wheels().momentum(0.0);
-        let equation = if body.wheels().is_none() {
-            "J w' + w x Jw = mu(w)        w in rad/s"
-        } else {
-            "J w' + w x (Jw + k) = mu(w)  w in rad/s"
+        let equation = match (body.wheels().is_none(), forces.is_some()) {
+            (true, false) => "J w' + w x Jw = mu(w)        w in rad/s",
+            (false, false) => "J w' + w x (Jw + k) = mu(w)  w in rad/s",
+            (true, true) if self.turns_inside() => "J w' + w x Jw = M* + ...     w in rad/s",
+            (true, true) => "J w' + w x Jw = M* + mu      w in rad/s",
+            (false, true) => "J w' + w x (Jw + k) = M* + ...  w in rad/s",
         };
-        writeln!(out, "\n  {equation}, body axes, SI units throughout\n")?;
+        writeln!(out, "\n  {equation}, body axes, SI units throughout")?;
+        if forces.is_some() && matches!(body.support(), Support::Free) {
+            writeln!(out, "  m* R0'' = F* + phi           of the pole, inertial axes")?;
+        }
+        writeln!(out)?;
         writeln!(out, "mass              {} kg", number(reduced.mass))?;
         writeln!(out, "centre of mass    {} m", vector(body.center_of_mass()))?;
         let support = match body.support() {
@@ -63,6 +69,11 @@ impl Derived<'_> {
         if !mechanisms.is_empty() {
             comparison::write(out, mechanisms)?;
         }
+        if let Some(forces) = forces {
+            let gap = if mechanisms.is_empty() { "" } else { "\n" };
+            writeln!(out, "{gap}forces            {}", forces.names.join(", "))?;
+            forces::write(out, forces, self.elastic_only())?;
+        }
         for part in self.mu() {
             let kind = if part.degree() % 2 == 0 { "conservative" } else { "dissipative" };
             let kind = if self.turns_inside() || kind == "dissipative" { kind } else { "elastic" };
@@ -71,22 +82,59 @@ impl Derived<'_> {
         for part in self.momentum() {
             section(out, &format!("momentum K, degree {}, N m s", part.degree()), part)?;
         }
+        self.write_displacements(out)
+    }
+}
+
+impl Derived<'_> {
+    /// The internal coordinates that follow the spin, three at a time; of many coordinates where they are to be had. (R4)
+    fn write_displacements(&self, out: &mut String) -> fmt::Result {
+        let (elastic, degrees) = (self.body.elastic(), self.displacements());
+        if elastic == 0 || degrees.is_empty() {
+            return Ok(());
+        }
+        if elastic > MOST {
+            return writeln!(
+                out,
+                "\ndisplacements q(w)  of {elastic} internal coordinates: with --format json"
+            );
+        }
+        writeln!(out, "\ninternal coordinates")?;
+        for (number, coordinate) in self.body.coordinates()[..elastic].iter().enumerate() {
+            writeln!(out, "  q{:<3} {}, {}", number + 1, coordinate.name.replace('"', ""), coordinate.unit)?;
+        }
+        for part in &degrees {
+            for start in (0..elastic).step_by(3) {
+                let some = rows(part, start..elastic.min(start + 3));
+                let names: Vec<String> = (0..some.rows()).map(|i| format!("q{}", start + i + 1)).collect();
+                let title = format!("displacements {}, degree {}", names.join(" "), part.degree());
+                table(out, &title, &names, &some, SHOWN * part.amax())?;
+            }
+        }
         Ok(())
     }
 }
 
+/// Internal coordinates that are printed for people, at most.
+const MOST: usize = 12;
+
 fn section(out: &mut String, title: &str, part: &Homogeneous) -> fmt::Result {
+    table(out, title, &["x".into(), "y".into(), "z".into()], part, SHOWN * part.amax())
+}
+
+/// A map, a row for each monomial with a coefficient above the smallest.
+fn table(out: &mut String, title: &str, names: &[String], part: &Homogeneous, smallest: f64) -> fmt::Result {
     writeln!(out, "\n{title}")?;
-    let smallest = SHOWN * part.amax();
     let mut shown = part.terms().filter(|(_, value)| value.iter().any(|c| c.abs() > smallest)).peekable();
     if shown.peek().is_none() {
         return writeln!(out, "  zero");
     }
-    writeln!(out, "  {:<18} {:>17} {:>17} {:>17}", "monomial", "x", "y", "z")?;
+    let line = |entries: &[String]| entries.iter().map(|entry| format!(" {entry:>17}")).collect::<String>();
+    writeln!(out, "  {:<18}{}", "monomial", line(names))?;
     for (exponents, value) in shown {
-        let clean = |c: f64| if c.abs() > smallest { format!("{c:.9e}") } else { "0".into() };
-        let [x, y, z] = [value[0], value[1], value[2]].map(clean);
-        writeln!(out, "  {:<18} {x:>17} {y:>17} {z:>17}", monomial(exponents))?;
+        let clean = |c: &f64| if c.abs() > smallest { format!("{c:.9e}") } else { "0".into() };
+        let entries: Vec<String> = value.iter().map(clean).collect();
+        writeln!(out, "  {:<18}{}", monomial(exponents), line(&entries))?;
     }
     Ok(())
 }
@@ -99,14 +147,14 @@ fn monomial(exponents: [usize; 3]) -> String {
     texts.collect::<Vec<String>>().join(" ")
 }
 
-fn vector(entries: [f64; 3]) -> String {
+pub(super) fn vector(entries: [f64; 3]) -> String {
     let size = entries.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
     let entries = entries.map(|entry| if entry.abs() > SHOWN * size { entry } else { 0.0 });
     entries.map(|entry| format!("{:>13}", number(entry))).join(" ")
 }
 
 /// Seven significant digits, without exponent where that is readable.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".into()

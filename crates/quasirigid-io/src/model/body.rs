@@ -124,6 +124,9 @@ pub(super) fn body<'a>(
     let sources = Sources { materials: &materials, sections: &sections, folder };
     let read = part_tables.read(&names.flexible, sources);
     names.nodes = read.iter().flatten().map(|read| read.nodes.clone()).collect();
+    let read_hinged: Vec<_> =
+        hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)).collect();
+    names.note_places(read_hinged.iter().map(|read| read.as_ref().map(|(hinged, _)| hinged)));
     let names = names;
     let connections = every(connection_tables.iter().map(|table| connection(table, &names)));
     notes.extend(materials.unused());
@@ -132,7 +135,7 @@ pub(super) fn body<'a>(
         every(network_tables.iter().zip(&names.networks).map(|(table, name)| network(table, name)));
     let springs = spring_tables.iter().zip(&names.springs);
     let springs = every(springs.map(|(table, name)| spring(table, name, &names)));
-    let hinged = every(hinged_tables.iter().zip(&names.hinged).map(|(table, name)| hinged(table, name)));
+    let hinged = every(read_hinged.into_iter());
     let rotors = every(rotor_tables.iter().zip(&names.rotors).map(|(table, name)| rotor(table, name)));
     let wheels = every(wheel_tables.iter().zip(&names.wheels).map(|(table, name)| wheel(table, name)));
     let cavities =

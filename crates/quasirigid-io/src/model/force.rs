@@ -32,7 +32,7 @@ static KINDS: [Kind<Read>; 8] = [
         &["kind", "name", "moment", "field", "dipole", "orbit"],
         magnetic_dipole
     ),
-    kind!("[[force]]", "expression", &["kind", "name", "on", "at", "force"], expression),
+    kind!("[[force]]", "expression", &["kind", "name", "on", "at", "force", "torque", "axes"], expression),
 ];
 
 /// Keys of a force that does not say its kind: those of every kind.
@@ -157,11 +157,32 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
 }
 
 fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+    if let Some(torque) = table.get("torque") {
+        return torque_expression(table, &torque);
+    }
+    if let Some(axes) = table.get("axes") {
+        let message =
+            "`axes` are those of a `torque`; the formulas of a force are in inertial axes".to_owned();
+        let help = "turn the force with qw qx qy qz, or give a torque".to_owned();
+        return axes.refuse(message, "not for a force", Some(help));
+    }
     let at = station(table, names);
     let force = table
         .required("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]")
         .and_then(|value| formulas(&value, &PLACE, Dimension::FORCE));
     Some(Law::Expression { at: at?, force: force? })
+}
+
+fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<Law<Station>> {
+    for key in ["force", "on", "at"] {
+        if let Some(value) = table.get(key) {
+            let message = format!("`{key}` goes with a `force`, and this is a `torque` on the carrier");
+            let help = "leave it out, or write one [[force]] for each".to_owned();
+            return value.refuse(message, "not for a torque", Some(help));
+        }
+    }
+    let axes = axes(table);
+    Some(Law::TorqueExpression { torque: formulas(torque, &PLACE, Dimension::TORQUE)?, axes: axes? })
 }
 
 /// Where a force acts: on a point, or at a place of the carrier. Which of them needs a place is for mechanics to say.

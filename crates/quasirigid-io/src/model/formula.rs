@@ -11,10 +11,10 @@ pub(super) struct Variables {
 
 /// The time.
 pub(super) const TIME: Variables = Variables { names: &["t"], meaning: "t (s)" };
-/// Where a force acts, how fast that place moves, and the time.
+/// Where a force acts, how fast that place moves, the time, the spin and the attitude. (F9)
 pub(super) const PLACE: Variables = Variables {
-    names: &["x", "y", "z", "vx", "vy", "vz", "t"],
-    meaning: "x y z (m), vx vy vz (m/s) and t (s)",
+    names: &["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"],
+    meaning: "x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz",
 };
 
 /// Reads three formulas, or numbers in their place.

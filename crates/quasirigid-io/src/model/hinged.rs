@@ -17,6 +17,7 @@ pub(super) const HINGED: Keys = Keys {
         "stiffness",
         "damping",
         "rheology",
+        "places",
     ],
 };
 
@@ -38,6 +39,7 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
         Some(value) => coefficient(&value, Dimension::ROTATIONAL_DAMPING, count),
         None => Some(HingeCoefficient::PerAxis(vec![0.0; count])),
     };
+    let places = table.get("places").map_or_else(|| Some(Vec::new()), |value| places(&value));
     let known = rheology(table, Scale::OF_SPRING)?;
     let hinged = Hinged {
         name: name.to_owned(),
@@ -49,8 +51,24 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
         stiffness: stiffness?,
         damping: damping?,
         rheology: known.rheology,
+        places: places?,
     };
     Some((hinged, known.extremes))
+}
+
+/// Reads places on it by name, in the order of the file.
+fn places(value: &Value<'_>) -> Option<Vec<(String, [f64; 3])>> {
+    let Some(entries) = value.entries() else {
+        return value.mismatch("a table of places", "write { tip = [2, 0, 0] }");
+    };
+    let mut entries: Vec<_> = entries.collect();
+    entries.sort_by_key(|(span, _)| span.start);
+    let place = |(_, place): (_, Value<'_>)| {
+        let position = place.vector(Dimension::LENGTH)?;
+        Some((place.key().to_owned(), position))
+    };
+    let all: Vec<Option<_>> = entries.into_iter().map(place).collect();
+    all.into_iter().collect()
 }
 
 fn axes(value: &Value<'_>) -> Option<Vec<[f64; 3]>> {

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::{End, NodeRef};
+use quasirigid::elements::{End, Hinged, NodeRef, PlaceRef};
 
 use super::Diagnostic;
 use super::cavity::CavityTable;
@@ -41,6 +41,8 @@ pub(super) struct Names<'a> {
     pub(super) flexible: Vec<String>,
     /// How their nodes are named, once they have been read.
     pub(super) nodes: Vec<Nodes>,
+    /// Names of the places on each appendage, once they have been read.
+    pub(super) places: Vec<Vec<String>>,
     /// Names of the forces, in the order of the file.
     pub(super) forces: Vec<String>,
     parts: Register<'a, Part>,
@@ -70,15 +72,10 @@ pub(super) enum Fixed {
 impl Fixed {
     fn rule(self) -> &'static str {
         match self {
-            Self::Spring => "a spring joins points, nodes of parts and the carrier",
-            Self::Force => "a force acts on a point, on a node of a part or on the carrier",
-        }
-    }
-
-    fn instead_of_appendage(self) -> &'static str {
-        match self {
-            Self::Spring => "give the hinge its own `stiffness` instead",
-            Self::Force => "let it act on the carrier at the hinge, or on a point",
+            Self::Spring => "a spring joins points, nodes of parts, places on appendages and the carrier",
+            Self::Force => {
+                "a force acts on a point, on a node of a part, on a place of an appendage or on the carrier"
+            }
         }
     }
 }
@@ -135,6 +132,7 @@ impl<'a> Names<'a> {
             cavities,
             flexible,
             nodes: Vec::new(),
+            places: Vec::new(),
             forces,
             parts,
         }
@@ -143,6 +141,9 @@ impl<'a> Names<'a> {
     /// What a spring or force is fixed to.
     pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
         if value.is_table() {
+            if let Some(place) = self.place(value) {
+                return place;
+            }
             let (part, nodes) = self.nodes(value)?;
             return match nodes.as_slice() {
                 [node] => Some(End::Node(NodeRef { part, node: *node })),
@@ -166,8 +167,10 @@ impl<'a> Names<'a> {
             ),
             Some(Part::Hinged(_)) => value.refuse(
                 format!("{name:?} is a hinged appendage, but {}", what.rule()),
-                "not a point",
-                Some(what.instead_of_appendage().to_owned()),
+                "which place?",
+                Some(format!(
+                    "give it places = {{ tip = [...] }} and write {{ part = {name:?}, node = \"tip\" }}"
+                )),
             ),
             Some(Part::Flexible(_)) => value.refuse(
                 format!("{name:?} has many nodes; {}", what.rule()),
@@ -197,6 +200,35 @@ impl<'a> Names<'a> {
                 value.refuse(format!("there is no point {name:?}"), "unknown point", Some(help))
             }
         }
+    }
+
+    /// The place on a hinged appendage that a table such as `{ part = "boom", node = "tip" }` names, read or refused; none if the
+    /// part is no appendage.
+    fn place(&self, value: &Value<'_>) -> Option<Option<End>> {
+        let Some(Part::Hinged(hinged)) = self.parts.owner(value.entry("part")?.words()?) else { return None };
+        let read = || {
+            let table = value.table("the place on an appendage", &NODES)?;
+            let node = table.required("node", "node = \"tip\"")?;
+            let name = node.text()?;
+            let places = self.places.get(hinged)?;
+            if let Some(place) = places.iter().position(|place| place == name) {
+                return Some(End::Hinged(PlaceRef { hinged, place }));
+            }
+            let names = || places.iter().map(String::as_str);
+            let help = match places.len() {
+                0 => format!("add places = {{ {name} = [...] }} to its [[hinged]]"),
+                count => suggestion(name, names, count),
+            };
+            let message = format!("there is no place {name:?} on {:?}", self.hinged[hinged]);
+            node.refuse(message, "unknown place", Some(help))
+        };
+        Some(read())
+    }
+
+    /// Notes the places on appendages.
+    pub(super) fn note_places<'h>(&mut self, hinged: impl Iterator<Item = Option<&'h Hinged>>) {
+        let names = |hinged: &Hinged| hinged.places.iter().map(|(name, _)| name.clone()).collect();
+        self.places = hinged.map(|hinged| hinged.map(names).unwrap_or_default()).collect();
     }
 
     /// The nodes that a table such as `{ part = "boom", node = "tip" }` names, with the index of their part.

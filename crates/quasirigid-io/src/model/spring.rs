@@ -1,4 +1,4 @@
-use quasirigid::elements::{Coefficient, End, Law, Spring};
+use quasirigid::elements::{Coefficient, End, Law, Prestress, Spring};
 
 use super::names::{Fixed, Names};
 use super::rheology::{Extremes, Scale, rheology};
@@ -6,8 +6,20 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const SPRING: Keys =
-    Keys { known: &["name", "from", "to", "stiffness", "damping", "rheology", "axial", "anchor"] };
+pub(super) const SPRING: Keys = Keys {
+    known: &[
+        "name",
+        "from",
+        "to",
+        "stiffness",
+        "damping",
+        "rheology",
+        "axial",
+        "anchor",
+        "tension",
+        "natural_length",
+    ],
+};
 
 /// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
 pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option<(Spring, Extremes)> {
@@ -42,14 +54,17 @@ fn in_space(table: &Table<'_>) -> Option<Law> {
         Some(value) => coefficient(&value, Dimension::DAMPING),
         None => Some(Coefficient::Isotropic(0.0)),
     };
-    if let Some(anchor) = table.get("anchor") {
-        let message =
-            "`anchor` is the carrier's end of an axial spring, and this spring is not axial".to_owned();
-        return anchor.refuse(
-            message,
-            "not for this spring",
-            Some("add axial = true, or leave it out".to_owned()),
-        );
+    let axial = [
+        ("anchor", "the carrier's end"),
+        ("tension", "the pull at rest"),
+        ("natural_length", "the length without load"),
+    ];
+    for (key, what) in axial {
+        if let Some(value) = table.get(key) {
+            let message = format!("`{key}` is {what} of an axial spring, and this spring is not axial");
+            let help = "add axial = true, or leave it out".to_owned();
+            return value.refuse(message, "not for this spring", Some(help));
+        }
     }
     Some(Law::Spatial { stiffness: stiffness?, damping: damping? })
 }
@@ -61,7 +76,22 @@ fn along_the_line(table: &Table<'_>) -> Option<Law> {
         Some(value) => value.vector(Dimension::LENGTH).map(Some),
         None => Some(None),
     };
-    Some(Law::Axial { stiffness: stiffness?, damping: damping?, anchor: anchor? })
+    let prestress = prestress(table);
+    Some(Law::Axial { stiffness: stiffness?, damping: damping?, anchor: anchor?, prestress: prestress? })
+}
+
+/// Reads what it pulls with at rest.
+fn prestress(table: &Table<'_>) -> Option<Prestress> {
+    match (table.get("tension"), table.get("natural_length")) {
+        (None, None) => Some(Prestress::Relaxed),
+        (Some(tension), None) => tension.quantity(Dimension::FORCE).map(Prestress::Tension),
+        (None, Some(length)) => length.positive(Dimension::LENGTH).map(Prestress::NaturalLength),
+        (Some(_), Some(length)) => length.refuse(
+            "the `natural_length` follows from the `tension`".to_owned(),
+            "given twice",
+            Some("leave out one of the two".to_owned()),
+        ),
+    }
 }
 
 fn stiffness<'a>(table: &Table<'a>) -> Option<Value<'a>> {

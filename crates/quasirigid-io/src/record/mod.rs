@@ -284,6 +284,9 @@ pub struct VerificationRecord {
 pub struct OrderRecord {
     /// Order `p`.
     pub p: usize,
+    /// Form of the reduced equations: `momentum` or `paper`.
+    #[serde(default = "momentum")]
+    pub form: String,
     /// Measured order in `ε` of the difference in spin; none if the differences cannot be told from rounding.
     #[serde(with = "number")]
     pub order: Option<f64>,
@@ -306,4 +309,9 @@ pub struct OrderRecord {
     /// That energy itself (J), at the end of the full history.
     #[serde(with = "number")]
     pub dissipation: Vec<f64>,
+}
+
+/// The form of records that do not say it.
+fn momentum() -> String {
+    "momentum".into()
 }

@@ -94,7 +94,7 @@ fn a_place_that_is_none_on_a_part_is_refused() {
 fn springs_and_forces_name_one_node() {
     let spring = |to: &str| refused(&format!("[[spring]]\nfrom = \"carrier\"\nto = {to}\nstiffness = 1\n"));
     assert_snapshot!(spring("\"boom\""), @r#"
-    model.toml:27:6: "boom" has many nodes; a spring joins points, nodes of parts and the carrier
+    model.toml:27:6: "boom" has many nodes; a spring joins points, nodes of parts, places on appendages and the carrier
       write { part = "boom", node = ... }
     "#);
     assert_snapshot!(spring("{ part = \"array\", set = \"left\" }"), @"

@@ -13,12 +13,12 @@ fn an_unknown_name_is_refused_with_those_there_are() {
     "#);
     assert_snapshot!(refusal(&format!("{CARRIER}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 1\n")), @r#"
     model.toml:6:8: there is no point "tip"
-      the file has no [[point]]; a spring joins points, nodes of parts and the carrier
+      the file has no [[point]]; a spring joins points, nodes of parts, places on appendages and the carrier
     "#);
     let spring = "[[spring]]\nfrom = \"boom\"\nto = \"tip\"\nstiffness = 1\n";
     assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n{spring}")), @r#"
-    model.toml:18:8: "boom" is a hinged appendage, but a spring joins points, nodes of parts and the carrier
-      give the hinge its own `stiffness` instead
+    model.toml:18:8: "boom" is a hinged appendage, but a spring joins points, nodes of parts, places on appendages and the carrier
+      give it places = { tip = [...] } and write { part = "boom", node = "tip" }
     "#);
 }
 
@@ -81,7 +81,7 @@ fn a_spring_may_have_a_name() {
     "#);
     let onto = format!("{spring}[[spring]]\nfrom = \"strut\"\nto = \"tip\"\nstiffness = 1\n");
     assert_snapshot!(refusal_of(&onto), @r#"
-    model.toml:16:8: "strut" is a spring, but a spring joins points, nodes of parts and the carrier
+    model.toml:16:8: "strut" is a spring, but a spring joins points, nodes of parts, places on appendages and the carrier
       name what one of its ends is fixed to
     "#);
     let displaced = "[initial]\nangular_velocity = [0, 0, 1]\ndisplacements = { strut = [0, 0, 1] }\n";

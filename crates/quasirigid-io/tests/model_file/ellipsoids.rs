@@ -92,12 +92,12 @@ fn names_are_unique_across_all_parts() {
 fn nothing_is_fixed_to_an_ellipsoid() {
     let spring = "[[spring]]\nfrom = \"ellipsoid 1\"\nto = \"tip\"\nstiffness = 1\n";
     assert_snapshot!(refusal(&with(&format!("{POINT}{spring}"))), @r#"
-    model.toml:13:8: "ellipsoid 1" is elastic throughout, but a spring joins points, nodes of parts and the carrier
+    model.toml:13:8: "ellipsoid 1" is elastic throughout, but a spring joins points, nodes of parts, places on appendages and the carrier
       it is a whole body; nothing is fixed to it
     "#);
     let force = "[[force]]\nkind = \"thrust\"\non = \"ellipsoid 1\"\nforce = [0, 0, 1]\n";
     assert_snapshot!(refusal(&with(force)), @r#"
-    model.toml:10:6: "ellipsoid 1" is elastic throughout, but a force acts on a point, on a node of a part or on the carrier
+    model.toml:10:6: "ellipsoid 1" is elastic throughout, but a force acts on a point, on a node of a part, on a place of an appendage or on the carrier
       it is a whole body; nothing is fixed to it
     "#);
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use insta::assert_snapshot;
-use quasirigid::elements::{End, Station};
+use quasirigid::elements::{End, PlaceRef, Prestress, Station};
 use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
@@ -78,9 +78,73 @@ fn forces_act_at_points_and_at_places_of_the_carrier() {
     let Law::Expression { at, force } = formulas else { panic!("an expression") };
     assert_eq!(at, place);
     assert_eq!(force.each_ref().map(Expression::text), ["-0.1*vx", "-2.5e-7", "sin(2*t)"]);
-    assert_eq!(force[0].value(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]), -0.4);
-    assert_eq!(force[1].value(&[0.0; 7]), -2.5e-7);
-    assert_eq!(force[2].value(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, PI / 4.0]), 1.0);
+    let numbers: [f64; 14] = std::array::from_fn(|i| 1.0 + i as f64);
+    assert_eq!(force[0].value(&numbers), -0.4);
+    assert_eq!(force[1].value(&[0.0; 14]), -2.5e-7);
+    let mut time = [0.0; 14];
+    time[6] = PI / 4.0;
+    assert_eq!(force[2].value(&time), 1.0);
+    let torque = law("expression", "torque = [\"-wx*qw\", 0, \"vz + wz*qz\"]\naxes = \"inertial\"\n");
+    let Law::TorqueExpression { torque, axes } = torque else { panic!("a torque") };
+    assert_eq!(axes, Axes::Inertial);
+    assert_eq!([torque[0].value(&numbers), torque[2].value(&numbers)], [-88.0, 6.0 + 10.0 * 14.0]);
+}
+
+#[test]
+fn a_formula_is_that_of_a_force_or_of_a_torque() {
+    assert_snapshot!(refused("expression", "torque = [0, 0, 1]\nforce = [0, 0, 1]\n"), @"
+    model.toml:12:9: `force` goes with a `force`, and this is a `torque` on the carrier
+      leave it out, or write one [[force]] for each
+    ");
+    assert_snapshot!(refused("expression", "on = \"tip\"\nforce = [0, 0, 1]\naxes = \"body\"\n"), @"
+    model.toml:13:8: `axes` are those of a `torque`; the formulas of a force are in inertial axes
+      turn the force with qw qx qy qz, or give a torque
+    ");
+}
+
+#[test]
+fn forces_and_springs_act_at_places_on_appendages() {
+    let boom = format!(
+        "{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\nplaces = {{ root = [0.5, 0, 0], tip = [\"150 cm\", 0.25, 0] }}\n"
+    );
+    let spring = |node: &str| {
+        format!("[[spring]]\nfrom = {{ part = \"boom\", node = \"{node}\" }}\nto = \"tip\"\nstiffness = 1\n")
+    };
+    let drag = text("drag", "on = { part = \"boom\", node = \"root\" }\ncoefficient = 1\n");
+    let model = read(&format!("{CARRIER}{POINT}{boom}{}{drag}", spring("tip")));
+    let on = |place| End::Hinged(PlaceRef { hinged: 0, place });
+    assert_eq!(model.assembly.hinged[0].places[1], ("tip".to_owned(), [1.5, 0.25, 0.0]));
+    assert_eq!(model.assembly.springs[0].from, on(1));
+    assert_eq!(model.assembly.forces[0].law.place().unwrap().on, on(0));
+    assert_snapshot!(refusal_of(&format!("{boom}{}", spring("tap"))), @r#"
+    model.toml:19:32: there is no place "tap" on "boom"
+      did you mean "tip"? there are root, tip
+    "#);
+    let bare = format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n");
+    assert_snapshot!(refusal_of(&format!("{bare}{}", spring("tip"))), @r#"
+    model.toml:18:32: there is no place "tip" on "boom"
+      add places = { tip = [...] } to its [[hinged]]
+    "#);
+}
+
+#[test]
+fn springs_pull_at_rest_as_they_say() {
+    let axial = |line: &str| {
+        format!(
+            "{CARRIER}{POINT}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 40\naxial = true\nanchor = [0, 0, 0]\n{line}\n"
+        )
+    };
+    let prestress = |line: &str| match read(&axial(line)).assembly.springs[0].law {
+        quasirigid::elements::Law::Axial { prestress, .. } => prestress,
+        _ => panic!("an axial spring"),
+    };
+    assert_eq!(prestress(""), Prestress::Relaxed);
+    assert_eq!(prestress("tension = \"-2 kN\""), Prestress::Tension(-2000.0));
+    assert_eq!(prestress("natural_length = \"90 cm\""), Prestress::NaturalLength(0.9));
+    assert_snapshot!(refusal(&axial("tension = 3\nnatural_length = 1")), @"
+    model.toml:16:18: the `natural_length` follows from the `tension`
+      leave out one of the two
+    ");
 }
 
 #[test]
@@ -289,8 +353,8 @@ fn a_force_acts_on_a_point_or_the_carrier() {
     "#);
     let boom = format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n");
     assert_snapshot!(refusal_of(&format!("{boom}{}", text("drag", "on = \"boom\"\ncoefficient = 1\n"))), @r#"
-    model.toml:19:6: "boom" is a hinged appendage, but a force acts on a point, on a node of a part or on the carrier
-      let it act on the carrier at the hinge, or on a point
+    model.toml:19:6: "boom" is a hinged appendage, but a force acts on a point, on a node of a part, on a place of an appendage or on the carrier
+      give it places = { tip = [...] } and write { part = "boom", node = "tip" }
     "#);
 }
 
@@ -362,35 +426,35 @@ fn a_magnetic_field_is_given_once() {
 fn a_mistake_in_a_formula_is_shown_where_it_stands() {
     let formulas = |force: &str| refused("expression", &format!("on = \"tip\"\nforce = {force}\n"));
     assert_snapshot!(formulas("[\"-0.1*vx\", \"2*foo + t\", 'sin(w*t)']"), @"
-    model.toml:12:24: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
-    model.toml:12:39: `force`: unknown name `w`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    model.toml:12:24: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
+    model.toml:12:39: `force`: unknown name `w`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     assert_snapshot!(formulas("[\"0\", \"\", \"t +\"]"), @"
     model.toml:12:16: `force`: the formula is empty; write `0` for nothing
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     model.toml:12:23: `force`: the formula breaks off; a number, a name or `(` is missing after `+`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     assert_snapshot!(formulas("[\"2\\u002a\\u0066oo\", \"\"\"\nx +\n  ω\"\"\", \"3 N\"]"), @"
-    model.toml:12:18: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
-    model.toml:14:3: `force`: unknown name `ω`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    model.toml:12:18: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
+    model.toml:14:3: `force`: unknown name `ω`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     model.toml:14:12: `force`: no sign between `3` and `N`; write `3*N` for a product
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     let force = text("expression", "on = \"carrier\"\nat = [0, 0, 0]\nforce = [0, \"foo\", 0]\n");
     assert_snapshot!(refusal(&format!("\u{feff}{CARRIER}{force}")), @"
-    model.toml:9:14: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    model.toml:9:14: `force`: unknown name `foo`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     assert_snapshot!(formulas("[0, nan, true]"), @"
     model.toml:12:13: `force` is nan, which is not a finite number
       write a number
     model.toml:12:18: `force`: found true, expected a formula
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     assert_snapshot!(formulas("\"0\""), @"
     model.toml:12:9: `force`: found a text, expected an array of 3 formulas

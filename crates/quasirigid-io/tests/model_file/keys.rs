@@ -6,7 +6,7 @@ use super::{CARRIER, refusal, refusal_of, refusal_of_spring};
 fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     assert_snapshot!(refusal_of_spring("stifness = 600.0\n"), @r#"
     model.toml:12:1: unknown key "stifness" in [[spring]]
-      did you mean `stiffness`? the keys are name, from, to, stiffness, damping, rheology, axial, anchor
+      did you mean `stiffness`? the keys are name, from, to, stiffness, damping, rheology, axial, anchor, tension, natural_length
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
 model.toml:9:3: unknown key "points" in the file

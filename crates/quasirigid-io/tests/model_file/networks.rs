@@ -38,7 +38,15 @@ fn a_network_is_read_as_points_and_springs() {
         let apart = |axis: usize| assembly.points[from].position[axis] - assembly.points[to].position[axis];
         let distance = (0..3).map(|axis| apart(axis).powi(2)).sum::<f64>().sqrt();
         assert!(from >= 1 && from < to && distance > 0.5 && distance < 2.3 * 0.5, "{distance}");
-        assert_eq!(spring.law, Law::Axial { stiffness: 2000.0, damping: 0.0, anchor: None });
+        assert_eq!(
+            spring.law,
+            Law::Axial {
+                stiffness: 2000.0,
+                damping: 0.0,
+                anchor: None,
+                prestress: quasirigid::elements::Prestress::Relaxed
+            }
+        );
         assert_eq!(spring.rheology, Rheology::KelvinVoigt { time: 3e-3 });
     }
 }

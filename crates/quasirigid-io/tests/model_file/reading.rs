@@ -83,7 +83,15 @@ form = "momentum"
     let stiffness = Coefficient::Diagonal([1.0, 2.0, 3.0]);
     let damping = Coefficient::Full([[1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.5, 3.0]]);
     assert_eq!(full, Law::Spatial { stiffness, damping });
-    assert_eq!(axial, Law::Axial { stiffness: 7.0, damping: 0.0, anchor: Some([0.5, 0.0, 0.0]) });
+    assert_eq!(
+        axial,
+        Law::Axial {
+            stiffness: 7.0,
+            damping: 0.0,
+            anchor: Some([0.5, 0.0, 0.0]),
+            prestress: quasirigid::elements::Prestress::Relaxed
+        }
+    );
     let boom = &body.hinged[0];
     assert_eq!(boom.axes, [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert_eq!(boom.inertia, [[0.0, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]);

@@ -72,23 +72,23 @@ fn formulas_without_end_are_refused_without_delay() {
     };
     insta::assert_snapshot!(force(&"t + ".repeat(25_000)), @"
     model.toml:12:11: `force`: the formula has 100000 bytes, more than 16384; split it or tabulate it
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     insta::assert_snapshot!(force(&"(".repeat(16_000)), @"
     model.toml:12:212: `force`: more than 200 parentheses, signs or powers inside one another; split the formula
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     insta::assert_snapshot!(force(&"(".repeat(1_000_000)), @"
     model.toml:12:11: `force`: the formula has 1000000 bytes, more than 16384; split it or tabulate it
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     insta::assert_snapshot!(force("1e400"), @"
     model.toml:12:11: `force`: `1e400` is beyond the largest number, 1.8e308
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     insta::assert_snapshot!(force("0*nan"), @"
-    model.toml:12:13: `force`: unknown name `nan`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `pi`, `e`
-      write a formula in x y z (m), vx vy vz (m/s) and t (s) that gives N, or a number
+    model.toml:12:13: `force`: unknown name `nan`; known are `x`, `y`, `z`, `vx`, `vy`, `vz`, `t`, `wx`, `wy`, `wz`, `qw`, `qx`, `qy`, `qz`, `pi`, `e`
+      write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     // work that grows with the square of the length takes minutes
     assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());

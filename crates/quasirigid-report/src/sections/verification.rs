@@ -28,7 +28,7 @@ pub fn section(verification: &VerificationRecord) -> Markup {
 }
 
 fn convergence(orders: &[OrderRecord]) -> Figure {
-    let curves = orders.iter().zip(COLOURS).map(|(row, class)| Series {
+    let curves = orders.iter().filter(|row| row.form == "momentum").zip(COLOURS).map(|(row, class)| Series {
         label: format!("p = {}", row.p),
         class,
         x: row.epsilons.iter().map(|epsilon| -epsilon.log2()).collect(),
@@ -64,7 +64,7 @@ fn differences(orders: &[OrderRecord]) -> Markup {
             @for row in orders {
                 @let verdict = if row.reached { Verdict::Holds } else { Verdict::Fails };
                 tr {
-                    th scope="row" { (row.p) }
+                    th scope="row" { (row.p) @if row.form == "paper" { ", paper's form" } }
                     td { (row.order.map_or_else(|| "below rounding".into(), |order| digits(order, 4))) }
                     td { (row.expected) }
                     td { (first(&row.errors)) }

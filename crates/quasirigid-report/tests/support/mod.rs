@@ -307,6 +307,7 @@ fn verification() -> VerificationRecord {
         let epsilons: Vec<f64> = (0..5).map(|k| 0.5f64.powi(k)).collect();
         let errors = |scale: f64| epsilons.iter().map(|e| scale * e.powi(p as i32 + 1)).collect();
         OrderRecord {
+            form: "momentum".into(),
             p,
             order,
             expected: p + 1,

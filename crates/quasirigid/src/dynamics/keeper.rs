@@ -3,12 +3,14 @@ use std::ops::ControlFlow;
 
 use super::conserved::Conserved;
 use super::event::Alarm;
-use super::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, WORK, attitude, triple};
+use super::layout::{
+    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
+};
 use super::run::{Observer, Options, Pace, Sample};
 use crate::math::ode::{Solver, State, Watcher};
-use crate::math::rotation;
+use crate::math::rotation::{self, Turn};
 use crate::math::sym::{add, norm, scale};
-use crate::model::Displaced;
+use crate::model::{Displaced, FlexibleBody, Motion as Placed};
 
 /// A system whose state begins with the slow parts of [`layout`](super::layout).
 pub(super) trait Motion {
@@ -37,6 +39,42 @@ pub(super) struct Look {
     /// Internal coordinates and their rates.
     pub q: Vec<f64>,
     pub rate: Vec<f64>,
+    /// Where it is.
+    pub seat: Seat,
+}
+
+/// Where a body is, inertial axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seat {
+    /// Place (m) and velocity (m/s): of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    pub velocity: [f64; 3],
+    /// Place (m) and velocity (m/s) of the pole.
+    pub pole: [f64; 3],
+    pub pole_velocity: [f64; 3],
+}
+
+impl Seat {
+    /// Of a state that holds the place of the centre of mass of a free body, of the pole of a held one. (P7)
+    pub fn of_center(body: &FlexibleBody, motion: Placed<f64>, y: &[f64]) -> Self {
+        let (place, velocity) = (triple(y, PLACE), triple(y, VELOCITY));
+        let (offset, rate) = Self::pole_from_center(body, motion, y);
+        Self { place, velocity, pole: add(place, offset), pole_velocity: add(velocity, rate) }
+    }
+
+    /// Of a state that holds the place of the pole. (P7)
+    pub fn of_pole(body: &FlexibleBody, motion: Placed<f64>, y: &[f64]) -> Self {
+        let (pole, pole_velocity) = (triple(y, PLACE), triple(y, VELOCITY));
+        let (offset, rate) = Self::pole_from_center(body, motion, y);
+        let (place, velocity) = (add(pole, scale(-1.0, offset)), add(pole_velocity, scale(-1.0, rate)));
+        Self { place, velocity, pole, pole_velocity }
+    }
+
+    fn pole_from_center(body: &FlexibleBody, motion: Placed<f64>, y: &[f64]) -> ([f64; 3], [f64; 3]) {
+        let turn = Turn::of(rotation::normalized(attitude(y)));
+        let (offset, rate) = body.pole_from_center(motion);
+        (turn.to_inertial(offset), turn.to_inertial(rate))
+    }
 }
 
 /// What is constant along a motion.
@@ -123,6 +161,9 @@ impl<'o, F: Motion> Keeper<'o, F> {
             energy_drift: energy - self.energy + y[DISSIPATED] - y[WORK],
             momentum_drift,
             turns: y[ANGLE] / TAU,
+            place: look.seat.place,
+            velocity: look.seat.velocity,
+            pole: look.seat.pole,
         }
     }
 

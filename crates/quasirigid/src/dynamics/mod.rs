@@ -29,7 +29,7 @@ pub use reduced::propagate;
 pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
 pub use slow::{
     ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced,
-    slow_state_point,
+    slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};
 pub use steady::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};

@@ -12,7 +12,7 @@ use crate::math::ode::{Dop853, Solver, Watcher, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
-use crate::math::sym::norm;
+use crate::math::sym::{add, norm, scale};
 use crate::model::ReducedBody;
 
 /// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)
@@ -74,6 +74,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
         let mut keeper = Keeper {
             equations,
             form: options.form,
+            initial,
             momentum: Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside),
             energy: equations.energy(x),
             drift: 0.0,
@@ -95,6 +96,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
 struct Keeper<'a, E> {
     equations: &'a E,
     form: Form,
+    initial: SpinState,
     /// Momentum at the start.
     momentum: Conserved,
     /// Energy at the start.
@@ -154,10 +156,14 @@ impl<E: Equations> Keeper<'_, E> {
         let x = accounts.x;
         let K = self.equations.momentum(x);
         let energy = self.equations.energy(x);
+        let attitude = self.momentum.aligned(accounts.attitude, K);
+        let omega = self.equations.omega::<Plain>(x);
+        let place = add(self.initial.place, scale(t, self.initial.velocity));
+        let offset = rotation::to_inertial(attitude, self.shares.body.pole.vector(omega));
         Sample {
             t,
-            omega: self.equations.omega::<Plain>(x),
-            attitude: self.momentum.aligned(accounts.attitude, K),
+            omega,
+            attitude,
             momentum: K,
             energy,
             dissipated: accounts.dissipated,
@@ -168,6 +174,9 @@ impl<E: Equations> Keeper<'_, E> {
                 Form::Momentum | Form::Paper => self.momentum.change(K),
             },
             turns: accounts.angle / TAU,
+            place,
+            velocity: self.initial.velocity,
+            pole: add(place, offset),
         }
     }
 
@@ -190,6 +199,10 @@ impl<E: Equations> Keeper<'_, E> {
 impl<E: Equations, M: Solver<State = [f64; 12]>> Watcher<M> for Keeper<'_, E> {
     fn output(&mut self, t: f64, y: &[f64; 12]) {
         let sample = self.sample(t, Accounts::unpack(*y));
+        if self.observer.keeps_coordinates() {
+            let body = self.shares.body;
+            self.observer.coordinates(&body.q.value(sample.omega), &body.rate.value(sample.omega));
+        }
         self.observer.sample(&sample);
     }
 

@@ -17,6 +17,18 @@ pub struct SpinState {
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    /// Its velocity (m/s).
+    pub velocity: [f64; 3],
+}
+
+impl SpinState {
+    /// A body that stays where the inertial axes have their origin.
+    #[must_use]
+    pub fn new(omega: [f64; 3], attitude: [f64; 4]) -> Self {
+        Self { omega, attitude, place: [0.0; 3], velocity: [0.0; 3] }
+    }
 }
 
 /// How a propagation is made.
@@ -86,6 +98,12 @@ pub struct Sample {
     pub momentum_drift: f64,
     /// Turns made, `∫|ω| dt / 2π`.
     pub turns: f64,
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    pub place: [f64; 3],
+    /// Its velocity (m/s).
+    pub velocity: [f64; 3],
+    /// Place of the pole `R₀` (m), inertial axes. (P7)
+    pub pole: [f64; 3],
 }
 
 /// Receives what a propagation produces while it runs.
@@ -93,7 +111,13 @@ pub trait Observer {
     /// A sample at a time asked for.
     fn sample(&mut self, sample: &Sample);
 
-    /// The internal coordinates and their rates, just before the sample they belong to; full runs only.
+    /// Whether [`coordinates`](Self::coordinates) is to be called where that costs something.
+    fn keeps_coordinates(&self) -> bool {
+        false
+    }
+
+    /// The internal coordinates and their rates, just before the sample they belong to: of a full motion its own, of a reduced
+    /// one those that follow the spin, where values of cyclic ones are zero. (R4), (E2)
     fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
         let _ = (q, rate);
     }

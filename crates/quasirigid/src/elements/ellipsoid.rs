@@ -260,6 +260,7 @@ impl Ellipsoid {
             name: format!("{} along {}", self.name, letter(axis)),
             position: place,
             shapes: shapes.iter().map(moved).enumerate().collect(),
+            curvature: Vec::new(),
         }
     }
 

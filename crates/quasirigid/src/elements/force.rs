@@ -35,7 +35,7 @@ pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Re
                 }
             }
         }
-        Law::Expression { .. } => Ok(()),
+        Law::Expression { .. } | Law::TorqueExpression { .. } => Ok(()),
     }
 }
 

@@ -32,6 +32,17 @@ pub struct Hinged {
     pub damping: HingeCoefficient,
     /// How the spring of the hinge itself answers periodic strain, beside the damping.
     pub rheology: Rheology,
+    /// Places on it at which springs and forces act: names, and where they are at equilibrium (m), in the file's frame.
+    pub places: Vec<(String, [f64; 3])>,
+}
+
+/// A place on a hinged appendage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct PlaceRef {
+    /// Index of the appendage.
+    pub hinged: usize,
+    /// Index of the place in its list.
+    pub place: usize,
 }
 
 /// A symmetric linear map from hinge angles to hinge torques.
@@ -70,7 +81,16 @@ impl Hinged {
                 .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
                 .collect(),
             marker: (self.name.clone(), farthest(&piece, center)),
+            places: self.placed(hinge).map_err(at(place, Field::Places))?,
         })
+    }
+
+    fn placed(&self, hinge: Vector3<f64>) -> Result<Vec<(String, Vector3<f64>)>, Problem> {
+        let placed = |(name, place): &(String, [f64; 3])| {
+            coefficient::finite(place)?;
+            Ok((format!("{:?} {name}", self.name), Vector3::from(*place) - hinge))
+        };
+        self.places.iter().map(placed).collect()
     }
 
     pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-use super::{End, Law, Point, Spring};
+use super::{End, Law, Point, Prestress, Spring};
 use crate::elements::Motion;
 use crate::model::Rheology;
 
@@ -85,7 +85,12 @@ impl Network {
             name: self.name.clone(),
             from: End::Point(before + from),
             to: End::Point(before + to),
-            law: Law::Axial { stiffness: self.stiffness, damping: 0.0, anchor: None },
+            law: Law::Axial {
+                stiffness: self.stiffness,
+                damping: 0.0,
+                anchor: None,
+                prestress: Prestress::Relaxed,
+            },
             rheology: self.rheology.clone(),
         };
         (places.iter().enumerate().map(point).collect(), pairs.iter().map(spring).collect())

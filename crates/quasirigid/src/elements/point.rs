@@ -80,6 +80,7 @@ impl Point {
                 .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })
                 .collect(),
             marker: (self.name.clone(), Vector3::zeros()),
+            places: Vec::new(),
         })
     }
 }

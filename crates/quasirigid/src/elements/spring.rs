@@ -3,6 +3,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::error::{ElementError, Field, Place, Problem, at};
+use super::hinged::PlaceRef;
 use super::matrices::Block;
 use super::part::NodeRef;
 use super::{Assembly, Point, coefficient};
@@ -35,6 +36,8 @@ pub enum End {
     Point(usize),
     /// A node of a part.
     Node(NodeRef),
+    /// A place on a hinged appendage.
+    Hinged(PlaceRef),
 }
 
 /// Stiffness and damping of a spring.
@@ -55,7 +58,21 @@ pub enum Law {
         damping: f64,
         /// Where the carrier's end sits (m, file's frame); needed when one end is the carrier.
         anchor: Option<[f64; 3]>,
+        /// What it pulls with at rest.
+        prestress: Prestress,
     },
+}
+
+/// What an axial spring pulls with while the body is at rest. (I10)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Prestress {
+    /// Nothing.
+    #[default]
+    Relaxed,
+    /// A tension (N), negative in a strut under pressure.
+    Tension(f64),
+    /// What the stiffness makes of a length that it would have without load (m).
+    NaturalLength(f64),
 }
 
 /// A symmetric linear map from displacement to force.
@@ -75,6 +92,8 @@ pub(super) struct Ends<'a> {
     /// First coordinate of each point.
     pub starts: &'a [usize],
     pub nodes: &'a BTreeMap<NodeRef, Pulled>,
+    /// Places on hinged appendages.
+    pub places: &'a BTreeMap<PlaceRef, Pulled>,
 }
 
 /// A node at which something pulls.
@@ -84,6 +103,16 @@ pub(super) struct Pulled {
     pub place: Vector3<f64>,
     /// Coordinates that move it, with the displacement per unit of each.
     pub shapes: Vec<(usize, [f64; 3])>,
+    /// Curvature of its path for pairs of them, where that is known.
+    pub curvature: Vec<(usize, usize, [f64; 3])>,
+}
+
+/// A spring under tension at rest.
+pub(super) struct Pull {
+    /// Its stiffness across its line and along curved paths.
+    pub block: Block,
+    /// Generalised force of the tension, coordinate by coordinate. (I10)
+    pub forces: Vec<(usize, f64)>,
 }
 
 impl Spring {
@@ -93,6 +122,7 @@ impl Spring {
         for (end, field) in [(self.from, Field::From), (self.to, Field::To)] {
             match end {
                 End::Node(node) => body.has(node).map_err(at(place, field))?,
+                End::Hinged(on) => body.has_place(on).map(drop).map_err(at(place, field))?,
                 End::Carrier if body.carrier.is_none() => return Err(at(place, field)(Problem::NoCarrier)),
                 End::Carrier | End::Point(_) => {}
             }
@@ -100,12 +130,76 @@ impl Spring {
         let named = |end| if let End::Node(node) = end { Some(node) } else { None };
         let pulled = |node: NodeRef| {
             let nodes = body.parts[node.part].nodes();
-            (node, Pulled { name: String::new(), place: nodes[node.node].place, shapes: Vec::new() })
+            (node, Pulled::at(nodes[node.node].place))
         };
         let nodes = [self.from, self.to].into_iter().filter_map(named).map(pulled).collect();
         let starts = vec![0; body.points.len()];
-        let ends = Ends { points: &body.points, starts: &starts, nodes: &nodes };
-        self.block(index, String::new(), &ends).map(drop)
+        let places = [self.from, self.to].into_iter().filter_map(|end| match end {
+            End::Hinged(on) => Some((on, Pulled::at(body.has_place(on).ok()?.into()))),
+            _ => None,
+        });
+        let places = places.collect();
+        let ends = Ends { points: &body.points, starts: &starts, nodes: &nodes, places: &places };
+        self.block(index, String::new(), &ends)?;
+        self.pull(index, String::new(), &ends).map(drop)
+    }
+
+    /// What its tension at rest does, if it has one. (I10)
+    pub(super) fn pull(
+        &self,
+        index: usize,
+        name: String,
+        ends: &Ends<'_>,
+    ) -> Result<Option<Pull>, ElementError> {
+        let place = Place::Spring(index);
+        let Law::Axial { stiffness, prestress, .. } = self.law else { return Ok(None) };
+        if prestress == Prestress::Relaxed {
+            return Ok(None);
+        }
+        let from = self.place_of(self.from, ends).map_err(at(place, Field::From))?;
+        let to = self.place_of(self.to, ends).map_err(at(place, Field::To))?;
+        let length = (to - from).norm();
+        let tension = match prestress {
+            Prestress::Relaxed => 0.0,
+            Prestress::Tension(tension) => tension,
+            Prestress::NaturalLength(natural) => stiffness * (length - natural),
+        };
+        coefficient::finite(&[tension]).map_err(at(place, Field::Tension))?;
+        if matches!(self.from, End::Node(_)) || matches!(self.to, End::Node(_)) {
+            return Err(at(place, Field::Tension)(Problem::TensionOnPart));
+        }
+        let n = (to - from) / length;
+        let across = tension / length * (Matrix3::identity() - n * n.transpose());
+        let moved = self.moved(ends)?;
+        let row = |e: &Vector3<f64>| moved.iter().map(|(_, f)| e.dot(&(across * f))).collect();
+        let mut block = Block {
+            name,
+            rheology: Rheology::Elastic,
+            stiffness: moved.iter().map(|(_, e)| row(e)).collect(),
+            damping: vec![vec![0.0; moved.len()]; moved.len()],
+            columns: moved.iter().map(|(column, _)| *column).collect(),
+        };
+        for (end, sign) in [(self.from, -1.0), (self.to, 1.0)] {
+            let End::Hinged(on) = end else { continue };
+            for (j, k, G) in ends.places.get(&on).map(|place| place.curvature.as_slice()).unwrap_or_default()
+            {
+                let at = |column: usize| block.columns.iter().position(|other| *other == column);
+                if let (Some(row), Some(column)) = (at(*j), at(*k)) {
+                    block.stiffness[row][column] += sign * tension * n.dot(&Vector3::from(*G));
+                }
+            }
+        }
+        let forces = moved.iter().map(|(column, e)| (*column, tension * n.dot(e))).collect();
+        Ok(Some(Pull { block, forces }))
+    }
+
+    /// Displacement of the end `from` relative to the other, per unit of each coordinate.
+    fn moved(&self, ends: &Ends<'_>) -> Result<Vec<(usize, Vector3<f64>)>, ElementError> {
+        let mut moved = Vec::new();
+        for (end, sign) in [(self.from, 1.0), (self.to, -1.0)] {
+            moved.extend(ends.shapes(end)?.into_iter().map(|(column, e)| (column, sign * e)));
+        }
+        Ok(moved)
     }
 
     /// Stiffness and damping over the coordinates of both ends, as a dissipator of this name. (I9)
@@ -118,10 +212,7 @@ impl Spring {
             .map(|(end, field)| self.place_of(end, ends).map_err(at(place, field)));
         let [from, to] = places;
         let (stiffness, damping) = self.matrices(place, [from?, to?])?;
-        let mut moved = Vec::new();
-        for (end, sign) in [(self.from, 1.0), (self.to, -1.0)] {
-            moved.extend(ends.shapes(end)?.into_iter().map(|(column, e)| (column, sign * e)));
-        }
+        let moved = self.moved(ends)?;
         let form = |matrix: Matrix3<f64>| {
             let row = |e: &Vector3<f64>| moved.iter().map(|(_, f)| e.dot(&(matrix * f))).collect();
             moved.iter().map(|(_, e)| row(e)).collect()
@@ -163,6 +254,7 @@ impl Spring {
             (End::Carrier, Law::Spatial { .. }) => [0.0; 3],
             (End::Point(index), _) => ends.points.get(index).ok_or(Problem::NoSuchPoint { index })?.position,
             (End::Node(node), _) => ends.nodes.get(&node).map_or([0.0; 3], |pulled| pulled.place.into()),
+            (End::Hinged(on), _) => ends.places.get(&on).map_or([0.0; 3], |pulled| pulled.place.into()),
         };
         coefficient::finite(&place)?;
         Ok(place.into())
@@ -180,18 +272,30 @@ impl Ends<'_> {
                 let start = self.starts[index];
                 directions.iter().enumerate().map(|(j, (e, _))| (start + j, *e)).collect()
             }
-            End::Node(node) => {
-                let shapes = self.nodes.get(&node).map(|pulled| pulled.shapes.as_slice()).unwrap_or_default();
-                shapes.iter().map(|(column, shape)| (*column, Vector3::from(*shape))).collect()
-            }
+            End::Node(node) => self.nodes.get(&node).map(Pulled::vectors).unwrap_or_default(),
+            End::Hinged(on) => self.places.get(&on).map(Pulled::vectors).unwrap_or_default(),
         };
         Ok(shapes)
     }
 }
 
 impl Pulled {
+    /// A place that nothing moves.
+    pub fn at(place: Vector3<f64>) -> Self {
+        Self { name: String::new(), place, shapes: Vec::new(), curvature: Vec::new() }
+    }
+
+    fn vectors(&self) -> Vec<(usize, Vector3<f64>)> {
+        self.shapes.iter().map(|(column, shape)| (*column, Vector3::from(*shape))).collect()
+    }
+
     /// The node as a place on the body, from the pole.
     pub fn marker(&self, pole: Vector3<f64>) -> Marker {
-        Marker { name: self.name.clone(), position: (self.place - pole).into(), shapes: self.shapes.clone() }
+        Marker {
+            name: self.name.clone(),
+            position: (self.place - pole).into(),
+            shapes: self.shapes.clone(),
+            curvature: Vec::new(),
+        }
     }
 }

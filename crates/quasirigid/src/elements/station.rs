@@ -23,7 +23,10 @@ impl Station {
                 Err(at(place, Field::On)(Problem::NoSuchPoint { index }))
             }
             (End::Node(node), None) => body.has(node).map_err(at(place, Field::On)),
-            (End::Point(_) | End::Node(_), Some(_)) => Err(at(place, Field::At)(Problem::StationOnPoint)),
+            (End::Hinged(on), None) => body.has_place(on).map(drop).map_err(at(place, Field::On)),
+            (End::Point(_) | End::Node(_) | End::Hinged(_), Some(_)) => {
+                Err(at(place, Field::At)(Problem::StationOnPoint))
+            }
             (End::Point(_), None) => Ok(()),
         }
     }
@@ -39,6 +42,7 @@ impl Station {
             name: name.to_owned(),
             position: (Vector3::from(self.at.unwrap_or_default()) - pole).into(),
             shapes: Vec::new(),
+            curvature: Vec::new(),
         };
         moving(self.on).unwrap_or_else(on_carrier)
     }

@@ -127,7 +127,7 @@ impl Surface {
             let vertex = farthest(axis, sign)?;
             let position = [0, 1, 2].map(|i| vertex[i] - center[i]);
             let name = format!("{} along {word}{}", self.name, ['x', 'y', 'z'][axis]);
-            Some(Marker { name, position, shapes: ritz.shapes(position) })
+            Some(Marker { name, position, shapes: ritz.shapes(position), curvature: Vec::new() })
         })
         .collect()
     }

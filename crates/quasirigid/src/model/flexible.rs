@@ -92,6 +92,8 @@ pub struct Marker {
     pub position: [f64; 3],
     /// Coordinates that move it, with the displacement per unit `H_j` of each.
     pub shapes: Vec<(usize, [f64; 3])>,
+    /// Curvature `G_jk` of its path for pairs of them, in both orders (m); none on straight paths. (I8)
+    pub curvature: Vec<(usize, usize, [f64; 3])>,
 }
 
 /// Matrices that do not belong to a body with an equilibrium.
@@ -254,6 +256,10 @@ impl FlexibleBody {
         let place = |j: usize| kept.contains(&j).then(|| j - kept.start);
         let shapes =
             |marker: &Marker| marker.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H))).collect();
+        let curvature = |marker: &Marker| {
+            let pairs = marker.curvature.iter();
+            pairs.filter_map(|(j, k, G)| Some((place(*j)?, place(*k)?, *G))).collect()
+        };
         let cyclic = if kept.start == 0 { 0 } else { kept.len() };
         let parts = Parts {
             support: self.support.clone(),
@@ -279,7 +285,11 @@ impl FlexibleBody {
             coordinates: self.coordinates[kept.clone()].to_vec(),
             cyclic,
             wheels: self.wheels.clone(),
-            markers: self.markers.iter().map(|m| Marker { shapes: shapes(m), ..m.clone() }).collect(),
+            markers: self
+                .markers
+                .iter()
+                .map(|m| Marker { shapes: shapes(m), curvature: curvature(m), ..m.clone() })
+                .collect(),
         };
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
         let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");

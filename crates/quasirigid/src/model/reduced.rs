@@ -30,8 +30,12 @@ pub struct ReducedBody {
     pub power: Series,
     /// The same of each dissipator, by name; materials without equation of motion have none. (D3)
     pub power_shares: Vec<(String, Series)>,
-    /// Force `φ` on the pole of a free body (N), degrees 4 to `p + 2`; zero where a point is fixed. (R8)
+    /// Force `φ = −Σ m r̈` of the displacements (N), degrees 4 to `p + 2`: it moves the pole of a free body, and a support that
+    /// fixes the pole bears it. (R8)
     pub phi: Series,
+    /// Place of the pole of a free body from its centre of mass (m), body axes, `−s/m*`, degrees 2 to `p`; zero where a point
+    /// is fixed or driven. (P7)
+    pub pole: Series,
     /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`; zero for cyclic ones. (R4)
     pub q: Series,
     /// Their rates `q̇(ω)`: of elastic ones of degrees 3 to `p + 1`, of cyclic ones of degrees 2 to `p + 1`. (R3), (C3)

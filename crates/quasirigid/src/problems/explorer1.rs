@@ -70,6 +70,7 @@ impl Explorer1 {
             stiffness: HingeCoefficient::PerAxis(vec![self.stiffness; 2]),
             damping: HingeCoefficient::PerAxis(vec![self.damping; 2]),
             rheology: Rheology::Elastic,
+            places: Vec::new(),
         }
     }
 

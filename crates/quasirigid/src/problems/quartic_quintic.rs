@@ -59,6 +59,7 @@ fn equation(f: Series) -> ReducedBody {
         power: none(1),
         power_shares: Vec::new(),
         phi: none(3),
+        pole: none(3),
         q: none(0),
         rate: none(0),
     }

@@ -101,20 +101,11 @@ fn owners(body: &FlexibleBody) -> HashMap<(usize, usize), Vec<(usize, f64)>> {
     owners
 }
 
-/// Force `φ = −Σ mᵢ r̈ᵢ` on the pole of a free body, degrees 4 to `p + 2`. (R8)
-///
-/// The first moment of the displacement counts the curvature of the paths too, `S_j q_j + ½ Γ_jk q_j q_k`.
-pub(super) fn force(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+/// Force `φ = −Σ mᵢ r̈ᵢ` of the displacements, degrees 4 to `p + 2`, from their first moment. (R8)
+pub(super) fn force(moment: &Series, f: &Series) -> Series {
+    let order = moment.degree();
     let mut phi = Series::zero(order + 2, 3);
-    if body.translation().is_none() {
-        return phi;
-    }
-    let Manifold { q, f, .. } = manifold;
     let omega = Homogeneous::identity();
-    let mut moment = Series::zero(order, 3);
-    for degree in 2..=order {
-        moment.set(first_moment(body, q, degree));
-    }
     let mut velocity = Series::zero(order + 1, 3);
     for degree in 2..=order + 1 {
         let mut part = moment.rate(f, degree);
@@ -130,14 +121,20 @@ pub(super) fn force(body: &FlexibleBody, manifold: &Manifold, order: usize) -> S
     phi
 }
 
-fn first_moment(body: &FlexibleBody, q: &Series, degree: usize) -> Homogeneous {
+/// First moment of the displacements with the curvature of their paths, `s = S_j q_j + ½ Γ_jk q_j q_k`, as far as the
+/// coordinates go. (F3)
+pub(super) fn first_moment(body: &FlexibleBody, q: &Series) -> Series {
     let invariants = body.invariants();
-    let mut moment = q.part(degree).contracted(&invariants.S);
-    for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| sym::norm(pair.S2) > 0.0) {
-        let product = q.row_product(j, q, k, degree);
-        for (axis, curvature) in pair.S2.iter().enumerate() {
-            moment.add_row(axis, 0.5 * curvature, (&product, 0));
+    let mut moment = Series::zero(q.degree(), 3);
+    for degree in 2..=q.degree() {
+        let mut part = q.part(degree).contracted(&invariants.S);
+        for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| sym::norm(pair.S2) > 0.0) {
+            let product = q.row_product(j, q, k, degree);
+            for (axis, curvature) in pair.S2.iter().enumerate() {
+                part.add_row(axis, 0.5 * curvature, (&product, 0));
+            }
         }
+        moment.set(part);
     }
     moment
 }

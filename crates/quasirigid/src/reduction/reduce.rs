@@ -46,6 +46,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     let Omega = momentum_form::reverted(&manifold.K, J);
     let energy = energetics::energy(body, &manifold, order);
     let (power, power_shares) = energetics::power(body, &manifold, order);
+    let moment = energetics::first_moment(body, &manifold.q);
     Ok(ReducedBody {
         order,
         mass: body.invariants().mass,
@@ -55,7 +56,8 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
         energy,
         power,
         power_shares,
-        phi: energetics::force(body, &manifold, order),
+        phi: energetics::force(&moment, &manifold.f),
+        pole: moment.scaled(-body.translation().unwrap_or(0.0)),
         f: manifold.f,
         K: manifold.K,
         q: manifold.q,

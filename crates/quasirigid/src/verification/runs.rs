@@ -79,7 +79,8 @@ pub(super) fn reduced(
         propagate_forced(system, order, &slow, times, options, &mut collector)?
     } else {
         let body = reduce(system.body, order)?;
-        let initial = SpinState { omega: body.Omega.vector(momentum), attitude: full.attitude };
+        let FullState { attitude, place, velocity, .. } = *full;
+        let initial = SpinState { omega: body.Omega.vector(momentum), attitude, place, velocity };
         propagate(&body, initial, times, options, &mut collector)?
     };
     finished(run.outcome)?;

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::compare::Difference;
 use super::runs::{Start, full, reduced};
-use crate::dynamics::{Forced, MAX_FORCED_ORDER, Options, Outcome, PropagateError};
+use crate::dynamics::{Forced, Form, MAX_FORCED_ORDER, Options, Outcome, PropagateError, takes};
 use crate::math::sym::norm;
 use crate::model::FlexibleError;
 use crate::reduction::{MAX_ORDER, ReductionError};
@@ -21,11 +21,19 @@ pub struct Plan {
     pub halvings: usize,
     /// Times at which the histories are compared.
     pub samples: usize,
+    /// Forms of the reduced equations; each takes the orders that it is written for. (P1), (P2), (E2), (E3)
+    pub forms: Vec<Form>,
 }
 
 impl Default for Plan {
     fn default() -> Self {
-        Self { orders: vec![1, 2, 3], rotations: 5.0, halvings: 4, samples: 200 }
+        Self {
+            orders: vec![1, 2, 3],
+            rotations: 5.0,
+            halvings: 4,
+            samples: 200,
+            forms: vec![Form::Momentum, Form::Paper],
+        }
     }
 }
 
@@ -36,7 +44,7 @@ pub struct Verification {
     pub epsilons: Vec<f64>,
     /// Duration of the histories (s).
     pub duration: f64,
-    /// One row per order asked for.
+    /// One row per form and order asked for.
     pub rows: Vec<OrderRow>,
 }
 
@@ -45,6 +53,8 @@ pub struct Verification {
 pub struct OrderRow {
     /// Order `p`.
     pub p: usize,
+    /// Form of the equations.
+    pub form: Form,
     /// Differences at each `ε`.
     pub differences: Vec<Difference>,
     /// Order in `ε` of the difference in spin, from the smallest `ε` whose difference stands above rounding; none if
@@ -122,23 +132,27 @@ pub fn verify(
     let duration = plan.rotations * TAU / norm(start.omega);
     let times: Vec<f64> = (1..=plan.samples).map(|i| duration * i as f64 / plan.samples as f64).collect();
     let epsilons: Vec<f64> = (0..=plan.halvings).map(|k| 0.5_f64.powi(k as i32)).collect();
-    let runs = (epsilons.len() * (plan.orders.len() + 1)) as f64;
+    let all = plan.forms.iter().flat_map(|form| plan.orders.iter().map(|p| (*form, *p)));
+    let mut rows: Vec<OrderRow> = all
+        .filter(|(form, p)| takes(system, *form, *p))
+        .map(|(form, p)| OrderRow { p, form, differences: Vec::new(), order: None })
+        .collect();
+    let runs = (epsilons.len() * (rows.len() + 1)) as f64;
     let (mut done, mut floors) = (0.0, Vec::new());
-    let mut rows: Vec<OrderRow> =
-        plan.orders.iter().map(|p| OrderRow { p: *p, differences: Vec::new(), order: None }).collect();
     for epsilon in &epsilons {
         let body = system.body.stiffened(*epsilon)?;
         let scaled = Forced { body: &body, ..system };
         let part = |done: f64| move |t: f64| (done + t / duration) / runs;
         let mut share = part(done);
-        let options = |tolerance: f64| Options { tolerance, ..Options::default() };
-        let truth = full(scaled, start, highest, &times, options(FULL), &mut |t| watch(share(t)))?;
+        let options = |form, tolerance: f64| Options { form, tolerance, ..Options::default() };
+        let exact = options(Form::Momentum, FULL);
+        let truth = full(scaled, start, highest, &times, exact, &mut |t| watch(share(t)))?;
         floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
         done += 1.0;
         for row in &mut rows {
             share = part(done);
-            let history =
-                reduced(scaled, &truth.start, row.p, &times, options(REDUCED), &mut |t| watch(share(t)))?;
+            let options = options(row.form, REDUCED);
+            let history = reduced(scaled, &truth.start, row.p, &times, options, &mut |t| watch(share(t)))?;
             row.differences.push(Difference::between(&truth.samples, &history));
             done += 1.0;
         }

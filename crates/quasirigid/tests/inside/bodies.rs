@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::Forced;
+use quasirigid::dynamics::{Forced, Form};
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Rotor, RotorKind,
     Spring, Wheel, WheelSpeed,
@@ -105,7 +105,13 @@ pub fn everything() -> Assembly {
 pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };
-    let plan = Plan { orders: (0..=highest).collect(), rotations: 1.0, halvings: 3, samples: 40 };
+    let plan = Plan {
+        orders: (0..=highest).collect(),
+        rotations: 1.0,
+        halvings: 3,
+        samples: 40,
+        forms: vec![Form::Momentum],
+    };
     let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
     for row in &verification.rows {
         let gaps: Vec<f64> = row.differences.iter().map(|difference| difference.omega).collect();

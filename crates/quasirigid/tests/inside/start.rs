@@ -58,7 +58,7 @@ fn the_matched_start_gains_an_order() {
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
                 let (momentum, attitude) =
                     if turned { (slow.momentum, slow.attitude) } else { (start.momentum(&body), ALIGNED) };
-                let initial = SpinState { omega: reduced.Omega.vector(momentum), attitude };
+                let initial = SpinState::new(reduced.Omega.vector(momentum), attitude);
                 let mut samples = Vec::new();
                 propagate(&reduced, initial, &[END], Options::default(), &mut samples).unwrap();
                 let truth = full(&body, &start, &[END])[0];

@@ -70,7 +70,7 @@ fn a_body_without_momentum_turns_evenly() {
         let reduced = reduce(&body, 3).unwrap();
         for form in [Form::Momentum, Form::Paper] {
             let options = Options { form, most_steps: 10_000, ..Options::default() };
-            let initial = SpinState { omega, attitude: ALIGNED };
+            let initial = SpinState::new(omega, ALIGNED);
             let mut samples = Vec::new();
             let run = propagate(&reduced, initial, &times, options.clone(), &mut samples).unwrap();
             assert_even(&format!("{form:?}"), omega, run, &samples);
@@ -124,7 +124,7 @@ fn little_momentum_is_held_or_not_with_the_same_result() {
         let body = assembly.body().unwrap();
         let reduced = reduce(&body, 0).unwrap();
         assert!((norm(reduced.momentum(omega)) / norm(reduced.wheels()) / share - 1.0).abs() < 1e-8);
-        let initial = SpinState { omega, attitude: ALIGNED };
+        let initial = SpinState::new(omega, ALIGNED);
         let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| {
             let options = Options { form, ..Options::default() };
             propagate(&reduced, initial, &[END], options, &mut Vec::new()).unwrap()
@@ -143,7 +143,8 @@ fn little_momentum_is_held_or_not_with_the_same_result() {
 #[test]
 fn a_verification_without_momentum() {
     for (body, omega) in without_momentum() {
-        let plan = Plan { orders: vec![0, 1, 2], rotations: 1.0, halvings: 2, samples: 10 };
+        let plan =
+            Plan { orders: vec![0, 1, 2], rotations: 1.0, halvings: 2, samples: 10, ..Plan::default() };
         let system = Forced::not(&body);
         let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
         println!("{:?}", verification.rows);

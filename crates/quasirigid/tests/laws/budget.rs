@@ -208,7 +208,12 @@ fn simpson(values: &[f64], step: f64) -> f64 {
 /// A tumbler with three dashpots and a boom, and what became of it.
 fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, Seen) {
     let mut assembly = tumbler(epsilon);
-    let between = Law::Axial { stiffness: 60.0 / epsilon.powi(2), damping: 25.0 / epsilon, anchor: None };
+    let between = Law::Axial {
+        stiffness: 60.0 / epsilon.powi(2),
+        damping: 25.0 / epsilon,
+        anchor: None,
+        prestress: quasirigid::elements::Prestress::Relaxed,
+    };
     let spring =
         Spring { from: End::Point(0), to: End::Point(1), law: between, ..assembly.springs[0].clone() };
     assembly.springs.push(spring);
@@ -222,7 +227,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     let options = Options { method, ..Options::default() };
     ended(propagate_full(Forced::not(&body), &settled, &times, options, &mut seen[0]).unwrap());
     let reduced = reduce(&body, 5).unwrap();
-    let spin = SpinState { omega, attitude: ALIGNED };
+    let spin = SpinState::new(omega, ALIGNED);
     ended(propagate(&reduced, spin, &times, Options::default(), &mut seen[1]).unwrap());
     let [full, reduced] = seen;
     (body, full, reduced)
@@ -274,7 +279,7 @@ fn one_dissipator_takes_everything() {
     for expected in [1, 0] {
         let body = assembly.body().unwrap();
         let mut seen = Seen::default();
-        let spin = SpinState { omega: [0.3, 0.1, 0.9], attitude: ALIGNED };
+        let spin = SpinState::new([0.3, 0.1, 0.9], ALIGNED);
         propagate(&reduce(&body, 3).unwrap(), spin, &[20.0], Options::default(), &mut seen).unwrap();
         assert_eq!(seen.budget.len(), expected);
         assert!(seen.budget.iter().all(|(_, taken)| *taken == seen.samples[0].dissipated && *taken > 0.0));

@@ -81,7 +81,7 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     let mut histories = Vec::new();
     for order in orders {
         let mut samples = Vec::new();
-        let start = SpinState { omega, attitude: ALIGNED };
+        let start = SpinState::new(omega, ALIGNED);
         let reduced = reduce(&body, *order).unwrap();
         propagate(&reduced, start, &grid, options.clone(), &mut samples).unwrap();
         histories.push(samples);

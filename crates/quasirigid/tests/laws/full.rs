@@ -141,7 +141,7 @@ fn matched_start_gains_an_order() {
                 let reduced = reduce(&body, 3).unwrap();
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
                 let momentum = if turned { slow.momentum } else { start.momentum(&body) };
-                let initial = SpinState { omega: reduced.Omega.vector(momentum), attitude: slow.attitude };
+                let initial = SpinState::new(reduced.Omega.vector(momentum), slow.attitude);
                 let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
                 let mut samples: Vec<Sample> = Vec::new();
                 propagate(&reduced, initial, &times, at(1e-13), &mut samples).unwrap();
@@ -235,7 +235,7 @@ fn events_end_a_run_where_they_happen() {
     assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{} J, asked {mark} J", run.last.energy);
     assert_eq!(samples.len(), 1);
     let reduced = reduce(&body, 3).unwrap();
-    let initial = SpinState { omega: CommonProblem::SPIN, attitude: ALIGNED };
+    let initial = SpinState::new(CommonProblem::SPIN, ALIGNED);
     for form in [Form::Momentum, Form::Paper] {
         let options = Options { form, ..options.clone() };
         let run = propagate(&reduced, initial, &[1e-3, 1e5], options, &mut Vec::new()).unwrap();

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, ElementError, End, HingeCoefficient, Law, Motion, Place, Point, Problem,
-    Spring,
+    Assembly, Carrier, Coefficient, ElementError, End, HingeCoefficient, Law, Motion, Place, Point,
+    Prestress, Problem, Spring,
 };
 use quasirigid::model::Rheology;
 
@@ -27,7 +27,7 @@ fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
         name: String::new(),
         from,
         to,
-        law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor },
+        law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor, prestress: Prestress::Relaxed },
         rheology: Rheology::Elastic,
     }
 }

@@ -13,7 +13,7 @@ use crate::wobbler::{attitude, reduced, times_to};
 const START: [f64; 3] = [0.5, -0.3, 0.9];
 
 fn state(omega: [f64; 3]) -> SpinState {
-    SpinState { omega, attitude: attitude() }
+    SpinState::new(omega, attitude())
 }
 
 /// Keeps samples and ends the run at the first sign of progress.

@@ -18,7 +18,7 @@ const START: [f64; 3] = [0.5, -0.3, 0.9];
 
 fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
     let mut samples = Vec::new();
-    let initial = SpinState { omega: START, attitude: attitude() };
+    let initial = SpinState::new(START, attitude());
     let run = propagate(body, initial, times, options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     assert_eq!(samples.len(), times.len());
@@ -81,7 +81,7 @@ fn a_steady_spin_turns_the_attitude_at_its_rate() {
     let problem = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
     let body = reduce(&problem.assembly().body().unwrap(), 3).unwrap();
     let times = [1.0, 7.7, 40.0];
-    let initial = SpinState { omega: [0.0, 0.0, 1.3], attitude: [1.0, 0.0, 0.0, 0.0] };
+    let initial = SpinState::new([0.0, 0.0, 1.3], [1.0, 0.0, 0.0, 0.0]);
     let mut samples = Vec::new();
     propagate(&body, initial, &times, at(1e-13), &mut samples).unwrap();
     for (t, sample) in times.iter().zip(&samples) {
@@ -194,7 +194,7 @@ proptest! {
         let options = Options { form, ..at(1e-13) };
         let path = spin_path(&body, omega, &times, options.clone()).unwrap();
         let mut samples = Vec::new();
-        let initial = SpinState { omega, attitude: attitude() };
+        let initial = SpinState::new(omega, attitude());
         propagate(&body, initial, &times, options, &mut samples).unwrap();
         prop_assert_eq!(path.omega.len(), samples.len());
         for (fast, full) in path.omega.iter().zip(&samples) {
@@ -212,7 +212,7 @@ proptest! {
         let body = reduce(&body, p).unwrap();
         let omega = u.map(|x| 0.1 * frequency * x);
         let end = [200.0 / norm(omega)];
-        let initial = SpinState { omega, attitude: attitude() };
+        let initial = SpinState::new(omega, attitude());
         let last = |form: Form| {
             let mut samples = Vec::new();
             propagate(&body, initial, &end, Options { form, ..at(1e-13) }, &mut samples).unwrap();

@@ -2,7 +2,7 @@
 
 use quasirigid::elements::{
     Assembly, Carrier, Coefficient, ElementError, End, Field, HingeCoefficient, Law, Motion, Place, Point,
-    Problem, Spring,
+    Prestress, Problem, Spring,
 };
 use quasirigid::model::{InertiaError, Rheology, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
@@ -47,7 +47,7 @@ fn spatial(assembly: &mut Assembly, coefficient: Coefficient) {
 }
 
 fn axial(anchor: Option<[f64; 3]>) -> Law {
-    Law::Axial { stiffness: 1.0, damping: 0.0, anchor }
+    Law::Axial { stiffness: 1.0, damping: 0.0, anchor, prestress: Prestress::Relaxed }
 }
 
 /// A second spring beside the good one.
@@ -184,7 +184,7 @@ trait WithStiffness {
 impl WithStiffness for Law {
     fn with_stiffness(self, value: f64) -> Self {
         let Law::Axial { damping, anchor, .. } = self else { return self };
-        Law::Axial { stiffness: value, damping, anchor }
+        Law::Axial { stiffness: value, damping, anchor, prestress: Prestress::Relaxed }
     }
 }
 

@@ -33,12 +33,12 @@ fn by_definition(assembly: &Assembly, body: &FlexibleBody, q: &[f64]) -> [f64; 2
     let displacement = |end: End| match end {
         End::Carrier => V::zeros(),
         End::Point(i) => body.markers()[i].shapes.iter().map(|(j, H)| q[*j] * V::from(*H)).sum(),
-        End::Node(_) => unreachable!("these bodies have no parts"),
+        End::Node(_) | End::Hinged(_) => unreachable!("these bodies have no parts"),
     };
     let place = |end: End, anchor: Option<[f64; 3]>| match end {
         End::Carrier => V::from(anchor.unwrap()),
         End::Point(i) => V::from(assembly.points[i].position),
-        End::Node(_) => unreachable!("these bodies have no parts"),
+        End::Node(_) | End::Hinged(_) => unreachable!("these bodies have no parts"),
     };
     let mut forms = [0.0; 2];
     for spring in &assembly.springs {
@@ -47,7 +47,7 @@ fn by_definition(assembly: &Assembly, body: &FlexibleBody, q: &[f64]) -> [f64; 2
             Law::Spatial { stiffness, damping } => {
                 [stiffness, damping].map(|coefficient| stretch.dot(&(matrix(coefficient) * stretch)))
             }
-            Law::Axial { stiffness, damping, anchor } => {
+            Law::Axial { stiffness, damping, anchor, .. } => {
                 let line = (place(spring.to, anchor) - place(spring.from, anchor)).normalize();
                 [stiffness, damping].map(|coefficient| coefficient * stretch.dot(&line).powi(2))
             }

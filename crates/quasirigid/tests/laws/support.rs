@@ -10,7 +10,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Spring,
+    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Prestress, Spring,
 };
 use quasirigid::model::{Rheology, Support};
 
@@ -167,6 +167,7 @@ fn join(
                 stiffness,
                 damping,
                 anchor: (to == End::Carrier).then_some(place.map(|x| 2.0 * x)),
+                prestress: Prestress::Relaxed,
             },
             spatial @ Law::Spatial { .. } => spatial,
         };
@@ -227,7 +228,12 @@ fn extra_spring() -> impl Strategy<Value = (usize, usize, Law, [f64; 3])> {
     (0..9usize, 0..9usize, any::<bool>(), coefficient(), coefficient(), 20.0..60.0, direction()).prop_map(
         |(i, j, axial, stiffness, damping, strength, place)| {
             let law = if axial {
-                Law::Axial { stiffness: strength, damping: 0.03 * strength, anchor: None }
+                Law::Axial {
+                    stiffness: strength,
+                    damping: 0.03 * strength,
+                    anchor: None,
+                    prestress: Prestress::Relaxed,
+                }
             } else {
                 Law::Spatial {
                     stiffness: times(stiffness, strength),
@@ -275,6 +281,7 @@ fn hinged() -> impl Strategy<Value = (Hinged, Vec<Mass>)> {
                 stiffness: hinge_matrix(stiffness, count, about * frequency * frequency),
                 damping: hinge_matrix(damping, count, 2.0 * ratio * about * frequency),
                 rheology: Rheology::Elastic,
+                places: Vec::new(),
             };
             (hinge, masses)
         },

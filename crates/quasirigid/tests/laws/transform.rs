@@ -174,9 +174,12 @@ pub fn strengthened(law: Law, by: f64, damped_by: f64) -> Law {
         Law::Spatial { stiffness, damping } => {
             Law::Spatial { stiffness: times(stiffness, by), damping: times(damping, damped_by) }
         }
-        Law::Axial { stiffness, damping, anchor } => {
-            Law::Axial { stiffness: by * stiffness, damping: damped_by * damping, anchor }
-        }
+        Law::Axial { stiffness, damping, anchor, .. } => Law::Axial {
+            stiffness: by * stiffness,
+            damping: damped_by * damping,
+            anchor,
+            prestress: quasirigid::elements::Prestress::Relaxed,
+        },
     }
 }
 

@@ -40,6 +40,7 @@ pub fn assembly() -> Assembly {
             stiffness: HingeCoefficient::PerAxis(vec![14.0, 18.0]),
             damping: HingeCoefficient::PerAxis(vec![0.4, 0.3]),
             rheology: Rheology::Elastic,
+            places: Vec::new(),
         }],
         ..Assembly::default()
     }

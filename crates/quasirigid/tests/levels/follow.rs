@@ -17,7 +17,7 @@ use crate::transform::{Units, rescaled, rotated};
 /// Energy (J) that the reduced equations dissipate in a time (s).
 fn dissipated(reduced: &ReducedBody, omega: [f64; 3], time: f64) -> f64 {
     let mut samples: Vec<Sample> = Vec::new();
-    let start = SpinState { omega, attitude: ALIGNED };
+    let start = SpinState::new(omega, ALIGNED);
     let options = Options { tolerance: 1e-12, ..Options::default() };
     propagate(reduced, start, &[time], options, &mut samples).unwrap();
     samples[0].dissipated

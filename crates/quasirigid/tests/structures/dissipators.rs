@@ -57,7 +57,12 @@ fn satellite() -> Assembly {
         name: String::new(),
         from: End::Node(NodeRef { part: 0, node: 2 }),
         to: End::Node(NodeRef { part: 1, node: 1 }),
-        law: Law::Axial { stiffness: 900.0, damping: 12.0, anchor: None },
+        law: Law::Axial {
+            stiffness: 900.0,
+            damping: 12.0,
+            anchor: None,
+            prestress: quasirigid::elements::Prestress::Relaxed,
+        },
         rheology: Rheology::Elastic,
     };
     let carrier = Carrier {

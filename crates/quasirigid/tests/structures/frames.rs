@@ -74,6 +74,7 @@ fn of_a_rod(axes: &[[f64; 3]], stiffness: f64, damping: f64) -> FlexibleBody {
         stiffness: HingeCoefficient::PerAxis(vec![stiffness; axes.len()]),
         damping: HingeCoefficient::PerAxis(vec![damping; axes.len()]),
         rheology: Rheology::Elastic,
+        places: Vec::new(),
     };
     Assembly { carrier: Some(carrier()), hinged: vec![hinged], ..Assembly::default() }.body().unwrap()
 }

@@ -1,7 +1,7 @@
 //! Bodies of points and springs alone, as those of N-body simulations `[@quillen2019]`: a random network that floats.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3, Vector6};
-use quasirigid::elements::{Assembly, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, End, Law, Motion, Point, Prestress, Spring};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
@@ -55,7 +55,7 @@ fn network(masses: &[f64], damping: f64, rheology: &Rheology) -> FlexibleBody {
         name: String::new(),
         from: End::Point(i),
         to: End::Point(j),
-        law: Law::Axial { stiffness: STIFFNESS, damping, anchor: None },
+        law: Law::Axial { stiffness: STIFFNESS, damping, anchor: None, prestress: Prestress::Relaxed },
         rheology: rheology.clone(),
     };
     let springs = pairs(&places).into_iter().map(spring).collect();

@@ -1,5 +1,5 @@
 use crate::dynamics::external::{Forced, Pose};
-use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
+use crate::dynamics::keeper::{Invariant, Look, Motion as Followed, Seat};
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
@@ -124,6 +124,8 @@ impl System<Vec<f64>> for FullSystem<'_> {
             let motion = Motion { omega, q, rate: q_rate };
             self.add_external(t, y, motion, slow, p_rate);
             slow[WORK] -= dot(omega, wheels.torque(t));
+        } else {
+            slow[PLACE..PLACE + 3].copy_from_slice(&triple(y, VELOCITY));
         }
     }
 }
@@ -137,7 +139,8 @@ impl Followed for FullSystem<'_> {
         let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
         let kinetic = dot(omega, own) + product(p, &rate);
         let elastic = product(&self.system.body.stiffness().times(q), q);
-        Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate }
+        let seat = Seat::of_center(self.system.body, Motion { omega, q, rate: &rate }, y);
+        Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate, seat }
     }
 
     fn left(&self, y: &[f64]) -> Option<Displaced> {

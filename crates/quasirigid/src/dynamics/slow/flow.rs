@@ -21,6 +21,14 @@ pub struct SlowPoint {
     pub loads: Loads<f64>,
 }
 
+impl SlowPoint {
+    /// Spin and coordinates.
+    #[must_use]
+    pub fn motion(&self) -> Motion<'_, f64> {
+        Motion { omega: self.omega, q: &self.q, rate: &self.rate }
+    }
+}
+
 /// Highest order of the reduction of a forced body.
 pub const MAX_FORCED_ORDER: usize = 5;
 

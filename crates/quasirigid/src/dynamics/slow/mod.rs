@@ -7,6 +7,6 @@ mod system;
 mod torque;
 
 pub use flow::{MAX_FORCED_ORDER, SlowPoint};
-pub use propagate::propagate_forced;
+pub use propagate::{propagate_forced, takes};
 pub use state::{SlowState, slow_state_point};
 pub use torque::{ForcedTorque, RigidState, forced_torque};

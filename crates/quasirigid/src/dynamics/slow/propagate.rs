@@ -1,15 +1,47 @@
-use super::flow::MAX_FORCED_ORDER;
+use super::flow::{MAX_FORCED_ORDER, SlowPoint};
 use super::state::SlowState;
 use super::state::slow_state_point;
 use super::system::SlowSystem;
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::keeper::Keeper;
+use crate::dynamics::keeper::{Keeper, Look, Motion as Followed, Seat};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
 use crate::dynamics::run::{Observer, Options, Outcome, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Dop853, Solver, integrate};
 use crate::math::simd::Plain;
+use crate::model::Motion;
+
+/// Highest order of a form under forces.
+fn highest(form: Form) -> usize {
+    match form {
+        Form::Momentum => MAX_FORCED_ORDER,
+        Form::Paper => 3,
+    }
+}
+
+/// Whether a form of the reduced equations of this order is written for a body: under forces the paper's knows elastic
+/// coordinates alone, to order 3. (E3)
+#[must_use]
+pub fn takes(system: Forced, form: Form, order: usize) -> bool {
+    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_none();
+    !system.acts() || (order <= highest(form) && (form == Form::Momentum || elastic_only))
+}
+
+/// The start of the paper's form: the spin, and the pole where the displacements of (E3) have it beside the centre of mass. (P7)
+fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
+    let slow = SlowSystem { system, order, form: Form::Paper };
+    let put = |motion: Motion<f64>| {
+        let Seat { pole, pole_velocity, .. } = Seat::of_center(system.body, motion, &center);
+        let mut y = center;
+        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&start.omega);
+        y[PLACE..PLACE + 3].copy_from_slice(&pole);
+        y[VELOCITY..VELOCITY + 3].copy_from_slice(&pole_velocity);
+        y
+    };
+    let Look { omega, q, rate, .. } = { slow }.look(0.0, &put(start.motion()));
+    put(Motion { omega, q: &q, rate: &rate })
+}
 
 /// Follows the reduced equations of order `p` of a body under external forces from `t = 0` and observes it at the times
 /// asked for (s). (E1)–(E3)
@@ -26,8 +58,7 @@ pub fn propagate_forced(
     options: Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    let highest = if options.form == Form::Paper { 3 } else { MAX_FORCED_ORDER };
-    if order > highest {
+    if order > highest(options.form) {
         return Err(PropagateError::Order { order });
     }
     let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_none();
@@ -37,14 +68,15 @@ pub fn propagate_forced(
     if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
     }
-    let omega = slow_state_point(system, order, initial)?.omega;
+    let start = slow_state_point(system, order, initial)?;
+    let omega = start.omega;
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0), end);
     check(scales.spin, initial.attitude, times, options.tolerance)?;
     let mut y = initial.pack();
     let mut first = scales.momentum;
     if options.form == Form::Paper {
-        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&omega);
+        y = paper_start(system, order, &start, y);
         first = scales.spin;
     }
     let mut allowed = [f64::INFINITY; SLOW];

@@ -3,7 +3,7 @@ use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::keeper::{Invariant, Look, Motion as Followed};
+use crate::dynamics::keeper::{Invariant, Look, Motion as Followed, Seat};
 use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK};
 use crate::math::ode::System;
 use crate::math::rotation::{self, Turn};
@@ -13,7 +13,7 @@ use crate::model::Motion;
 use crate::model::force::{Loads, Situation};
 
 /// The reduced equations of a forced body. In the momentum form the state holds the momentum, `K̇ = K × ω + M`, with spin and
-/// loads of the slow motion (E2); in the paper's form the spin, `Jω̇ + ω × Jω = M* + μ` (E3).
+/// loads of the slow motion (E2); in the paper's form the spin, `Jω̇ + ω × Jω = M* + μ`, and the place of the pole (E3).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlowSystem<'a> {
     pub system: Forced<'a>,
@@ -58,7 +58,8 @@ impl SlowSystem<'_> {
         let SlowState { momentum: omega, attitude, place, velocity } = state;
         let body = self.system.body;
         let at = RigidState { t, omega, attitude, pole: place, pole_velocity: velocity };
-        let ForcedTorque { moment, mu, force, phi, q, rate } = forced_torque(self.system, self.order, &at);
+        let ForcedTorque { moment, mu, force, phi, q, rate, .. } =
+            forced_torque(self.system, self.order, &at);
         let J = body.invariants().J;
         let torque = add(add(moment, mu), cross(times(J, omega), omega));
         let motion = Motion { omega, q: &q, rate: &rate };
@@ -94,7 +95,11 @@ impl Followed for SlowSystem<'_> {
         let motion = Motion { omega, q: &q, rate: &rate };
         let body = self.system.body;
         let momentum = add(body.momentum(motion), body.wheels().momentum(t));
-        Look { omega, momentum, energy: body.energy(motion), q, rate }
+        let seat = match self.form {
+            Form::Momentum => Seat::of_center(body, motion, y),
+            Form::Paper => Seat::of_pole(body, motion, y),
+        };
+        Look { omega, momentum, energy: body.energy(motion), q, rate, seat }
     }
 
     fn invariant(&self) -> Invariant {

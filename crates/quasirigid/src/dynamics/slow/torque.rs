@@ -14,8 +14,12 @@ pub struct ForcedTorque {
     pub moment: [f64; 3],
     /// Torque `μ` of the elastic and dissipative parts (N·m), body axes.
     pub mu: [f64; 3],
+    /// First variation `M₁* = Σ{r × F* + ρ × (∂F/∂R r + ∂F/∂Ṙ ṙ)}` of the moment with the displacements (N·m): part of `μ`.
+    pub moment_variation: [f64; 3],
     /// Force `F*` on the frozen body (N), body axes.
     pub force: [f64; 3],
+    /// First variation `Σ(∂F/∂R r + ∂F/∂Ṙ ṙ)` of the force (N): part of `φ`.
+    pub force_variation: [f64; 3],
     /// Force `φ` of the elastic and dissipative parts (N), body axes.
     pub phi: [f64; 3],
     /// Internal coordinates.
@@ -68,7 +72,9 @@ pub fn forced_torque(system: Forced, order: usize, state: &RigidState) -> Forced
     ForcedTorque {
         moment: value(flow.loads.moment),
         mu: add(add(moment, scale(-1.0, value(turning))), carried),
+        moment_variation: moment,
         force: value(flow.loads.force),
+        force_variation: force,
         phi: add(force, scale(-1.0, value(recoil))),
         q: q.iter().map(|q| q.value()).collect(),
         rate: q.iter().map(|q| q.coefficient(1)).collect(),

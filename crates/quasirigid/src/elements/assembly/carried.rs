@@ -8,11 +8,11 @@ use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::cavity::Filled;
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::inner::Inner;
-use crate::elements::matrices::Matrices;
+use crate::elements::matrices::{Block, Matrices};
 use crate::elements::part::NodeRef;
-use crate::elements::spring::{Ends, Pulled};
+use crate::elements::spring::{Ends, Pull, Pulled};
 use crate::elements::structure::Component;
-use crate::elements::{End, Station};
+use crate::elements::{End, PlaceRef, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
@@ -35,6 +35,8 @@ struct Carried {
 
 /// Dense matrices of what turns inside that are held at once.
 const INSIDE_MATRICES: usize = 4;
+/// Tensions balance if what is left of them at rest is at most this share of their sum.
+const BALANCED: f64 = 1e-6;
 
 impl Assembly {
     /// A body with a carrier.
@@ -74,6 +76,7 @@ impl Assembly {
         let marker = |end: End| match end {
             End::Carrier => None,
             End::Point(index) => markers.get(index).cloned(),
+            End::Hinged(on) => self.place_on(&whole, on, pole),
             End::Node(node) => pulled.get(&node).map(|pulled| pulled.marker(pole)),
         };
         let forces = self.placed_forces(forces, pole, marker)?;
@@ -96,6 +99,12 @@ impl Assembly {
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow })
+    }
+
+    /// A place on an appendage, from a pole.
+    fn place_on(&self, whole: &Carried, on: PlaceRef, pole: Vector3<f64>) -> Option<Marker> {
+        let mover = self.points.len() + on.hinged;
+        whole.movers.get(mover)?.markers(pole, whole.starts[mover]).nth(1 + on.place)
     }
 
     fn spinning_wheels(&self) -> Result<Wheels, ElementError> {
@@ -143,15 +152,57 @@ impl Assembly {
         whole: &Carried,
         pulled: &BTreeMap<NodeRef, Pulled>,
     ) -> Result<Matrices, ElementError> {
-        let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled };
+        let places =
+            self.springs.iter().flat_map(|spring| [spring.from, spring.to]).filter_map(|end| match end {
+                End::Hinged(on) => {
+                    let Marker { name, position, shapes, curvature } =
+                        self.place_on(whole, on, Vector3::zeros())?;
+                    Some((on, Pulled { name, place: position.into(), shapes, curvature }))
+                }
+                _ => None,
+            });
+        let places = places.collect();
+        let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled, places: &places };
         let springs = self.springs.iter().zip(self.spring_names()).enumerate();
         let springs = springs.map(|(i, (spring, name))| spring.block(i, name, &ends));
+        let pulls = self.pulls(whole, &ends)?;
         let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
         let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
         let start = whole.flexible();
         let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
         let size = whole.elastic() + whole.inner.coordinates.len();
-        Matrices::sum(size, springs.chain(hinges).chain(parts), &whole.inner.friction)
+        Matrices::sum(
+            size,
+            springs.chain(pulls.into_iter().map(Ok)).chain(hinges).chain(parts),
+            &whole.inner.friction,
+        )
+    }
+
+    /// Stiffness that tensions at rest give, if they balance. (I10)
+    fn pulls(&self, whole: &Carried, ends: &Ends<'_>) -> Result<Vec<Block>, ElementError> {
+        let mut sums = vec![(0.0, 0.0_f64, 0); whole.elastic()];
+        let mut blocks = Vec::new();
+        for (index, (spring, name)) in self.springs.iter().zip(self.spring_names()).enumerate() {
+            let Some(Pull { block, forces }) = spring.pull(index, name, ends)? else { continue };
+            for (column, force) in forces {
+                let (sum, size, last) = &mut sums[column];
+                *sum += force;
+                *size += f64::abs(force);
+                *last = index;
+            }
+            blocks.push(block);
+        }
+        let coordinates = whole.coordinates();
+        for ((sum, size, last), coordinate) in sums.iter().zip(&coordinates) {
+            if f64::abs(*sum) > BALANCED * size {
+                let coordinate = coordinate.name.clone();
+                return Err(at(Place::Spring(*last), Field::Tension)(Problem::Unbalanced {
+                    coordinate,
+                    force: *sum,
+                }));
+            }
+        }
+        Ok(blocks)
     }
 
     /// Lays a mechanism at the door of the first element it moves.
@@ -236,9 +287,10 @@ impl Carried {
         Invariants { mass, J, S, h, J1, pairs }
     }
 
-    /// Places whose displacement is watched: points and appendages, then nodes of parts.
+    /// Places whose displacement is watched: points and appendages with the places on them, then nodes of parts.
     fn markers(&self, pulled: &BTreeMap<NodeRef, Pulled>, pole: Vector3<f64>) -> Vec<Marker> {
-        let movers = self.movers.iter().zip(&self.starts).map(|(mover, start)| mover.watched(pole, *start));
+        let movers = self.movers.iter().zip(&self.starts);
+        let movers = movers.flat_map(|(mover, start)| mover.markers(pole, *start));
         movers.chain(pulled.values().map(|pulled| pulled.marker(pole))).collect()
     }
 

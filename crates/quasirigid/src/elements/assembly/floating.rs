@@ -35,7 +35,7 @@ impl Assembly {
         let paths = paths.map(|paths| CurvedPaths { reaches: net.reaches(&pulled), ..paths });
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
-            End::Carrier => None,
+            End::Carrier | End::Hinged(_) => None,
             End::Node(node) => of_node(node),
             End::Point(node) => of_node(NodeRef { part: self.parts.len(), node }),
         };

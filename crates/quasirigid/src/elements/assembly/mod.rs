@@ -15,8 +15,8 @@ pub(super) use mover::Mover;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
-    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Rotor, SlowLiquid, Spring, Station,
-    Surface, Wheel, coefficient, force,
+    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, PlaceRef, Point, Rotor, SlowLiquid, Spring,
+    Station, Surface, Wheel, coefficient, force,
 };
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -182,6 +182,14 @@ impl Assembly {
         let part = self.parts.get(node.part).ok_or(Problem::NoSuchPart { index: node.part })?;
         let count = part.count();
         if node.node < count { Ok(()) } else { Err(Problem::NoSuchNode { index: node.node, count }) }
+    }
+
+    /// Where a place on an appendage is at equilibrium (m), in the file's frame.
+    pub(super) fn has_place(&self, PlaceRef { hinged, place }: PlaceRef) -> Result<[f64; 3], Problem> {
+        let hinged = self.hinged.get(hinged).ok_or(Problem::NoSuchPart { index: hinged })?;
+        let count = hinged.places.len();
+        let (_, position) = hinged.places.get(place).ok_or(Problem::NoSuchNode { index: place, count })?;
+        Ok(*position)
     }
 
     /// Ends of springs and places of forces, with what names them.

@@ -17,6 +17,8 @@ pub(in crate::elements) struct Mover {
     pub coordinates: Vec<Coordinate>,
     /// Place watched on the piece: its name, and where it is from the base.
     pub marker: (String, Vector3<f64>),
+    /// Other places on it at which springs and forces may act.
+    pub places: Vec<(String, Vector3<f64>)>,
 }
 
 impl Mover {
@@ -36,14 +38,21 @@ impl Mover {
         })
     }
 
-    /// The place watched on it, from a pole, with its coordinates numbered from `start`.
-    pub fn watched(&self, pole: Vector3<f64>, start: usize) -> Marker {
-        let (name, s) = &self.marker;
-        let shapes = self.shapes.iter().enumerate();
-        Marker {
-            name: name.clone(),
-            position: (self.base + s - pole).into(),
-            shapes: shapes.map(|(j, H)| (start + j, (H.constant + H.linear * s).into())).collect(),
-        }
+    /// The places on it, from a pole, with its coordinates numbered from `start`: that which is watched, then the others.
+    pub fn markers(&self, pole: Vector3<f64>, start: usize) -> impl Iterator<Item = Marker> + '_ {
+        let all = std::iter::once(&self.marker).chain(&self.places);
+        all.map(move |(name, s)| {
+            let displaced = |shape: &Shape| -> [f64; 3] { (shape.constant + shape.linear * s).into() };
+            let curved = self.curvature.iter().enumerate().flat_map(|(j, row)| {
+                row.iter().enumerate().map(move |(k, G)| (start + j, start + k, displaced(G)))
+            });
+            let shapes = self.shapes.iter().enumerate();
+            Marker {
+                name: name.clone(),
+                position: (self.base + s - pole).into(),
+                shapes: shapes.map(|(j, H)| (start + j, displaced(H))).collect(),
+                curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
+            }
+        })
     }
 }

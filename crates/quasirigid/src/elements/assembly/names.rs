@@ -26,6 +26,11 @@ impl Assembly {
         match end {
             End::Carrier => CARRIER.to_owned(),
             End::Point(index) => self.points.get(index).map_or_else(String::new, |point| point.name.clone()),
+            End::Hinged(on) => {
+                let hinged = self.hinged.get(on.hinged);
+                let place = hinged.and_then(|hinged| Some((&hinged.name, &hinged.places.get(on.place)?.0)));
+                place.map_or_else(String::new, |(name, place)| format!("{name} {place}"))
+            }
             End::Node(node) => {
                 let part = &self.parts[node.part];
                 format!("{} {}", part.name, part.node_name(node.node))

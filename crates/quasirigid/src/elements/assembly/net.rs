@@ -11,7 +11,7 @@ use crate::elements::spring::Pulled;
 use crate::elements::structure::{
     Component, Fault, Freedoms, Hold, Joint, Node, Purpose, Structure, Unknown,
 };
-use crate::elements::{End, Motion, coefficient};
+use crate::elements::{End, Law, Motion, Prestress, coefficient};
 use crate::model::{Reach, Rheology};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
@@ -118,7 +118,7 @@ impl<'a> Net<'a> {
         let pulled = |(number, node): (usize, &NodeRef)| {
             let index = self.index(*node);
             let (name, place) = (self.node_name(index), self.structure.nodes[index].place);
-            (*node, Pulled { name, place, shapes: component.shapes(number, start) })
+            (*node, Pulled { shapes: component.shapes(number, start), name, ..Pulled::at(place) })
         };
         self.stations.iter().enumerate().map(pulled).collect()
     }
@@ -222,6 +222,9 @@ impl<'a> Net<'a> {
         if spring.from == spring.to {
             return Err(at(place, Field::To)(Problem::SameEnds));
         }
+        if matches!(spring.law, Law::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
+            return Err(at(place, Field::Tension)(Problem::TensionAfloat));
+        }
         let node = |end: End, field: Field| match end {
             End::Carrier => Err(at(place, field)(Problem::NoCarrier)),
             End::Point(point) if point < self.assembly.points.len() => {
@@ -229,6 +232,7 @@ impl<'a> Net<'a> {
             }
             End::Point(index) => Err(at(place, field)(Problem::NoSuchPoint { index })),
             End::Node(node) => Ok(self.index(node)),
+            End::Hinged(_) => Err(at(place, field)(Problem::NoCarrier)),
         };
         let nodes = [node(spring.from, Field::From)?, node(spring.to, Field::To)?];
         let places = nodes.map(|node| self.structure.nodes[node].place);
@@ -261,7 +265,7 @@ impl<'a> Net<'a> {
                 End::Point(node) if floating && !spring => {
                     stations.insert(NodeRef { part: points, node }, true);
                 }
-                End::Point(_) | End::Carrier => {}
+                End::Point(_) | End::Carrier | End::Hinged(_) => {}
             }
         }
         self.pulled = stations.values().enumerate().filter(|(_, pulled)| **pulled).map(|(i, _)| i).collect();

@@ -59,6 +59,10 @@ pub enum Field {
     Hinge,
     /// Axes of a hinge.
     Axes,
+    /// Tension of a spring.
+    Tension,
+    /// Places on a hinged appendage.
+    Places,
     /// Axis of a rotor or a wheel.
     Axis,
     /// Friction of a rotor.
@@ -175,6 +179,8 @@ impl std::fmt::Display for Field {
             Self::Damping => "damping",
             Self::Hinge => "hinge",
             Self::Axes => "axes",
+            Self::Tension => "tension",
+            Self::Places => "places",
             Self::Axis => "axis",
             Self::Friction => "friction",
             Self::Viscosity => "viscosity",

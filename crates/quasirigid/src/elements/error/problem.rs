@@ -362,6 +362,24 @@ pub enum Problem {
     /// The ends of an axial spring coincide, so they have no joining line.
     #[error("the ends of the axial spring are at the same place, so no line joins them")]
     NoLine,
+    /// The tensions of springs do not balance at rest.
+    #[error(
+        "at rest the tensions of the springs pull {coordinate} with {force} N or N m; they must balance there"
+    )]
+    Unbalanced {
+        /// Coordinate that they pull, by name.
+        coordinate: String,
+        /// Generalised force (N, N·m).
+        force: f64,
+    },
+    /// A spring under tension is fixed to a part of finite elements.
+    #[error(
+        "a spring under tension at rest is fixed to a part of finite elements, which would be under load, too"
+    )]
+    TensionOnPart,
+    /// A spring under tension on a body without a carrier.
+    #[error("a spring under tension at rest needs a body with a carrier")]
+    TensionAfloat,
     /// An axial spring to the carrier does not say where its end is.
     #[error("an axial spring to the carrier needs the place of its end on the carrier")]
     NoAnchor,

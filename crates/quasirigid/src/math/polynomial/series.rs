@@ -66,6 +66,13 @@ impl Series {
         Self { rows: self.rows, parts: self.parts.iter().take(degree + 1).cloned().collect() }
     }
 
+    /// The map multiplied by a number.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        self.parts.iter_mut().for_each(|part| part.scale(factor));
+        self
+    }
+
     /// The map of the argument multiplied by a number, degree by degree.
     #[must_use]
     pub fn stretched(&self, factor: f64) -> Self {

@@ -87,12 +87,15 @@ impl<T: Smooth> Loads<T> {
         self.moment = add(self.moment, torque);
     }
 
-    /// Adds a force (N, body axes) at a place that is at `u` (m) from the pole. (F1)
-    fn add_force(&mut self, at: &Marker, u: [T; 3], force: [T; 3]) {
+    /// Adds a force (N, body axes) at a place that is at `u` (m) from the pole, with `∂u/∂q_j = H_j + G_jk q_k`. (F1)
+    fn add_force(&mut self, at: &Marker, q: &[T], u: [T; 3], force: [T; 3]) {
         self.force = add(self.force, force);
         self.add_torque(cross(u, force));
         for (j, H) in &at.shapes {
             self.generalized[*j] = self.generalized[*j] + dot(H.map(T::from), force);
+        }
+        for (j, k, G) in &at.curvature {
+            self.generalized[*j] = self.generalized[*j] + q[*k] * dot(G.map(T::from), force);
         }
     }
 }
@@ -120,37 +123,57 @@ impl<T: Smooth> Scene<'_, T> {
             }
             Law::Drag { at, coefficient } => {
                 let (u, velocity) = self.passing(at);
-                loads.add_force(at, u, scale(T::from(-coefficient), velocity));
+                loads.add_force(at, motion.q, u, scale(T::from(-coefficient), velocity));
             }
             Law::SpinDrag { coefficient } => loads.add_torque(scale(T::from(-coefficient), motion.omega)),
             Law::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
             Law::Thrust { at, force, axes, wave } => {
-                loads.add_force(at, self.place(at), self.varying(*force, *axes, *wave));
+                loads.add_force(at, motion.q, self.place(at), self.varying(*force, *axes, *wave));
             }
             Law::MagneticDipole { moment, field } => {
                 loads.add_torque(cross(moment.map(T::from), self.turn.to_body(field.at(t))));
             }
             Law::Expression { at, force } => {
                 let (u, velocity) = self.passing(at);
-                let [x, y, z] = add(self.situation.pole, self.turn.to_inertial(u));
-                let [vx, vy, vz] = self.turn.to_inertial(velocity);
-                let force = force.each_ref().map(|component| component.value(&[x, y, z, vx, vy, vz, t]));
-                loads.add_force(at, u, self.turn.to_body(force));
+                let place = add(self.situation.pole, self.turn.to_inertial(u));
+                let felt = self.felt(place, self.turn.to_inertial(velocity));
+                let force = force.each_ref().map(|component| component.value(&felt));
+                loads.add_force(at, motion.q, u, self.turn.to_body(force));
+            }
+            Law::TorqueExpression { torque, axes } => {
+                let felt = self.felt(self.situation.pole, self.situation.pole_velocity);
+                let torque = torque.each_ref().map(|component| component.value(&felt));
+                loads.add_torque(match axes {
+                    Axes::Body => torque,
+                    Axes::Inertial => self.turn.to_body(torque),
+                });
             }
         }
     }
 
-    /// Displaced place from the pole (m), body axes. (S1)
+    /// What a formula sees, in the order of its variables. (F9)
+    fn felt(&self, [x, y, z]: [T; 3], [vx, vy, vz]: [T; 3]) -> [T; 14] {
+        let Situation { t, attitude: [qw, qx, qy, qz], motion, .. } = *self.situation;
+        let [wx, wy, wz] = motion.omega;
+        [x, y, z, vx, vy, vz, t, wx, wy, wz, qw, qx, qy, qz]
+    }
+
+    /// Displaced place from the pole (m), body axes, `u = ρ + H_j q_j + ½ G_jk q_j q_k`. (S1)
     fn place(&self, at: &Marker) -> [T; 3] {
-        moved(at, at.position.map(T::from), self.situation.motion.q)
+        let q = self.situation.motion.q;
+        let half = T::from(0.5);
+        let straight = moved(at, at.position.map(T::from), q);
+        at.curvature.iter().fold(straight, |u, (j, k, G)| add(u, scale(half * q[*j] * q[*k], G.map(T::from))))
     }
 
     /// Displaced place from the pole (m) and its inertial velocity (m/s), body axes. (F5)
     fn passing(&self, at: &Marker) -> ([T; 3], [T; 3]) {
-        let Situation { pole_velocity, motion, .. } = *self.situation;
+        let Situation { pole_velocity, motion: Motion { omega, q, rate }, .. } = *self.situation;
         let u = self.place(at);
-        let carried = add(self.turn.to_body(pole_velocity), cross(motion.omega, u));
-        (u, moved(at, carried, motion.rate))
+        let carried = add(self.turn.to_body(pole_velocity), cross(omega, u));
+        let straight = moved(at, carried, rate);
+        let curved = at.curvature.iter();
+        (u, curved.fold(straight, |v, (j, k, G)| add(v, scale(q[*j] * rate[*k], G.map(T::from)))))
     }
 
     /// An amplitude in body axes at the time. (F6)

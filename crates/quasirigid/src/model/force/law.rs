@@ -66,12 +66,20 @@ pub enum Law<P> {
         field: MagneticField,
     },
     /// A force of the user's own at a place, inertial axes (N): one expression per component in the inertial place
-    /// `x y z`, velocity `vx vy vz` and time `t`, in this order. (F9)
+    /// `x y z` and velocity `vx vy vz`, the time `t`, the spin `wx wy wz` (body axes) and the attitude `qw qx qy qz`, in this
+    /// order. (F9)
     Expression {
         /// Where it acts.
         at: P,
         /// Components.
         force: [Expression; 3],
+    },
+    /// A torque of the user's own on the carrier (N·m), in the same variables with the place and the velocity of the pole. (F9)
+    TorqueExpression {
+        /// Components.
+        torque: [Expression; 3],
+        /// Their axes.
+        axes: Axes,
     },
 }
 
@@ -95,7 +103,19 @@ impl<P> Law<P> {
             | Self::CentralGravity { .. }
             | Self::SpinDrag { .. }
             | Self::Torque { .. }
-            | Self::MagneticDipole { .. } => None,
+            | Self::MagneticDipole { .. }
+            | Self::TorqueExpression { .. } => None,
+        }
+    }
+
+    /// The formulas of a law of the user's own.
+    #[must_use]
+    pub fn formulas(&self) -> Option<&[Expression; 3]> {
+        match self {
+            Self::Expression { force: formulas, .. } | Self::TorqueExpression { torque: formulas, .. } => {
+                Some(formulas)
+            }
+            _ => None,
         }
     }
 
@@ -115,6 +135,9 @@ impl<P> Law<P> {
             }
             Self::MagneticDipole { moment, field } => Law::MagneticDipole { moment: *moment, field: *field },
             Self::Expression { at, force } => Law::Expression { at: map(at)?, force: force.clone() },
+            Self::TorqueExpression { torque, axes } => {
+                Law::TorqueExpression { torque: torque.clone(), axes: *axes }
+            }
         })
     }
 }

@@ -1,7 +1,8 @@
+use super::gravity::FirstMoment;
 use super::{Force, Loads, Situation};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, scale};
+use crate::math::sym::{add, cross, scale};
 use crate::model::{FlexibleBody, Marker, Motion};
 
 /// Where a body is, apart from its spin.
@@ -18,6 +19,19 @@ pub struct Pose<T> {
 }
 
 impl FlexibleBody {
+    /// Place of the pole of a free body from its centre of mass (m), `−s/m*` with the curvature of the paths, and its inertial
+    /// rate (m/s), body axes; zero where a point is fixed or driven. (P7)
+    #[must_use]
+    pub fn pole_from_center<T: Smooth>(&self, motion: Motion<T>) -> ([T; 3], [T; 3]) {
+        let Some(per_mass) = self.translation() else { return ([T::from(0.0); 3], [T::from(0.0); 3]) };
+        let Motion { omega, q, rate } = motion;
+        let FirstMoment { s, slopes } = FirstMoment::of(self, q);
+        let stretched =
+            rate.iter().zip(slopes).fold(cross(omega, s), |u, (rate, slope)| add(u, scale(*rate, slope)));
+        let back = T::from(-per_mass);
+        (scale(back, s), scale(back, stretched))
+    }
+
     /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
     #[must_use]
     pub fn loads_at<T: Smooth>(

@@ -116,7 +116,7 @@ fn has_potential(law: &Law<Marker>) -> bool {
         | Law::Drag { .. }
         | Law::SpinDrag { .. } => true,
         Law::Thrust { axes, .. } => *axes == Axes::Inertial,
-        Law::Torque { .. } | Law::Expression { .. } => false,
+        Law::Torque { .. } | Law::Expression { .. } | Law::TorqueExpression { .. } => false,
     }
 }
 

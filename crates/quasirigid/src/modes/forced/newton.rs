@@ -9,7 +9,7 @@ use super::state::Near;
 use super::system::{System, length};
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::sym::norm;
-use crate::model::force::{Force, Law, Loads};
+use crate::model::force::{Force, Loads};
 use crate::model::{FlexibleBody, Marker};
 
 type V = Vector3<f64>;
@@ -157,7 +157,7 @@ impl Problem<'_> {
         if system.residual.iter().chain(system.slopes.by.iter()).all(|entry| entry.is_finite()) {
             return Ok(system);
         }
-        let formula = self.forces.iter().find(|force| matches!(force.law, Law::Expression { .. }));
+        let formula = self.forces.iter().find(|force| force.law.formulas().is_some());
         Err(formula
             .map_or(SteadyError::NotFound, |force| SteadyError::NotANumber { name: force.name.clone() }))
     }

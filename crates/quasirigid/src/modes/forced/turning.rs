@@ -1,9 +1,10 @@
 //! In which axes the forces on a body are constant: what sets the rate, and what the axis.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
-use crate::math::expression::Expression;
 use crate::math::taylor::Taylor;
 use crate::model::force::{Axes, Force, Law, MagneticField, Orbit};
 use crate::model::{FlexibleBody, Marker, Support};
@@ -45,15 +46,18 @@ pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<F
 fn feels_velocity(law: &Law<Marker>) -> bool {
     match law {
         Law::Drag { .. } => true,
-        Law::Expression { force, .. } => force.iter().any(|component| (3..6).any(|i| component.uses(i))),
-        _ => false,
+        _ => uses(law, 3..6),
     }
+}
+
+/// Whether a formula of a law uses one of its variables.
+fn uses(law: &Law<Marker>, mut variables: Range<usize>) -> bool {
+    law.formulas().is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
 }
 
 /// Whether a law feels where the place it acts at is, or its velocity.
 fn feels_path(law: &Law<Marker>) -> bool {
-    let placed = |force: &[Expression; 3]| force.iter().any(|component| (0..3).any(|i| component.uses(i)));
-    feels_velocity(law) || matches!(law, Law::Expression { force, .. } if placed(force))
+    feels_velocity(law) || uses(law, 0..3)
 }
 
 /// Whether the acceleration of the support vanishes, if it has one.
@@ -164,12 +168,11 @@ impl Found {
                     self.directions.push(((*amplitude).into(), named));
                 }
             }
-            Law::Expression { force: components, .. } => {
-                let uses = |variable: usize| components.iter().any(|component| component.uses(variable));
-                if uses(6) {
+            law @ (Law::Expression { .. } | Law::TorqueExpression { .. }) => {
+                if uses(law, 6..7) {
                     return changes();
                 }
-                if body.translation().is_some() && (0..3).any(uses) {
+                if body.translation().is_some() && uses(law, 0..3) {
                     return Err(SteadyError::Placed { name: force.name.clone() });
                 }
                 self.unknown = true;

@@ -1,0 +1,33 @@
+//! What the equations of a body leave out at an order, in words.
+
+use quasirigid::elements::{Assembly, Incomplete};
+
+/// Says that an order is beyond what the parts of a body support, if it is: full and reduced equations lack the same terms there,
+/// so that no verification shows it.
+pub fn beyond(assembly: &Assembly, order: usize) -> Option<String> {
+    let missing = assembly.incomplete_at(order);
+    let complete = missing.iter().map(|what| what.order()).min()?;
+    let causes: Vec<&str> = missing.iter().map(|what| cause(*what)).collect();
+    Some(format!(
+        "Of this body the equations are complete to order {complete}, and order {order} is asked for: {}. The terms that are \
+         missing are missing in the full system, too.",
+        causes.join("; ")
+    ))
+}
+
+fn cause(what: Incomplete) -> &'static str {
+    match what {
+        Incomplete::Liquids => {
+            "the square of the velocity of liquids is left out where a cavity is no ball (order 2)"
+        }
+        Incomplete::Ellipsoids => "the strain of ellipsoids is linear (order 3)",
+        Incomplete::Surfaces => "the strain of solids inside surfaces is linear (order 3)",
+        Incomplete::Shapes => "the displacements of modes and matrices are linear (order 3)",
+        Incomplete::AxialSprings => "the force of axial springs is linear in the displacement (order 3)",
+        Incomplete::SpringsOnAppendages => {
+            "springs at places on appendages see the displacement to first order (order 3)"
+        }
+        Incomplete::Hinges => "paths on hinges are kept to second order (order 5)",
+        Incomplete::Structures => "paths of beams, panels and solids are kept to second order (order 5)",
+    }
+}

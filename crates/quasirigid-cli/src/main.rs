@@ -14,6 +14,7 @@ mod motion;
 mod output;
 mod progress;
 mod record;
+mod resolution;
 mod rotation;
 mod steady;
 mod steady_state;

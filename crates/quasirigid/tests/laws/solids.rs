@@ -44,6 +44,7 @@ fn solid(vertices: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>, degree: Option<usi
         surface: ClosedSurface::new(vertices, triangles).unwrap(),
         material: rock(),
         degree,
+        cells: None,
     })
 }
 
@@ -131,7 +132,7 @@ fn degrees_are_raised_until_the_compliance_has_converged() {
         [1.3 * bump * x, bump * y, 0.8 * bump * z]
     };
     let surface = ClosedSurface::new(vertices.into_iter().map(lump).collect(), triangles).unwrap();
-    let lumpy = |degree| Surface { name: "lump".into(), surface: surface.clone(), material: rock(), degree };
+    let lumpy = |degree| Surface { name: "lump".into(), surface: surface.clone(), material: rock(), degree, cells: None };
     let powers = [2, 4, 6, 8, 10].map(|degree| power(&body(lumpy(Some(degree)))));
     println!("{powers:?}");
     assert!(
@@ -151,7 +152,7 @@ fn a_degree_that_is_not_offered_is_refused() {
     let surface = ClosedSurface::new(vertices, triangles).unwrap();
     for degree in [0, 13] {
         let surface =
-            Surface { name: "rock".into(), surface: surface.clone(), material: rock(), degree: Some(degree) };
+            Surface { name: "rock".into(), surface: surface.clone(), material: rock(), degree: Some(degree), cells: None };
         let error = Assembly { surfaces: vec![surface], ..Assembly::default() }.body().unwrap_err();
         assert_eq!((error.place, error.field), (Place::Surface(0), Field::Degree));
         assert!(matches!(error.problem, Problem::Degree { .. }), "{error}");

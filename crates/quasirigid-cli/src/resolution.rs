@@ -33,10 +33,13 @@ fn sentence(name: &str, resolution: &Resolution) -> String {
 pub fn note(name: &str, resolution: &Resolution) -> Option<String> {
     let advice = match resolution.approximation {
         Approximation::Polynomials { .. } => "leave `degree` out, or describe the body by a [[solid]]",
-        Approximation::Elements { .. } => "raise `cells`, or describe the body by a [[solid]] with a finer mesh at its neck",
+        Approximation::Elements { .. } => {
+            "raise `cells`, or describe the body by a [[solid]] with a finer mesh at its neck"
+        }
     };
     let notable = !(resolution.error <= NOTABLE);
-    notable.then(|| format!("The shape of {name:?} is hard to resolve: {}; {advice}.", known(resolution.error)))
+    notable
+        .then(|| format!("The shape of {name:?} is hard to resolve: {}; {advice}.", known(resolution.error)))
 }
 
 /// How far its dissipation is known.

@@ -19,5 +19,6 @@ mod simulate;
 mod simulate_refusals;
 mod structures;
 mod support;
+mod surfaces;
 mod torques;
 mod width;

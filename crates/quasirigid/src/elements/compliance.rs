@@ -17,7 +17,8 @@ pub(super) fn of(body: &FlexibleBody) -> Matrix6<f64> {
         let [a, b] = PRODUCTS[product];
         if a == b { 0.5 * J1[j][a][b] } else { J1[j][a][b] }
     });
-    let mut answers: Vec<f64> = (0..J1.len()).flat_map(|j| (0..6).map(move |k| (j, k))).map(|at| loads[at]).collect();
+    let mut answers: Vec<f64> =
+        (0..J1.len()).flat_map(|j| (0..6).map(move |k| (j, k))).map(|at| loads[at]).collect();
     body.solve_stiffness(&mut answers, 6);
     let answers = MatrixXx6::from_row_slice(&answers);
     Matrix6::from_fn(|i, j| loads.column(i).dot(&answers.column(j)))
@@ -30,7 +31,8 @@ pub(super) fn gap(one: &Matrix6<f64>, other: &Matrix6<f64>) -> f64 {
     let l = factor.l();
     let half = l.solve_lower_triangular(&(other - one)).unwrap_or_else(|| Matrix6::repeat(f64::INFINITY));
     let whole = l.solve_lower_triangular(&half.transpose());
-    let found = whole.map_or(f64::INFINITY, |whole| (0.5 * (whole + whole.transpose())).symmetric_eigenvalues().amax());
+    let found = whole
+        .map_or(f64::INFINITY, |whole| (0.5 * (whole + whole.transpose())).symmetric_eigenvalues().amax());
     if found.is_finite() { found } else { f64::INFINITY }
 }
 

@@ -9,6 +9,8 @@ use quasirigid::math::mesh::{Cell, Mesh, Shape};
 /// A body whose cross-sections are polygons about a line, with a tip at both ends.
 pub struct Necked {
     pub name: &'static str,
+    /// Whether an edge runs around its neck, where stresses have no bound.
+    pub creased: bool,
     /// Places along the line and radii there; tips have none.
     stations: Vec<[f64; 2]>,
     /// Corners of a polygon.
@@ -86,12 +88,13 @@ impl Necked {
     }
 }
 
-/// A ball's part of an outline, from one angle from the line to another.
-fn arc(middle: f64, radius: f64, [from, to]: [f64; 2], steps: usize) -> Vec<[f64; 2]> {
+/// A ball's part of an outline, from the tip to an angle from the line, in steps that shrink towards the neck.
+fn arc(radius: f64, to: f64, steps: usize) -> Vec<[f64; 2]> {
     (0..=steps)
         .map(|step| {
-            let angle = (from + (to - from) * step as f64 / steps as f64).to_radians();
-            [middle - radius * angle.cos(), radius * angle.sin()]
+            let left = 1.0 - step as f64 / steps as f64;
+            let angle = to.to_radians() * (1.0 - left.powf(1.6));
+            [-radius * angle.cos(), radius * angle.sin()]
         })
         .collect()
 }
@@ -100,15 +103,15 @@ fn arc(middle: f64, radius: f64, [from, to]: [f64; 2], steps: usize) -> Vec<[f64
 fn balls([one, other]: [f64; 2], neck: f64, rod: f64, steps: usize) -> Vec<[f64; 2]> {
     let [first, second] = [one, other].map(|radius| (neck / radius).asin().to_degrees());
     let depth = |radius: f64, angle: f64| radius * angle.to_radians().cos();
-    let mut stations = arc(0.0, one, [0.0, 180.0 - first], steps);
+    let mut stations = arc(one, 180.0 - first, steps);
     let start = depth(one, first);
     let pieces = (rod / (2.0 * neck)).ceil() as usize;
     stations.extend((1..pieces).map(|piece| [start + rod * piece as f64 / pieces as f64, neck]));
-    let mut last = arc(start + rod + depth(other, second), other, [second, 180.0], steps);
-    if rod == 0.0 {
-        last.remove(0);
-    }
-    stations.extend(last);
+    let middle = start + rod + depth(other, second);
+    let mut last: Vec<[f64; 2]> =
+        arc(other, 180.0 - second, steps).into_iter().map(|[x, r]| [middle - x, r]).collect();
+    last.reverse();
+    stations.extend(&last[usize::from(rod == 0.0)..]);
     stations
 }
 
@@ -140,11 +143,16 @@ fn turned(place: Vector3<f64>) -> Vector3<f64> {
 
 /// Twelve of them: smooth and creased, equal and unequal, straight, bent and flat, off-centre, turned, in odd units.
 pub fn family() -> Vec<Necked> {
-    let necked = |name, stations, around, place| Necked { name, stations: tipped(stations), around, place };
+    let necked = |name: &'static str, stations, around, place| {
+        let creased = !name.contains("oval") && !name.contains("peanut");
+        Necked { name, creased, stations: tipped(stations), around, place }
+    };
     let straight: fn(Vector3<f64>) -> Vector3<f64> = |place| place;
     vec![
         necked("oval, neck 0.5", oval(0.5, 18), 12, straight),
-        necked("oval, neck 0.3, far off", oval(0.3, 20), 12, |x| 700.0 * turned(x) + Vector3::new(3e3, -900.0, 40.0)),
+        necked("oval, neck 0.3, far off", oval(0.3, 20), 12, |x| {
+            700.0 * turned(x) + Vector3::new(3e3, -900.0, 40.0)
+        }),
         necked("oval, neck 0.15", oval(0.15, 24), 12, |x| 1e-3 * turned(x)),
         necked("contact binary, neck 0.9", balls([1.0, 1.0], 0.9, 0.0, 8), 12, turned),
         necked("contact binary, neck 0.6", balls([1.0, 1.0], 0.6, 0.0, 8), 12, straight),
@@ -158,6 +166,8 @@ pub fn family() -> Vec<Necked> {
         necked("bent peanut", oval(0.45, 20), 12, |x| {
             40.0 * turned(Vector3::new(x.x, x.y + 0.4 * x.x * x.x, 0.8 * x.z))
         }),
-        necked("flat bilobe", balls([1.0, 1.0], 0.5, 0.0, 8), 14, |x| 1e2 * turned(Vector3::new(x.x, x.y, 0.4 * x.z))),
+        necked("flat bilobe", balls([1.0, 1.0], 0.5, 0.0, 8), 14, |x| {
+            1e2 * turned(Vector3::new(x.x, x.y, 0.4 * x.z))
+        }),
     ]
 }

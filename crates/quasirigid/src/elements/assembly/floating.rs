@@ -8,8 +8,8 @@ use crate::elements::part::{NodeRef, Part};
 use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
-use crate::model::force::Force;
 use crate::math::sym::Sym;
+use crate::model::force::Force;
 use crate::model::{Coordinate, CurvedPaths, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
 
 impl Assembly {

@@ -15,8 +15,8 @@ pub(super) use mover::Mover;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
-    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Resolution, Rotor, SlowLiquid, Spring, Station,
-    Surface, Wheel, coefficient, force,
+    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, Point, Resolution, Rotor, SlowLiquid, Spring,
+    Station, Surface, Wheel, coefficient, force,
 };
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};

@@ -53,7 +53,11 @@ const MOST_TRIANGLES: usize = 60_000;
 ///
 /// # Errors
 /// As [`inside`](super::inside); [`MeshingError::Folded`] if cells are too wide for the map.
-pub fn graded(surface: &ClosedSurface, neck: Option<&Neck>, cells: usize) -> Result<GradedMesh, MeshingError> {
+pub fn graded(
+    surface: &ClosedSurface,
+    neck: Option<&Neck>,
+    cells: usize,
+) -> Result<GradedMesh, MeshingError> {
     let grading = neck.map(|neck| Grading { center: neck.center, scale: EVEN * neck.radius });
     let Some(map) = grading else { return fill(surface, surface, None, cells) };
     let mut triangles = (surface.vertices().to_vec(), surface.triangles().to_vec());

@@ -85,7 +85,8 @@ impl Grid {
 
     /// Where parts that are deep enough come together as the depth falls, and the number of parts that never do.
     fn saddles(&self, least: f64) -> (Vec<Neck>, usize) {
-        let mut order: Vec<usize> = (0..self.depths.len()).filter(|index| self.depths[*index] > 0.0).collect();
+        let mut order: Vec<usize> =
+            (0..self.depths.len()).filter(|index| self.depths[*index] > 0.0).collect();
         order.sort_by(|a, b| self.depths[*b].total_cmp(&self.depths[*a]));
         let mut parent = vec![usize::MAX; self.depths.len()];
         let mut found = Vec::new();

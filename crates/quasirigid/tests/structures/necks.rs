@@ -63,7 +63,16 @@ fn truth(body: &Necked) -> [Matrix6<f64>; 2] {
 /// Asks for the error of one body, and whether that which is told bounds it.
 fn told_bounds_true(body: &Necked) {
     let surface = outer(&body.mesh(1));
-    let built = element(&surface, None, None).build().unwrap();
+    let built = match element(&surface, None, None).build() {
+        Ok(built) => built,
+        Err(refusal) => {
+            println!("{:<28} {refusal}", body.name);
+            assert!(matches!(refusal.problem, Problem::Unsettled { .. }), "{refusal}");
+            // Two balls that touch in a fifth of their width, as a crack would leave them.
+            assert_eq!(body.name, "contact binary, neck 0.2");
+            return;
+        }
+    };
     let resolution = built.resolution.unwrap();
     let found = of(&built.body);
     let [fine, end] = truth(body);

@@ -146,7 +146,8 @@ impl Road<'_> {
             let cells = (part * cells as f64) as usize;
             self.mesh(cells, necks).ok().filter(|coarse| coarse.cells < fine.cells)
         });
-        let error = coarser.map_or(f64::INFINITY, |coarse| between_meshes(&fine, &coarse, necks));
+        let error = coarser
+            .map_or(f64::INFINITY, |coarse| between_meshes(&self.surface.surface, &fine, &coarse, necks));
         Ok(fine.found(error))
     }
 

@@ -60,8 +60,8 @@ fn truth(body: &Necked) -> [Matrix6<f64>; 2] {
     [fine, fine + share * (fine - coarse)]
 }
 
-/// Asks for the error of one body, and whether that which is told bounds it.
-fn told_bounds_true(body: &Necked) {
+/// Whether the error that is told of a body bounds the true one.
+fn told_bounds_true(body: &Necked) -> bool {
     let surface = outer(&body.mesh(1));
     let built = match element(&surface, None, None).build() {
         Ok(built) => built,
@@ -70,7 +70,7 @@ fn told_bounds_true(body: &Necked) {
             assert!(matches!(refusal.problem, Problem::Unsettled { .. }), "{refusal}");
             // Two balls that touch in a fifth of their width, as a crack would leave them.
             assert_eq!(body.name, "contact binary, neck 0.2");
-            return;
+            return true;
         }
     };
     let resolution = built.resolution.unwrap();
@@ -82,21 +82,17 @@ fn told_bounds_true(body: &Necked) {
         "{:<28} {:?}: told {:.4}, true {:.4} to {:.4}; polynomials of degree 8 {polynomials:.2}",
         body.name, resolution.approximation, resolution.error, errors[0], errors[1]
     );
-    assert!(
-        errors.iter().all(|error| *error <= resolution.error),
-        "{}: {errors:?} {resolution:?}",
-        body.name
-    );
+    errors.iter().all(|error| *error <= resolution.error)
 }
 
 #[test]
 fn the_error_told_bounds_the_true_one_on_six_necks() {
-    family().iter().step_by(2).for_each(told_bounds_true);
+    assert_eq!(family().iter().step_by(2).filter(|body| !told_bounds_true(body)).count(), 0);
 }
 
 #[test]
 fn the_error_told_bounds_the_true_one_on_six_other_necks() {
-    family().iter().skip(1).step_by(2).for_each(told_bounds_true);
+    assert_eq!(family().iter().skip(1).step_by(2).filter(|body| !told_bounds_true(body)).count(), 0);
 }
 
 /// Polynomials that were asked for on a body with a neck are judged all the same.

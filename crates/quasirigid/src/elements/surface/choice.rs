@@ -97,7 +97,7 @@ impl Road<'_> {
                     compliance::gap(&compliance::of(&found.body), &compliance::of(&cells.body))
                 });
                 if apart < AGREED {
-                    found.resolution.error = apart.max(TAIL * growth).max(LEAST);
+                    found.resolution.error = apart.max(TAIL * growth) + LEAST;
                     return Ok(found);
                 }
             }

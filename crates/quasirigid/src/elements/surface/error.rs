@@ -17,6 +17,8 @@ pub(super) const AGREED: f64 = 0.03;
 /// Least error that is claimed: that of rounding and of facets as they are.
 pub(super) const LEAST: f64 = 2e-3;
 
+/// Margin for meshes of which neither is a refinement of the other.
+const UNEVEN: f64 = 1.5;
 /// Part of a cell's width to which the cells of a mesh fill a notch.
 const FILLED: f64 = 0.2;
 /// Triangles around a neck that are looked at, at most.
@@ -32,7 +34,7 @@ pub(super) fn between_meshes(surface: &ClosedSurface, fine: &Meshed, coarse: &Me
         let depth = FILLED * width / (2.0 * (0.5 * notch(surface, neck, width)).tan());
         (width / neck.radius).powi(3).max((1.0 + depth / neck.radius).powi(3) - 1.0)
     };
-    (apart / (ratio - 1.0)).max(necks.iter().map(hidden).sum()).max(LEAST)
+    (UNEVEN * apart / (ratio - 1.0)).max(necks.iter().map(hidden).sum()).max(LEAST)
 }
 
 /// Smallest angle (rad) between parts of the surface that face each other across less than a width, at a neck; that of a plane

@@ -15,6 +15,7 @@ mod motion;
 mod output;
 mod progress;
 mod record;
+mod resolution;
 mod rotation;
 mod steady;
 mod steady_state;

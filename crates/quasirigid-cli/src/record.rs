@@ -10,12 +10,13 @@ use quasirigid::verification::{Difference, OrderRow, Plan, Verification};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{
     BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, OrderRecord,
-    ReductionRecord, ValidityRecord, VerificationRecord,
+    ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 
 use crate::args::System;
-use crate::describe;
+use crate::commands::Loaded;
 use crate::visible::one_line;
+use crate::{describe, resolution};
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -28,7 +29,8 @@ pub fn model(model: &Model) -> ModelRecord {
 }
 
 /// The frozen body.
-pub fn body(body: &FlexibleBody) -> BodyRecord {
+pub fn body(loaded: &Loaded) -> BodyRecord {
+    let body = &loaded.body;
     let principal = Principal::of(body.invariants().J);
     BodyRecord {
         mass: body.invariants().mass,
@@ -43,7 +45,14 @@ pub fn body(body: &FlexibleBody) -> BodyRecord {
         principal_moments: principal.moments,
         principal_axes: principal.axes,
         coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.clone()).collect(),
+        resolution: resolution(loaded).next(),
     }
+}
+
+/// How well the shape of a solid inside a surface is resolved.
+pub fn resolution(loaded: &Loaded) -> impl Iterator<Item = ResolutionRecord> + '_ {
+    let solids = loaded.model.assembly.surfaces.iter().zip(&loaded.resolution);
+    solids.map(|(solid, found)| resolution::record(&solid.name, found))
 }
 
 /// How far the reduced equations hold.

@@ -15,13 +15,24 @@ use quasirigid_io::record::*;
 use tempfile::tempdir;
 
 prop_compose! {
+    fn resolution()(
+        degree in option::of(any::<usize>()), cells in option::of(any::<usize>()), error in option::of(ANY),
+        sentence in ".*",
+    ) -> ResolutionRecord {
+        ResolutionRecord { degree, cells, error, sentence }
+    }
+}
+
+prop_compose! {
     fn body()(
         mass in ANY, center_of_mass in [ANY; 3], pole in [ANY; 3], support in ".*",
         inertia in [[ANY; 3], [ANY; 3], [ANY; 3]], principal_moments in [ANY; 3],
         principal_axes in [[ANY; 3], [ANY; 3], [ANY; 3]], coordinates in vec(".*", 0..3),
+        resolution in option::of(resolution()),
     ) -> BodyRecord {
         BodyRecord {
             mass, center_of_mass, pole, support, inertia, principal_moments, principal_axes, coordinates,
+            resolution,
         }
     }
 }
@@ -204,6 +215,7 @@ fn sample() -> RunRecord {
             principal_moments: [1.0; 3],
             principal_axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             coordinates: vec!["tip.x".into()],
+            resolution: None,
         },
         liquids: vec![],
         steady_spins: vec![],

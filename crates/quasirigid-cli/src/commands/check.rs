@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 use std::path::Path;
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
-use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part, Resolution, Surface};
+use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
 use quasirigid::math::rotation::angle;
 use quasirigid::math::sphere::Kind as Stationary;
 use quasirigid::math::sym::{self, dot, norm, scale};
@@ -21,7 +21,7 @@ use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::Motion;
-use crate::{Ending, output, steady, steady_state};
+use crate::{Ending, output, record, steady, steady_state};
 
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
@@ -60,7 +60,9 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         }
         liquids(&loaded, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
-        model.assembly.surfaces.iter().for_each(|surface| text.push_str(&resolution(surface)));
+        for found in record::resolution(&loaded) {
+            text.push_str(&format!("\n{}\n", paragraph(&found.sentence, "", "  ")));
+        }
         condensation.iter().for_each(|known| text.push_str(&condensed(known)));
         range(body).iter().for_each(|words| text.push_str(&format!("\n{}\n", paragraph(words, "", "  "))));
         model.assembly.parts.iter().for_each(|part| text.push_str(&truncation(part, body.pole())));
@@ -137,6 +139,7 @@ fn object(
         "dissipation": budget,
         "steady_spins": spins,
         "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
+        "resolution": record::resolution(loaded).next(),
         "condensation": loaded.condensation.map(|known| json!({
             "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
         })),
@@ -300,17 +303,6 @@ fn self_gravity(ellipsoid: &Ellipsoid) -> String {
     let text = format!(
         "Self-gravity, which is not in the model, presses the centre of {:?} with {pressure} Pa, {share} of Young's modulus.",
         ellipsoid.name
-    );
-    format!("\n{}\n", paragraph(&text, "", "  "))
-}
-
-/// How well polynomials resolve a solid.
-fn resolution(surface: &Surface) -> String {
-    let Ok(Resolution { degree, missing }) = surface.resolution(0) else { return String::new() };
-    let text = format!(
-        "{:?}: polynomials of degree {degree}; the last two degrees brought {} % of the compliance.",
-        surface.name,
-        significant(100.0 * missing, 2)
     );
     format!("\n{}\n", paragraph(&text, "", "  "))
 }

@@ -10,7 +10,7 @@ mod summary;
 pub mod verify;
 
 use quasirigid::dynamics::{Event, Form, Method, Options};
-use quasirigid::elements::{Built, Condensation, SlowLiquid};
+use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::math::memory;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::force::Force;
@@ -23,6 +23,7 @@ use crate::args::{self, Common, Propagation};
 use crate::complete::beyond;
 use crate::failure::Failure;
 use crate::message::remark;
+use crate::resolution;
 use crate::rotation::initial;
 
 /// A model file with its flexible body.
@@ -35,6 +36,8 @@ pub struct Loaded {
     /// What each liquid does to a slow rotation.
     pub liquids: Vec<SlowLiquid>,
     pub condensation: Option<Condensation>,
+    /// How a solid inside a surface is approximated.
+    pub resolution: Option<Resolution>,
     pub order: usize,
 }
 
@@ -46,10 +49,23 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let Built { body, forces, condensation, speeds, liquids } =
+    let Built { body, forces, condensation, speeds, liquids, resolution } =
         model.assembly.build().map_err(|error| model.diagnose(&error))?;
     model.notes.extend(beyond(&model.assembly, order));
-    Ok(Loaded { model, body, forces, speeds, liquids, condensation, order })
+    if let Some(resolution) = &resolution {
+        settle(&mut model, resolution);
+    }
+    Ok(Loaded { model, body, forces, speeds, liquids, condensation, resolution, order })
+}
+
+/// Notes how well a solid is resolved, and takes the same approximation for the ends of the ranges of its materials.
+fn settle(model: &mut Model, resolution: &Resolution) {
+    let solids = &model.assembly.surfaces;
+    model.notes.extend(solids.iter().filter_map(|solid| resolution::note(&solid.name, resolution)));
+    let settled = |surface: &mut Surface| *surface = surface.settled(resolution);
+    model.extremes.iter_mut().flat_map(|ends| ends.iter_mut()).for_each(|end| {
+        end.surfaces.iter_mut().for_each(settled);
+    });
 }
 
 /// Says what is suspect in the model, on standard error.

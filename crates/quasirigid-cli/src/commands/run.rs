@@ -60,7 +60,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         version: env!("CARGO_PKG_VERSION").into(),
         model: record::model(model),
         notes,
-        body: record::body(body),
+        body: record::body(&loaded),
         liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
         steady_spins: steady::at_start(&loaded, start.omega)?,

@@ -27,5 +27,6 @@ mod slaved;
 mod starts;
 mod structures;
 mod support;
+mod surfaces;
 mod torques;
 mod width;

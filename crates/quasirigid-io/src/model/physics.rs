@@ -177,6 +177,14 @@ fn advice(place: Place, problem: &Problem) -> Option<&'static str> {
             "on a body that is elastic throughout act gravity and torques, which need no place"
         }
         Problem::Unresolved { .. } => "choose a lower degree",
+        Problem::TwoRoads => "leave out `degree` or `cells`, or both",
+        Problem::SeveralBodies { .. } => {
+            "give each body its own file, or join them by a [carrier] and springs; a [[surface]] is one solid"
+        }
+        Problem::Unmeshed { .. } | Problem::Unsettled { .. } => {
+            "describe the body by a [[solid]] with a mesh that is fine at its neck; or write `cells = 60000`, or `degree = 10` for \
+             polynomials all the same, to see what they say"
+        }
         Problem::AxisCount { .. } if matches!(place, Place::Connection(_)) => {
             "write one to three axes, for example hinge = [[0, 1, 0], [0, 0, 1]]"
         }

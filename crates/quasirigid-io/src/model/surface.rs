@@ -11,7 +11,7 @@ use super::value::Value;
 use crate::mesh::read_triangles;
 use crate::units::Dimension;
 
-pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree"] };
+pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree", "cells"] };
 
 /// Reads a `[[surface]]` with its file, which is looked for beside the model, and its rheology at the ends of the range it is
 /// known to.
@@ -23,10 +23,12 @@ pub(super) fn surface(
 ) -> Option<(Surface, Extremes)> {
     let unit = table.get("unit").map_or(Some(1.0), |value| unit(&value));
     let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MOST));
+    let cells = optional(table.get("cells"), |value| value.integer(1..=Surface::MOST_CELLS));
     let file = table.required("file", "file = \"shape.obj\"");
     let surface = file.and_then(|value| closed(&value, folder, unit?));
     let (material, extremes) = materials.of(table)?;
-    Some((Surface { name: name.to_owned(), surface: surface?, material, degree: degree? }, extremes))
+    let name = name.to_owned();
+    Some((Surface { name, surface: surface?, material, degree: degree?, cells: cells? }, extremes))
 }
 
 /// Reads the length of one unit of a file: `"km"` or `"2.5 cm"`.

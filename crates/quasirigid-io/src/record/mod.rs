@@ -90,6 +90,23 @@ pub struct BodyRecord {
     pub principal_axes: [[f64; 3]; 3],
     /// Names of the internal coordinates.
     pub coordinates: Vec<String>,
+    /// How well the shape of a solid inside a surface is resolved; none of other bodies.
+    #[serde(default)]
+    pub resolution: Option<ResolutionRecord>,
+}
+
+/// How well the shape of a solid inside a surface is resolved.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ResolutionRecord {
+    /// Degree of the polynomials of its displacement; none of finite elements.
+    pub degree: Option<usize>,
+    /// Number of finite elements; none of polynomials.
+    pub cells: Option<usize>,
+    /// Estimate of the relative error of its dissipation; none where nothing bounds it.
+    #[serde(with = "number")]
+    pub error: Option<f64>,
+    /// The same in a sentence.
+    pub sentence: String,
 }
 
 /// A liquid in a cavity, at the initial spin.

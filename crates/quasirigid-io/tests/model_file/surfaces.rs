@@ -40,6 +40,8 @@ fn a_surface_is_read_in_its_unit() {
     assert!((surface.surface.volume() / (8e9 / 6.0) - 1.0).abs() < 1e-12);
     assert_eq!(model.assembly.carrier, None);
     assert_eq!(model.assembly.check(), []);
+    let cells = read(TETRAHEDRON, "file = \"shape.obj\"\ncells = 700\n").expect("a model");
+    assert_eq!(cells.assembly.surfaces[0].cells, Some(700));
     let odd = read(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"2.5 cm\"\n").expect("a model");
     assert!((odd.assembly.surfaces[0].surface.volume() / (0.05_f64.powi(3) / 6.0) - 1.0).abs() < 1e-12);
 }

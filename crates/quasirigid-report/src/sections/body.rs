@@ -24,6 +24,7 @@ pub fn section(body: &BodyRecord) -> Markup {
                     @if let Some(more) = more { ", " (more) }
                 }),
             ]))
+            @if let Some(resolution) = &body.resolution { p { "Shape: " (resolution.sentence) } }
             (inertia(body))
             (principal(body))
         }

@@ -11,6 +11,8 @@ mod frames;
 mod large;
 mod meshes;
 mod modes;
+mod necked;
+mod necks;
 mod networks;
 mod solids;
 mod spin_up;

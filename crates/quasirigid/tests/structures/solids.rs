@@ -38,6 +38,7 @@ fn cells_inside_a_surface_are_the_surface_element() {
             surface: closed.clone(),
             material: rock(Rheology::Elastic),
             degree: Some(degree),
+            cells: None,
         };
         Assembly { surfaces: vec![element], ..Assembly::default() }.body().unwrap()
     };

@@ -7,6 +7,7 @@ use super::ground::Ground;
 use super::way::{Levels, Way};
 use crate::describe::significant;
 use crate::evolution::ageing::Ageing;
+use crate::resolution::{NOTHING, known};
 
 /// The road taken, and what it knows beside the power.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +39,18 @@ impl Verdict {
         let rates = self.rates?;
         let rate = rates[usize::from(mode == Mode::ShortAxis)]?;
         Some(if rate > 0.0 { rate.recip() } else { f64::INFINITY })
+    }
+
+    /// Adds the error of the dissipation of a shape: a time is as wrong as its power.
+    pub fn add_shape(&mut self, error: f64) {
+        self.error = Some(self.error.unwrap_or(0.0) + error);
+        let words = format!("The solid is approximated: {}.", known(error));
+        if error > NOTHING {
+            self.fails = true;
+            self.sentence = format!("THE SHAPE IS NOT RESOLVED. {words} {}", self.sentence).trim_end().into();
+        } else {
+            self.sentence = format!("{} {words}", self.sentence).trim_start().into();
+        }
     }
 
     /// How the power was found, in words; none of an average.

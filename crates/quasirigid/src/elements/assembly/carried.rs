@@ -98,7 +98,7 @@ impl Assembly {
         let body = body.map_err(|error| self.blame(error))?.along(paths);
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
-        Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow })
+        Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })
     }
 
     /// A place on an appendage, from a pole.

@@ -8,12 +8,17 @@ use crate::elements::part::{NodeRef, Part};
 use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
+use crate::math::sym::Sym;
 use crate::model::force::Force;
-use crate::model::{CurvedPaths, FlexibleBody, Invariants, Parts, Support, Wheels};
+use crate::model::{Coordinate, CurvedPaths, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
-    pub(super) fn floating(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
+    pub(in crate::elements) fn floating(
+        &self,
+        forces: &[Force<Station>],
+        exact: Option<Exact<'_>>,
+    ) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
             return Err(at(Place::Carrier, Field::Mass)(Problem::NoBody));
         }
@@ -23,8 +28,11 @@ impl Assembly {
         }
         let net = Net::of_everything(self)?;
         let component = net.component(!self.parts.iter().any(Part::is_frame))?;
-        let center = component.center();
-        let invariants = invariants(&component, center);
+        let center = exact.as_ref().map_or(component.center(), |exact| exact.center.into());
+        let mut invariants = invariants(&component, center);
+        if let Some(exact) = &exact {
+            (invariants.mass, invariants.J) = (exact.mass, exact.inertia);
+        }
         let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
         self.has_inertia(whole, &invariants)?;
         let paths = component.curved_paths(center, 0, &invariants);
@@ -40,6 +48,7 @@ impl Assembly {
             End::Point(node) => of_node(NodeRef { part: self.parts.len(), node }),
         };
         let forces = self.placed_forces(forces, center, marker)?;
+        let markers: Vec<Marker> = pulled.values().map(|pulled| pulled.marker(center)).collect();
         let body = FlexibleBody::new(Parts {
             support: Support::Free,
             pole: center.into(),
@@ -50,10 +59,13 @@ impl Assembly {
             lossy,
             dissipators,
             memories: Vec::new(),
-            coordinates: component.coordinates(),
+            coordinates: exact.as_ref().map_or(component.coordinates(), |exact| exact.coordinates(size)),
             cyclic: 0,
             wheels: Wheels::default(),
-            markers: pulled.values().map(|pulled| pulled.marker(center)).collect(),
+            markers: match &exact {
+                Some(exact) => exact.markers(markers),
+                None => markers,
+            },
         });
         let body = body.map_err(|error| {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
@@ -64,7 +76,36 @@ impl Assembly {
             condensation: Some(component.condensation()),
             speeds: Vec::new(),
             liquids: Vec::new(),
+            resolution: None,
         })
+    }
+}
+
+/// What a surface says of the solid inside it, where cells fill it nearly.
+pub(in crate::elements) struct Exact<'a> {
+    pub name: &'a str,
+    pub mass: f64,
+    pub center: [f64; 3],
+    /// About the centre of mass.
+    pub inertia: Sym,
+}
+
+impl Exact<'_> {
+    fn coordinates(&self, count: usize) -> Vec<Coordinate> {
+        let name = |number: usize| format!("\"{}\" shape {number}", self.name);
+        (1..=count).map(|number| Coordinate { name: name(number), unit: "m" }).collect()
+    }
+
+    /// The places farthest along each axis, both ways, under the names of the axes.
+    fn markers(&self, places: Vec<Marker>) -> Vec<Marker> {
+        let ends = (0..3).flat_map(|axis| [(axis, 1.0, '+'), (axis, -1.0, '-')]);
+        let named = ends.filter_map(|(axis, sign, word)| {
+            let along = |marker: &&Marker| sign * marker.position[axis];
+            let farthest = places.iter().max_by(|a, b| along(a).total_cmp(&along(b)))?;
+            let name = format!("{} along {word}{}", self.name, ['x', 'y', 'z'][axis]);
+            Some(Marker { name, ..farthest.clone() })
+        });
+        named.collect()
     }
 }
 

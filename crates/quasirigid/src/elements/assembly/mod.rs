@@ -10,13 +10,14 @@ mod net;
 
 use nalgebra::Vector3;
 
+pub(super) use floating::Exact;
 pub(super) use mover::Mover;
 
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
-    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, PlaceRef, Point, Rotor, SlowLiquid, Spring,
-    Station, Surface, Wheel, coefficient, force,
+    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, PlaceRef, Point, Resolution, Rotor, SlowLiquid,
+    Spring, Station, Surface, Wheel, coefficient, force,
 };
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -78,6 +79,8 @@ pub struct Built {
     pub speeds: Vec<(usize, f64)>,
     /// What each of its liquids does to a slow rotation.
     pub liquids: Vec<SlowLiquid>,
+    /// How a solid inside a surface is approximated; none of other bodies.
+    pub resolution: Option<Resolution>,
 }
 
 /// An element that is a whole body, elastic throughout.
@@ -136,7 +139,7 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn body(&self) -> Result<FlexibleBody, ElementError> {
-        Ok(self.under(&[])?.body)
+        Ok(self.under(&[], false)?.body)
     }
 
     /// External forces with the places they act at, as seen from the pole of [`Self::body`].
@@ -152,28 +155,32 @@ impl Assembly {
     /// # Errors
     /// [`ElementError`] for the first element that no body can have, for a force that cannot act, and for a mechanism.
     pub fn build(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces)
+        self.under(&self.forces, true)
     }
 
-    /// The body under some of its forces.
-    fn under(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
+    /// The body under some of its forces; `told` says whether errors of a given approximation are wanted.
+    fn under(&self, forces: &[Force<Station>], told: bool) -> Result<Built, ElementError> {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
         self.inside_nothing()?;
-        let body = match self.alone()? {
-            Some(Alone::Ellipsoid(ellipsoid)) => ellipsoid.body(0)?,
-            Some(Alone::Surface(surface)) => surface.body(0)?,
+        let (body, condensation, resolution) = match self.alone()? {
+            Some(Alone::Ellipsoid(ellipsoid)) => (ellipsoid.body(0)?, None, None),
+            Some(Alone::Surface(surface)) => {
+                let found = surface.built(0, self.reduction, told)?;
+                (found.body, found.condensation, Some(found.resolution))
+            }
             None if self.carrier.is_some() => return self.carried(forces),
-            None => return self.floating(forces),
+            None => return self.floating(forces, None),
         };
         let pole = body.pole().into();
         Ok(Built {
             forces: self.placed_forces(forces, pole, |_| None)?,
             body,
-            condensation: None,
+            condensation,
             speeds: Vec::new(),
             liquids: Vec::new(),
+            resolution,
         })
     }
 

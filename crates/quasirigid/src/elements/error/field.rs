@@ -97,6 +97,8 @@ pub enum Field {
     Center,
     /// Degree of the polynomials of a displacement.
     Degree,
+    /// Number of cells.
+    Cells,
     /// Density of a material.
     Density,
     /// Young's modulus of a material.
@@ -198,6 +200,7 @@ impl std::fmt::Display for Field {
             Self::SemiAxes => "semi_axes",
             Self::Center => "center",
             Self::Degree => "degree",
+            Self::Cells => "cells",
             Self::Density => "density",
             Self::Young => "young",
             Self::Poisson => "poisson",

@@ -54,6 +54,38 @@ pub enum Problem {
         /// Highest one offered.
         most: usize,
     },
+    /// Numbers of cells that are not offered.
+    #[error("{cells} cells are not offered; choose 1 to {most}")]
+    Cells {
+        /// Number asked for.
+        cells: usize,
+        /// Highest one offered.
+        most: usize,
+    },
+    /// Polynomials and cells at once.
+    #[error("a solid is made of polynomials or of cells, not of both")]
+    TwoRoads,
+    /// Bodies that nothing joins.
+    #[error("the surface encloses {bodies} bodies that nothing joins")]
+    SeveralBodies {
+        /// How many.
+        bodies: usize,
+    },
+    /// A shape that polynomials do not follow and that cannot be meshed.
+    #[error("polynomials do not follow this shape, and no mesh made here does: {cause}")]
+    Unmeshed {
+        /// What is wrong with the mesh.
+        cause: Box<Problem>,
+    },
+    /// A shape that the meshes made here do not resolve.
+    #[error(
+        "the dissipation of this shape is not resolved: an error of {:.0} % is left in the finest mesh made here",
+        100.0 * error
+    )]
+    Unsettled {
+        /// Estimate of the relative error.
+        error: f64,
+    },
     /// The body has neither a carrier nor a part that is elastic throughout.
     #[error("the body has no carrier and no part that is elastic throughout")]
     NoBody,

@@ -10,9 +10,9 @@ use crate::math::mesh::Mesh;
 use crate::math::surface::{ClosedSurface, Proximity};
 
 /// Tetrahedra of the lattice in a cube of it.
-const IN_CUBE: f64 = 12.0;
+pub(super) const IN_CUBE: f64 = 12.0;
 /// Part of its volume that a mesh may lack or have too much.
-const OFF: f64 = 0.03;
+pub(super) const OFF: f64 = 0.03;
 /// Parts of a cube by which a side may be longer than whole cubes without needing another.
 const WHOLE: f64 = 1e-9;
 
@@ -52,14 +52,14 @@ pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, Meshin
 }
 
 /// Where the lattice is: its origin, the side of its cubes, and their numbers, with one to spare on each side.
-struct Frame {
+pub(super) struct Frame {
     origin: [f64; 3],
-    side: f64,
-    cubes: [f64; 3],
+    pub side: f64,
+    pub cubes: [f64; 3],
 }
 
 impl Frame {
-    fn new([low, high]: [[f64; 3]; 2], resolution: usize) -> Self {
+    pub fn new([low, high]: [[f64; 3]; 2], resolution: usize) -> Self {
         // Halves do not overflow.
         let half: [f64; 3] = std::array::from_fn(|axis| 0.5 * high[axis] - 0.5 * low[axis]);
         let middle: [f64; 3] = std::array::from_fn(|axis| 0.5 * high[axis] + 0.5 * low[axis]);
@@ -69,11 +69,11 @@ impl Frame {
         Self { origin, side, cubes }
     }
 
-    fn in_lattice(&self, point: [f64; 3]) -> [f64; 3] {
+    pub fn in_lattice(&self, point: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|axis| (point[axis] - self.origin[axis]) / self.side)
     }
 
-    fn in_space(&self, point: [f64; 3]) -> [f64; 3] {
+    pub fn in_space(&self, point: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|axis| self.origin[axis] + self.side * point[axis])
     }
 }

@@ -6,7 +6,8 @@
 //! the walls thinner than those in the middle, `1 − (1 − x)^exponent` from the middle (0) to a wall (1). Middles of
 //! edges lie where the map puts the middle of the straight edge, those on a wall therefore on the wall.
 //!
-//! What any closed surface of triangles encloses is filled by [`inside`].
+//! What any closed surface of triangles encloses is filled by [`inside`]; [`graded`] makes the cells finer at a
+//! neck that [`necks`] finds.
 
 mod crumbs;
 mod cuboid;
@@ -15,9 +16,11 @@ mod ellipsoid;
 mod error;
 mod fineness;
 mod fit;
+mod graded;
 mod inside;
 mod jacobian;
 mod lattice;
+mod necks;
 mod pattern;
 mod quadratic;
 mod ring;
@@ -33,6 +36,8 @@ pub use cuboid::cuboid;
 pub use cylinder::{annulus, cylinder};
 pub use ellipsoid::ellipsoid;
 pub use error::MeshingError;
+pub use graded::{GradedMesh, graded};
 pub use inside::inside;
+pub use necks::{Neck, necks};
 pub use ring::ring;
 pub use shell::shell;

@@ -1,5 +1,9 @@
-use super::geometry::{bounds, is_flat, normalised};
+use super::geometry::{bounds, is_flat, minus, normalised};
 use super::{Moments, SurfaceError, crossing, shells, topology};
+use crate::math::sym::{cross, dot, norm};
+
+/// Height over a triangle, beside the largest coordinate, that is rounding.
+const FLAT: f64 = 1e-7;
 
 /// A surface of triangles that bounds a body: one shell or several, side by side or as cavities one in the other.
 ///
@@ -83,11 +87,25 @@ impl ClosedSurface {
     }
 
     /// Number of bodies: shells that look outward. Those that share only vertices count each.
-    pub(in crate::math) fn bodies(&self) -> usize {
+    #[must_use]
+    pub fn bodies(&self) -> usize {
         // Every edge has two triangles, as it had when the surface was accepted.
         let neighbours = topology::neighbours(&self.triangles).unwrap_or_default();
         let corners = normalised(&self.vertices, &self.triangles);
         shells::outward(&corners, &neighbours)
+    }
+
+    /// Whether it bounds one convex body: at every edge the next triangle bends inward, or not at all.
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        let neighbours = topology::neighbours(&self.triangles).unwrap_or_default();
+        let corners = normalised(&self.vertices, &self.triangles);
+        let inward = |[a, b]: &[usize; 2]| {
+            let [p, q, r] = corners[*a];
+            let normal = cross(minus(q, p), minus(r, p));
+            corners[*b].iter().all(|corner| dot(normal, minus(*corner, p)) <= FLAT * norm(normal))
+        };
+        self.bodies() == 1 && neighbours.iter().all(inward)
     }
 
     /// Moments of degrees 0 and 1 about the middle of the box, in half its sides; the middle and half the sides.

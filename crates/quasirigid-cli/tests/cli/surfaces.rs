@@ -1,0 +1,117 @@
+//! A solid with a neck: every command says how well its shape is resolved.
+
+use std::fmt::Write;
+use std::fs;
+
+use quasirigid_io::record::RunRecord;
+use tempfile::{TempDir, tempdir};
+
+use super::support::ran_in;
+
+const MODEL: &str = r#"
+[body]
+name = "contact binary"
+[material.ice]
+density = "0.533 g/cm^3"
+shear = "10 MPa"
+poisson = 0.25
+rheology = { kind = "quality-factor", Q = 100, range = [10, 1000] }
+[[surface]]
+name = "nucleus"
+file = "shape.obj"
+unit = "km"
+material = "ice"
+DEGREE
+[initial]
+wobble = { angle = "30 deg", rate = "2 rev/d", mode = "short-axis" }
+[run]
+duration = "1 d"
+samples = 11
+evolve = { until = "5 deg" }
+"#;
+
+/// Rings of ten vertices about the x axis, of two flattened balls that meet at a neck.
+fn shape() -> String {
+    let mut text = String::from("v -2 0 0\n");
+    let stations = [
+        (-1.9, 0.45),
+        (-1.5, 0.85),
+        (-1.0, 1.0),
+        (-0.5, 0.85),
+        (-0.1, 0.42),
+        (0.1, 0.42),
+        (0.5, 0.8),
+        (0.9, 0.9),
+        (1.4, 0.75),
+        (1.7, 0.4),
+    ];
+    for (x, r) in stations {
+        for step in 0..10 {
+            let angle = std::f64::consts::TAU * f64::from(step) / 10.0;
+            writeln!(text, "v {x} {} {}", r * angle.cos(), 0.9 * r * angle.sin()).unwrap();
+        }
+    }
+    text.push_str("v 1.8 0 0\n");
+    let at = |ring: usize, step: usize| 2 + 10 * ring + step % 10;
+    for step in 0..10 {
+        writeln!(text, "f 1 {} {}", at(0, step + 1), at(0, step)).unwrap();
+        for ring in 0..stations.len() - 1 {
+            let [a, b] = [at(ring, step), at(ring, step + 1)];
+            let [c, d] = [at(ring + 1, step), at(ring + 1, step + 1)];
+            writeln!(text, "f {a} {b} {d}\nf {a} {d} {c}").unwrap();
+        }
+        writeln!(text, "f {} {} {}", at(9, step), at(9, step + 1), 2 + 10 * stations.len()).unwrap();
+    }
+    text
+}
+
+fn folder(line: &str) -> TempDir {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("shape.obj"), shape()).unwrap();
+    fs::write(folder.path().join("model.toml"), MODEL.replace("DEGREE", line)).unwrap();
+    folder
+}
+
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn every_command_says_how_well_the_shape_is_resolved() {
+    let folder = folder("cells = 1200");
+    let checked = ran_in(folder.path(), "check model.toml");
+    let expected = "finite elements in";
+    assert!(flat(&checked.stdout).contains(expected), "{}", checked.stdout);
+    let object = ran_in(folder.path(), "check model.toml --json").json();
+    let error = object["resolution"]["error"].as_f64().unwrap();
+    assert!(error > 0.0 && error < 0.5 && object["resolution"]["cells"].is_u64(), "{object:#}");
+    let evolved = ran_in(folder.path(), "evolve model.toml");
+    assert!(
+        flat(&evolved.stdout).contains("The solid is approximated: its dissipation"),
+        "{}",
+        evolved.stdout
+    );
+    let object = ran_in(folder.path(), "evolve model.toml --json").json();
+    assert!(object["time_error"].as_f64().unwrap() >= error, "{object:#}");
+    assert_eq!(ran_in(folder.path(), "run model.toml -o out -q").code, Some(0));
+    let record = RunRecord::read(&folder.path().join("out")).unwrap();
+    assert_eq!(record.body.resolution.as_ref().unwrap().error, Some(error));
+    assert_eq!(record.notes.iter().any(|note| note.contains("hard to resolve")), error > 0.05);
+    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(page.contains(expected));
+}
+
+/// Polynomials of low degree are off by more than half: what they say does not hold, and says so first.
+#[test]
+fn polynomials_that_do_not_follow_the_shape_do_not_hold() {
+    let folder = folder("degree = 2");
+    let evolved = ran_in(folder.path(), "evolve model.toml");
+    assert_eq!(evolved.code, Some(1), "{}", evolved.stdout);
+    let text = flat(&evolved.stdout);
+    assert!(text.starts_with("contact binary: THE SHAPE IS NOT RESOLVED."), "{text}");
+    assert!(
+        flat(&evolved.stderr).contains("note: The shape of \"nucleus\" is hard to resolve"),
+        "{}",
+        evolved.stderr
+    );
+}

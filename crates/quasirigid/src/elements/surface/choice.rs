@@ -1,0 +1,162 @@
+//! Which functions a solid is approximated by.
+
+use super::elements::Meshed;
+use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes};
+use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
+use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::ritz::Ritz;
+use crate::math::meshing::{Neck, necks};
+
+/// Degrees tried one after the other; the last one of convex bodies only.
+const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
+/// About how many cells a mesh has at first, and those with which more is tried while the error is larger than wanted.
+const CELLS: [usize; 2] = [6_000, 16_000];
+/// Parts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
+const COARSER: [f64; 2] = [0.25, 0.5];
+/// Error at which no finer mesh is tried, and from which there is no answer unless it was asked for.
+const WANTED: f64 = 0.05;
+const REFUSED: f64 = 0.5;
+
+impl Surface {
+    /// The body; `told` says whether its error is wanted where the approximation is given.
+    ///
+    /// # Errors
+    /// [`ElementError`] for a value that no solid has, polynomials that rounding cannot tell apart, and a shape that no mesh made
+    /// here resolves.
+    pub(in crate::elements) fn built(
+        &self,
+        index: usize,
+        reduction: Reduction,
+        told: bool,
+    ) -> Result<Found, ElementError> {
+        self.check(index)?;
+        let road = Road { surface: self, index, reduction };
+        match (self.degree, self.cells) {
+            (Some(degree), _) => road.of_degree(degree, told),
+            (None, Some(cells)) => road.of_cells(cells, told),
+            (None, None) => road.chosen(),
+        }
+    }
+}
+
+/// The ways to a body.
+struct Road<'a> {
+    surface: &'a Surface,
+    index: usize,
+    reduction: Reduction,
+}
+
+impl Road<'_> {
+    fn polynomials(&self, degree: usize) -> Result<Ritz, ElementError> {
+        self.surface.ritz(degree).map_err(at(Place::Surface(self.index), Field::Degree))
+    }
+
+    fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
+        let body = self.surface.of_polynomials(self.index, ritz)?;
+        let resolution = Resolution { approximation: Approximation::Polynomials { degree }, error };
+        Ok(Found { body, condensation: None, resolution })
+    }
+
+    /// Polynomials that were asked for, judged by finite elements unless the body is convex.
+    fn of_degree(&self, degree: usize, told: bool) -> Result<Found, ElementError> {
+        let ritz = self.polynomials(degree)?;
+        let own = (TAIL * ritz.growth).max(LEAST);
+        let mut found = self.of(degree, ritz, own)?;
+        if told && !self.surface.surface.is_convex() {
+            found.resolution.error = match self.judged(CELLS[0], &self.necks().unwrap_or_default()) {
+                Ok(better) => {
+                    let [mine, others] = [&found, &better].map(|found| compliance::of(&found.body));
+                    let apart = compliance::gap(&mine, &others);
+                    own.max(apart + (1.0 + apart) * better.resolution.error)
+                }
+                Err(_) => f64::INFINITY,
+            };
+        }
+        Ok(found)
+    }
+
+    fn of_cells(&self, cells: usize, told: bool) -> Result<Found, ElementError> {
+        let necks = self.necks().unwrap_or_default();
+        if told { self.judged(cells, &necks) } else { Ok(self.mesh(cells, &necks)?.found(f64::INFINITY)) }
+    }
+
+    /// Polynomials of a convex body, and of others without necks where they converge and cells agree; else cells.
+    fn chosen(&self) -> Result<Found, ElementError> {
+        let convex = self.surface.surface.is_convex();
+        let necks = if convex { Vec::new() } else { self.necks()? };
+        if necks.is_empty() {
+            let (degree, ritz) = self.converged(convex)?;
+            let growth = ritz.growth;
+            if convex {
+                return self.of(degree, ritz, (TAIL * growth).max(LEAST));
+            }
+            if growth < CONVERGED {
+                let cells = self.mesh((COARSER[0] * CELLS[0] as f64) as usize, &necks);
+                let mut found = self.of(degree, ritz, 0.0)?;
+                let apart = cells.map_or(f64::INFINITY, |cells| {
+                    compliance::gap(&compliance::of(&found.body), &compliance::of(&cells.body))
+                });
+                if apart < AGREED {
+                    found.resolution.error = apart.max(TAIL * growth) + LEAST;
+                    return Ok(found);
+                }
+            }
+        }
+        let first = self.judged(CELLS[0], &necks);
+        let found = match first {
+            Ok(found) if found.resolution.error <= WANTED => found,
+            first => match (self.judged(CELLS[1], &necks), first) {
+                (Ok(finer), Ok(first)) if first.resolution.error < finer.resolution.error => first,
+                (Ok(finer), _) => finer,
+                (Err(_), Ok(first)) => first,
+                (Err(error), Err(_)) => return Err(error),
+            },
+        };
+        if found.resolution.error > REFUSED {
+            let error = found.resolution.error;
+            return Err(at(Place::Surface(self.index), Field::File)(Problem::Unsettled { error }));
+        }
+        Ok(found)
+    }
+
+    /// The first degree at which the compliance has converged, or the highest that rounding leaves.
+    fn converged(&self, convex: bool) -> Result<(usize, Ritz), ElementError> {
+        let offered = if convex { &DEGREES[..] } else { &DEGREES[..DEGREES.len() - 1] };
+        let mut best = (offered[0], self.polynomials(offered[0])?);
+        for degree in &offered[1..] {
+            if best.1.growth < CONVERGED {
+                break;
+            }
+            match self.surface.ritz(*degree) {
+                Ok(better) => best = (*degree, better),
+                Err(_) => break,
+            }
+        }
+        Ok(best)
+    }
+
+    fn necks(&self) -> Result<Vec<Neck>, ElementError> {
+        necks(&self.surface.surface).map_err(|error| self.unmeshed(error.into()))
+    }
+
+    /// The body of so many cells, with its error beside a coarser mesh. (G12)
+    fn judged(&self, cells: usize, necks: &[Neck]) -> Result<Found, ElementError> {
+        let fine = self.mesh(cells, necks)?;
+        let coarser = COARSER.into_iter().find_map(|part| {
+            let cells = (part * cells as f64) as usize;
+            self.mesh(cells, necks).ok().filter(|coarse| coarse.cells < fine.cells)
+        });
+        let error = coarser
+            .map_or(f64::INFINITY, |coarse| between_meshes(&self.surface.surface, &fine, &coarse, necks));
+        Ok(fine.found(error))
+    }
+
+    fn mesh(&self, cells: usize, necks: &[Neck]) -> Result<Meshed, ElementError> {
+        Meshed::new(self.surface, cells, necks.first(), self.reduction)
+            .map_err(|problem| self.unmeshed(problem))
+    }
+
+    fn unmeshed(&self, problem: Problem) -> ElementError {
+        at(Place::Surface(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
+    }
+}

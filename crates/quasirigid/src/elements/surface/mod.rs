@@ -1,0 +1,151 @@
+//! A solid inside a closed surface: polynomials where they do, finite elements where they do not.
+
+mod choice;
+mod elements;
+mod error;
+
+use super::error::{ElementError, Field, Place, Problem, at};
+use super::material::Material;
+use super::ritz::{Ritz, Solid};
+use super::structure::Condensation;
+use super::whole::Whole;
+use super::{Reduction, compliance};
+use crate::math::surface::ClosedSurface;
+use crate::model::{Coordinate, FlexibleBody, Marker};
+
+/// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
+///
+/// Its displacement is a polynomial of the place (G9), or that of finite elements in a mesh made here where polynomials cannot
+/// follow the shape (G11). The coordinates are its answers to the loads of a rotation, and theirs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Unique name.
+    pub name: String,
+    /// The surface (m), in the file's frame.
+    pub surface: ClosedSurface,
+    /// What it is made of.
+    pub material: Material,
+    /// Degree of the polynomials; none to choose it, or to take finite elements.
+    pub degree: Option<usize>,
+    /// About so many tetrahedra in place of polynomials; none to choose.
+    pub cells: Option<usize>,
+}
+
+/// How the displacement of a solid inside a surface is approximated, and how far that can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resolution {
+    /// By what.
+    pub approximation: Approximation,
+    /// Estimate of the relative error of the compliance, and so of the power that the solid dissipates: no product of the spin
+    /// that matters makes it larger. Infinite where nothing is known. (G12)
+    pub error: f64,
+}
+
+/// Functions that a displacement is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Approximation {
+    /// Polynomials of the place up to a degree.
+    Polynomials {
+        /// The degree.
+        degree: usize,
+    },
+    /// Quadratic tetrahedra, finest in the narrowest neck.
+    Elements {
+        /// How many there are.
+        cells: usize,
+        /// About how many there were to be.
+        asked: usize,
+    },
+}
+
+/// A body with what it took to find it.
+pub(super) struct Found {
+    pub body: FlexibleBody,
+    pub condensation: Option<Condensation>,
+    pub resolution: Resolution,
+}
+
+impl Surface {
+    /// Highest degree offered.
+    pub const MOST: usize = 12;
+    /// Most tetrahedra offered.
+    pub const MOST_CELLS: usize = 200_000;
+
+    /// The same with the approximation that was found for it, which is not judged again.
+    #[must_use]
+    pub fn settled(&self, resolution: &Resolution) -> Self {
+        let (degree, cells) = match resolution.approximation {
+            Approximation::Polynomials { degree } => (Some(degree), None),
+            Approximation::Elements { asked, .. } => (None, Some(asked)),
+        };
+        Self { degree, cells, ..self.clone() }
+    }
+
+    /// Everything wrong with its values, the first of it.
+    pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
+        let place = Place::Surface(index);
+        self.material.check(place)?;
+        let bodies = self.surface.bodies();
+        if bodies > 1 {
+            return Err(at(place, Field::File)(Problem::SeveralBodies { bodies }));
+        }
+        match (self.degree, self.cells) {
+            (Some(degree), _) if !(1..=Self::MOST).contains(&degree) => {
+                Err(at(place, Field::Degree)(Problem::Degree { degree, most: Self::MOST }))
+            }
+            (Some(_), Some(_)) => Err(at(place, Field::Cells)(Problem::TwoRoads)),
+            (_, Some(cells)) if !(1..=Self::MOST_CELLS).contains(&cells) => {
+                Err(at(place, Field::Cells)(Problem::Cells { cells, most: Self::MOST_CELLS }))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The polynomials up to a degree.
+    fn ritz(&self, degree: usize) -> Result<Ritz, Problem> {
+        let [low, high] = self.surface.bounds();
+        let scale = [0, 1, 2].map(|axis| 0.5 * (high[axis] - low[axis]));
+        let moments = self.surface.moments(2 * degree, self.surface.centroid(), scale);
+        let unit: f64 = scale.iter().product();
+        let solid =
+            Solid { material: &self.material, scale, moment: &|exponents| unit * moments.of(exponents) };
+        solid.ritz(degree)
+    }
+
+    /// The body of polynomials.
+    fn of_polynomials(&self, index: usize, ritz: Ritz) -> Result<FlexibleBody, ElementError> {
+        let center = self.surface.centroid();
+        let block = ritz.block(&self.name, &self.material.rheology);
+        let whole = Whole {
+            place: Place::Surface(index),
+            center,
+            markers: self.tips(&ritz, center),
+            coordinates: self.coordinates(block.columns.len()),
+            invariants: ritz.invariants,
+            block,
+        };
+        whole.body()
+    }
+
+    fn coordinates(&self, count: usize) -> Vec<Coordinate> {
+        let coordinate =
+            |number| Coordinate { name: format!("\"{}\" shape {}", self.name, number + 1), unit: "m" };
+        (0..count).map(coordinate).collect()
+    }
+
+    /// The vertices farthest along each axis, both ways.
+    fn tips(&self, ritz: &Ritz, center: [f64; 3]) -> Vec<Marker> {
+        let farthest = |axis: usize, sign: f64| {
+            let along = |vertex: &&[f64; 3]| sign * (vertex[axis] - center[axis]);
+            self.surface.vertices().iter().max_by(|a, b| along(a).total_cmp(&along(b)))
+        };
+        let ends = (0..3).flat_map(|axis| [(axis, 1.0, '+'), (axis, -1.0, '-')]);
+        ends.filter_map(|(axis, sign, word)| {
+            let vertex = farthest(axis, sign)?;
+            let position = [0, 1, 2].map(|i| vertex[i] - center[i]);
+            let name = format!("{} along {word}{}", self.name, ['x', 'y', 'z'][axis]);
+            Some(Marker { name, position, shapes: ritz.shapes(position), curvature: Vec::new() })
+        })
+        .collect()
+    }
+}

@@ -10,7 +10,6 @@ use std::ops::ControlFlow;
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, SlowTorque, Stage};
 use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
-use quasirigid::math::sym::norm;
 use quasirigid::model::Support;
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
@@ -19,7 +18,6 @@ use quasirigid_io::record::EvolutionRecord;
 use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::liquids::waves;
 use crate::progress::Bar;
 use crate::rotation::slaved_order;
 use ageing::Ageing;
@@ -135,7 +133,6 @@ pub fn follow(
     let unranged = time_range.is_none() && model.extremes.is_some();
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
-    notes.extend(waves(loaded, norm(start.omega)));
     Ok((ageing.record(&evolution, from, &rows, asked, time_range, columns), notes))
 }
 

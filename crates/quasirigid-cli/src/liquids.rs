@@ -34,8 +34,8 @@ pub fn unanswered(loaded: &Loaded, spin: [f64; 3], frequency: f64) -> Option<Str
         .collect();
     (!names.is_empty()).then(|| {
         format!(
-            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only a sphere, a \
-             spheroid that spins about its axis and slow flow are",
+            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere, and a \
+             spheroid or a cylinder that spins about its axis, each up to a Reynolds number",
             names.join(", ")
         )
     })

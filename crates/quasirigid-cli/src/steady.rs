@@ -52,12 +52,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.
-pub fn spin(
-    loaded: &Loaded,
-    name: &str,
-    axis: [f64; 3],
-    given: Given,
-) -> Result<SteadySpinRecord, Failure> {
+pub fn spin(loaded: &Loaded, name: &str, axis: [f64; 3], given: Given) -> Result<SteadySpinRecord, Failure> {
     told(loaded, name, RelativeEquilibrium::near(&loaded.body, axis, given))
 }
 

@@ -51,7 +51,10 @@ pub fn told(loaded: &Loaded, near: Near) -> Told {
     match found {
         Ok(modes) if silent(loaded, &modes).is_some() => {
             let message = silent(loaded, &modes).unwrap_or_default();
-            Told { record: missing(UNDER_FORCES, format!("Under the forces: no answer, since {message}.")), state: None }
+            Told {
+                record: missing(UNDER_FORCES, format!("Under the forces: no answer, since {message}.")),
+                state: None,
+            }
         }
         Ok(modes) => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
         Err(error) => {

@@ -5,9 +5,7 @@ use std::ops::ControlFlow;
 use quasirigid::averaging::{Evolution, HillResponse, MeanPower, Stage};
 use quasirigid::math::sym::norm;
 use quasirigid::reduction::frequencies;
-use quasirigid::secular::{
-    AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes,
-};
+use quasirigid::secular::{AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes};
 
 use super::choice::Choice;
 use super::full::REFUSED;

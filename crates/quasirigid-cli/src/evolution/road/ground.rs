@@ -41,9 +41,12 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes.
+    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the answer of a liquid
+    /// is not known.
     pub fn rates(&self) -> [Option<f64>; 2] {
-        [Mode::LongAxis, Mode::ShortAxis].map(|mode| self.poles.rate(mode).filter(|_| self.silent(mode).is_none()))
+        let known =
+            |mode: Mode| if self.silent(mode).is_some() { Some(f64::NAN) } else { self.poles.rate(mode) };
+        [Mode::LongAxis, Mode::ShortAxis].map(known)
     }
 
     /// Liquids whose answer about the axis that a mode circles is not known, in words.

@@ -14,7 +14,9 @@ use quasirigid::averaging::LevelPassage;
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria};
+use quasirigid::secular::{
+    AverageCriteria, DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria,
+};
 use quasirigid_io::model::EvolveMethod;
 
 use super::Asked;

@@ -92,10 +92,12 @@ pub(super) struct Filled {
     pub slow: SlowLiquid,
 }
 
-/// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent.
-const MOST_REYNOLDS: f64 = 2e6;
+/// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
+/// high as wide at most, up to which its fields are.
+const MOST_OF_BALL: f64 = 2e6;
 const MOST_OF_SPHEROID: f64 = 5e5;
-/// Sine of the angle between a spin and the axis of a spheroid that changes its answer by a per cent at most, and Reynolds number of the spin
+const MOST_OF_CYLINDER: f64 = 3e4;
+/// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its answer by a per cent at most, and Reynolds number of the spin
 /// across the axis that does so.
 const ALIGNED: f64 = 0.05;
 const WEAK: f64 = 2.0;
@@ -135,14 +137,17 @@ impl Cavity {
     pub fn answers(&self, slow: &SlowLiquid, order: usize, spin: [f64; 3], frequency: f64) -> bool {
         let spin = Vector3::from(spin);
         let rate = spin.norm();
+        let along = |axis: [f64; 3], time: f64, most: f64| {
+            let across = spin.cross(&Vector3::from(axis)).norm();
+            (across <= ALIGNED * rate || across * time <= WEAK) && rate * time <= most
+        };
         let known = self.memory(0);
         match known.map(|memory| (memory.flow, memory.time)) {
             Some((LiquidFlow::Tube, _)) => true,
-            Some((LiquidFlow::Ball, time)) => rate * time <= MOST_REYNOLDS,
-            Some((LiquidFlow::Spheroid { axis, .. }, time)) => {
-                let across = spin.cross(&Vector3::from(axis)).norm();
-                let aligned = across <= ALIGNED * rate || across * time <= WEAK;
-                aligned && rate * time <= MOST_OF_SPHEROID
+            Some((LiquidFlow::Ball, time)) => rate * time <= MOST_OF_BALL,
+            Some((LiquidFlow::Spheroid { axis, .. }, time)) => along(axis, time, MOST_OF_SPHEROID),
+            Some((LiquidFlow::Cylinder { axis, half }, time)) => {
+                along(axis, time, MOST_OF_CYLINDER / half.max(1.0).powi(2))
             }
             None if frequency > BEYOND_WAVES * rate => true,
             None if self.regime == Regime::BoundaryLayer => false,
@@ -218,6 +223,9 @@ impl Cavity {
         let flow = match flow {
             LiquidFlow::Spheroid { axis, stretch } => {
                 LiquidFlow::Spheroid { axis: (turn * Vector3::from(axis)).into(), stretch }
+            }
+            LiquidFlow::Cylinder { axis, half } => {
+                LiquidFlow::Cylinder { axis: (turn * Vector3::from(axis)).into(), half }
             }
             other => other,
         };

@@ -63,7 +63,7 @@ pub(super) struct Turning {
     pub flow: LiquidFlow,
     /// Distance from the wall to the middle of the flow, in a spheroid on its equator (m).
     pub radius: f64,
-    /// Moment of inertia of what turns, of unit density, in a spheroid about its axis (m⁵).
+    /// Moment of inertia of what turns, of unit density, in a spheroid or a cylinder about its axis (m⁵).
     pub inertia: f64,
     /// Numbers of the axes.
     pub axes: Vec<usize>,
@@ -74,6 +74,9 @@ pub(super) const SLENDER: f64 = 0.1;
 
 /// Squares of the ratio of the semi-axes of a spheroid between which its spinning flows are known.
 const STRETCHES: RangeInclusive<f64> = 0.04..=25.0;
+
+/// Half the height of a cylinder over its radius between which its spinning flows are known.
+const HALVES: RangeInclusive<f64> = 0.25..=4.0;
 
 /// Volume of a shape and its second moments.
 #[derive(Clone, Copy, Debug)]
@@ -168,6 +171,15 @@ impl CavityShape {
                     flow: LiquidFlow::Spheroid { axis: unit, stretch },
                     radius: across,
                     inertia: 8.0 / 15.0 * PI * across.powi(4) * along,
+                    axes: vec![0, 1, 2],
+                })
+            }
+            Self::Cylinder { radius, height } => {
+                let half = 0.5 * height / radius;
+                HALVES.contains(&half).then(|| Turning {
+                    flow: LiquidFlow::Cylinder { axis: [0.0, 0.0, 1.0], half },
+                    radius: *radius,
+                    inertia: 0.5 * PI * radius.powi(4) * height,
                     axes: vec![0, 1, 2],
                 })
             }

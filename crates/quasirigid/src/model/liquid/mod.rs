@@ -1,13 +1,15 @@
 //! Liquids whose linear answer to small motions about a steady spin is known at every frequency.
 
 mod ball;
+mod cylinder;
+mod galerkin;
+mod jacobi;
+mod known;
 mod tube;
 
 use std::ops::Range;
 
 use nalgebra::{Complex, Matrix3, Vector3};
-
-use ball::Spinning;
 
 /// A liquid whose linear answer about a steady spin is known at every frequency, beside the coordinates that stand for it in the
 /// equations of motion. (L15)
@@ -39,6 +41,13 @@ pub enum LiquidFlow {
         /// Square of the ratio of its semi-axes along the axis and across it.
         stretch: f64,
     },
+    /// In a cylinder that spins about its axis. (L20)
+    Cylinder {
+        /// Its axis, a unit vector, body axes.
+        axis: [f64; 3],
+        /// Half its height over its radius.
+        half: f64,
+    },
 }
 
 /// Reynolds number from which on the spin counts in the answer.
@@ -67,38 +76,42 @@ impl LiquidMemory {
 /// Force on a liquid per rate relative to the body, `D = I²Π⁻¹`, at a complex frequency `s` (1/s) about a steady spin (rad/s, body axes).
 /// (L15)
 ///
-/// A ball knows no direction but that of the spin; a spheroid spins about its axis, and what is across it is left out. Each answers on
+/// A ball knows no direction but that of the spin; a spheroid and a cylinder spin about their axes, and what is across is left out. Each answers on
 /// the axis and for each sense of circling it. Not a number where floating point finds no answer.
-pub(crate) fn impedance(
-    memory: &LiquidMemory,
-    s: Complex<f64>,
-    spin: Vector3<f64>,
-) -> Matrix3<Complex<f64>> {
+pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f64>) -> Matrix3<Complex<f64>> {
     let LiquidMemory { inertia, time, flow, .. } = *memory;
     let unit = inertia / time;
-    let (spin, stretch) = match flow {
+    let own = match flow {
         LiquidFlow::Tube => return Matrix3::from_diagonal_element(unit * tube::drag(time * s)),
-        LiquidFlow::Ball => (spin, 1.0),
-        LiquidFlow::Spheroid { axis, stretch } => {
-            let axis = Vector3::from(axis);
-            (axis * axis.dot(&spin), stretch)
-        }
+        LiquidFlow::Ball => None,
+        LiquidFlow::Spheroid { axis, .. } | LiquidFlow::Cylinder { axis, .. } => Some(Vector3::from(axis)),
     };
+    let spin = own.map_or(spin, |axis| axis * axis.dot(&spin));
     let rate = spin.norm();
-    let axis = match flow {
-        _ if rate > 0.0 => spin / rate,
-        LiquidFlow::Spheroid { axis, .. } => axis.into(),
-        _ => Vector3::z(),
-    };
-    let liquid = Spinning { stretch, tau: time * rate };
-    let along = unit * liquid.drag(0, time * s);
-    let [faster, slower] = [1, -1].map(|m| unit / stretch * liquid.drag(m, time * s));
+    let axis = if rate > 0.0 { spin / rate } else { own.unwrap_or_else(Vector3::z) };
+    let [along, faster, slower] = [0, 1, -1].map(|m| unit * drag(flow, m, time * s, time * rate));
     let projection = (axis * axis.transpose()).map(Complex::from);
     let across = Matrix3::identity() - projection;
     // (1, i, 0) about the spin turns into −i times itself.
     let turn = axis.cross_matrix().map(|entry| Complex::new(0.0, entry));
     let half = Complex::from(0.5);
     projection * along + (across + turn) * (half * faster) + (across - turn) * (half * slower)
+}
+
+/// Force per rate of a motion `e^{imφ}` about the spin, per `I ν/a²` with the inertia about the axis.
+fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
+    // The load squared of a motion across the axis over that of one about it.
+    let across = |ratio: f64| if m == 0 { 1.0 } else { ratio };
+    match flow {
+        LiquidFlow::Tube => tube::drag(sigma),
+        LiquidFlow::Ball => ball::Spinning { stretch: 1.0, tau }.drag(m, sigma),
+        LiquidFlow::Spheroid { stretch, .. } => {
+            ball::Spinning { stretch, tau }.drag(m, sigma) / across(stretch)
+        }
+        LiquidFlow::Cylinder { half, .. } => {
+            cylinder::Spinning { half, tau }.drag(m, sigma) / across(0.5 + 2.0 * half * half / 3.0)
+        }
+    }
 }
 
 #[cfg(test)]
@@ -115,11 +128,16 @@ mod tests {
     #[test]
     fn the_core_of_a_ball_rests_in_space() {
         let (memory, rate) = (ball(1e6), 0.7);
-        let circling = |sign: f64| Vector3::new(Complex::from(1.0), Complex::new(0.0, sign), Complex::from(0.0));
+        let circling =
+            |sign: f64| Vector3::new(Complex::from(1.0), Complex::new(0.0, sign), Complex::from(0.0));
         let s = Complex::new(0.0, rate);
         let D = impedance(&memory, s, Vector3::new(0.0, 0.0, rate));
-        let [resting, other] = [1.0, -1.0].map(|sign| (D * circling(sign)).dot(&circling(sign).conjugate()).norm());
-        assert!(resting < 0.01 * other && (other / (2.0 * 1.3 * 2.0 * rate) - 1.0).abs() < 0.01, "{resting} {other}");
+        let [resting, other] =
+            [1.0, -1.0].map(|sign| (D * circling(sign)).dot(&circling(sign).conjugate()).norm());
+        assert!(
+            resting < 0.01 * other && (other / (2.0 * 1.3 * 2.0 * rate) - 1.0).abs() < 0.01,
+            "{resting} {other}"
+        );
     }
 
     /// The answer turns with the spin: axes that nothing distinguishes.

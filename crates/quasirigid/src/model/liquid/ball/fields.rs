@@ -2,27 +2,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::radial::Radial;
 use crate::math::quadrature::gauss_legendre;
-
-/// Flows of one harmonic round the spin in a spheroid about it: those in the ball of radius 1, toroidal of odd and poloidal of even degree
-/// `l`, solenoidal and zero on the wall, stretched along the axis as the ball is. (L16)
-pub(super) struct Fields {
-    /// By group of degrees, from the lowest on, and between each group and the next.
-    pub groups: Vec<Products>,
-    pub between: Vec<Products>,
-    /// `∫ū·(e × r) dV` with the flows of degree 1 for a unit of `∫|e × r|² dV`.
-    pub load: DVector<f64>,
-}
-
-/// Products of flows, per those of the equatorial radius: row by row those of one group with the columns of another.
-#[derive(Clone)]
-pub(super) struct Products {
-    /// `∫ū_j·u_k dV`.
-    pub mass: DMatrix<f64>,
-    /// `∫∇ū_j:∇u_k dV`.
-    pub friction: DMatrix<f64>,
-    /// `−i∫ū_j·(e × u_k) dV`.
-    pub turning: DMatrix<f64>,
-}
+use crate::model::liquid::galerkin::{Fields, Products, TURNED, WEIGHTS};
 
 /// A component of the flows of a degree: `u_x + iu_y`, `u_x − iu_y` or `u_z`.
 struct Part {
@@ -40,32 +20,25 @@ struct Degree {
     slopes: Vec<(usize, usize, DMatrix<f64>)>,
 }
 
-/// Squares of the components in that of a flow.
-const WEIGHTS: [f64; 3] = [0.5, 0.5, 1.0];
-/// What the spin makes of the components, per `i`.
-const TURNED: [f64; 3] = [1.0, -1.0, 0.0];
 /// Degrees that a stretched ball couples.
 const STRETCHED: usize = 4;
-/// Products below this share of the largest are rounding.
-const ROUNDING: f64 = 1e-14;
-
-impl Fields {
-    /// Flows up to a degree, so many of each, in a spheroid with the square `stretch` of the ratio of its semi-axes along and across.
-    pub fn new(m: usize, degrees: usize, count: usize, stretch: f64) -> Self {
-        let unit = |[x, weight]: [f64; 2]| [0.5 * (1.0 + x), 0.5 * weight];
-        let rule: Vec<[f64; 2]> = gauss_legendre(degrees + 2 * count + 6).into_iter().map(unit).collect();
-        let all: Vec<Degree> = (1..=degrees).map(|l| Degree::new(m as i32, l, count, &rule)).collect();
-        let width = if stretch == 1.0 { 1 } else { STRETCHED };
-        let chunks: Vec<&[Degree]> = all.chunks(width).collect();
-        // The rigid turn is toroidal, of degree 1, with the radial function r and l(l+1)∫r⁴ dr = 2/5.
-        let turn = DVector::from_iterator(rule.len(), rule.iter().map(|[r, weight]| weight.sqrt() * r * r));
-        let first = all[0].radials[0].value.tr_mul(&turn) * (2.0 / 0.4_f64.sqrt());
-        let group = width.min(degrees) * count;
-        Self {
-            groups: chunks.iter().map(|own| Products::of(own, own, stretch)).collect(),
-            between: chunks.windows(2).map(|pair| Products::of(pair[0], pair[1], stretch)).collect(),
-            load: DVector::from_fn(group, |row, _| if row < count { first[row] } else { 0.0 }),
-        }
+/// Flows of harmonic `m` round the spin in a spheroid about it, with the square `stretch` of the ratio of its semi-axes along and across: those
+/// in the ball of radius 1, toroidal of odd and poloidal of even degree, stretched as the ball is. So many degrees, `count` flows
+/// of each. (L16)
+pub(super) fn fields(m: usize, degrees: usize, count: usize, stretch: f64) -> Fields {
+    let unit = |[x, weight]: [f64; 2]| [0.5 * (1.0 + x), 0.5 * weight];
+    let rule: Vec<[f64; 2]> = gauss_legendre(degrees + 2 * count + 6).into_iter().map(unit).collect();
+    let all: Vec<Degree> = (1..=degrees).map(|l| Degree::new(m as i32, l, count, &rule)).collect();
+    let width = if stretch == 1.0 { 1 } else { STRETCHED };
+    let chunks: Vec<&[Degree]> = all.chunks(width).collect();
+    // The rigid turn is toroidal, of degree 1, with the radial function r and l(l+1)∫r⁴ dr = 2/5.
+    let turn = DVector::from_iterator(rule.len(), rule.iter().map(|[r, weight]| weight.sqrt() * r * r));
+    let first = all[0].radials[0].value.tr_mul(&turn) * (2.0 / 0.4_f64.sqrt());
+    let group = width.min(degrees) * count;
+    Fields {
+        groups: chunks.iter().map(|own| of(own, own, stretch)).collect(),
+        between: chunks.windows(2).map(|pair| of(pair[0], pair[1], stretch)).collect(),
+        load: DVector::from_fn(group, |row, _| if row < count { first[row] } else { 0.0 }),
     }
 }
 
@@ -117,57 +90,50 @@ fn cosine(l: usize, m: i32) -> f64 {
     ((l * l - m * m).max(0.0) / (4.0 * l * l - 1.0)).sqrt()
 }
 
-impl Products {
-    /// Of the flows of some degrees with those of others.
-    fn of(rows: &[Degree], columns: &[Degree], stretch: f64) -> Self {
-        let count = rows[0].radials[0].value.ncols();
-        let zero = DMatrix::zeros(rows.len() * count, columns.len() * count);
-        let mut own = Self { mass: zero.clone(), friction: zero.clone(), turning: zero };
-        for (i, row) in rows.iter().enumerate() {
-            for (j, column) in columns.iter().enumerate() {
-                let block = Self::pair(row, column, stretch);
-                let place = (i * count, j * count);
-                own.mass.view_mut(place, (count, count)).copy_from(&block.mass);
-                own.friction.view_mut(place, (count, count)).copy_from(&block.friction);
-                own.turning.view_mut(place, (count, count)).copy_from(&block.turning);
-            }
+/// Of the flows of some degrees with those of others.
+fn of(rows: &[Degree], columns: &[Degree], stretch: f64) -> Products {
+    let count = rows[0].radials[0].value.ncols();
+    let zero = DMatrix::zeros(rows.len() * count, columns.len() * count);
+    let mut own = Products { mass: zero.clone(), friction: zero.clone(), turning: zero };
+    for (i, row) in rows.iter().enumerate() {
+        for (j, column) in columns.iter().enumerate() {
+            let block = pair(row, column, stretch);
+            let place = (i * count, j * count);
+            own.mass.view_mut(place, (count, count)).copy_from(&block.mass);
+            own.friction.view_mut(place, (count, count)).copy_from(&block.friction);
+            own.turning.view_mut(place, (count, count)).copy_from(&block.turning);
         }
-        [&mut own.mass, &mut own.friction, &mut own.turning].into_iter().for_each(cleaned);
-        own
     }
-
-    fn pair(row: &Degree, column: &Degree, stretch: f64) -> Self {
-        let count = row.radials[0].value.ncols();
-        let zero = DMatrix::zeros(count, count);
-        let mut own = Self { mass: zero.clone(), friction: zero.clone(), turning: zero };
-        for a in &row.parts {
-            for b in column.parts.iter().filter(|b| (b.component, b.degree) == (a.component, a.degree)) {
-                let factor = WEIGHTS[a.component] * a.factor * b.factor;
-                let [f, g] = [&row.radials[a.radial], &column.radials[b.radial]];
-                let product = factor * f.value.tr_mul(&g.value);
-                let slant = (a.degree * (a.degree + 1)) as f64;
-                let gradient = factor * (f.slope.tr_mul(&g.slope) + slant * f.over.tr_mul(&g.over));
-                let square = if a.component == 2 { stretch } else { 1.0 };
-                own.turning += TURNED[a.component] * &product;
-                own.mass += square * product;
-                own.friction += square * gradient;
-            }
-        }
-        if stretch != 1.0 {
-            for (component, degree, f) in &row.slopes {
-                let like = |(c, l, _): &&(usize, usize, _)| (c, l) == (component, degree);
-                for (.., g) in column.slopes.iter().filter(like) {
-                    // Slopes along a stretched axis are less, those of the stretched component more.
-                    let square = if *component == 2 { 1.0 - stretch } else { 1.0 / stretch - 1.0 };
-                    own.friction += square * WEIGHTS[*component] * f.tr_mul(g);
-                }
-            }
-        }
-        own
-    }
+    own.cleaned()
 }
 
-fn cleaned(matrix: &mut DMatrix<f64>) {
-    let largest = matrix.amax();
-    matrix.iter_mut().filter(|entry| entry.abs() < ROUNDING * largest).for_each(|entry| *entry = 0.0);
+fn pair(row: &Degree, column: &Degree, stretch: f64) -> Products {
+    let count = row.radials[0].value.ncols();
+    let zero = DMatrix::zeros(count, count);
+    let mut own = Products { mass: zero.clone(), friction: zero.clone(), turning: zero };
+    for a in &row.parts {
+        for b in column.parts.iter().filter(|b| (b.component, b.degree) == (a.component, a.degree)) {
+            let factor = WEIGHTS[a.component] * a.factor * b.factor;
+            let [f, g] = [&row.radials[a.radial], &column.radials[b.radial]];
+            let product = factor * (f.value.transpose() * &g.value);
+            let slant = (a.degree * (a.degree + 1)) as f64;
+            let gradient =
+                factor * ((f.slope.transpose() * &g.slope) + slant * (f.over.transpose() * &g.over));
+            let square = if a.component == 2 { stretch } else { 1.0 };
+            own.turning += TURNED[a.component] * &product;
+            own.mass += square * product;
+            own.friction += square * gradient;
+        }
+    }
+    if stretch != 1.0 {
+        for (component, degree, f) in &row.slopes {
+            let like = |(c, l, _): &&(usize, usize, _)| (c, l) == (component, degree);
+            for (.., g) in column.slopes.iter().filter(like) {
+                // Slopes along a stretched axis are less, those of the stretched component more.
+                let square = if *component == 2 { 1.0 - stretch } else { 1.0 / stretch - 1.0 };
+                own.friction += square * WEIGHTS[*component] * (f.transpose() * g);
+            }
+        }
+    }
+    own
 }

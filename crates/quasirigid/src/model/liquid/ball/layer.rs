@@ -55,9 +55,8 @@ impl Slip {
             let square = across * across + x * x * self.stretch;
             let r = Vector3::new(n.x, n.y, n.z * self.stretch) / square.sqrt();
             let dot = |a: &[C; 3], b: &[C; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-            let cross = |w: &[C; 3]| {
-                [n.y * w[2] - n.z * w[1], n.z * w[0] - n.x * w[2], n.x * w[1] - n.y * w[0]]
-            };
+            let cross =
+                |w: &[C; 3]| [n.y * w[2] - n.z * w[1], n.z * w[0] - n.x * w[2], n.x * w[1] - n.y * w[0]];
             let [w, conjugate] = self.slip(r);
             let area = self.stretch / (square * square) * (TAU / ROUND as f64);
             (dot(&conjugate, &w) - C::i() * dot(&conjugate, &cross(&w))) * area

@@ -1,20 +1,17 @@
 //! A ball or a spheroid of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve, their ratio
 //! to the boundary layer beyond.
 
-mod answer;
 mod fields;
-mod jacobi;
 mod layer;
 mod radial;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
-
 use nalgebra::Complex;
 
-use fields::Fields;
+use fields::fields;
+
+use super::known::{Key, known};
 
 type C = Complex<f64>;
 
@@ -66,24 +63,8 @@ impl Spinning {
         let counted = |number: f64| (number.ceil() as usize).next_multiple_of(STEP);
         let count = counted(LEAST + PER_LAYER * size.sqrt().sqrt());
         let degrees = counted(LEAST + PER_SPIN * self.tau.sqrt().sqrt());
-        let fields = fields(m, degrees, count, self.stretch);
+        let key = Key { m, numbers: [degrees, count], shape: (false, self.stretch.to_bits()) };
+        let fields = known(key, || fields(m, degrees, count, self.stretch));
         fields.answer(sigma, self.tau).map_or(C::new(f64::NAN, f64::NAN), |answer| answer.inv())
     }
-}
-
-/// Fields by harmonic, degrees, number of radial functions and bits of the stretch.
-type Known = HashMap<(usize, usize, usize, u64), Arc<Fields>>;
-/// Fields that are kept.
-const KEPT: usize = 64;
-
-/// Fields, which are made once: they depend on these numbers alone.
-fn fields(m: usize, degrees: usize, count: usize, stretch: f64) -> Arc<Fields> {
-    static KNOWN: Mutex<Option<Known>> = Mutex::new(None);
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let known = known.get_or_insert_default();
-    let key = (m, degrees, count, stretch.to_bits());
-    if known.len() >= KEPT && !known.contains_key(&key) {
-        known.clear();
-    }
-    Arc::clone(known.entry(key).or_insert_with(|| Arc::new(Fields::new(m, degrees, count, stretch))))
 }

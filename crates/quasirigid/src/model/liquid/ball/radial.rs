@@ -1,6 +1,6 @@
 use nalgebra::DMatrix;
 
-use super::jacobi::jacobi;
+use crate::model::liquid::jacobi::jacobi;
 
 /// A radial function with its slope and itself over the radius, at the points of a rule, times the radius and the root of the weight.
 #[derive(Clone)]
@@ -39,7 +39,8 @@ impl Radial {
         let mut pair = [of(degree, degree, -1.0), of(degree + 1.0, degree + 1.0, 1.0)];
         for column in 0..count {
             let factor = (square(l) * laplacian.column(column).norm_squared()).sqrt().recip();
-            pair.iter_mut().for_each(|radial| radial.each(|matrix| matrix.column_mut(column).scale_mut(factor)));
+            pair.iter_mut()
+                .for_each(|radial| radial.each(|matrix| matrix.column_mut(column).scale_mut(factor)));
         }
         pair
     }

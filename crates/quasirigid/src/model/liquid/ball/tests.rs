@@ -58,7 +58,7 @@ fn what_is_resolved_is_settled() {
                 let size = sigma.norm() + 2.0 * tau;
                 let count = 10 + (2.0 * size.sqrt().sqrt()) as usize;
                 let degrees = 12 + (1.5 * tau.sqrt().sqrt()) as usize;
-                let fine = Fields::new(m as usize, degrees, count, 1.0).answer(sigma, tau).unwrap().inv();
+                let fine = fields(m as usize, degrees, count, 1.0).answer(sigma, tau).unwrap().inv();
                 let gap = (found - fine).norm() / (fine - inviscid).norm();
                 assert!(gap < 3e-3, "tau {tau} frequency {frequency} m {m}: {gap:e}");
             }
@@ -84,7 +84,8 @@ fn spin_over_decays_as_greenspan_has_it() {
     let tau = 1e10;
     let layer = spin_over(&|sigma| layer_of(1.0, sigma, tau), tau, 1.0);
     assert!((layer - C::new(-2.6205, 0.2585)).norm() < 3e-4, "{layer}");
-    let gaps = [1e3, 1e4, 1e5].map(|tau| -spin_over(&|sigma| drag(1, sigma, tau), tau, 1.0).re / 2.6205 - 1.0);
+    let gaps =
+        [1e3, 1e4, 1e5].map(|tau| -spin_over(&|sigma| drag(1, sigma, tau), tau, 1.0).re / 2.6205 - 1.0);
     assert!(gaps[0] < 0.2 && gaps[1] < 0.05 && gaps[2] < 0.025 && gaps[2] > 0.0, "{gaps:?}");
 }
 
@@ -111,7 +112,8 @@ fn a_slow_spheroid_is_that_of_polynomials() {
         let c = stretch.sqrt();
         let about_x = |[a, b, c]: [f64; 3]| {
             let [a2, b2, c2] = [a * a, b * b, c * c];
-            let sum = 3.0 * a2 * b2 * b2 + 2.0 * a2 * b2 * c2 + 3.0 * a2 * c2 * c2 + b2 * b2 * c2 + b2 * c2 * c2;
+            let sum =
+                3.0 * a2 * b2 * b2 + 2.0 * a2 * b2 * c2 + 3.0 * a2 * c2 * c2 + b2 * b2 * c2 + b2 * c2 * c2;
             16.0 * PI * a.powi(3) * b.powi(5) * c.powi(5) / (105.0 * sum)
         };
         let unit = 8.0 * PI / 15.0 * c;
@@ -156,7 +158,8 @@ fn the_ratio_joins_the_fields() {
             let [core, layer] = layer::drag(Spinning { stretch: 1.0, tau }, 1, sigma);
             (drag(1, sigma, tau) - core) / layer
         };
-        let [below, above] = [0.999, 1.001].map(|share| share * Spinning { stretch: 1.0, tau: 1.0 }.resolved()).map(at);
+        let [below, above] =
+            [0.999, 1.001].map(|share| share * Spinning { stretch: 1.0, tau: 1.0 }.resolved()).map(at);
         assert!((above / below - 1.0).norm() < 2e-3, "{below} {above}");
     }
 }

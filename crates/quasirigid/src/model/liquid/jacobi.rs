@@ -1,6 +1,7 @@
 /// Jacobi polynomials `J_n^{(a,b)}`, `n = 0, 1, …`, with their first two derivatives.
 pub(super) fn jacobi(count: usize, [a, b]: [f64; 2], x: f64) -> Vec<[f64; 3]> {
-    let [plain, once, twice] = [0, 1, 2].map(|k| values(count.saturating_sub(k), a + f64::from(k as u32), b + f64::from(k as u32), x));
+    let [plain, once, twice] = [0, 1, 2]
+        .map(|k| values(count.saturating_sub(k), a + f64::from(k as u32), b + f64::from(k as u32), x));
     let entry = |n: usize| {
         let rate = n as f64 + a + b + 1.0;
         let slope = if n > 0 { 0.5 * rate * once[n - 1] } else { 0.0 };

@@ -45,7 +45,7 @@ fn stage(
     let liquid = tank(place(-0.4), 1.0, DENSITY / unit.powi(3), viscosity * unit.powi(2));
     Assembly {
         carrier: Some(Carrier { mass: 260.0, center_of_mass: place(0.1), inertia }),
-        cavities: vec![Cavity { shape, attitude, ..liquid }],
+        cavities: vec![Cavity { shape, attitude, resolution: 12, ..liquid }],
         ..Assembly::default()
     }
 }

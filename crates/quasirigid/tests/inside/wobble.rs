@@ -106,7 +106,8 @@ fn a_liquid_ball_at_a_low_reynolds_number() {
         let expected = decay_with_liquid(frozen(radius, density), time);
         (rate(&with_liquid(radius, density, time)) / expected - 1.0).abs()
     });
-    assert!(gaps[1] < 1e-3 && gaps[1] < 0.2 * gaps[0], "{gaps:?}");
+    // What the reference leaves out, the flow between poles and equator, is of the square of the Reynolds number.
+    assert!(gaps[1] < 1e-5, "{gaps:?}");
 }
 
 /// Decay of the nutation with an ideal core and its layer, `15/8·∫(x − 1)²κ dx` with `κ = √(σ + 2iτx)`, the force of Coriolis in both: the

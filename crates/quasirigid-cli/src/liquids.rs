@@ -1,6 +1,7 @@
 //! Liquids of a model at a spin, in words and numbers.
 
 use quasirigid::elements::SlowLiquid;
+use quasirigid::math::sym::norm;
 use quasirigid_io::record::LiquidRecord;
 
 use crate::commands::Loaded;
@@ -22,18 +23,19 @@ pub fn liquids(loaded: &Loaded, spin: f64) -> Vec<Liquid<'_>> {
         .collect()
 }
 
-/// Reynolds numbers above this let waves live in a liquid that spins.
-const WAVES: f64 = 100.0;
-
-/// What to know of waves in spinning liquids (rad/s) that the answers leave out, if any lives long enough.
-pub fn waves(loaded: &Loaded, spin: f64) -> Option<String> {
+/// Liquids whose answer to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s) is not known, in words; none if all are.
+pub fn unanswered(loaded: &Loaded, spin: [f64; 3], frequency: f64) -> Option<String> {
     let cavities = loaded.model.assembly.cavities.iter().zip(&loaded.liquids);
-    let lively = cavities.filter(|(cavity, slow)| cavity.leaves_out_waves() && slow.reynolds(spin) > WAVES);
-    let names: Vec<String> = lively.map(|(cavity, _)| format!("{:?}", cavity.name)).collect();
+    let silent = cavities.filter(|(cavity, slow)| !cavity.answers(slow, loaded.order, spin, frequency));
+    let names: Vec<String> = silent
+        .map(|(cavity, slow)| {
+            format!("{:?} (Reynolds number {})", cavity.name, significant(slow.reynolds(norm(spin)), 2))
+        })
+        .collect();
     (!names.is_empty()).then(|| {
         format!(
-            "Spinning liquid has waves of its own at frequencies below twice the spin; in {} they are weakly damped and mostly left out. \
-             Where the times differ at --order 1, 3 and 5, they decide.",
+            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere, and a \
+             spheroid or a cylinder that spins about its axis, each up to a Reynolds number",
             names.join(", ")
         )
     })

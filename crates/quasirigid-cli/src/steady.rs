@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::math::sym::norm;
-use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::model::Mode;
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
@@ -11,6 +11,7 @@ use crate::commands::Loaded;
 use crate::describe::{significant, time};
 use crate::failure::Failure;
 use crate::layout::paragraph;
+use crate::liquids::unanswered;
 
 /// Coordinates of a body whose modes take longer than a moment.
 const MANY: usize = 700;
@@ -20,11 +21,11 @@ const LISTED: usize = 12;
 const SHARES: usize = 4;
 
 /// The steady spins about the axes of greatest and of least inertia.
-pub fn poles(body: &FlexibleBody, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
+pub fn poles(loaded: &Loaded, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
     let poles = [("greatest", Mode::ShortAxis), ("least", Mode::LongAxis)];
     poles
         .into_iter()
-        .map(|(name, mode)| told(body, name, RelativeEquilibrium::extreme(body, mode, given)))
+        .map(|(name, mode)| told(loaded, name, RelativeEquilibrium::extreme(&loaded.body, mode, given)))
         .collect()
 }
 
@@ -35,7 +36,7 @@ pub fn at_start(loaded: &Loaded, omega: [f64; 3]) -> Result<Vec<SteadySpinRecord
     if acts(body, forces) || norm(omega) == 0.0 || body.coordinates().len() > MANY {
         return Ok(Vec::new());
     }
-    poles(body, Given::Rate(norm(omega)))
+    poles(loaded, Given::Rate(norm(omega)))
 }
 
 /// What the steady spins come to, a paragraph each.
@@ -51,21 +52,17 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.
-pub fn spin(
-    body: &FlexibleBody,
-    name: &str,
-    axis: [f64; 3],
-    given: Given,
-) -> Result<SteadySpinRecord, Failure> {
-    told(body, name, RelativeEquilibrium::near(body, axis, given))
+pub fn spin(loaded: &Loaded, name: &str, axis: [f64; 3], given: Given) -> Result<SteadySpinRecord, Failure> {
+    told(loaded, name, RelativeEquilibrium::near(&loaded.body, axis, given))
 }
 
 /// A steady spin with its modes, or why there is none.
 fn told(
-    body: &FlexibleBody,
+    loaded: &Loaded,
     name: &str,
     found: Result<RelativeEquilibrium, EquilibriumError>,
 ) -> Result<SteadySpinRecord, Failure> {
+    let body = &loaded.body;
     let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
@@ -75,6 +72,10 @@ fn told(
         Ok(modes) => modes,
         Err(error) => return Ok(unfound(error.to_string())),
     };
+    let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
+    if let Some(message) = unanswered(loaded, modes.equilibrium.omega, frequency) {
+        return Ok(unfound(format!("no answer, since {message}")));
+    }
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
     Ok(SteadySpinRecord {
         sentence: sentence(name, &modes),

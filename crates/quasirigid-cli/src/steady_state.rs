@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use crate::commands::Loaded;
 use crate::describe::significant;
 use crate::failure::Failure;
+use crate::liquids::unanswered;
 use crate::rotation::initial;
 use crate::steady::{fate, missing, recorded};
 
@@ -48,11 +49,24 @@ pub fn told(loaded: &Loaded, near: Near) -> Told {
     let found = SteadyState::near(&loaded.body, &loaded.forces, near)
         .and_then(|state| SteadyModes::about(&loaded.body, &loaded.forces, state));
     match found {
+        Ok(modes) if silent(loaded, &modes).is_some() => {
+            let message = silent(loaded, &modes).unwrap_or_default();
+            Told {
+                record: missing(UNDER_FORCES, format!("Under the forces: no answer, since {message}.")),
+                state: None,
+            }
+        }
         Ok(modes) => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
         Err(error) => {
             Told { record: missing(UNDER_FORCES, format!("Under the forces: {error}.")), state: None }
         }
     }
+}
+
+/// Liquids whose answer to the slowest of the modes that swing is not known, in words.
+fn silent(loaded: &Loaded, modes: &SteadyModes) -> Option<String> {
+    let swinging = modes.modes.iter().map(|mode| mode.frequency).filter(|frequency| *frequency > 0.0);
+    unanswered(loaded, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
 }
 
 fn record(loaded: &Loaded, modes: &SteadyModes, near: Near) -> SteadySpinRecord {

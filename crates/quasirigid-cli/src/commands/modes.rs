@@ -31,12 +31,12 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
             };
             let place = ["least", "middle", "greatest"].iter().position(|axis| axis == name);
             let axis = Principal::of(body.invariants().J).axes[place.unwrap_or(2)];
-            vec![steady::spin(body, name, axis, rate(omega))?]
+            vec![steady::spin(&loaded, name, axis, rate(omega))?]
         }
-        (None, Some(omega)) => vec![steady::spin(body, "asked", nearest(body, omega), rate(omega))?],
+        (None, Some(omega)) => vec![steady::spin(&loaded, "asked", nearest(body, omega), rate(omega))?],
         (None, None) => {
             let omega = initial(model, body, *order, &arguments.common.model)?.omega;
-            steady::poles(body, rate(omega))?
+            steady::poles(&loaded, rate(omega))?
         }
     };
     if arguments.common.json {

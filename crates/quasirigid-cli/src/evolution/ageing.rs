@@ -33,6 +33,8 @@ pub struct Ageing {
     pub principal: Principal,
     pub response: Response,
     pub polynomial: PolynomialPower,
+    /// Whether a liquid makes the harmonics costly.
+    costly: bool,
     /// Whether the polynomial's power is the one averaged, and whether the user said where it comes from.
     pub by_polynomial: bool,
     pub power_was_asked: bool,
@@ -51,6 +53,12 @@ pub struct Ageing {
     pub measured: Vec<[f64; 2]>,
 }
 
+/// The power of the harmonics, interpolated where it costs much.
+fn by_harmonics(response: &Response, costly: bool, momentum: f64) -> Box<dyn MeanPower> {
+    let response = Box::new(response.clone());
+    if costly { Box::new(InterpolatedPower::new(response, momentum)) } else { response }
+}
+
 impl Ageing {
     /// From the reduced equations, and those of the order to which the state follows its spin.
     pub fn new(
@@ -66,16 +74,23 @@ impl Ageing {
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
         let (response, polynomial) = (Response::of(body)?, PolynomialPower::of(reduced));
         let by_polynomial = !lossy && power.is_none() || power == Some(Power::Polynomial);
+        let costly = !body.memories().is_empty();
+        let initial = FreeRotation::through(principal.moments, frozen);
         Ok(Self {
             principal,
-            source: if by_polynomial { Box::new(polynomial.clone()) } else { Box::new(response.clone()) },
+            source: if by_polynomial {
+                Box::new(polynomial.clone())
+            } else {
+                by_harmonics(&response, costly, initial.momentum())
+            },
             response,
+            costly,
             polynomial,
             by_polynomial,
             power_was_asked: power.is_some(),
             in_spinning_frame: false,
             verdict: Verdict::average(None),
-            initial: FreeRotation::through(principal.moments, frozen),
+            initial,
             order: reduced.order,
             lossy,
             measured: measured.collect(),
@@ -88,7 +103,7 @@ impl Ageing {
 
     /// Takes the harmonics for the average.
     pub fn take_harmonics(&mut self) {
-        (self.by_polynomial, self.source) = (false, Box::new(self.response.clone()));
+        (self.by_polynomial, self.source) = (false, self.by_harmonics());
     }
 
     /// Takes the response in the spinning frame for the average.
@@ -99,7 +114,11 @@ impl Ageing {
 
     /// The average as it stands.
     pub fn copied(&self) -> Box<dyn MeanPower> {
-        if self.by_polynomial { Box::new(self.polynomial.clone()) } else { Box::new(self.response.clone()) }
+        if self.by_polynomial { Box::new(self.polynomial.clone()) } else { self.by_harmonics() }
+    }
+
+    fn by_harmonics(&self) -> Box<dyn MeanPower> {
+        by_harmonics(&self.response, self.costly, self.initial.momentum())
     }
 
     /// The record of an evolution that no road leads along: a message, and the rates of the modes.

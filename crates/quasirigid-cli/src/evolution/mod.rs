@@ -14,7 +14,6 @@ use quasirigid::averaging::{
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
@@ -23,7 +22,6 @@ use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::liquids::waves;
 use crate::progress::Bar;
 use crate::rotation::slaved_order;
 use ageing::Ageing;
@@ -142,7 +140,6 @@ pub fn follow(
     let unranged = time_range.is_none() && model.extremes.is_some();
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
-    notes.extend(waves(loaded, norm(start.omega)));
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
     let estimates = estimates(loaded, record.momentum / ageing.principal.moments[2]);
     Ok((EvolutionRecord { estimates, ..record }, notes))

@@ -199,7 +199,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
 /// An evolution that no road leads along.
 fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
-    if record.damping_time.is_nan() {
+    if record.damping_time.is_nan() && record.growth_time.is_nan() {
         return Ok(());
     }
     writeln!(out)?;
@@ -242,6 +242,7 @@ fn periods(rotation: &ObservedRecord) -> String {
 fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     let folding = |verb: &str, seconds: f64| match seconds {
         f64::INFINITY => "stays as it is".to_owned(),
+        _ if seconds.is_nan() => "is not known".to_owned(),
         _ => format!("{verb} e-fold in {}", time(seconds)),
     };
     writeln!(out, "  small wobble, short axis   {}", folding("falls", record.damping_time))?;

@@ -5,7 +5,7 @@ use super::rows::{Row, rows};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
 use crate::math::sym::{self, Sym};
-use crate::model::impedance::turned_impedance;
+use crate::model::liquid::impedance;
 use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
 
 /// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and what turns inside it.
@@ -224,7 +224,7 @@ impl Response {
         let spin = (0..3)
             .fold(Vector3::zeros(), |sum, i| sum + mean_spin[i] * Vector3::from(self.principal.axes[i]));
         let s = Complex::new(0.0, frequency);
-        let force = turned_impedance(memory, s, spin);
+        let force = impedance(memory, s, spin);
         let axis = |i: usize| Vector3::from(memory.axes[i]).map(Complex::from);
         let count = memory.axes.len();
         DMatrix::from_fn(count, count, |i, j| s * axis(i).dot(&(force * axis(j))))

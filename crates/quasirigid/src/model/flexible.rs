@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{CurvedPaths, Dissipator, Invariants, Rheology, Support, Wheels};
+use super::{CurvedPaths, Dissipator, Invariants, LiquidMemory, Rheology, Support, Wheels};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -65,22 +65,6 @@ pub struct Lossy {
     pub rheology: Rheology,
     /// Its part of `C`.
     pub stiffness: SparseRows<f64>,
-}
-
-/// A liquid whose linear answer is known at every frequency, beside the coordinates that stand for it in the equations of motion.
-/// (C11)
-#[derive(Clone, Debug, PartialEq)]
-pub struct LiquidMemory {
-    /// Its coordinates.
-    pub coordinates: Range<usize>,
-    /// Axes about which it turns, unit vectors, body axes: one, or three of a ball.
-    pub axes: Vec<[f64; 3]>,
-    /// Index of the Bessel functions of its flow: 0 in a slender ring, 1 in a long cylinder, 3/2 in a ball.
-    pub index: f64,
-    /// Moment of inertia of the frozen liquid (kg·m²).
-    pub inertia: f64,
-    /// `a²/ν` of its radius (s).
-    pub time: f64,
 }
 
 /// A place on the body: its displacement says whether the body stays nearly rigid, and a force may act there.
@@ -498,16 +482,6 @@ impl Lossy {
 
     pub(super) fn scaled(&self, factor: f64) -> Self {
         Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
-    }
-}
-
-impl LiquidMemory {
-    fn scaled(&self, factor: f64) -> Self {
-        Self { time: factor * self.time, ..self.clone() }
-    }
-
-    fn moved(&self, start: usize) -> Self {
-        Self { coordinates: self.coordinates.start - start..self.coordinates.end - start, ..self.clone() }
     }
 }
 

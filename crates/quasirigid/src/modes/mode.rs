@@ -2,7 +2,7 @@ use nalgebra::Complex;
 
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
-use super::iteration::belongs;
+use super::iteration::{Pair, belongs};
 use super::pencil::Pencil;
 use super::shares::{dissipation, leading, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
@@ -112,7 +112,9 @@ impl SpinModes {
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());
-        for (i, motion) in found.iter().enumerate() {
+        let others = (0..found.len()).filter(|i| Some(*i) != nutation);
+        for i in nutation.into_iter().chain(others) {
+            let motion = &found[i];
             if Some(i) != nutation {
                 internal.push([-motion.lambda.re, motion.lambda.im]);
             }
@@ -124,11 +126,9 @@ impl SpinModes {
                     |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
                 modes.iter().any(|mode| gap(mode) < SAME * lambda.norm())
             };
-            // Relaxations of a liquid whose impedance is known stand for it only where they lead to a mode of it.
-            if pencil.has_liquids()
-                && Some(i) != nutation
-                && kept.as_ref().is_none_or(|(lambda, _)| known(*lambda))
-            {
+            // Relaxations of a liquid whose impedance is known stand for it only where they lead to a mode of it; so does the nutation.
+            let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
+            if pencil.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
                 continue;
             }
             let (lambda, x) = kept.unwrap_or(start);

@@ -5,7 +5,7 @@ use super::iteration::{Nonlinear, Pair, inverse_iteration};
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
 use crate::math::sym::{self, scale};
-use crate::model::impedance::turned_impedance;
+use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, SpinCoefficients};
 
 /// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: its modes are a nonlinear eigenproblem where a material or a
@@ -147,7 +147,7 @@ impl Nonlinear for Pencil<'_> {
             }
         }
         for (start, memory) in &self.memories {
-            let Z = turned_impedance(memory, lambda, self.omega);
+            let Z = impedance(memory, lambda, self.omega);
             for (i, a) in memory.axes.iter().enumerate() {
                 for (j, b) in memory.axes.iter().enumerate() {
                     let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));

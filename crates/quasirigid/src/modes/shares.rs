@@ -4,7 +4,7 @@ use nalgebra::{Complex, Vector3};
 
 use crate::math::sparse::SparseRows;
 use crate::math::sym;
-use crate::model::impedance::turned_impedance;
+use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
 
 /// A liquid whose impedance is known, with the eigenvalue and the angles about its axes.
@@ -113,7 +113,7 @@ pub(super) fn dissipation(
         })
         .collect();
     for (memory, lambda, angles) in liquids {
-        let Z = turned_impedance(memory, *lambda, omega.into());
+        let Z = impedance(memory, *lambda, omega.into());
         let rate = memory.axes.iter().zip(*angles).fold(
             Vector3::zeros(),
             |sum: Vector3<Complex<f64>>, (axis, x)| {

@@ -14,6 +14,8 @@ pub struct AverageCriteria {
     pub moments: f64,
     /// Largest relative difference between the averaged power and that of short runs of the full system; zero where none were made. (Q9)
     pub probed: f64,
+    /// Estimate of the relative error that the answer of liquids about the mean spin leaves in a wide wobble. (L19)
+    pub liquids: f64,
 }
 
 /// Largest relative error of an average that is accepted.
@@ -27,7 +29,8 @@ impl AverageCriteria {
     /// Relative error within which the averaged power is. (Q7)
     #[must_use]
     pub fn error(&self) -> f64 {
-        CAUTION * self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed)
+        let compared = self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed);
+        (CAUTION * compared).max(self.liquids)
     }
 
     /// Relative error within which an averaged time of so many revolutions is. (Q7)

@@ -15,6 +15,7 @@ mod orders;
 mod parts;
 mod properties;
 mod shapes;
+mod spinning;
 mod start;
 mod without_momentum;
 mod wobble;

@@ -5,6 +5,7 @@ use quasirigid::averaging::{Evolution, Response};
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape, Regime};
 use quasirigid::math::rotation::turned;
 use quasirigid::model::Mode;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 
 use crate::bodies::{ball, tank};
 
@@ -86,33 +87,80 @@ fn decay_with_liquid(inertia: f64, time: f64) -> f64 {
     -s.re
 }
 
-/// From a flow that follows at once to one that hardly follows: Reynolds numbers from 0.08 to 80 000.
-#[test]
-fn a_liquid_ball_at_any_reynolds_number() {
-    let density = 1000.0;
-    for time in [0.1, 10.0, 300.0, 1.0e5] {
-        let gaps = [0.1_f64, 0.0631].map(|radius| {
-            let inertia = density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5);
-            let own = [A - inertia, A - inertia, C3 - inertia];
-            let cavities = vec![tank([0.1, -0.2, 0.4], radius, density, radius * radius / time)];
-            let assembly = Assembly { carrier: Some(carrier(own)), cavities, ..Assembly::default() };
-            (rate(&assembly) / decay_with_liquid(inertia, time) - 1.0).abs()
-        });
-        assert!(gaps[1] < 1e-3 && gaps[1] < 0.2 * gaps[0], "{time}: {gaps:?}");
-    }
+fn with_liquid(radius: f64, density: f64, time: f64) -> Assembly {
+    let inertia = density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5);
+    let own = [A - inertia, A - inertia, C3 - inertia];
+    let cavities = vec![tank([0.1, -0.2, 0.4], radius, density, radius * radius / time)];
+    Assembly { carrier: Some(carrier(own)), cavities, ..Assembly::default() }
 }
 
-/// An ideal liquid behind its boundary layer loses what the exact answer says, but for the few rates that make up the layer.
+fn frozen(radius: f64, density: f64) -> f64 {
+    density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5)
+}
+
+/// A flow that follows at once, at a Reynolds number of 0.08: the force of Coriolis turns its shells as the body turns.
+#[test]
+fn a_liquid_ball_at_a_low_reynolds_number() {
+    let (density, time) = (1000.0, 0.1);
+    let gaps = [0.1_f64, 0.0631].map(|radius| {
+        let expected = decay_with_liquid(frozen(radius, density), time);
+        (rate(&with_liquid(radius, density, time)) / expected - 1.0).abs()
+    });
+    // What the reference leaves out, the flow between poles and equator, is of the square of the Reynolds number.
+    assert!(gaps[1] < 1e-5, "{gaps:?}");
+}
+
+/// Decay of the nutation with an ideal core and its layer, `15/8·∫(x − 1)²κ dx` with `κ = √(σ + 2iτx)`, the force of Coriolis in both: the
+/// root of `(s − iΩ)(A − sΠ) + iΩC = 0`, `Π = I a²/(νD)`.
+fn decay_with_layer(inertia: f64, time: f64) -> f64 {
+    let i = C::i();
+    let tau = SPIN * time;
+    let drag = |sigma: C| {
+        let count = 40_000;
+        let term = |place: i32| {
+            let x = -1.0 + (f64::from(place) + 0.5) * 2.0 / f64::from(count);
+            (x - 1.0).powi(2) * (sigma + 2.0 * i * tau * x).sqrt()
+        };
+        sigma - i * tau + 1.875 * 2.0 / f64::from(count) * (0..count).map(term).sum::<C>()
+    };
+    let mut s = i * SPIN * (1.0 - C3 / A);
+    for _ in 0..8 {
+        let ratio = inertia * time * s / drag(s * time);
+        s = i * SPIN - i * SPIN * C3 / (A - ratio);
+    }
+    -s.re
+}
+
+/// At high Reynolds numbers the power comes to that of the layer as slowly as `E^{0.3}`; the modes, which know a heavy liquid too, have the
+/// same rate. The law of shells that drag each other, without the flow between poles and equator, is off by more.
+#[test]
+fn a_liquid_ball_at_high_reynolds_numbers() {
+    let density = 1000.0;
+    let gaps = [1.0e4, 1.0e6].map(|time| {
+        let assembly = with_liquid(0.0631, density, time);
+        let (average, layer) = (rate(&assembly), decay_with_layer(frozen(0.0631, density), time));
+        let body = assembly.body().unwrap();
+        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(SPIN)).unwrap();
+        let modes = SpinModes::about(&body, spin).unwrap();
+        let decay = modes.nutation().unwrap().decay_rate;
+        assert!((decay / average - 1.0).abs() < 1e-3, "{time}: {decay:e} {average:e}");
+        (average / layer - 1.0).abs()
+    });
+    println!("{gaps:?}");
+    assert!(gaps[0] < 0.12 && gaps[1] < 0.02, "{gaps:?}");
+}
+
+/// The coordinates of an ideal liquid behind its boundary layer lose what shells of a ball do, but for the few rates that make up the layer.
 #[test]
 fn a_boundary_layer_at_high_reynolds_numbers() {
     let (density, radius) = (100.0, 0.0631_f64);
-    let inertia = density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5);
     let gaps = [1.0e4, 1.0e6].map(|time| {
-        let own = [A - inertia, A - inertia, C3 - inertia];
-        let liquid = tank([0.1, -0.2, 0.4], radius, density, radius * radius / time);
-        let cavities = vec![Cavity { regime: Regime::BoundaryLayer, modes: 3, ..liquid }];
-        let assembly = Assembly { carrier: Some(carrier(own)), cavities, ..Assembly::default() };
-        (rate(&assembly) / decay_with_liquid(inertia, time) - 1.0).abs()
+        let mut assembly = with_liquid(radius, density, time);
+        let liquid = assembly.cavities.remove(0);
+        assembly.cavities = vec![Cavity { regime: Regime::BoundaryLayer, modes: 3, ..liquid }];
+        let response = Response::of(&assembly.body().unwrap().without_memories()).unwrap();
+        let rate = Evolution::new(&response, C3 * SPIN).wobble_rate(Mode::ShortAxis);
+        (rate / decay_with_liquid(frozen(radius, density), time) - 1.0).abs()
     });
     println!("{gaps:?}");
     assert!(gaps.iter().all(|gap| *gap < 2e-3), "{gaps:?}");

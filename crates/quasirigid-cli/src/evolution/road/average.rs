@@ -5,9 +5,7 @@ use std::ops::ControlFlow;
 use quasirigid::averaging::{Evolution, HillResponse, MeanPower, Stage};
 use quasirigid::math::sym::norm;
 use quasirigid::reduction::frequencies;
-use quasirigid::secular::{
-    AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes, average_criteria,
-};
+use quasirigid::secular::{AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes};
 
 use super::choice::Choice;
 use super::full::REFUSED;
@@ -54,11 +52,10 @@ impl Choice<'_> {
             }
         }
         let Some(hill) = hill.filter(|_| !ageing.power_was_asked) else { return Ok(None) };
-        let Ground { range, poles, .. } = self.ground;
-        let evolution = Evolution::new(&hill, range.momentum());
+        let evolution = Evolution::new(&hill, self.ground.range.momentum());
         let share = |stage: Stage| hill.share(&evolution.motion(stage)).unwrap_or(f64::INFINITY);
         let share = self.way.ends.map(share).into_iter().fold(0.0, f64::max);
-        let criteria = average_criteria(&hill, range, poles, self.way.ends);
+        let criteria = self.judged(&hill);
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let road = self.accepted(criteria, &hill, watch)?;
         if road.is_some() {
@@ -91,7 +88,7 @@ impl Choice<'_> {
         let stiff = self.body.cyclic().is_empty() && norm(self.way.start.omega) < PROBED * slowest;
         let mut found = None;
         if !stiff && self.ground.complete(self.way.ends) {
-            let Ground { body, range, poles } = self.ground;
+            let Ground { body, range, poles, .. } = self.ground;
             let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
             let probes = Probes::between(body, range, poles, self.way.ends, options, &mut || watch(0.0));
             match probes {
@@ -159,7 +156,14 @@ impl Choice<'_> {
                 significant(widest.to_degrees(), 3)
             ));
         }
+        let liquids = self.ground.liquids(self.way.ends);
+        if liquids > REFUSED {
+            return Err(format!(
+                "the answer of a liquid that spins is known for small wobbles, and one of {} degrees is too wide for it",
+                significant(widest.to_degrees(), 3)
+            ));
+        }
         let least = if self.body.memories().is_empty() { LEAST } else { OF_LIQUIDS };
-        Ok(Road::Calibrated { power: Box::new(power), error: error.max(least) })
+        Ok(Road::Calibrated { power: Box::new(power), error: error.max(least).max(liquids) })
     }
 }

@@ -1,6 +1,7 @@
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
+use quasirigid::averaging::MeanPower;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{AverageCriteria, MeasureError, Probes, average_criteria};
 
@@ -33,7 +34,14 @@ impl<'a> Choice<'a> {
     }
 
     pub fn criteria(&self, ageing: &Ageing) -> AverageCriteria {
-        average_criteria(ageing.power(), &self.ground.range, &self.ground.poles, self.way.ends)
+        self.judged(ageing.power())
+    }
+
+    /// What speaks for an average on the way.
+    pub fn judged(&self, power: &dyn MeanPower) -> AverageCriteria {
+        let Ground { range, poles, .. } = self.ground;
+        let criteria = average_criteria(power, range, poles, self.way.ends);
+        AverageCriteria { liquids: self.ground.liquids(self.way.ends), ..criteria }
     }
 
     /// The average that was asked for.

@@ -1,17 +1,21 @@
 use std::f64::consts::TAU;
 
 use quasirigid::averaging::{FreeRotation, Stage};
-use quasirigid::model::{FlexibleBody, Mode};
+use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
 use quasirigid::secular::{EnergyRange, Poles};
 
+use crate::commands::Loaded;
 use crate::describe::time;
 use crate::failure::Failure;
+use crate::liquids::unanswered;
 
 /// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {
     pub body: &'a FlexibleBody,
     pub range: EnergyRange,
     pub poles: Poles,
+    /// Liquids whose answer is not known about the axes of least and of greatest inertia, in words.
+    silent: [Option<String>; 2],
 }
 
 /// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
@@ -19,19 +23,35 @@ const LEFT_OUT: f64 = 0.02;
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
-    pub fn of(body: &'a FlexibleBody, momentum: f64) -> Result<Result<Self, String>, Failure> {
+    pub fn of(loaded: &'a Loaded, momentum: f64) -> Result<Result<Self, String>, Failure> {
+        let body = &loaded.body;
         match EnergyRange::of(body, momentum) {
             Ok(range) => {
                 let poles = Poles::of(body, &range).map_err(|error| format!("the steady spins: {error}"));
-                Ok(poles.map(|poles| Self { body, range, poles }))
+                Ok(poles.map(|poles| {
+                    let silent = [Mode::LongAxis, Mode::ShortAxis].map(|mode| {
+                        let modes = &poles.of_mode(mode)?.modes;
+                        let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
+                        unanswered(loaded, modes.equilibrium.omega, frequency)
+                    });
+                    Self { body, range, poles, silent }
+                }))
             }
             Err(error) => Ok(Err(error.to_string())),
         }
     }
 
-    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes.
+    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the answer of a liquid
+    /// is not known.
     pub fn rates(&self) -> [Option<f64>; 2] {
-        [Mode::LongAxis, Mode::ShortAxis].map(|mode| self.poles.rate(mode))
+        let known =
+            |mode: Mode| if self.silent(mode).is_some() { Some(f64::NAN) } else { self.poles.rate(mode) };
+        [Mode::LongAxis, Mode::ShortAxis].map(known)
+    }
+
+    /// Liquids whose answer about the axis that a mode circles is not known, in words.
+    pub fn silent(&self, mode: Mode) -> Option<&String> {
+        self.silent[usize::from(mode == Mode::ShortAxis)].as_ref()
     }
 
     /// The equivalent polhode at a stage.
@@ -48,6 +68,14 @@ impl<'a> Ground<'a> {
             mode.name,
             time(-mode.time_constant())
         ))
+    }
+
+    /// Estimate of the relative error that the answer of liquids about the mean spin leaves on a way. (L19)
+    pub fn liquids(&self, ends: [Stage; 2]) -> f64 {
+        let wobble = ends.map(|stage| self.motion(stage).nutation()[1]);
+        let spin = self.range.momentum() / self.range.moments()[0];
+        let left_out = |memory: &LiquidMemory| memory.left_out(spin, wobble[0].max(wobble[1]));
+        self.body.memories().iter().map(left_out).fold(0.0, f64::max)
     }
 
     /// Whether the equations of motion hold all that dissipates in the modes on the way.

@@ -14,7 +14,9 @@ use quasirigid::averaging::LevelPassage;
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria};
+use quasirigid::secular::{
+    AverageCriteria, DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria,
+};
 use quasirigid_io::model::EvolveMethod;
 
 use super::Asked;
@@ -71,7 +73,7 @@ pub fn choose(
     if !(momentum.is_finite() && momentum > 0.0) {
         return Ok(Ok(History::None));
     }
-    let ground = match Ground::of(body, momentum)? {
+    let ground = match Ground::of(loaded, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
     };
@@ -80,6 +82,9 @@ pub fn choose(
         return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
     }
     let way = Way::of(&ground, full, asked, ageing)?;
+    if let Some(silent) = way.ends.iter().find_map(|stage| ground.silent(stage.mode)) {
+        return Ok(Err(Refusal { message: silent.clone(), rates: ageing.verdict.rates }));
+    }
     let choice = Choice::new(&ground, &way, asked.duration);
     let refused = |message: String| Refusal { message, rates: Some(ground.rates()) };
     let found = match asked.method {
@@ -136,13 +141,20 @@ pub fn under_torque(
     if !(momentum.is_finite() && momentum > 0.0) {
         return Ok(None);
     }
-    let ground = match Ground::of(body, momentum)? {
+    let ground = match Ground::of(loaded, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),
     };
     let rates = Some(ground.rates());
     let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
-    let judged = |ageing: &Ageing| average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
+    if let Some(silent) = ground.silent(stage.mode) {
+        return Ok(Some(Refusal { message: silent.clone(), rates }));
+    }
+    let judged = |ageing: &Ageing| {
+        let liquids = ground.liquids([stage; 2]);
+        let criteria = average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
+        AverageCriteria { liquids, ..criteria }
+    };
     let mut criteria = judged(ageing);
     if criteria.error() > UNDER_TORQUE && ageing.by_polynomial && !ageing.power_was_asked {
         ageing.take_harmonics();

@@ -34,11 +34,12 @@ impl Verdict {
         Self { road: "average", error, ..Self::default() }
     }
 
-    /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if they were not asked.
+    /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if they were not asked, not a number where
+    /// they do not know.
     pub fn folding(&self, mode: Mode) -> Option<f64> {
         let rates = self.rates?;
         let rate = rates[usize::from(mode == Mode::ShortAxis)]?;
-        Some(if rate > 0.0 { rate.recip() } else { f64::INFINITY })
+        Some(if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY })
     }
 
     /// Adds the error of the dissipation of a shape: a time is as wrong as its power.
@@ -175,10 +176,17 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
     }
 }
 
+/// Error from which the width of a wobble is the reason.
+const ACCEPTED: f64 = 0.04;
+
 /// Why an average does not hold, in words.
 pub fn unfounded(criteria: AverageCriteria) -> String {
-    let AverageCriteria { poles, settling, moments, probed } = criteria;
+    let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
+    if liquids > ACCEPTED && liquids >= criteria.error() {
+        return "the wobble is too wide for the answer of a liquid that spins, which is known for small ones"
+            .into();
+    }
     if probed > poles.max(settling).max(moments) {
         return format!("its power is {} % off that of short runs of the full system", percent(probed));
     }

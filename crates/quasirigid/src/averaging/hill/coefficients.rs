@@ -6,7 +6,7 @@ use crate::averaging::rows::{Row, rows_in};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
 use crate::math::sym::{self, Sym, add, cross, scale};
-use crate::model::impedance::turned_impedance;
+use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal};
 
 /// Axes of the products xx, yy, zz, yz, zx, xy.
@@ -96,7 +96,7 @@ impl Coefficients {
         let mut force = DMatrix::zeros(self.size(), self.size());
         let spin = Vector3::from(self.principal.vector(mean_spin));
         for (start, memory) in &self.memories {
-            let D = turned_impedance(memory, Complex::new(0.0, nu), spin);
+            let D = impedance(memory, Complex::new(0.0, nu), spin);
             for (i, a) in memory.axes.iter().enumerate() {
                 for (j, b) in memory.axes.iter().enumerate() {
                     let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));

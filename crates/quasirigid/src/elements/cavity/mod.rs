@@ -19,7 +19,7 @@ use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
-use crate::model::{Coordinate, Inertia, LiquidMemory, Pair};
+use crate::model::{Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
 use flowing::Flowing;
 use liquid::{Memory, Relaxations};
 pub use shape::CavityShape;
@@ -92,6 +92,19 @@ pub(super) struct Filled {
     pub slow: SlowLiquid,
 }
 
+/// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
+/// high as wide at most, up to which its fields are.
+const MOST_OF_BALL: f64 = 2e6;
+const MOST_OF_SPHEROID: f64 = 5e5;
+const MOST_OF_CYLINDER: f64 = 3e4;
+/// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its answer by a per cent at most, and Reynolds number of the spin
+/// across the axis that does so.
+const ALIGNED: f64 = 0.05;
+const WEAK: f64 = 2.0;
+/// Waves have frequencies below twice the spin, with a margin for what the layer moves.
+const BEYOND_WAVES: f64 = 2.2;
+/// Reynolds number, per step of (L6), up to which slow flows hold the force of Coriolis.
+const SLOW: f64 = 5.0;
 /// Most rates of change whose answers are kept.
 const MOST_MODES: usize = 6;
 /// The square of the norm of an attitude is one but for this.
@@ -115,12 +128,30 @@ impl Cavity {
         Ok(())
     }
 
-    /// Whether a liquid that spins with the body has waves that its coordinates do not hold: all but a ball, and a viscous slender ring.
+    /// Whether the linear answer of the liquid holds for a small motion at a frequency (rad/s, body axes) about a steady spin (rad/s, in the
+    /// file's frame), with coordinates for an order of the reduction.
+    ///
+    /// Liquid that spins has waves below twice the spin. Where its answer is not known at every frequency its coordinates hold
+    /// them at low Reynolds numbers only, and behind a boundary layer none. (L15), (L18)
     #[must_use]
-    pub fn leaves_out_waves(&self) -> bool {
-        match self.shape.turning() {
-            Some(turning) => turning.axes.len() == 1 && self.regime == Regime::BoundaryLayer,
-            None => true,
+    pub fn answers(&self, slow: &SlowLiquid, order: usize, spin: [f64; 3], frequency: f64) -> bool {
+        let spin = Vector3::from(spin);
+        let rate = spin.norm();
+        let along = |axis: [f64; 3], time: f64, most: f64| {
+            let across = spin.cross(&Vector3::from(axis)).norm();
+            (across <= ALIGNED * rate || across * time <= WEAK) && rate * time <= most
+        };
+        let known = self.memory(0);
+        match known.map(|memory| (memory.flow, memory.time)) {
+            Some((LiquidFlow::Tube, _)) => true,
+            Some((LiquidFlow::Ball, time)) => rate * time <= MOST_OF_BALL,
+            Some((LiquidFlow::Spheroid { axis, .. }, time)) => along(axis, time, MOST_OF_SPHEROID),
+            Some((LiquidFlow::Cylinder { axis, half }, time)) => {
+                along(axis, time, MOST_OF_CYLINDER / half.max(1.0).powi(2))
+            }
+            None if frequency > BEYOND_WAVES * rate => true,
+            None if self.regime == Regime::BoundaryLayer => false,
+            None => slow.reynolds(rate) <= SLOW * order.div_ceil(2).max(1) as f64,
         }
     }
 
@@ -182,17 +213,26 @@ impl Cavity {
         }
     }
 
-    /// The linear answer of a liquid that turns as one, whose coordinates are so many.
+    /// The linear answer of a liquid where it is known at every frequency, whose coordinates are so many. (L15)
     fn memory(&self, count: usize) -> Option<LiquidMemory> {
-        if self.regime == Regime::BoundaryLayer {
+        let Turning { flow, radius, inertia, axes } = self.shape.turning()?;
+        if self.regime == Regime::BoundaryLayer && flow == LiquidFlow::Tube {
             return None;
         }
-        let Turning { index, radius, inertia, axes } = self.shape.turning()?;
         let turn = self.turn();
+        let flow = match flow {
+            LiquidFlow::Spheroid { axis, stretch } => {
+                LiquidFlow::Spheroid { axis: (turn * Vector3::from(axis)).into(), stretch }
+            }
+            LiquidFlow::Cylinder { axis, half } => {
+                LiquidFlow::Cylinder { axis: (turn * Vector3::from(axis)).into(), half }
+            }
+            other => other,
+        };
         Some(LiquidMemory {
             coordinates: 0..count,
             axes: axes.iter().map(|axis| turn.column(*axis).into_owned().into()).collect(),
-            index,
+            flow,
             inertia: self.density * inertia,
             time: radius * radius / self.viscosity,
         })

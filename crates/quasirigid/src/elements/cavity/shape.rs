@@ -1,5 +1,6 @@
 use std::borrow::Cow;
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -9,6 +10,7 @@ use crate::elements::finite::revolution::Outline;
 use crate::elements::finite::stokes::Moments;
 use crate::math::mesh::Mesh;
 use crate::math::meshing::{self, MeshingError};
+use crate::model::LiquidFlow;
 
 /// Shape of a cavity, about its middle, in axes of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,13 +57,13 @@ pub enum CavityShape {
     Mesh(Box<Mesh>),
 }
 
-/// A liquid that turns as one about some of the axes.
+/// A liquid whose answer about some of the axes is known at every frequency.
 pub(super) struct Turning {
-    /// Index of the Bessel functions of its flow.
-    pub index: f64,
-    /// Distance from the wall to the middle of the flow (m).
+    /// How it flows, in axes of the shape.
+    pub flow: LiquidFlow,
+    /// Distance from the wall to the middle of the flow, in a spheroid on its equator (m).
     pub radius: f64,
-    /// Moment of inertia of what turns, of unit density (m⁵).
+    /// Moment of inertia of what turns, of unit density, in a spheroid or a cylinder about its axis (m⁵).
     pub inertia: f64,
     /// Numbers of the axes.
     pub axes: Vec<usize>,
@@ -69,6 +71,12 @@ pub(super) struct Turning {
 
 /// The radius of the tube of a slender ring is at most this share of that of the ring.
 pub(super) const SLENDER: f64 = 0.1;
+
+/// Squares of the ratio of the semi-axes of a spheroid between which its spinning flows are known.
+const STRETCHES: RangeInclusive<f64> = 0.04..=25.0;
+
+/// Half the height of a cylinder over its radius between which its spinning flows are known.
+const HALVES: RangeInclusive<f64> = 0.25..=4.0;
 
 /// Volume of a shape and its second moments.
 #[derive(Clone, Copy, Debug)]
@@ -147,16 +155,37 @@ impl CavityShape {
         }
     }
 
-    /// How the liquid in it turns as one, where that is known at every frequency. (C11)
+    /// How the liquid in it answers, where that is known at every frequency. (L15)
     pub(super) fn turning(&self) -> Option<Turning> {
         match self {
             Self::Ellipsoid { semi_axes: [a, b, c] } if a == b && b == c => {
                 let inertia = 8.0 / 15.0 * PI * a.powi(5);
-                Some(Turning { index: 1.5, radius: *a, inertia, axes: vec![0, 1, 2] })
+                Some(Turning { flow: LiquidFlow::Ball, radius: *a, inertia, axes: vec![0, 1, 2] })
+            }
+            Self::Ellipsoid { semi_axes } => {
+                let [axis, across] = round_about(&[*semi_axes])?;
+                let (along, across) = (semi_axes[axis], semi_axes[across]);
+                let stretch = (along / across).powi(2);
+                let unit = [0, 1, 2].map(|place| if place == axis { 1.0 } else { 0.0 });
+                STRETCHES.contains(&stretch).then(|| Turning {
+                    flow: LiquidFlow::Spheroid { axis: unit, stretch },
+                    radius: across,
+                    inertia: 8.0 / 15.0 * PI * across.powi(4) * along,
+                    axes: vec![0, 1, 2],
+                })
+            }
+            Self::Cylinder { radius, height } => {
+                let half = 0.5 * height / radius;
+                HALVES.contains(&half).then(|| Turning {
+                    flow: LiquidFlow::Cylinder { axis: [0.0, 0.0, 1.0], half },
+                    radius: *radius,
+                    inertia: 0.5 * PI * radius.powi(4) * height,
+                    axes: vec![0, 1, 2],
+                })
             }
             Self::Ring { radius, tube_radius } if *tube_radius <= SLENDER * radius => {
                 let inertia = 2.0 * PI * PI * radius.powi(3) * tube_radius * tube_radius;
-                Some(Turning { index: 0.0, radius: *tube_radius, inertia, axes: vec![2] })
+                Some(Turning { flow: LiquidFlow::Tube, radius: *tube_radius, inertia, axes: vec![2] })
             }
             _ => None,
         }

@@ -6,7 +6,7 @@ use super::system::System;
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
 use crate::math::sym::scale;
-use crate::model::impedance::turned_impedance;
+use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory};
 use crate::modes::iteration::Nonlinear;
 
@@ -152,7 +152,7 @@ impl Nonlinear for Pencil<'_> {
         }
         let whirl = Matrix3::from_diagonal_element(lambda) + self.system.turning().map(Complex::from);
         for (start, memory) in &self.memories {
-            let Z = turned_impedance(memory, lambda, Vector3::from(*omega));
+            let Z = impedance(memory, lambda, Vector3::from(*omega));
             for (i, a) in memory.axes.iter().enumerate() {
                 let h = Vector3::from(scale(memory.inertia, *a)).map(Complex::from);
                 let (column, row) = (whirl * h * lambda, turning.transpose() * h * lambda);

@@ -1,0 +1,70 @@
+//! A ball or a spheroid of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve, their ratio
+//! to the boundary layer beyond.
+
+mod fields;
+mod layer;
+mod radial;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Complex;
+
+use fields::fields;
+
+use super::known::{Key, known};
+
+type C = Complex<f64>;
+
+/// A liquid that spins, per the radius of its equator and its viscosity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spinning {
+    /// Square of the ratio of the semi-axes along the spin and across it.
+    pub stretch: f64,
+    /// Spin, `τ = Ω a²/ν`: its Reynolds number.
+    pub tau: f64,
+}
+
+/// Radial functions per fourth root of `|σ| + 2τ`, as the boundary layer needs them, beside the least number.
+const PER_LAYER: f64 = 1.4;
+/// Degrees per fourth root of `τ`, beside the least number.
+const PER_SPIN: f64 = 1.1;
+/// Least number of functions and of degrees.
+const LEAST: f64 = 4.0;
+/// Numbers of functions and of degrees are multiples of this.
+const STEP: usize = 4;
+
+impl Spinning {
+    /// `|σ| + 2τ` beyond which the ratio to the boundary layer is that of the same motion there: what takes some tenths of a second.
+    fn resolved(&self) -> f64 {
+        if self.stretch == 1.0 { 4e6 } else { 4e5 }
+    }
+
+    /// Force per rate, per `I ν/a²` with the load of the flow squared in the place of `I`, of a motion `e^{imφ}` about the spin at the
+    /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L16)
+    ///
+    /// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`.
+    pub fn drag(self, m: i32, sigma: C) -> C {
+        if m < 0 {
+            return self.drag(-m, sigma.conj()).conj();
+        }
+        let size = sigma.norm() + 2.0 * self.tau;
+        if size <= self.resolved() {
+            return self.exact(m as usize, sigma);
+        }
+        let share = self.resolved() / size;
+        let near = Self { tau: share * self.tau, ..self };
+        let [inviscid, layer] = layer::drag(self, m, sigma);
+        let [inviscid_near, layer_near] = layer::drag(near, m, share * sigma);
+        inviscid + layer * (near.exact(m as usize, share * sigma) - inviscid_near) / layer_near
+    }
+
+    fn exact(self, m: usize, sigma: C) -> C {
+        let size = sigma.norm() + 2.0 * self.tau;
+        let counted = |number: f64| (number.ceil() as usize).next_multiple_of(STEP);
+        let count = counted(LEAST + PER_LAYER * size.sqrt().sqrt());
+        let degrees = counted(LEAST + PER_SPIN * self.tau.sqrt().sqrt());
+        let key = Key { m, numbers: [degrees, count], shape: (false, self.stretch.to_bits()) };
+        let fields = known(key, || fields(m, degrees, count, self.stretch));
+        fields.answer(sigma, self.tau).map_or(C::new(f64::NAN, f64::NAN), |answer| answer.inv())
+    }
+}

@@ -1,0 +1,48 @@
+//! A cylinder of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve.
+
+mod fields;
+mod lines;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Complex;
+
+use super::known::{Key, known};
+use fields::fields;
+
+type C = Complex<f64>;
+
+/// A liquid that spins, per its radius and viscosity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spinning {
+    /// Half the height over the radius.
+    pub half: f64,
+    /// Spin, `τ = Ω a²/ν`: its Reynolds number.
+    pub tau: f64,
+}
+
+/// Functions of the radius per fourth root of `|σ| + 2τ`, as the boundary layer needs them, beside the least number; of the height as many
+/// per that of its layer.
+const PER_LAYER: f64 = 1.3;
+const LEAST: f64 = 5.0;
+/// Numbers of functions are multiples of this, and at most so many: what takes a second.
+const STEP: usize = 4;
+const MOST: usize = 44;
+
+impl Spinning {
+    /// Force per rate, per `I ν/a²` with the frozen inertia `I` about the axis in question, of a motion `e^{imφ}` about the spin at the
+    /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L20)
+    ///
+    /// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`.
+    pub fn drag(self, m: i32, sigma: C) -> C {
+        if m < 0 {
+            return self.drag(-m, sigma.conj()).conj();
+        }
+        let size = (sigma.norm() + 2.0 * self.tau).sqrt().sqrt();
+        let counted = |number: f64| ((number.ceil() as usize).next_multiple_of(STEP)).min(MOST);
+        let numbers = [1.0, self.half.sqrt().max(0.5)].map(|long| counted(LEAST + PER_LAYER * size * long));
+        let key = Key { m: m as usize, numbers, shape: (true, self.half.to_bits()) };
+        let fields = known(key, || fields(m as usize, self.half, numbers));
+        fields.answer(sigma, self.tau).map_or(C::new(f64::NAN, f64::NAN), |answer| answer.inv())
+    }
+}

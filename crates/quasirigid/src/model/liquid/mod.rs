@@ -1,0 +1,156 @@
+//! Liquids whose linear answer to small motions about a steady spin is known at every frequency.
+
+mod ball;
+mod cylinder;
+mod galerkin;
+mod jacobi;
+mod known;
+mod tube;
+
+use std::ops::Range;
+
+use nalgebra::{Complex, Matrix3, Vector3};
+
+/// A liquid whose linear answer about a steady spin is known at every frequency, beside the coordinates that stand for it in the
+/// equations of motion. (L15)
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiquidMemory {
+    /// Its coordinates.
+    pub coordinates: Range<usize>,
+    /// Axes about which it turns, unit vectors, body axes: one, or three of a ball.
+    pub axes: Vec<[f64; 3]>,
+    /// How it flows.
+    pub flow: LiquidFlow,
+    /// Moment of inertia of the frozen liquid (kg·m²), of a spheroid about its axis.
+    pub inertia: f64,
+    /// `a²/ν` of its radius, of a spheroid that of its equator (s).
+    pub time: f64,
+}
+
+/// Flow of a liquid whose linear answer is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LiquidFlow {
+    /// Along a slender ring, where the force of Coriolis has no part. (C11)
+    Tube,
+    /// In a ball that spins. (L16)
+    Ball,
+    /// In a spheroid that spins about its axis. (L16)
+    Spheroid {
+        /// Its axis, a unit vector, body axes.
+        axis: [f64; 3],
+        /// Square of the ratio of its semi-axes along the axis and across it.
+        stretch: f64,
+    },
+    /// In a cylinder that spins about its axis. (L20)
+    Cylinder {
+        /// Its axis, a unit vector, body axes.
+        axis: [f64; 3],
+        /// Half its height over its radius.
+        half: f64,
+    },
+}
+
+/// Reynolds number from which on the spin counts in the answer.
+const COUNTS: f64 = 20.0;
+
+impl LiquidMemory {
+    /// Estimate of the relative error of the power that the answer about the mean spin leaves in a free rotation at a spin (rad/s) with a wobble
+    /// (rad): the periodic part of the spin is left out, whose effect is even in it. (L19)
+    #[must_use]
+    pub fn left_out(&self, spin: f64, wobble: f64) -> f64 {
+        if self.flow == LiquidFlow::Tube {
+            return 0.0;
+        }
+        (spin * self.time / COUNTS).powi(2).min(1.0) * wobble * wobble
+    }
+
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self { time: factor * self.time, ..self.clone() }
+    }
+
+    pub(super) fn moved(&self, start: usize) -> Self {
+        Self { coordinates: self.coordinates.start - start..self.coordinates.end - start, ..self.clone() }
+    }
+}
+
+/// Force on a liquid per rate relative to the body, `D = I²Π⁻¹`, at a complex frequency `s` (1/s) about a steady spin (rad/s, body axes).
+/// (L15)
+///
+/// A ball knows no direction but that of the spin; a spheroid and a cylinder spin about their axes, and what is across is left out. Each answers on
+/// the axis and for each sense of circling it. Not a number where floating point finds no answer.
+pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f64>) -> Matrix3<Complex<f64>> {
+    let LiquidMemory { inertia, time, flow, .. } = *memory;
+    let unit = inertia / time;
+    let own = match flow {
+        LiquidFlow::Tube => return Matrix3::from_diagonal_element(unit * tube::drag(time * s)),
+        LiquidFlow::Ball => None,
+        LiquidFlow::Spheroid { axis, .. } | LiquidFlow::Cylinder { axis, .. } => Some(Vector3::from(axis)),
+    };
+    let spin = own.map_or(spin, |axis| axis * axis.dot(&spin));
+    let rate = spin.norm();
+    let axis = if rate > 0.0 { spin / rate } else { own.unwrap_or_else(Vector3::z) };
+    let [along, faster, slower] = [0, 1, -1].map(|m| unit * drag(flow, m, time * s, time * rate));
+    let projection = (axis * axis.transpose()).map(Complex::from);
+    let across = Matrix3::identity() - projection;
+    // (1, i, 0) about the spin turns into −i times itself.
+    let turn = axis.cross_matrix().map(|entry| Complex::new(0.0, entry));
+    let half = Complex::from(0.5);
+    projection * along + (across + turn) * (half * faster) + (across - turn) * (half * slower)
+}
+
+/// Force per rate of a motion `e^{imφ}` about the spin, per `I ν/a²` with the inertia about the axis.
+fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
+    // The load squared of a motion across the axis over that of one about it.
+    let across = |ratio: f64| if m == 0 { 1.0 } else { ratio };
+    match flow {
+        LiquidFlow::Tube => tube::drag(sigma),
+        LiquidFlow::Ball => ball::Spinning { stretch: 1.0, tau }.drag(m, sigma),
+        LiquidFlow::Spheroid { stretch, .. } => {
+            ball::Spinning { stretch, tau }.drag(m, sigma) / across(stretch)
+        }
+        LiquidFlow::Cylinder { half, .. } => {
+            cylinder::Spinning { half, tau }.drag(m, sigma) / across(0.5 + 2.0 * half * half / 3.0)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ball(time: f64) -> LiquidMemory {
+        let axes = Matrix3::<f64>::identity().data.0.to_vec();
+        LiquidMemory { coordinates: 0..3, axes, flow: LiquidFlow::Ball, inertia: 1.3, time }
+    }
+
+    /// A vector that rests in space, seen from a body that spins about z, circles as `(1, i, 0)e^{iΩt}`: the frozen liquid's part of it
+    /// alone feels the spin at rate zero, and a thin layer nearly so.
+    #[test]
+    fn the_core_of_a_ball_rests_in_space() {
+        let (memory, rate) = (ball(1e6), 0.7);
+        let circling =
+            |sign: f64| Vector3::new(Complex::from(1.0), Complex::new(0.0, sign), Complex::from(0.0));
+        let s = Complex::new(0.0, rate);
+        let D = impedance(&memory, s, Vector3::new(0.0, 0.0, rate));
+        let [resting, other] =
+            [1.0, -1.0].map(|sign| (D * circling(sign)).dot(&circling(sign).conjugate()).norm());
+        assert!(
+            resting < 0.01 * other && (other / (2.0 * 1.3 * 2.0 * rate) - 1.0).abs() < 0.01,
+            "{resting} {other}"
+        );
+    }
+
+    /// The answer turns with the spin: axes that nothing distinguishes.
+    #[test]
+    fn a_ball_knows_the_axis_of_the_spin_alone() {
+        let (memory, spin) = (ball(40.0), Vector3::new(0.4, -0.5, 0.8));
+        let s = Complex::new(0.02, 0.9);
+        let D = impedance(&memory, s, spin);
+        let turn = nalgebra::Rotation3::rotation_between(&Vector3::z(), &spin).unwrap();
+        let R = turn.matrix().map(Complex::from);
+        let about_z = impedance(&memory, s, Vector3::new(0.0, 0.0, spin.norm()));
+        assert!((D - R * about_z * R.transpose()).norm() < 1e-12 * D.norm());
+        let opposite = impedance(&memory, s, -spin);
+        assert!((D - opposite.transpose()).norm() < 1e-12 * D.norm(), "the other sense is the transpose");
+    }
+}

@@ -476,7 +476,7 @@ fn broken_json_is_located() {
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
-        matches!(&error, RecordError::Json { line: 69, problem, .. }
+        matches!(&error, RecordError::Json { line: 71, problem, .. }
         if problem == "invalid value: string \"large\", expected a number, \"NaN\", \"inf\" or \"-inf\""),
         "{error}"
     );

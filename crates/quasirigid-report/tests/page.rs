@@ -285,7 +285,7 @@ fn page_needs_nothing_from_elsewhere() {
 fn verdict_is_told_in_words_and_shape() {
     let mut record = support::without_histories();
     for (verdict, words) in [("holds", "Valid"), ("marginal", "Marginal"), ("fails", "Not valid")] {
-        record.validity.criteria[2].verdict = verdict.into();
+        record.validity.overall = verdict.into();
         let page = page(&record);
         assert_in_order(&page, &["<h1>", "<svg class=\"icon", verdict, words, "<h2>Result"]);
     }

@@ -183,7 +183,7 @@ mod tests {
     use crate::math::surface::testing::{ball, turned};
 
     fn waisted(unit: f64) -> ClosedSurface {
-        ball(5, |[x, y, z]| {
+        ball(24, |[x, y, z]| {
             let share = 0.15 + 0.85 * (2.0 * x * x).min(1.0);
             turned(unit)([2.0 * x, share * y, share * z])
         })

@@ -139,7 +139,7 @@ mod tests {
 
     /// A ball drawn in around a plane, to a share of its width.
     fn waisted(unit: f64, neck: f64) -> ClosedSurface {
-        ball(5, |[x, y, z]| {
+        ball(24, |[x, y, z]| {
             let share = neck + (1.0 - neck) * (2.0 * x * x).min(1.0);
             turned(unit)([2.0 * x, share * y, share * z])
         })
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_ball_has_no_neck_and_a_thread_is_refused() {
-        assert_eq!(necks(&ball(5, turned(1.0))), Ok(Vec::new()));
+        assert_eq!(necks(&ball(24, turned(1.0))), Ok(Vec::new()));
         assert!(matches!(necks(&waisted(1.0, 0.005)), Err(MeshingError::Severed { .. })));
     }
 }

@@ -1,11 +1,11 @@
 //! Liquids whose linear answer to small motions about a steady spin is known at every frequency.
 
 mod ball;
+mod bessel;
 mod cylinder;
 mod galerkin;
 mod jacobi;
 mod known;
-mod tube;
 
 use std::ops::Range;
 
@@ -82,7 +82,9 @@ pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f6
     let LiquidMemory { inertia, time, flow, .. } = *memory;
     let unit = inertia / time;
     let own = match flow {
-        LiquidFlow::Tube => return Matrix3::from_diagonal_element(unit * tube::drag(time * s)),
+        LiquidFlow::Tube => {
+            return Matrix3::from_diagonal_element(unit * bessel::drag(bessel::RING, time * s));
+        }
         LiquidFlow::Ball => None,
         LiquidFlow::Spheroid { axis, .. } | LiquidFlow::Cylinder { axis, .. } => Some(Vector3::from(axis)),
     };
@@ -103,7 +105,8 @@ fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64>
     // The load squared of a motion across the axis over that of one about it.
     let across = |ratio: f64| if m == 0 { 1.0 } else { ratio };
     match flow {
-        LiquidFlow::Tube => tube::drag(sigma),
+        LiquidFlow::Tube => bessel::drag(bessel::RING, sigma),
+        LiquidFlow::Ball if tau == 0.0 => bessel::drag(bessel::BALL, sigma),
         LiquidFlow::Ball => ball::Spinning { stretch: 1.0, tau }.drag(m, sigma),
         LiquidFlow::Spheroid { stretch, .. } => {
             ball::Spinning { stretch, tau }.drag(m, sigma) / across(stretch)
@@ -152,5 +155,15 @@ mod tests {
         assert!((D - R * about_z * R.transpose()).norm() < 1e-12 * D.norm());
         let opposite = impedance(&memory, s, -spin);
         assert!((D - opposite.transpose()).norm() < 1e-12 * D.norm(), "the other sense is the transpose");
+    }
+
+    /// The fields of a ball that spins lead to the Bessel functions of one that does not.
+    #[test]
+    fn a_ball_that_hardly_spins_is_one_that_does_not() {
+        for size in [0.3_f64, 40.0, 3e3, 1e5] {
+            let sigma = Complex::new(-0.1 * size, size);
+            let [still, spinning] = [0.0, 1e-9].map(|tau| drag(LiquidFlow::Ball, 1, sigma, tau));
+            assert!((spinning / still - 1.0).norm() < 1e-5, "{size} {still} {spinning}");
+        }
     }
 }

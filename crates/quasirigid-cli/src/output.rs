@@ -49,7 +49,8 @@ pub fn to_stdout(
     interrupt: &Interrupt,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let mut out = BufWriter::new(Watched { out: io::stdout().lock(), interrupt, failed: None });
+    let out = unbuffered().map_err(|cause| printed(cause.kind()))?;
+    let mut out = BufWriter::new(Watched { out, interrupt, failed: None });
     write(&mut out).and_then(|()| out.flush()).map_err(|error| {
         if interrupt.pressed() {
             Failure::Interrupted
@@ -57,6 +58,18 @@ pub fn to_stdout(
             printed(out.get_ref().failed.unwrap_or(error.kind()))
         }
     })
+}
+
+/// Standard output without a buffer, which would be emptied when the program ends: for ever, where nobody reads a pipe.
+#[cfg(unix)]
+fn unbuffered() -> io::Result<impl Write> {
+    use std::os::fd::AsFd;
+    io::stdout().as_fd().try_clone_to_owned().map(std::fs::File::from)
+}
+
+#[cfg(not(unix))]
+fn unbuffered() -> io::Result<impl Write> {
+    Ok(io::stdout().lock())
 }
 
 /// Refuses a file that cannot be written, before the work for it starts.

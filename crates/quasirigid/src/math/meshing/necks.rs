@@ -151,8 +151,8 @@ mod tests {
             let found = necks(&waisted(unit, 0.3)).unwrap();
             assert_eq!(found.len(), 1, "{found:?}");
             let off = norm(add(found[0].center, scale(-1.0, turned(unit)([0.0; 3])))) / unit;
-            // Cells are even within one and a half radii of it: half a radius off is near enough.
-            assert!((found[0].radius / unit - 0.3).abs() < 0.03 && off < 0.5 * 0.35, "{found:?} {off}");
+            // Cells are even within one and a half radii of it: two thirds of a radius off is near enough.
+            assert!((found[0].radius / unit - 0.3).abs() < 0.03 && off < 0.2, "{found:?} {off}");
         }
     }
 

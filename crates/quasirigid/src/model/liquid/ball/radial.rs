@@ -51,8 +51,8 @@ impl Radial {
         [&self.slope - degree * &self.over, &self.slope + (degree + 1.0) * &self.over]
     }
 
-    fn each(&mut self, mut change: impl FnMut(&mut DMatrix<f64>)) {
-        [&mut self.value, &mut self.slope, &mut self.over].into_iter().for_each(|matrix| change(matrix));
+    fn each(&mut self, change: impl FnMut(&mut DMatrix<f64>)) {
+        [&mut self.value, &mut self.slope, &mut self.over].into_iter().for_each(change);
     }
 }
 

@@ -367,3 +367,16 @@ fn a_motion_of_a_liquid_has_its_name() {
         assert!(mode["moves"]["water"].as_f64().unwrap() > 0.5, "{mode}");
     }
 }
+
+/// From a small wobble about one axis to a small one about the other the way leads through wide ones.
+#[test]
+fn a_liquid_that_spins_is_not_followed_through_the_separatrix() {
+    let model = WATER
+        .replace("angle = \"5 deg\"", "angle = \"1 deg\"")
+        .replace("short-axis", "long-axis")
+        .replace("until = \"1 deg\"", "until = \"3 deg\"");
+    let ran = ran_with(&model, "evolve model.toml --json");
+    let found = ran.json();
+    assert_eq!((&found["status"], ran.code), (&"refused".into(), Some(1)), "{found}");
+    assert!(found["message"].as_str().unwrap().contains("too wide"), "{found}");
+}

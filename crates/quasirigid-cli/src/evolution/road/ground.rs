@@ -1,4 +1,4 @@
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use quasirigid::averaging::{FreeRotation, Stage};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
@@ -70,11 +70,13 @@ impl<'a> Ground<'a> {
         ))
     }
 
-    /// Estimate of the relative error that the answer of liquids about the mean spin leaves on a way. (L19)
+    /// Estimate of the relative error that the answer of liquids about the mean spin leaves on a way, which is widest at an end or at the
+    /// separatrix. (L19)
     pub fn liquids(&self, ends: [Stage; 2]) -> f64 {
         let wobble = ends.map(|stage| self.motion(stage).nutation()[1]);
+        let widest = if ends[0].mode == ends[1].mode { wobble[0].max(wobble[1]) } else { FRAC_PI_2 };
         let spin = self.range.momentum() / self.range.moments()[0];
-        let left_out = |memory: &LiquidMemory| memory.left_out(spin, wobble[0].max(wobble[1]));
+        let left_out = |memory: &LiquidMemory| memory.left_out(spin, widest);
         self.body.memories().iter().map(left_out).fold(0.0, f64::max)
     }
 

@@ -6,7 +6,7 @@ use quasirigid::dynamics::{
 };
 use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::Force;
-use quasirigid::model::{FlexibleBody, Marker, Support};
+use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
@@ -33,14 +33,19 @@ pub struct Motion<'a> {
     speeds: &'a [(usize, f64)],
 }
 
+/// Where the body starts, and how fast (m, m/s): the centre of mass of a free one, the pole of any other.
+pub fn placed(Loaded { model, body, .. }: &Loaded) -> ([f64; 3], [f64; 3]) {
+    match body.support() {
+        Support::Free => (model.initial.position, model.initial.velocity),
+        Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
+        Support::Prescribed { position, velocity, .. } => (*position, *velocity),
+    }
+}
+
 impl<'a> Motion<'a> {
     pub fn new(loaded: &'a Loaded, spin: SpinState) -> Self {
         let Loaded { model, body, forces, speeds, order, .. } = loaded;
-        let (place, velocity) = match body.support() {
-            Support::Free => (model.initial.position, model.initial.velocity),
-            Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
-            Support::Prescribed { position, velocity, .. } => (*position, *velocity),
-        };
+        let (place, velocity) = placed(loaded);
         let displaced = match &model.initial.displacements {
             Displacements::SlowManifold => None,
             Displacements::Given { q, rate } => {
@@ -84,7 +89,7 @@ impl<'a> Motion<'a> {
                 let Start { omega, attitude, place, velocity } = self.start;
                 let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
                     let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
-                    (self.settled_spin()?, slow.attitude)
+                    (self.settled_on(&reduced, &slow)?, slow.attitude)
                 } else {
                     (omega, attitude)
                 };
@@ -143,7 +148,13 @@ impl<'a> Motion<'a> {
             return Ok(self.start.omega);
         }
         let reduced = reduce(self.body, self.order)?;
-        let slow = self.matched(self.order.min(MAX_FORCED_ORDER))?;
+        self.settled_on(&reduced, &self.matched(self.order.min(MAX_FORCED_ORDER))?)
+    }
+
+    fn settled_on(&self, reduced: &ReducedBody, slow: &SlowState) -> Result<[f64; 3], Failure> {
+        if self.order == 0 {
+            return Ok(self.start.omega);
+        }
         let omega = reduced.Omega.vector(slow.momentum);
         let gap = norm(add(reduced.momentum(omega), scale(-1.0, slow.momentum)));
         if gap <= CLOSED * norm(slow.momentum) { Ok(omega) } else { Err(PropagateError::NoMomentum.into()) }

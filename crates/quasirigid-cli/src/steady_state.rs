@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use quasirigid::math::sym::norm;
-use quasirigid::model::Support;
 use quasirigid::modes::{Near, SteadyModes, SteadyState};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
@@ -13,6 +12,7 @@ use crate::commands::Loaded;
 use crate::describe::significant;
 use crate::failure::Failure;
 use crate::liquids::unanswered;
+use crate::motion::placed;
 use crate::rotation::initial;
 use crate::steady::{fate, missing, recorded};
 
@@ -36,11 +36,7 @@ pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Nea
         (None, Some(_)) => initial(model, body, *order, file)?.omega,
         (None, None) => [0.0; 3],
     };
-    let (place, velocity) = match body.support() {
-        Support::Free => (model.initial.position, model.initial.velocity),
-        Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
-        Support::Prescribed { position, velocity, .. } => (*position, *velocity),
-    };
+    let (place, velocity) = placed(loaded);
     Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
@@ -48,18 +44,16 @@ pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Nea
 pub fn told(loaded: &Loaded, near: Near) -> Told {
     let found = SteadyState::near(&loaded.body, &loaded.forces, near)
         .and_then(|state| SteadyModes::about(&loaded.body, &loaded.forces, state));
+    let refused = |why: String| Told {
+        record: missing(UNDER_FORCES, format!("Under the forces: {why}.")),
+        state: None,
+    };
     match found {
-        Ok(modes) if silent(loaded, &modes).is_some() => {
-            let message = silent(loaded, &modes).unwrap_or_default();
-            Told {
-                record: missing(UNDER_FORCES, format!("Under the forces: no answer, since {message}.")),
-                state: None,
-            }
-        }
-        Ok(modes) => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
-        Err(error) => {
-            Told { record: missing(UNDER_FORCES, format!("Under the forces: {error}.")), state: None }
-        }
+        Ok(modes) => match silent(loaded, &modes) {
+            Some(message) => refused(format!("no answer, since {message}")),
+            None => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
+        },
+        Err(error) => refused(error.to_string()),
     }
 }
 

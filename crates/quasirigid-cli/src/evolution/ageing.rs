@@ -22,8 +22,8 @@ use crate::progress::Bar;
 
 /// Share of the wobble's energy that is left where nothing says how far to go.
 const LEFT: f64 = 0.01;
-/// Shares of harmonics below this are not listed, nor more than so many of them.
-const FAINT: f64 = 1e-4;
+/// Shares of harmonics below this count for nothing, and are not listed, nor more than so many of them.
+pub const FAINT: f64 = 1e-4;
 const MOST_HARMONICS: usize = 12;
 /// Resonances listed.
 const MOST_CROSSINGS: usize = 12;

@@ -1,15 +1,16 @@
 use quasirigid::averaging::{Evolution, Response, Stage};
 use quasirigid_io::record::ApproachRecord;
 
+use super::ageing::FAINT;
+
 /// Relative distance within which a harmonic is near a vibration.
 const NEAR: f64 = 0.1;
-/// Shares of harmonics below this excite nothing.
-const FAINT: f64 = 1e-4;
 
 /// The harmonic of the polhode that comes nearest to a vibration at an end of the way; none if none comes near.
 ///
 /// The frequency of the polhode rises from the separatrix to either axis, so that what is not passed is nearest at an end.
 pub fn approach(response: &Response, evolution: &Evolution, ends: [Stage; 2]) -> Option<ApproachRecord> {
+    response.frequencies().next()?; // harmonics may cost much, and meet nothing in a body that does not vibrate
     let near = ends.into_iter().flat_map(|stage| {
         let motion = evolution.motion(stage);
         let powers: Vec<(f64, f64)> = response.harmonic_powers(&motion).collect();

@@ -71,7 +71,7 @@ pub fn average_criteria(
             criteria.poles = f64::INFINITY;
             continue;
         };
-        criteria.poles = criteria.poles.max((rate / exact - 1.0).abs());
+        criteria.poles = criteria.poles.max(apart(rate, exact));
         criteria.settling = criteria.settling.max(rate.max(exact.abs()) / pole.following_rate());
     }
     for stage in ends {
@@ -88,6 +88,19 @@ pub fn average_criteria(
         }
     }
     criteria
+}
+
+/// How far a rate is from an exact one, relative to that; infinite where either is not known.
+#[must_use]
+pub fn apart(rate: f64, exact: f64) -> f64 {
+    let gap = (rate / exact - 1.0).abs();
+    if rate == exact {
+        0.0
+    } else if gap.is_nan() {
+        f64::INFINITY
+    } else {
+        gap
+    }
 }
 
 /// Moments closer than this, relative to the largest, are those of a body of revolution.

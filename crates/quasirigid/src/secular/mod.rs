@@ -16,7 +16,7 @@ mod site;
 mod start;
 
 pub use calibrated::CalibratedPower;
-pub use criteria::{AverageCriteria, average_criteria};
+pub use criteria::{AverageCriteria, apart, average_criteria};
 pub use direct::{DirectEnding, DirectOptions, DirectRow, DirectRun, follow_directly};
 pub use energy_range::EnergyRange;
 pub use measure::{MeasureError, Measurement};

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use quasirigid::elements::{Kind, Material, Part, Region, Solid, Substance};
 use quasirigid::math::mesh::{Cell, Mesh, Shape};
+use quasirigid::math::surface::ClosedSurface;
 
 /// Hexahedra between nodes, each with its 27 in the order of [`Shape::Hex27`].
 #[derive(Default)]
@@ -196,4 +197,15 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
 /// All cells of a mesh, of one material.
 pub fn throughout(mesh: &Mesh, material: &Material) -> Vec<(Vec<usize>, Material)> {
     vec![((0..mesh.cells.len()).collect(), material.clone())]
+}
+
+/// The surface of a mesh without the nodes inside.
+pub fn outer(mesh: &Mesh) -> ClosedSurface {
+    let triangles = surface(mesh);
+    let mut used: Vec<usize> = triangles.iter().flatten().copied().collect();
+    used.sort_unstable();
+    used.dedup();
+    let number = |node: usize| used.binary_search(&node).unwrap();
+    let triangles = triangles.iter().map(|triangle| triangle.map(number)).collect();
+    ClosedSurface::new(used.iter().map(|node| mesh.nodes[*node]).collect(), triangles).unwrap()
 }

@@ -7,7 +7,7 @@ use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Rheology};
 
 use crate::common::compliance;
-use crate::meshes::{refined, solid, surface, throughout, with_middles};
+use crate::meshes::{outer, refined, solid, throughout, with_middles};
 use crate::necked::{Necked, family};
 
 fn rock() -> Material {
@@ -22,17 +22,6 @@ fn by_cells(mesh: Mesh) -> Matrix6<f64> {
 
 fn of(body: &FlexibleBody) -> Matrix6<f64> {
     compliance(body, nalgebra::Rotation3::identity())
-}
-
-/// The surface of a mesh without the nodes inside.
-fn outer(mesh: &Mesh) -> ClosedSurface {
-    let triangles = surface(mesh);
-    let mut used: Vec<usize> = triangles.iter().flatten().copied().collect();
-    used.sort_unstable();
-    used.dedup();
-    let number = |node: usize| used.binary_search(&node).unwrap();
-    let triangles = triangles.iter().map(|triangle| triangle.map(number)).collect();
-    ClosedSurface::new(used.iter().map(|node| mesh.nodes[*node]).collect(), triangles).unwrap()
 }
 
 fn element(surface: &ClosedSurface, degree: Option<usize>, cells: Option<usize>) -> Assembly {

@@ -6,12 +6,11 @@ use quasirigid::elements::{
     SectionShape, Surface, TipMass,
 };
 use quasirigid::math::mesh::{Mesh, Shape};
-use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
 
 use crate::common::{compliance, error, turned_axes, vector_error};
-use crate::meshes::{Hexahedra, refined, solid, surface, throughout, with_middles};
+use crate::meshes::{Hexahedra, outer, refined, solid, throughout, with_middles};
 
 fn rock(rheology: Rheology) -> Material {
     Material { density: 2600.0, young: 4e6, poisson: 0.27, rheology }
@@ -63,17 +62,6 @@ fn cells_inside_a_surface_are_the_surface_element() {
     // The same facets: equal but for the rounding of polynomials of degree ten.
     assert!(mass.abs() < 1e-9 && turn < 1e-9, "{mass} {turn}");
     assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.6 * gaps[0], "{gaps:?}");
-}
-
-/// The surface of a mesh without the nodes inside.
-fn outer(mesh: &Mesh) -> ClosedSurface {
-    let triangles = surface(mesh);
-    let mut used: Vec<usize> = triangles.iter().flatten().copied().collect();
-    used.sort_unstable();
-    used.dedup();
-    let number = |node: usize| used.binary_search(&node).unwrap();
-    let triangles = triangles.iter().map(|triangle| triangle.map(number)).collect();
-    ClosedSurface::new(used.iter().map(|node| mesh.nodes[*node]).collect(), triangles).unwrap()
 }
 
 const LENGTH: f64 = 2.4;

@@ -55,7 +55,7 @@ impl Choice<'_> {
         let evolution = Evolution::new(&hill, self.ground.range.momentum());
         let share = |stage: Stage| hill.share(&evolution.motion(stage)).unwrap_or(f64::INFINITY);
         let share = self.way.ends.map(share).into_iter().fold(0.0, f64::max);
-        let criteria = self.judged(&hill);
+        let criteria = self.ground.criteria(&hill, self.way.ends);
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let road = self.accepted(criteria, &hill, watch)?;
         if road.is_some() {

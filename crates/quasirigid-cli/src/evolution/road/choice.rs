@@ -1,9 +1,8 @@
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::MeanPower;
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{AverageCriteria, MeasureError, Probes, average_criteria};
+use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 
 use super::ground::Ground;
 use super::verdict::Road;
@@ -34,14 +33,7 @@ impl<'a> Choice<'a> {
     }
 
     pub fn criteria(&self, ageing: &Ageing) -> AverageCriteria {
-        self.judged(ageing.power())
-    }
-
-    /// What speaks for an average on the way.
-    pub fn judged(&self, power: &dyn MeanPower) -> AverageCriteria {
-        let Ground { range, poles, .. } = self.ground;
-        let criteria = average_criteria(power, range, poles, self.way.ends);
-        AverageCriteria { liquids: self.ground.liquids(self.way.ends), ..criteria }
+        self.ground.criteria(ageing.power(), self.way.ends)
     }
 
     /// The average that was asked for.

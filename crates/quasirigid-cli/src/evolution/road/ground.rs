@@ -1,8 +1,8 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use quasirigid::averaging::{FreeRotation, Stage};
+use quasirigid::averaging::{FreeRotation, MeanPower, Stage};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
-use quasirigid::secular::{EnergyRange, Poles};
+use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, apart, average_criteria};
 
 use crate::commands::Loaded;
 use crate::describe::time;
@@ -80,6 +80,12 @@ impl<'a> Ground<'a> {
         self.body.memories().iter().map(left_out).fold(0.0, f64::max)
     }
 
+    /// What speaks for an average on a way.
+    pub fn criteria(&self, power: &dyn MeanPower, ends: [Stage; 2]) -> AverageCriteria {
+        let criteria = average_criteria(power, &self.range, &self.poles, ends);
+        AverageCriteria { liquids: self.liquids(ends), ..criteria }
+    }
+
     /// Whether the equations of motion hold all that dissipates in the modes on the way.
     pub fn complete(&self, ends: [Stage; 2]) -> bool {
         self.left_out(ends) <= LEFT_OUT
@@ -92,8 +98,7 @@ impl<'a> Ground<'a> {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
             nutation.map_or(f64::INFINITY, |nutation| {
                 let [decay, _] = nutation.of_motion;
-                let gap = (decay - nutation.decay_rate).abs();
-                if gap > 0.0 { gap / nutation.decay_rate.abs() } else { 0.0 }
+                apart(decay, nutation.decay_rate)
             })
         };
         share(ends[0]).max(share(ends[1]))

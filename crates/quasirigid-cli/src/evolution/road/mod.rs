@@ -14,9 +14,7 @@ use quasirigid::averaging::LevelPassage;
 use quasirigid::dynamics::SpinState;
 use quasirigid::math::sym::norm;
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{
-    AverageCriteria, DirectRow, DirectRun, EnergyRange, MeasureError, average_criteria,
-};
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError};
 use quasirigid_io::model::EvolveMethod;
 
 use super::Asked;
@@ -150,15 +148,10 @@ pub fn under_torque(
     if let Some(silent) = ground.silent(stage.mode) {
         return Ok(Some(Refusal { message: silent.clone(), rates }));
     }
-    let judged = |ageing: &Ageing| {
-        let liquids = ground.liquids([stage; 2]);
-        let criteria = average_criteria(ageing.power(), &ground.range, &ground.poles, [stage; 2]);
-        AverageCriteria { liquids, ..criteria }
-    };
-    let mut criteria = judged(ageing);
+    let mut criteria = ground.criteria(ageing.power(), [stage; 2]);
     if criteria.error() > UNDER_TORQUE && ageing.by_polynomial && !ageing.power_was_asked {
         ageing.take_harmonics();
-        criteria = judged(ageing);
+        criteria = ground.criteria(ageing.power(), [stage; 2]);
     }
     ageing.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
     if criteria.error() <= UNDER_TORQUE {

@@ -176,14 +176,11 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
     }
 }
 
-/// Error from which the width of a wobble is the reason.
-const ACCEPTED: f64 = 0.04;
-
 /// Why an average does not hold, in words.
 pub fn unfounded(criteria: AverageCriteria) -> String {
     let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
-    if liquids > ACCEPTED && liquids >= criteria.error() {
+    if liquids >= criteria.error() {
         return "the wobble is too wide for the answer of a liquid that spins, which is known for small ones"
             .into();
     }

@@ -1,6 +1,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use nalgebra::Complex;
+
 use super::galerkin::Fields;
 
 /// What fields depend on.
@@ -17,8 +19,14 @@ pub(super) struct Key {
 /// Fields that are kept.
 const KEPT: usize = 64;
 
+/// Force per rate `1/(bᵀ(…)⁻¹b)` of fields at a frequency and a spin, in their units. Not a number where floating point finds none.
+pub(super) fn drag(key: Key, make: impl FnOnce() -> Fields, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
+    let answer = known(key, make).answer(sigma, tau);
+    answer.map_or(Complex::new(f64::NAN, f64::NAN), |answer| answer.inv())
+}
+
 /// Fields, which are made once.
-pub(super) fn known(key: Key, make: impl FnOnce() -> Fields) -> Arc<Fields> {
+fn known(key: Key, make: impl FnOnce() -> Fields) -> Arc<Fields> {
     static KNOWN: Mutex<Option<HashMap<Key, Arc<Fields>>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();

@@ -11,7 +11,7 @@ use nalgebra::Complex;
 
 use fields::fields;
 
-use super::known::{Key, known};
+use super::known::{self, Key};
 
 type C = Complex<f64>;
 
@@ -64,7 +64,6 @@ impl Spinning {
         let count = counted(LEAST + PER_LAYER * size.sqrt().sqrt());
         let degrees = counted(LEAST + PER_SPIN * self.tau.sqrt().sqrt());
         let key = Key { m, numbers: [degrees, count], shape: (false, self.stretch.to_bits()) };
-        let fields = known(key, || fields(m, degrees, count, self.stretch));
-        fields.answer(sigma, self.tau).map_or(C::new(f64::NAN, f64::NAN), |answer| answer.inv())
+        known::drag(key, || fields(m, degrees, count, self.stretch), sigma, self.tau)
     }
 }

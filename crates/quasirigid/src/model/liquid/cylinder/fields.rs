@@ -24,11 +24,7 @@ const WIDTH: usize = 2;
 /// Flows of harmonic `m` round the axis in a cylinder of radius 1 and half height `half`, with so many functions of the radius and of the
 /// height in each of two kinds. (L20)
 pub(super) fn fields(m: usize, half: f64, [radial, axial]: [usize; 2]) -> Fields {
-    let rules = Rules::new(half, [radial, axial]);
-    let kinds = if m == 1 { rules.across_axis([radial, axial]) } else { rules.about_axis([radial, axial]) };
-    let turns = [m as f64 + 1.0, (m as f64 - 1.0).abs(), m as f64];
-    let sums = [0, 1].map(|a| [0, 1].map(|b| Sum::of(&kinds[a], &kinds[b], turns, &rules.across)));
-    let scales = [0, 1].map(|kind| sums[kind][kind].roots([radial, axial]));
+    let Flows { rules, kinds, sums, scales } = Flows::new(m, half, [radial, axial]);
     let heights: Vec<usize> = (0..axial).collect();
     let chunks: Vec<&[usize]> = heights.chunks(WIDTH).collect();
     let block = |rows: &[usize], columns: &[usize]| products(&sums, &scales, rows, columns);
@@ -36,6 +32,25 @@ pub(super) fn fields(m: usize, half: f64, [radial, axial]: [usize; 2]) -> Fields
         groups: chunks.iter().map(|own| block(own, own)).collect(),
         between: chunks.windows(2).map(|pair| block(pair[0], pair[1])).collect(),
         load: rules.load(m, &kinds, &scales, chunks[0]),
+    }
+}
+
+/// The flows of both kinds with their products.
+struct Flows {
+    rules: Rules,
+    kinds: [Vec<Part>; 2],
+    sums: [[Sum; 2]; 2],
+    scales: [DMatrix<f64>; 2],
+}
+
+impl Flows {
+    fn new(m: usize, half: f64, counts: [usize; 2]) -> Self {
+        let rules = Rules::new(half, counts);
+        let kinds = if m == 1 { rules.across_axis(counts) } else { rules.about_axis(counts) };
+        let turns = [m as f64 + 1.0, (m as f64 - 1.0).abs(), m as f64];
+        let sums = [0, 1].map(|a| [0, 1].map(|b| Sum::of(&kinds[a], &kinds[b], turns, &rules.across)));
+        let scales = [0, 1].map(|kind| sums[kind][kind].roots(counts));
+        Self { rules, kinds, sums, scales }
     }
 }
 
@@ -216,11 +231,7 @@ fn products(sums: &[[Sum; 2]; 2], scales: &[DMatrix<f64>; 2], rows: &[usize], co
 /// Largest product of flows whose heights are in groups that are no neighbours, over the largest friction.
 #[cfg(test)]
 pub(super) fn beyond_neighbours(m: usize, half: f64, counts: [usize; 2]) -> f64 {
-    let rules = Rules::new(half, counts);
-    let kinds = if m == 1 { rules.across_axis(counts) } else { rules.about_axis(counts) };
-    let turns = [m as f64 + 1.0, (m as f64 - 1.0).abs(), m as f64];
-    let sums = [0, 1].map(|a| [0, 1].map(|b| Sum::of(&kinds[a], &kinds[b], turns, &rules.across)));
-    let scales = [0, 1].map(|kind| sums[kind][kind].roots(counts));
+    let Flows { rules, kinds, sums, scales } = Flows::new(m, half, counts);
     let far: Vec<usize> = (2 * WIDTH..counts[1]).collect();
     let near: Vec<usize> = (0..WIDTH).collect();
     let found = products(&sums, &scales, &near, &far);

@@ -7,7 +7,7 @@ mod tests;
 
 use nalgebra::Complex;
 
-use super::known::{Key, known};
+use super::known::{self, Key};
 use fields::fields;
 
 type C = Complex<f64>;
@@ -42,7 +42,6 @@ impl Spinning {
         let counted = |number: f64| ((number.ceil() as usize).next_multiple_of(STEP)).min(MOST);
         let numbers = [1.0, self.half.sqrt().max(0.5)].map(|long| counted(LEAST + PER_LAYER * size * long));
         let key = Key { m: m as usize, numbers, shape: (true, self.half.to_bits()) };
-        let fields = known(key, || fields(m as usize, self.half, numbers));
-        fields.answer(sigma, self.tau).map_or(C::new(f64::NAN, f64::NAN), |answer| answer.inv())
+        known::drag(key, || fields(m as usize, self.half, numbers), sigma, self.tau)
     }
 }

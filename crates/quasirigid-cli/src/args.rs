@@ -120,8 +120,8 @@ pub struct Check {
 pub struct Modes {
     #[command(flatten)]
     pub common: Common,
-    /// Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the file's; without one, both
-    /// axes of extreme inertia]
+    /// Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the angular momentum of the
+    /// start, about both axes of extreme inertia]
     #[arg(long, value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
     pub spin: Option<Vec<f64>>,
     /// Principal axis to spin about

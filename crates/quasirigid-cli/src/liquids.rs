@@ -1,6 +1,6 @@
 //! Liquids of a model at a spin, in words and numbers.
 
-use quasirigid::elements::SlowLiquid;
+use quasirigid::elements::{MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
 use quasirigid::math::sym::norm;
 use quasirigid_io::record::LiquidRecord;
 
@@ -34,8 +34,8 @@ pub fn unanswered(loaded: &Loaded, spin: [f64; 3], frequency: f64) -> Option<Str
         .collect();
     (!names.is_empty()).then(|| {
         format!(
-            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere, and a \
-             spheroid or a cylinder that spins about its axis, each up to a Reynolds number",
+            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere up to a \
+             Reynolds number of {MOST_OF_BALL:e}, and where it spins about its axis a spheroid up to {MOST_OF_SPHEROID:e} or a cylinder up to {MOST_OF_CYLINDER:e}",
             names.join(", ")
         )
     })

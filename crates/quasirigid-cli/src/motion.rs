@@ -134,6 +134,11 @@ impl<'a> Motion<'a> {
         Ok(state)
     }
 
+    /// Size of the angular momentum at the start (N·m·s), that of what moves and turns inside included.
+    pub fn momentum(&self) -> Result<f64, Failure> {
+        Ok(norm(self.full()?.momentum(self.body)))
+    }
+
     /// Whether the slow manifold says nothing of the displacements at the start, so that these are those of a steady spin.
     pub fn is_soft(&self) -> Result<bool, Failure> {
         let omega = self.start.omega;

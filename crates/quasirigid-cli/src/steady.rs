@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::math::sym::norm;
-use quasirigid::model::Mode;
+use quasirigid::math::sym::{dot, norm};
+use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
@@ -12,6 +12,7 @@ use crate::describe::{significant, time};
 use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
+use crate::motion::Motion;
 
 /// Coordinates of a body whose modes take longer than a moment.
 const MANY: usize = 700;
@@ -20,23 +21,31 @@ const LISTED: usize = 12;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
 
-/// The steady spins about the axes of greatest and of least inertia.
-pub fn poles(loaded: &Loaded, given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
-    let poles = [("greatest", Mode::ShortAxis), ("least", Mode::LongAxis)];
+/// The steady spins about the axes of greatest and of least inertia, that next to an angular velocity first.
+pub fn poles(loaded: &Loaded, omega: [f64; 3], given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
+    let mut poles = [("greatest", Mode::ShortAxis), ("least", Mode::LongAxis)];
+    let [least, _, greatest] =
+        Principal::of(loaded.body.invariants().J).axes.map(|axis| dot(axis, omega).abs());
+    if least > greatest {
+        poles.reverse();
+    }
     poles
         .into_iter()
         .map(|(name, mode)| told(loaded, name, RelativeEquilibrium::extreme(&loaded.body, mode, given)))
         .collect()
 }
 
-/// The steady spins at the angular velocity (rad/s) of the start; none where moments act, and of bodies of more coordinates than are
-/// looked at without being asked.
-pub fn at_start(loaded: &Loaded, omega: [f64; 3]) -> Result<Vec<SteadySpinRecord>, Failure> {
+/// The steady spins with the angular momentum of the start; none where moments act, of a body without any, and of bodies of more
+/// coordinates than are looked at without being asked.
+pub fn at_start(motion: &Motion, loaded: &Loaded) -> Result<Vec<SteadySpinRecord>, Failure> {
     let Loaded { body, forces, .. } = loaded;
-    if acts(body, forces) || norm(omega) == 0.0 || body.coordinates().len() > MANY {
+    if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MANY {
         return Ok(Vec::new());
     }
-    poles(loaded, Given::Rate(norm(omega)))
+    match motion.momentum()? {
+        0.0 => Ok(Vec::new()),
+        momentum => poles(loaded, motion.start.omega, Given::Momentum(momentum)),
+    }
 }
 
 /// What the steady spins come to, a paragraph each.
@@ -46,7 +55,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
     format!(
-        "\nSteady spins at this rate, with the small motions about them (quasirigid modes)\n{}",
+        "\nSteady spins at this momentum, with the small motions about them (quasirigid modes)\n{}",
         spins.iter().map(line).collect::<String>()
     )
 }

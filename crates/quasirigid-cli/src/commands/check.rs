@@ -38,7 +38,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let reduced = reduce(body, *order)?;
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
     let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
-    let spins = steady::at_start(&loaded, omega)?;
+    let spins = steady::at_start(&motion, &loaded)?;
     let text = if arguments.common.json {
         object(&loaded, &validity, &budget, &spins)
     } else {

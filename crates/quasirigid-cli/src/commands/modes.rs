@@ -1,43 +1,37 @@
+use std::path::Path;
+
 use quasirigid::math::sym::norm;
 use quasirigid::model::Principal;
 use quasirigid::modes::{Given, acts};
-use quasirigid_io::model::Rotation;
 use serde_json::json;
 
 use super::{Loaded, initial, load, notes};
 use crate::args::Modes;
 use crate::failure::Failure;
+use crate::motion::Motion;
 use crate::{Ending, output, steady, steady_state};
 
 /// Finds the steady spin and the small motions about it.
 pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
-    let Loaded { model, body, forces, order, .. } = &loaded;
+    let Loaded { model, body, forces, .. } = &loaded;
     notes(model, &arguments.common);
     if acts(body, forces) {
         return under_forces(arguments, &loaded);
     }
     let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let start = match (asked, model.initial.rotation) {
-        (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => Some(omega),
-        _ => None,
+    let (omega, given) = match asked {
+        Some(omega) => (omega, Given::Rate(norm(omega))),
+        None => of_start(&loaded, &arguments.common.model)?,
     };
-    let rate = |omega: [f64; 3]| Given::Rate(norm(omega));
-    let spins = match (&arguments.axis, start) {
-        (Some(name), start) => {
-            let omega = match start {
-                Some(omega) => omega,
-                None => initial(model, body, *order, &arguments.common.model)?.omega,
-            };
+    let spins = match (&arguments.axis, asked) {
+        (Some(name), _) => {
             let place = ["least", "middle", "greatest"].iter().position(|axis| axis == name);
             let axis = Principal::of(body.invariants().J).axes[place.unwrap_or(2)];
-            vec![steady::spin(&loaded, name, axis, rate(omega))?]
+            vec![steady::spin(&loaded, name, axis, given)?]
         }
-        (None, Some(omega)) => vec![steady::spin(&loaded, "asked", nearest(body, omega), rate(omega))?],
-        (None, None) => {
-            let omega = initial(model, body, *order, &arguments.common.model)?.omega;
-            steady::poles(&loaded, rate(omega))?
-        }
+        (None, Some(_)) => vec![steady::spin(&loaded, "asked", nearest(body, omega), given)?],
+        (None, None) => steady::poles(&loaded, omega, given)?,
     };
     if arguments.common.json {
         let mut object = json!(spins[0]);
@@ -49,6 +43,14 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     }
     let found = spins.iter().all(|spin| spin.spin.is_some());
     Ok(if found { Ending::Done } else { Ending::CheckFailed })
+}
+
+/// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if what turns inside takes that up.
+fn of_start(loaded: &Loaded, file: &Path) -> Result<([f64; 3], Given), Failure> {
+    let spin = initial(&loaded.model, &loaded.body, loaded.order, file)?;
+    let momentum = Motion::new(loaded, spin).momentum()?;
+    let given = if momentum > 0.0 { Given::Momentum(momentum) } else { Given::Rate(norm(spin.omega)) };
+    Ok((spin.omega, given))
 }
 
 /// Finds the steady state under the forces and the small motions about it.

@@ -63,7 +63,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         body: record::body(&loaded),
         liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
-        steady_spins: steady::at_start(&loaded, start.omega)?,
+        steady_spins: steady::at_start(&motion, &loaded)?,
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
         verification,

@@ -39,7 +39,7 @@ pub struct RunRecord {
     pub liquids: Vec<LiquidRecord>,
     /// How far the reduced equations hold.
     pub validity: ValidityRecord,
-    /// Steady spins at the angular velocity of the start, each with the small motions about it.
+    /// Steady spins with the angular momentum of the start, each with the small motions about it.
     #[serde(default)]
     pub steady_spins: Vec<SteadySpinRecord>,
     /// The reduced equations at the initial spin.

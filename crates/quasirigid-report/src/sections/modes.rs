@@ -10,7 +10,7 @@ use crate::number::{digits, duration, percent};
 const MOST: usize = 12;
 const SHARES: usize = 3;
 
-/// Steady spins at the rate of the start, instability first, with the small motions about them.
+/// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
 pub fn section(spins: &[SteadySpinRecord]) -> Markup {
     html! {
         section aria-label="Modes" {

@@ -31,7 +31,7 @@ mod whole;
 
 pub use assembly::{Assembly, Built, Reduction};
 pub use carrier::Carrier;
-pub use cavity::{Cavity, CavityShape, Regime, SlowLiquid};
+pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
 pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Place, Problem};

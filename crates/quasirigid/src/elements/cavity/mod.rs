@@ -94,9 +94,11 @@ pub(super) struct Filled {
 
 /// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
 /// high as wide at most, up to which its fields are.
-const MOST_OF_BALL: f64 = 2e6;
-const MOST_OF_SPHEROID: f64 = 5e5;
-const MOST_OF_CYLINDER: f64 = 3e4;
+pub const MOST_OF_BALL: f64 = 2e6;
+/// As [`MOST_OF_BALL`].
+pub const MOST_OF_SPHEROID: f64 = 5e5;
+/// As [`MOST_OF_BALL`].
+pub const MOST_OF_CYLINDER: f64 = 3e4;
 /// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its answer by a per cent at most, and Reynolds number of the spin
 /// across the axis that does so.
 const ALIGNED: f64 = 0.05;

@@ -1,22 +1,24 @@
 //! Damaged files are refused without a panic and without more memory than their size explains.
 
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use proptest::prelude::*;
 use quasirigid_io::mesh::mesh_of;
 
 use super::bytes;
 
-/// Largest piece of memory that was asked for at once (bytes).
-static LARGEST: AtomicUsize = AtomicUsize::new(0);
+thread_local! {
+    /// Largest piece of memory that this thread asked for at once (bytes).
+    static LARGEST: Cell<usize> = const { Cell::new(0) };
+}
 
 struct Watched;
 
 unsafe impl GlobalAlloc for Watched {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        LARGEST.fetch_max(layout.size(), Ordering::Relaxed);
+        LARGEST.set(LARGEST.get().max(layout.size()));
         unsafe { System.alloc(layout) }
     }
 
@@ -54,6 +56,7 @@ const FILES: [&str; 18] = [
 
 /// Reads bytes, whatever comes of it: what is read is consistent.
 fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
+    LARGEST.set(0);
     if let Ok(mesh) = mesh_of(Path::new("nowhere/a"), bytes) {
         prop_assert_eq!(mesh.nodes.len(), mesh.node_labels.len());
         prop_assert!(mesh.nodes.iter().flatten().all(|x| x.is_finite()));
@@ -67,7 +70,7 @@ fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
             prop_assert!(set.cells.last().is_none_or(|cell| *cell < mesh.cells.len()));
         }
     }
-    let largest = LARGEST.load(Ordering::Relaxed);
+    let largest = LARGEST.get();
     prop_assert!(largest < MOST, "{} bytes at once", largest);
     Ok(())
 }

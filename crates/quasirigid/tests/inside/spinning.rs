@@ -115,3 +115,53 @@ fn liquids_answer_where_they_are_known() {
     }
     assert!(answers(&cuboid, at(1.0), across) && !answers(&cuboid, at(100.0), across));
 }
+
+/// Semi-axes across and along (m), Reynolds number, decay rate and frequency (1/s) of the nutation: Galerkin with fields of another
+/// kind, by `spheroids.py` at degree 18.
+const SPHEROIDS: [([f64; 2], f64, [f64; 2]); 20] = [
+    ([0.3, 0.3], 0.1, [4.455965652e-05, 2.477868033e-02]),
+    ([0.3, 0.3], 1.0, [4.449970719e-04, 2.479361079e-02]),
+    ([0.3, 0.3], 10.0, [3.941998099e-03, 2.607229475e-02]),
+    ([0.3, 0.3], 100.0, [7.332583829e-03, 3.741142605e-02]),
+    ([0.3, 0.3], 1000.0, [3.732656767e-03, 4.575652176e-02]),
+    ([0.3, 0.25], 0.1, [4.853935040e-05, 3.663328887e-02]),
+    ([0.3, 0.25], 1.0, [4.845058466e-04, 3.665288892e-02]),
+    ([0.3, 0.25], 10.0, [4.108731974e-03, 3.827411302e-02]),
+    ([0.3, 0.25], 100.0, [5.734651535e-03, 4.860614216e-02]),
+    ([0.3, 0.25], 1000.0, [2.622840079e-03, 5.457972214e-02]),
+    ([0.3, 0.15], 0.1, [1.376992417e-05, 5.241328902e-02]),
+    ([0.3, 0.15], 1.0, [1.375349185e-04, 5.241782886e-02]),
+    ([0.3, 0.15], 10.0, [1.230563025e-03, 5.281854990e-02]),
+    ([0.3, 0.15], 100.0, [1.862926022e-03, 5.625920668e-02]),
+    ([0.3, 0.15], 1000.0, [8.039895429e-04, 5.813420492e-02]),
+    ([0.25, 0.35], 0.1, [1.917929777e-05, 1.218415837e-02]),
+    ([0.25, 0.35], 1.0, [1.916273212e-04, 1.218888947e-02]),
+    ([0.25, 0.35], 10.0, [1.778450922e-03, 1.260467065e-02]),
+    ([0.25, 0.35], 100.0, [4.823662953e-03, 1.875422173e-02]),
+    ([0.25, 0.35], 1000.0, [2.595080202e-03, 2.445147157e-02]),
+];
+
+/// Two roads: solenoidal fields that are curls of potentials, and the poloidal and toroidal fields of the library.
+#[test]
+fn balls_and_spheroids_nutate_as_fields_of_another_kind_say() {
+    let spin = 0.1;
+    for ([a, c], reynolds, [decay, frequency]) in SPHEROIDS {
+        let carrier = Carrier {
+            mass: 260.0,
+            center_of_mass: [0.0; 3],
+            inertia: [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]],
+        };
+        let shape = CavityShape::Ellipsoid { semi_axes: [a, a, c] };
+        let liquid = tank([0.0; 3], 1.0, 1000.0, spin * a * a / reynolds);
+        let cavities = vec![Cavity { shape, attitude: ALIGNED, ..liquid }];
+        let body = Assembly { carrier: Some(carrier), cavities, ..Assembly::default() }.body().unwrap();
+        let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(spin)).unwrap();
+        let modes = SpinModes::about(&body, steady).unwrap();
+        let found = modes.nutation().unwrap();
+        let converged = if reynolds > 100.0 { 4e-4 } else { 5e-6 };
+        for (found, expected) in [(found.decay_rate, decay), (found.frequency, frequency)] {
+            let gap = (found / expected - 1.0).abs();
+            assert!(gap < converged, "{a} {c} {reynolds}: {found} for {expected}, {gap:e}");
+        }
+    }
+}

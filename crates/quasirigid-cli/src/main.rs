@@ -9,6 +9,7 @@ mod evolution;
 mod failure;
 mod interrupt;
 mod layout;
+mod left_out;
 mod liquids;
 mod message;
 mod motion;

@@ -55,7 +55,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
     format!(
-        "\nSteady spins at this momentum, with the small motions about them (quasirigid modes)\n{}",
+        "\nSteady spins at this momentum, with the modes about them (quasirigid modes)\n{}",
         spins.iter().map(line).collect::<String>()
     )
 }

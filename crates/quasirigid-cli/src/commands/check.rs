@@ -14,11 +14,12 @@ use quasirigid_io::record::SteadySpinRecord;
 use serde_json::json;
 
 use super::derive::acting;
-use super::{Loaded, initial, load, lossless, notes};
+use super::{Loaded, initial, load, notes};
 use crate::args::Check;
 use crate::describe::{criterion, dissipation, range, reasons, shares, significant, time, verdict, word};
 use crate::failure::Failure;
 use crate::layout::paragraph;
+use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::Motion;
 use crate::{Ending, output, record, steady, steady_state};
@@ -39,8 +40,9 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
     let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
     let spins = steady::at_start(&motion, &loaded)?;
+    let left_out = LeftOut::at(&loaded, omega);
     let text = if arguments.common.json {
-        object(&loaded, &validity, &budget, &spins)
+        object(&loaded, &validity, &budget, (&spins, &left_out))
     } else {
         let mut text = String::new();
         let forced = acting(&loaded, None).is_some();
@@ -55,8 +57,8 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
             let words = format!("At this spin {power} W are dissipated; {words}.");
             text.push_str(&format!("\n{}\n", paragraph(&words, "", "  ")));
         }
-        if let Some(note) = lossless(body) {
-            text.push_str(&format!("\n{}\n", paragraph(note, "", "  ")));
+        for note in left_out.notes() {
+            text.push_str(&format!("\n{}\n", paragraph(&note, "", "  ")));
         }
         liquids(&loaded, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
         model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
@@ -70,7 +72,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     };
     output::print(&text)?;
     let fails = [validity.verdict(), validity.dissipation()].contains(&Verdict::Fails);
-    Ok(if fails { Ending::CheckFailed } else { Ending::Done })
+    Ok(if fails || left_out.liquids.is_some() { Ending::CheckFailed } else { Ending::Done })
 }
 
 /// Which spin was judged, where what moves inside does not start on the slow manifold.
@@ -105,7 +107,7 @@ fn object(
     loaded: &Loaded,
     validity: &Validity,
     budget: &BTreeMap<String, f64>,
-    spins: &[SteadySpinRecord],
+    (spins, left_out): (&[SteadySpinRecord], &LeftOut),
 ) -> String {
     let criteria: Vec<_> = validity
         .criteria
@@ -138,6 +140,7 @@ fn object(
         "optimal_order": validity.optimal_order,
         "dissipation": budget,
         "steady_spins": spins,
+        "left_out": left_out.notes(),
         "liquids": liquids(loaded, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
         "resolution": record::resolution(loaded).next(),
         "condensation": loaded.condensation.map(|known| json!({

@@ -22,6 +22,7 @@ use quasirigid_io::units::{Dimension, quantity};
 use crate::args::{self, Common, Propagation};
 use crate::complete::beyond;
 use crate::failure::Failure;
+use crate::left_out::LeftOut;
 use crate::message::remark;
 use crate::resolution;
 use crate::rotation::initial;
@@ -75,20 +76,14 @@ fn notes(model: &Model, common: &Common) {
     }
 }
 
-/// Note on a body whose losses the equations of motion do not hold.
-const LOSSLESS: &str = "Part of the body loses energy by a law of its material that no equation of motion holds: the full and the \
-                        reduced system take it as elastic, and `evolve` alone counts its loss.";
-
-/// What a user of equations of motion should know of the materials.
-fn lossless(body: &FlexibleBody) -> Option<&'static str> {
-    (!body.lossy().is_empty()).then_some(LOSSLESS)
-}
-
-/// Says it on standard error.
-fn note_lossless(body: &FlexibleBody, common: &Common) {
-    if let (Some(note), false) = (lossless(body), common.quiet) {
+/// Says on standard error what the equations of motion leave out; whether what they give may be false.
+fn note_left_out(loaded: &Loaded, omega: [f64; 3], common: &Common) -> bool {
+    let LeftOut { materials, liquids } = LeftOut::at(loaded, omega);
+    if let (Some(note), false) = (materials, common.quiet) {
         remark(&format!("note: {note}"));
     }
+    liquids.iter().for_each(|wrong| remark(wrong));
+    liquids.is_some()
 }
 
 /// Turns that a propagation makes when nothing says how long it lasts.

@@ -8,11 +8,12 @@ use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
 use super::derive::acting;
-use super::{Loaded, circled_axis, duration, even_times, initial, load, lossless, options, room, summary};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, options, room, summary};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::message::remark;
 use crate::motion::Motion;
@@ -51,7 +52,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let reduced = reduce(body, order)?;
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let mut notes = model.notes.clone();
-    notes.extend(lossless(body).map(String::from));
+    let left_out = LeftOut::at(&loaded, start.omega);
+    notes.extend(left_out.notes());
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
     let evolution = plan.evolution(&loaded, start, &mut notes)?;
     let histories = plan.histories(&mut notes)?;
@@ -100,7 +102,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let proved = record.verification.as_ref().is_none_or(|verification| verification.reached);
     let aged = record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished");
     let finished = finished && aged;
-    let holds = validity.verdict() != Verdict::Fails && proved;
+    let holds = validity.verdict() != Verdict::Fails && proved && left_out.liquids.is_none();
     Ok(if finished && holds && in_place { Ending::Done } else { Ending::CheckFailed })
 }
 

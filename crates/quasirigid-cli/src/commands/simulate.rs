@@ -4,7 +4,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::record::{Column, history_csv};
 use serde_json::json;
 
-use super::{Loaded, circled_axis, duration, even_times, initial, load, note_lossless, notes, options, room};
+use super::{Loaded, circled_axis, duration, even_times, initial, load, note_left_out, notes, options, room};
 use crate::args::{Simulate, System, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -22,10 +22,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
-    if arguments.system != System::Rigid {
-        note_lossless(body, &arguments.common);
-    }
     let start = initial(model, body, *order, &arguments.common.model)?;
+    let wrong = arguments.system != System::Rigid && note_left_out(&loaded, start.omega, &arguments.common);
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {
@@ -81,10 +79,10 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     }
     let message = status(body, run.outcome, run.last.t).1;
     match run.outcome {
-        Outcome::Finished => Ok(if in_place { Ending::Done } else { Ending::CheckFailed }),
+        Outcome::Finished => Ok(if in_place && !wrong { Ending::Done } else { Ending::CheckFailed }),
         Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
             remark(&message);
-            Ok(Ending::Done)
+            Ok(if wrong { Ending::CheckFailed } else { Ending::Done })
         }
         _ => {
             remark(&format!("{message}; the table is valid up to there"));

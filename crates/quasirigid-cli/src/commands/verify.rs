@@ -1,7 +1,7 @@
 use quasirigid::verification::Plan;
 use serde_json::json;
 
-use super::{Loaded, initial, load, note_lossless, notes};
+use super::{Loaded, initial, load, note_left_out, notes};
 use crate::args::Verify;
 use crate::complete::beyond;
 use crate::failure::Failure;
@@ -16,8 +16,8 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
-    note_lossless(body, &arguments.common);
     let start = initial(model, body, *order, &arguments.common.model)?;
+    note_left_out(&loaded, start.omega, &arguments.common);
     let motion = Motion::new(&loaded, start);
     let file = verification::plan(model, body, *order);
     let plan = Plan {

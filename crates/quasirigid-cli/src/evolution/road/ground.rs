@@ -7,6 +7,7 @@ use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, apart, average_cr
 use crate::commands::Loaded;
 use crate::describe::time;
 use crate::failure::Failure;
+use crate::left_out::LEFT_OUT;
 use crate::liquids::unanswered;
 
 /// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
@@ -17,9 +18,6 @@ pub struct Ground<'a> {
     /// Liquids whose answer is not known about the axes of least and of greatest inertia, in words.
     silent: [Option<String>; 2],
 }
-
-/// Share of a decay that materials and liquids without equations of motion may have in the full system's place.
-const LEFT_OUT: f64 = 0.02;
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).

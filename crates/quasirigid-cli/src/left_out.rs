@@ -1,0 +1,69 @@
+//! What the equations of motion leave out of a body, in words.
+
+use quasirigid::math::sym::{dot, norm};
+use quasirigid::model::{Mode, Principal};
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::secular::apart;
+
+use crate::commands::Loaded;
+use crate::describe::significant;
+use crate::liquids::unanswered;
+
+/// Share of a decay that what no equation of motion holds may have.
+pub const LEFT_OUT: f64 = 0.02;
+
+const LOSSLESS: &str = "Part of the body loses energy by a law of its material that no equation of motion holds: the full and the \
+                        reduced system take it as elastic, and `evolve` alone counts its loss.";
+
+/// What the equations of motion leave out.
+pub struct LeftOut {
+    /// Of materials, which they take as elastic.
+    pub materials: Option<&'static str>,
+    /// Of liquids, whose part in what the spin does they get wrong.
+    pub liquids: Option<String>,
+}
+
+impl LeftOut {
+    /// At an angular velocity (rad/s).
+    pub fn at(loaded: &Loaded, omega: [f64; 3]) -> Self {
+        Self {
+            materials: (!loaded.body.lossy().is_empty()).then_some(LOSSLESS),
+            liquids: if loaded.model.assembly.cavities.is_empty() || norm(omega) == 0.0 {
+                None
+            } else {
+                liquids(loaded, omega)
+            },
+        }
+    }
+
+    pub fn notes(&self) -> Vec<String> {
+        self.materials.map(String::from).into_iter().chain(self.liquids.clone()).collect()
+    }
+}
+
+/// What is wrong with the liquids about the axis of extreme inertia next to an angular velocity; none if they are right.
+fn liquids(loaded: &Loaded, omega: [f64; 3]) -> Option<String> {
+    let [least, _, greatest] =
+        Principal::of(loaded.body.invariants().J).axes.map(|axis| dot(axis, omega).abs());
+    let mode = if least > greatest { Mode::LongAxis } else { Mode::ShortAxis };
+    let steady = RelativeEquilibrium::extreme(&loaded.body, mode, Given::Rate(norm(omega)));
+    let modes = steady.ok().and_then(|steady| SpinModes::about(&loaded.body, steady).ok());
+    let nutation = modes.as_ref().and_then(SpinModes::nutation);
+    let why = "The equations of motion hold liquids by their slow flow and a few relaxations, without the Coriolis force";
+    let (spin, frequency) = match (&modes, nutation) {
+        (Some(modes), Some(nutation)) => (modes.equilibrium.omega, nutation.frequency),
+        _ => (omega, 0.0),
+    };
+    if unanswered(loaded, spin, frequency).is_some() {
+        return Some(format!("{why}, which is not right at this Reynolds number."));
+    }
+    let Some(nutation) = nutation else {
+        let slow = loaded.liquids.iter().all(|liquid| liquid.reynolds(norm(omega)) <= 1.0);
+        return (!slow).then(|| format!("{why}, and there is no nutation to tell how much that is."));
+    };
+    let [decay, _] = nutation.of_motion;
+    let share = apart(decay, nutation.decay_rate);
+    (share > LEFT_OUT).then(|| {
+        format!("{why}: by them a small wobble at this spin changes at a rate that is {} % off. The commands modes and evolve have the rate.", significant(100.0 * share, 2))
+    })
+}

@@ -28,27 +28,20 @@ impl EllipsoidFlow {
         let flows: Vec<Flow> =
             CLASSES.iter().flat_map(|class| solenoidal(semi_axes, degree - 2, *class)).collect();
         let moments = moments(semi_axes, degree);
-        let size = flows.len();
-        let images: Vec<Flow> =
-            flows.iter().map(|flow| flow.each_ref().map(|part| &moments * part)).collect();
-        let product = |row: usize, a: usize, column: usize, b: usize| flows[row][a].dot(&images[column][b]);
-        let matrix = |entry: &dyn Fn(usize, usize) -> f64| DMatrix::from_fn(size, size, entry);
-        let mass = matrix(&|row, column| (0..3).map(|axis| product(row, axis, column, axis)).sum());
+        let parts = [0, 1, 2].map(|axis| columns(&flows, |flow| flow[axis].clone()));
+        let images = parts.each_ref().map(|part| &moments * part);
+        let rows = parts.each_ref().map(DMatrix::transpose);
+        let mass = &rows[0] * &images[0] + &rows[1] * &images[1] + &rows[2] * &images[2];
         // (e × u)_b = −u_c and (e × u)_c = u_b for axes e, b, c in their cycle.
         let cycles = [(1, 2), (2, 0), (0, 1)];
-        let turned = cycles
-            .map(|(b, c)| matrix(&|row, column| product(row, c, column, b) - product(row, b, column, c)));
+        let turned = cycles.map(|(b, c)| &rows[c] * &images[b] - &rows[b] * &images[c]);
         let coordinates = [0, 1, 2].map(|axis| &moments * linear(axis, semi_axes[axis], moments.nrows()));
-        let loads = cycles.map(|(b, c)| {
-            DVector::from_fn(size, |row, _| {
-                flows[row][c].dot(&coordinates[b]) - flows[row][b].dot(&coordinates[c])
-            })
-        });
-        let slopes: Vec<[DVector<f64>; 9]> =
-            flows.iter().map(|flow| slopes(flow, semi_axes, degree)).collect();
-        let weighed: Vec<_> =
-            slopes.iter().map(|parts| parts.each_ref().map(|part| &moments * part)).collect();
-        let friction = matrix(&|row, column| (0..9).map(|i| slopes[row][i].dot(&weighed[column][i])).sum());
+        let loads = cycles.map(|(b, c)| &rows[c] * &coordinates[b] - &rows[b] * &coordinates[c]);
+        let mut friction = DMatrix::zeros(flows.len(), flows.len());
+        for (i, j) in (0..9).map(|entry| (entry / 3, entry % 3)) {
+            let slopes = columns(&flows, |flow| slope(&flow[i], j, degree) / semi_axes[j]);
+            friction += slopes.transpose() * (&moments * &slopes);
+        }
         Some(Self { friction, mass, turned, loads })
     }
 }
@@ -165,9 +158,9 @@ fn slope(coefficients: &DVector<f64>, axis: usize, degree: usize) -> DVector<f64
     slope
 }
 
-/// `∂u_i/∂x_j`, row by row.
-fn slopes(flow: &Flow, semi_axes: [f64; 3], degree: usize) -> [DVector<f64>; 9] {
-    std::array::from_fn(|entry| slope(&flow[entry / 3], entry % 3, degree) / semi_axes[entry % 3])
+/// A vector of each flow, a column each.
+fn columns(flows: &[Flow], vector: impl Fn(&Flow) -> DVector<f64>) -> DMatrix<f64> {
+    DMatrix::from_columns(&flows.iter().map(vector).collect::<Vec<_>>())
 }
 
 /// `∫ξ^α ξ^β dV` over the ellipsoid, for monomials up to a degree.

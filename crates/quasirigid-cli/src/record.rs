@@ -6,15 +6,16 @@ use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
-use quasirigid::verification::{Difference, OrderRow, Plan, Verification};
+use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{
-    BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, OrderRecord,
-    ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
+    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
+    OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 
 use crate::args::System;
 use crate::commands::Loaded;
+use crate::verification::Proof;
 use crate::visible::one_line;
 use crate::{describe, resolution};
 
@@ -107,7 +108,7 @@ pub fn reduction(
 }
 
 /// The reduced equations against the full ones.
-pub fn verification(plan: &Plan, verification: &Verification) -> VerificationRecord {
+pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> VerificationRecord {
     let row = |row: &OrderRow| {
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
@@ -124,10 +125,18 @@ pub fn verification(plan: &Plan, verification: &Verification) -> VerificationRec
         }
     };
     VerificationRecord {
-        reached: verification.reached(),
+        reached: verification.reached() && average.as_ref().map_or(true, AverageRow::reached),
         rotations: plan.rotations,
         duration: verification.duration,
         orders: verification.rows.iter().map(row).collect(),
+        average_left_out: average.as_ref().err().map(|why| format!("The average is left out: {why}.")),
+        average: average.as_ref().ok().map(|row| AverageRecord {
+            epsilons: row.epsilons.clone(),
+            errors: row.errors.clone(),
+            order: row.order,
+            expected: row.expected,
+            reached: row.reached(),
+        }),
     }
 }
 

@@ -4,9 +4,12 @@ use std::fmt::{self, Write};
 use std::ops::ControlFlow;
 
 use quasirigid::model::FlexibleBody;
-use quasirigid::verification::{Plan, Verification, VerificationError, verify};
+use quasirigid::secular::MeasureError;
+use quasirigid::verification::{
+    AverageError, AverageRow, Plan, Verification, VerificationError, verify, verify_average,
+};
 use quasirigid_io::model::Model;
-use quasirigid_io::record::{OrderRecord, VerificationRecord};
+use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
 use crate::describe::{significant, time};
 use crate::failure::Failure;
@@ -29,23 +32,39 @@ pub fn plan(model: &Model, body: &FlexibleBody, order: usize) -> Plan {
     }
 }
 
+/// What was found of the reduced equations and of the average.
+pub struct Proof {
+    pub verification: Verification,
+    pub average: Result<AverageRow, AverageError>,
+}
+
+/// Halvings at most at which the average is set beside the full system.
+const HALVINGS: usize = 3;
+
 /// Runs the verification, with progress shown; none if Ctrl-C ended it.
 pub fn follow(
     motion: &Motion,
     plan: &Plan,
     interrupt: &Interrupt,
     quiet: bool,
-) -> Result<Option<Verification>, Failure> {
+) -> Result<Option<Proof>, Failure> {
     let bar = Bar::new("verifying", quiet);
+    let ended = || if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let mut watch = |share: f64| {
         bar.show(share);
-        if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        ended()
     };
-    let result = verify(motion.system(), &motion.start, plan, &mut watch);
+    let (system, start) = (motion.system(), &motion.start);
+    let verification = match verify(system, start, plan, &mut watch) {
+        Err(VerificationError::Interrupted) => return Ok(None),
+        other => other?,
+    };
+    let highest = plan.orders.iter().copied().max().unwrap_or_default();
+    let average = verify_average(system, start, highest, plan.halvings.min(HALVINGS), &mut || ended());
     bar.clear();
-    match result {
-        Err(VerificationError::Interrupted) => Ok(None),
-        other => Ok(Some(other?)),
+    match average {
+        Err(AverageError::Measure(MeasureError::Interrupted)) => Ok(None),
+        average => Ok(Some(Proof { verification, average })),
     }
 }
 
@@ -57,7 +76,7 @@ pub fn text(name: &str, verification: &VerificationRecord) -> String {
 }
 
 fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt::Result {
-    let VerificationRecord { reached, rotations, duration, orders } = verification;
+    let VerificationRecord { reached, rotations, duration, orders, average, .. } = verification;
     let title = format!(
         "{name}: the full system against the reduced equations over {} rotations ({}), from the slow manifold, with \
          stiffness C/e^2 and damping B/e.",
@@ -91,8 +110,27 @@ fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt
         let attitude = format!("{:.2e} deg", attitude.to_degrees());
         writeln!(out, "  {:>2} {spin:>9.2e}   {attitude}   {off:.2e} J of {taken:.4e} J", row.p)?;
     }
+    averages(out, verification, average.as_ref())?;
     let verdict = if *reached { "Every order is reached." } else { "NOT EVERY ORDER IS REACHED." };
     writeln!(out, "\n{verdict}")
+}
+
+/// The mean power of the average beside that of the full system.
+fn averages(
+    out: &mut String,
+    verification: &VerificationRecord,
+    average: Option<&AverageRecord>,
+) -> fmt::Result {
+    let Some(AverageRecord { errors, order, expected, reached, .. }) = average else {
+        let why = verification.average_left_out.as_deref().unwrap_or_default();
+        return if why.is_empty() { Ok(()) } else { writeln!(out, "\n{}", paragraph(why, "  ", "    ")) };
+    };
+    write!(out, "\n  Mean power by the average, relative difference from a run of the full system\n    ")?;
+    for error in errors.iter().take(COLUMNS) {
+        write!(out, " {error:>9.2e}")?;
+    }
+    let order = order.map_or("below what it resolves".into(), |order| format!("{order:.3}"));
+    writeln!(out, "   {order} ({expected}){}", if *reached { "" } else { " NOT REACHED" })
 }
 
 /// Columns that fit a terminal.

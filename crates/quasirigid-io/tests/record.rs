@@ -117,10 +117,20 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn average()(
+        order in option::of(ANY), reached: bool, expected in 1usize..3, numbers in [vec(ANY, 0..4), vec(ANY, 0..4)],
+    ) -> AverageRecord {
+        let [epsilons, errors] = numbers;
+        AverageRecord { epsilons, errors, order, expected, reached }
+    }
+}
+
+prop_compose! {
     fn verification()(
         reached: bool, rotations in ANY, duration in ANY, orders in vec(order(), 0..3),
+        average in option::of(average()), average_left_out in option::of(".*"),
     ) -> VerificationRecord {
-        VerificationRecord { reached, rotations, duration, orders }
+        VerificationRecord { reached, rotations, duration, orders, average, average_left_out }
     }
 }
 

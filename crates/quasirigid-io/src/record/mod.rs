@@ -294,6 +294,30 @@ pub struct VerificationRecord {
     pub duration: f64,
     /// One entry per order.
     pub orders: Vec<OrderRecord>,
+    /// Mean power of the average against that of the full system, where there is an average.
+    #[serde(default)]
+    pub average: Option<AverageRecord>,
+    /// Why there is none, in words.
+    #[serde(default)]
+    pub average_left_out: Option<String>,
+}
+
+/// The average against the full system as the body is stiffened.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct AverageRecord {
+    /// Factors `ε` of the stiffness `C/ε²` and the damping `B/ε`, descending from 1, which is the model itself.
+    #[serde(with = "number")]
+    pub epsilons: Vec<f64>,
+    /// Relative difference of the mean power at each `ε`.
+    #[serde(with = "number")]
+    pub errors: Vec<f64>,
+    /// Measured order in `ε`; none if the differences cannot be told from those of the measurement.
+    #[serde(with = "number")]
+    pub order: Option<f64>,
+    /// The order it should have.
+    pub expected: usize,
+    /// Whether it has.
+    pub reached: bool,
 }
 
 /// What one order was measured at.

@@ -1,5 +1,5 @@
 use maud::{Markup, html};
-use quasirigid_io::record::{OrderRecord, VerificationRecord};
+use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
 use super::table::table;
 use crate::figure::{Figure, Quantity, Series};
@@ -11,7 +11,8 @@ const COLOURS: [&str; 4] = ["s1", "s2", "s3", "s4"];
 
 /// The reduced equations against the full ones: what they are off by, and how fast that falls as the body is stiffened.
 pub fn section(verification: &VerificationRecord) -> Markup {
-    let VerificationRecord { reached, rotations, duration: seconds, orders } = verification;
+    let VerificationRecord { reached, rotations, duration: seconds, orders, average, average_left_out } =
+        verification;
     html! {
         section aria-label="Verification" {
             h2 { "Proof against the full system" }
@@ -23,6 +24,21 @@ pub fn section(verification: &VerificationRecord) -> Markup {
             }
             (convergence(orders).draw())
             (differences(orders))
+            @if let Some(average) = average { (mean_power(average)) }
+            @if let Some(why) = average_left_out { p.absent { (why) } }
+        }
+    }
+}
+
+/// The average beside the full system.
+fn mean_power(AverageRecord { errors, order, expected, reached, .. }: &AverageRecord) -> Markup {
+    html! {
+        p {
+            "The average over the wobble at the start has the mean power of a run of the full system to " (first(errors))
+            ", relative; with ever stiffer bodies that falls with order "
+            (order.map_or_else(|| "that is below what the run resolves".into(), |order| digits(order, 4)))
+            " in ε, expected " (expected) ". "
+            @if !*reached { strong.warning { "Not reached." } }
         }
     }
 }

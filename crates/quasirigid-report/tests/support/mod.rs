@@ -326,7 +326,21 @@ fn verification() -> VerificationRecord {
         }
     };
     let orders = vec![order(1, Some(2.01)), order(2, None)];
-    VerificationRecord { reached: false, rotations: 5.0, duration: 31.4, orders }
+    let average = AverageRecord {
+        epsilons: vec![1.0, 0.5],
+        errors: vec![1e-3, 2.5e-4],
+        order: Some(2.0),
+        expected: 2,
+        reached: true,
+    };
+    VerificationRecord {
+        reached: false,
+        rotations: 5.0,
+        duration: 31.4,
+        orders,
+        average: Some(average),
+        average_left_out: None,
+    }
 }
 
 /// The same without any history or evolution.

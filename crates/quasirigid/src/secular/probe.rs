@@ -54,6 +54,22 @@ impl Probes {
         Ok(probes)
     }
 
+    /// Measures at one stage.
+    ///
+    /// # Errors
+    /// [`MeasureError`] if there is no mean.
+    pub fn at(
+        body: &FlexibleBody,
+        range: &EnergyRange,
+        poles: &Poles,
+        stage: Stage,
+        options: MeasureOptions,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, MeasureError> {
+        let found = Site { body, range, poles, options }.measure(stage, watch)?;
+        Ok(Self { momentum: range.momentum(), measurements: vec![found], unsettled: 0.0 })
+    }
+
     /// Largest relative difference of a power from what was measured; at least the change of a mean that did not settle.
     #[must_use]
     pub fn error(&self, power: &dyn MeanPower) -> f64 {

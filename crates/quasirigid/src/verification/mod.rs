@@ -1,9 +1,11 @@
 //! Proof of a reduction: the full system beside the reduced ones, at ever stiffer springs.
 
+mod averages;
 mod compare;
 mod runs;
 mod verify;
 
+pub use averages::{AverageError, AverageRow, verify_average};
 pub use compare::Difference;
 pub use runs::Start;
 pub use verify::{OrderRow, Plan, Verification, VerificationError, verify};

@@ -9,7 +9,8 @@ use quasirigid::math::rotation::turned;
 use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
-use quasirigid::verification::{Plan, Start, verify};
+use quasirigid::secular::MeasureError;
+use quasirigid::verification::{AverageError, Plan, Start, verify, verify_average};
 
 use crate::support::{Sprung, sprung_body};
 
@@ -159,4 +160,35 @@ fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
         println!("p = {order}: {gaps:?} {measured:.3}");
         assert!(gaps[0] < 1e-10 || measured > order as f64 + 0.7, "p = {order}: {measured:.3}");
     }
+}
+
+/// The mean power of the average tends to that of the full system as `ε²`: the polhode of the deformed body, and terms two orders up.
+#[test]
+fn averages_tend_to_the_full_system() {
+    for (omega, p) in [([0.1, 0.05, 0.9], 3), ([0.8, 0.1, 0.05], 3), ([0.1, 0.3, 0.6], 5)] {
+        let body = assembly(Support::Free, Vec::new()).body().unwrap();
+        let system = Forced::not(&body);
+        let found = verify_average(system, &start(omega), p, 3, &mut || ControlFlow::Continue(())).unwrap();
+        assert_eq!((found.errors.len(), found.expected), (4, 2));
+        let order = found.order.unwrap();
+        println!("{omega:?}: {:?} {order:.4}", found.errors);
+        assert!(found.reached() && (order - 2.0).abs() < 1e-3, "{found:?}");
+    }
+}
+
+/// What has no average is refused, and a request to end is obeyed.
+#[test]
+fn averages_that_there_are_none_of_are_refused() {
+    let refused = |assembly: &Assembly, omega: [f64; 3]| {
+        let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+        let system = Forced { body: &body, forces: &forces };
+        verify_average(system, &start(omega), 3, 2, &mut || ControlFlow::Continue(())).unwrap_err()
+    };
+    let gravity = Law::UniformGravity { acceleration: [0.0, 0.0, -1.0] };
+    let held = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
+    assert!(matches!(refused(&held, [0.3, 0.2, 1.4]), AverageError::NotFree));
+    let body = assembly(Support::Free, Vec::new()).body().unwrap();
+    let found =
+        verify_average(Forced::not(&body), &start([0.1, 0.05, 0.9]), 3, 2, &mut || ControlFlow::Break(()));
+    assert!(matches!(found, Err(AverageError::Measure(MeasureError::Interrupted))), "{found:?}");
 }

@@ -1,0 +1,129 @@
+use std::ops::ControlFlow;
+
+use thiserror::Error;
+
+use super::runs::Start;
+use super::verify::VerificationError;
+use crate::averaging::PolynomialPower;
+use crate::dynamics::Forced;
+use crate::math::sym::norm;
+use crate::model::{FlexibleBody, Support};
+use crate::modes::{EquilibriumError, ModesError};
+use crate::reduction::reduce;
+use crate::secular::{EnergyRange, MeasureError, MeasureOptions, Poles, Probes};
+
+/// Mean power of the polynomial average against that of the full system, near the polhode of a start, at ever stiffer springs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AverageRow {
+    /// Factors `ε` of `C → C/ε²`, `B → B/ε`, descending from 1, which is the model itself.
+    pub epsilons: Vec<f64>,
+    /// Relative differences of the mean power at each `ε`.
+    pub errors: Vec<f64>,
+    /// Order in `ε` of the differences, from the smallest two that the measurement resolves; none if there are no two.
+    pub order: Option<f64>,
+    /// The order that it should have.
+    pub expected: usize,
+}
+
+/// Averages that could not be verified.
+#[non_exhaustive]
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum AverageError {
+    /// A wheel, a force or a support, which the average does not take.
+    #[error("the average is of a free body without wheels and forces")]
+    NotFree,
+    /// Materials or liquids that the full system does not hold.
+    #[error("the full system does not hold all that dissipates")]
+    LeftOut,
+    /// The body spins steadily.
+    #[error("the body spins steadily, so that there is no wobble")]
+    Steady,
+    /// No steady spins.
+    #[error(transparent)]
+    Equilibrium(#[from] EquilibriumError),
+    /// No modes.
+    #[error(transparent)]
+    Modes(#[from] ModesError),
+    /// No mean power.
+    #[error(transparent)]
+    Measure(#[from] MeasureError),
+    /// No start, or somebody asked for an end.
+    #[error(transparent)]
+    Verification(#[from] VerificationError),
+}
+
+/// Relative change of the power from one window of a run to the next: that of the wobble, at whose mean it is compared.
+const CHANGE: f64 = 4e-3;
+const TOLERANCE: f64 = 1e-12;
+/// Differences below this may be those of the window.
+const RESOLVED: f64 = 1e-6;
+/// Steps of a window that are allowed, times the square of the number of coordinates.
+const WORK: u64 = 3_000_000;
+/// Order in `ε` of the difference: the polhode of the deformed body, and terms of the power two degrees up.
+const EXPECTED: usize = 2;
+/// Least order of the equations that hold dissipation.
+const LOSSY: usize = 3;
+/// An order that falls short by more than this is not reached.
+const SHORT: f64 = 0.3;
+
+/// Sets the mean power of the polynomial average of an order beside that of the full system, at `ε = 1, ½, ¼, …`. (P8), (Q4), (E4)
+///
+/// # Errors
+/// [`AverageError`].
+pub fn verify_average(
+    system: Forced,
+    start: &Start,
+    order: usize,
+    halvings: usize,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<AverageRow, AverageError> {
+    let body = system.body;
+    if system.acts() || !matches!(body.support(), Support::Free) || !body.wheels().is_none() {
+        return Err(AverageError::NotFree);
+    }
+    if !body.lossy().is_empty() || !body.memories().is_empty() {
+        return Err(AverageError::LeftOut);
+    }
+    let epsilons: Vec<f64> = (0..=halvings).map(|k| 0.5_f64.powi(k as i32)).collect();
+    let mut errors = Vec::new();
+    for epsilon in &epsilons {
+        let stiff = body.stiffened(*epsilon).map_err(VerificationError::from)?;
+        match error(&stiff, start, order.max(LOSSY), watch) {
+            Err(AverageError::Measure(MeasureError::StepLimit)) if errors.len() > 1 => break,
+            found => errors.push(found?),
+        }
+    }
+    let resolved: Vec<f64> = errors.iter().copied().take_while(|error| *error > RESOLVED).collect();
+    let order = match resolved[..] {
+        [.., before, last] => Some((before / last).log2()),
+        _ => None,
+    };
+    Ok(AverageRow { epsilons: epsilons[..errors.len()].to_vec(), errors, order, expected: EXPECTED })
+}
+
+/// Relative difference of the two mean powers.
+fn error(
+    body: &FlexibleBody,
+    start: &Start,
+    order: usize,
+    watch: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<f64, AverageError> {
+    let full = start.settled(Forced::not(body), order)?;
+    let range = EnergyRange::of(body, norm(full.momentum(body)))?;
+    let poles = Poles::of(body, &range)?;
+    let stage = range.stage(full.energy(body)).ok_or(AverageError::Steady)?;
+    let most_steps = WORK / (body.coordinates().len().max(1) as u64).pow(2);
+    let options = MeasureOptions { error: CHANGE, tolerance: TOLERANCE, most_steps };
+    let probes = Probes::at(body, &range, &poles, stage, options, watch)?;
+    let power = PolynomialPower::of(&reduce(body, order).map_err(VerificationError::from)?);
+    Ok(probes.error(&power))
+}
+
+impl AverageRow {
+    /// Whether the difference falls as it should; one that the measurement does not resolve is small enough.
+    #[must_use]
+    pub fn reached(&self) -> bool {
+        self.order.is_none_or(|order| order > self.expected as f64 - SHORT)
+            && self.errors.iter().all(|error| error.is_finite())
+    }
+}

@@ -21,7 +21,7 @@ const MODULES: [(&str, &[&str]); 11] = [
     ("averaging", &["math", "model"]),
     ("modes", &["math", "model"]),
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
-    ("verification", &["math", "model", "reduction", "dynamics"]),
+    ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
     ("ensemble", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
 ];

@@ -55,6 +55,29 @@ fn verify_prints_orders_and_fails_where_one_is_not_reached() {
     assert!(ran.stdout.contains("NOT REACHED"), "{}", ran.stdout);
 }
 
+/// Its whips are stiff and damp beside the step of the explicit method, whose outputs between steps once broke the order.
+#[test]
+fn outputs_between_stiff_steps_are_as_good_as_the_steps() {
+    let ran = ran("verify examples/explorer1-stiff/model.toml --orders 3");
+    assert!(ran.code == Some(0) && ran.stdout.contains("Every order is reached."), "{ran:?}");
+}
+
+/// The mean power of the average comes closer to that of the full system as ε²; where there is no average, why not.
+#[test]
+fn verify_proves_the_average() {
+    let json = ran("verify examples/axial-mass/model.toml --orders 3 --halvings 3 --json").json();
+    let average = &json["average"];
+    let order = average["order"].as_f64().unwrap();
+    assert!((order - 2.0).abs() < 5e-3 && average["reached"] == true, "{average}");
+    assert_eq!(average["errors"].as_array().unwrap().len(), 4);
+    let held = ran("verify examples/heavy-top/model.toml --orders 1 --halvings 1 --rotations 1");
+    assert!(
+        held.stdout.contains("The average is left out: the average is of a free body"),
+        "{}",
+        held.stdout
+    );
+}
+
 #[test]
 fn verify_refuses_what_means_nothing() {
     for (options, message) in [

@@ -66,7 +66,7 @@ const LOSSY: usize = 3;
 /// An order that falls short by more than this is not reached.
 const SHORT: f64 = 0.3;
 
-/// Sets the mean power of the polynomial average of an order beside that of the full system, at `ε = 1, ½, ¼, …`. (P8), (Q4), (E4)
+/// Sets the mean power of the polynomial average of an order beside that of the full system, at `ε = 1, ½, ¼, …`. (Q4), (Q9), (E4)
 ///
 /// # Errors
 /// [`AverageError`].

@@ -31,6 +31,9 @@ enum Active<'a> {
 
 /// An explicit step times the fastest rate stays below 6 or so, where the method ceases to be stable.
 const STABILITY: f64 = 4.0;
+/// An explicit step times the fastest rate up to which its dense output is as good as its end: beyond, the stages leave the slow
+/// manifold, and the end alone comes back.
+const RESOLVED: f64 = 1.0;
 /// An implicit step costs as much as four explicit ones; below this many fastest rates it does not pay.
 const WORTHWHILE: f64 = 16.0;
 /// Steps in a row before a change of method.
@@ -136,6 +139,13 @@ impl Solver for FullSolver<'_> {
 
     fn dense(&mut self) -> Dense<State> {
         active!(&mut self.active, solver => solver.dense())
+    }
+
+    fn output(&mut self, dense: &Dense<State>, t: f64) -> State {
+        match &mut self.active {
+            Active::Explicit(solver) if solver.last_step() * self.fastest > RESOLVED => solver.within(t),
+            _ => dense.at(t),
+        }
     }
 
     fn correct(&mut self, change: &State) {

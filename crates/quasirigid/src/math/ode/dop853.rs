@@ -81,6 +81,23 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         self.place.combine::<R>(&self.carry, h, &B, &self.stages[..STAGES]);
     }
 
+    /// Length of the last step.
+    pub fn last_step(&self) -> f64 {
+        self.last.1
+    }
+
+    /// The state at a time in the last step, by a step of its own from the same start.
+    pub fn within(&mut self, t: f64) -> Y {
+        let h = t - self.last.0;
+        for stage in 1..STAGES {
+            self.place.combine::<R>(&self.start, h, &A[stage], &self.stages[..stage]);
+            self.system.rate::<R>(self.last.0 + C[stage] * h, &self.place, &mut self.stages[stage]);
+        }
+        self.work.evaluations += STAGES as u64 - 1;
+        self.place.combine::<R>(&self.start, h, &B, &self.stages[..STAGES]);
+        self.place.clone()
+    }
+
     /// Error estimate of a trial in units of the allowed error.
     #[inline(always)]
     fn error(&self, h: f64) -> f64 {

@@ -56,7 +56,7 @@ pub fn integrate<M: Solver>(
         let reached = event.unwrap_or(solver.t());
         if times[next] <= reached || event.is_some() {
             let dense = solver.dense();
-            next = outputs(&dense, times, next, reached, watcher);
+            next = outputs(solver, &dense, times, next, reached, watcher);
             if event.is_some() {
                 solver.rewind(reached, dense.at(reached));
                 return Ending::Event;
@@ -72,6 +72,7 @@ pub fn integrate<M: Solver>(
 /// Outputs at the times up to the one reached; the number of the next time.
 #[inline(always)]
 fn outputs<M: Solver>(
+    solver: &mut M,
     dense: &Dense<M::State>,
     times: &[f64],
     first: usize,
@@ -80,7 +81,7 @@ fn outputs<M: Solver>(
 ) -> usize {
     let mut next = first;
     while next < times.len() && times[next] <= reached {
-        watcher.output(times[next], &dense.at(times[next]));
+        watcher.output(times[next], &solver.output(dense, times[next]));
         next += 1;
     }
     next

@@ -71,6 +71,11 @@ pub trait Solver {
     /// The solution over the last step.
     fn dense(&mut self) -> Dense<Self::State>;
 
+    /// The state at a time in the last step, whose dense output is given.
+    fn output(&mut self, dense: &Dense<Self::State>, t: f64) -> Self::State {
+        dense.at(t)
+    }
+
     /// Adds a small change to the state reached, as a projection on a known invariant does: no larger than the error
     /// of a step.
     fn correct(&mut self, change: &Self::State);

@@ -1,8 +1,8 @@
 //! What the equations of motion leave out of a body, in words.
 
-use quasirigid::math::sym::{dot, norm};
-use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::math::sym::norm;
+use quasirigid::model::Principal;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid::secular::apart;
 
 use crate::commands::Loaded;
@@ -24,14 +24,14 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// At an angular velocity (rad/s).
-    pub fn at(loaded: &Loaded, omega: [f64; 3]) -> Self {
+    /// At an angular velocity (rad/s), with the modes about the steady spin next to it where they are known.
+    pub fn at(loaded: &Loaded, omega: [f64; 3], known: Option<SpinModes>) -> Self {
         Self {
             materials: (!loaded.body.lossy().is_empty()).then_some(LOSSLESS),
             liquids: if loaded.model.assembly.cavities.is_empty() || norm(omega) == 0.0 {
                 None
             } else {
-                liquids(loaded, omega)
+                liquids(loaded, omega, known.or_else(|| about(loaded, omega)))
             },
         }
     }
@@ -41,13 +41,21 @@ impl LeftOut {
     }
 }
 
+/// Share of the decay of a nutation that the equations of motion leave out; infinite where it is not known.
+pub fn of_nutation(nutation: &SpinMode) -> f64 {
+    let [decay, _] = nutation.of_motion;
+    apart(decay, nutation.decay_rate)
+}
+
+/// The modes about the axis of extreme inertia next to an angular velocity.
+fn about(loaded: &Loaded, omega: [f64; 3]) -> Option<SpinModes> {
+    let [mode, _] = Principal::of(loaded.body.invariants().J).nearest(omega);
+    let steady = RelativeEquilibrium::extreme(&loaded.body, mode, Given::Rate(norm(omega))).ok()?;
+    SpinModes::about(&loaded.body, steady).ok()
+}
+
 /// What is wrong with the liquids about the axis of extreme inertia next to an angular velocity; none if they are right.
-fn liquids(loaded: &Loaded, omega: [f64; 3]) -> Option<String> {
-    let [least, _, greatest] =
-        Principal::of(loaded.body.invariants().J).axes.map(|axis| dot(axis, omega).abs());
-    let mode = if least > greatest { Mode::LongAxis } else { Mode::ShortAxis };
-    let steady = RelativeEquilibrium::extreme(&loaded.body, mode, Given::Rate(norm(omega)));
-    let modes = steady.ok().and_then(|steady| SpinModes::about(&loaded.body, steady).ok());
+fn liquids(loaded: &Loaded, omega: [f64; 3], modes: Option<SpinModes>) -> Option<String> {
     let nutation = modes.as_ref().and_then(SpinModes::nutation);
     let why = "The equations of motion hold liquids by their slow flow and a few relaxations, without the Coriolis force";
     let (spin, frequency) = match (&modes, nutation) {
@@ -61,8 +69,7 @@ fn liquids(loaded: &Loaded, omega: [f64; 3]) -> Option<String> {
         let slow = loaded.liquids.iter().all(|liquid| liquid.reynolds(norm(omega)) <= 1.0);
         return (!slow).then(|| format!("{why}, and there is no nutation to tell how much that is."));
     };
-    let [decay, _] = nutation.of_motion;
-    let share = apart(decay, nutation.decay_rate);
+    let share = of_nutation(nutation);
     (share > LEFT_OUT).then(|| {
         format!("{why}: by them a small wobble at this spin changes at a rate that is {} % off. The commands modes and evolve have the rate.", significant(100.0 * share, 2))
     })

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::math::sym::{dot, norm};
+use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
@@ -21,31 +21,37 @@ const LISTED: usize = 12;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
 
+/// The steady spins about the axes of greatest and of least inertia.
+#[derive(Default)]
+pub struct Poles {
+    /// That next to the start first.
+    pub records: Vec<SteadySpinRecord>,
+    /// Modes of the first, if they were found.
+    pub nearest: Option<SpinModes>,
+}
+
 /// The steady spins about the axes of greatest and of least inertia, that next to an angular velocity first.
-pub fn poles(loaded: &Loaded, omega: [f64; 3], given: Given) -> Result<Vec<SteadySpinRecord>, Failure> {
-    let mut poles = [("greatest", Mode::ShortAxis), ("least", Mode::LongAxis)];
-    let [least, _, greatest] =
-        Principal::of(loaded.body.invariants().J).axes.map(|axis| dot(axis, omega).abs());
-    if least > greatest {
-        poles.reverse();
-    }
-    poles
-        .into_iter()
-        .map(|(name, mode)| told(loaded, name, RelativeEquilibrium::extreme(&loaded.body, mode, given)))
-        .collect()
+pub fn poles(loaded: &Loaded, omega: [f64; 3], given: Given) -> Poles {
+    let body = &loaded.body;
+    let nearest = Principal::of(body.invariants().J).nearest(omega);
+    let [(first, modes), (second, _)] = nearest.map(|mode| {
+        let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
+        told(loaded, name, RelativeEquilibrium::extreme(body, mode, given))
+    });
+    Poles { records: vec![first, second], nearest: modes }
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without any, and of bodies of more
 /// coordinates than are looked at without being asked.
-pub fn at_start(motion: &Motion, loaded: &Loaded) -> Result<Vec<SteadySpinRecord>, Failure> {
+pub fn at_start(motion: &Motion, loaded: &Loaded) -> Result<Poles, Failure> {
     let Loaded { body, forces, .. } = loaded;
     if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MANY {
-        return Ok(Vec::new());
+        return Ok(Poles::default());
     }
-    match motion.momentum()? {
-        0.0 => Ok(Vec::new()),
+    Ok(match motion.momentum()? {
+        0.0 => Poles::default(),
         momentum => poles(loaded, motion.start.omega, Given::Momentum(momentum)),
-    }
+    })
 }
 
 /// What the steady spins come to, a paragraph each.
@@ -61,32 +67,32 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.
-pub fn spin(loaded: &Loaded, name: &str, axis: [f64; 3], given: Given) -> Result<SteadySpinRecord, Failure> {
-    told(loaded, name, RelativeEquilibrium::near(&loaded.body, axis, given))
+pub fn spin(loaded: &Loaded, name: &str, axis: [f64; 3], given: Given) -> SteadySpinRecord {
+    told(loaded, name, RelativeEquilibrium::near(&loaded.body, axis, given)).0
 }
 
-/// A steady spin with its modes, or why there is none.
+/// A steady spin with its modes, or why there is none, and the modes themselves.
 fn told(
     loaded: &Loaded,
     name: &str,
     found: Result<RelativeEquilibrium, EquilibriumError>,
-) -> Result<SteadySpinRecord, Failure> {
+) -> (SteadySpinRecord, Option<SpinModes>) {
     let body = &loaded.body;
     let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
-        Err(error) => return Ok(unfound(error.to_string())),
+        Err(error) => return (unfound(error.to_string()), None),
     };
     let modes = match SpinModes::about(body, equilibrium) {
         Ok(modes) => modes,
-        Err(error) => return Ok(unfound(error.to_string())),
+        Err(error) => return (unfound(error.to_string()), None),
     };
     let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
     if let Some(message) = unanswered(loaded, modes.equilibrium.omega, frequency) {
-        return Ok(unfound(format!("no answer, since {message}")));
+        return (unfound(format!("no answer, since {message}")), Some(modes));
     }
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
-    Ok(SteadySpinRecord {
+    let record = SteadySpinRecord {
         sentence: sentence(name, &modes),
         axis: name.into(),
         spin: Some(modes.equilibrium.omega),
@@ -95,7 +101,8 @@ fn told(
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
         modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
-    })
+    };
+    (record, Some(modes))
 }
 
 /// A mode, and the rates (rad/s) at which it is seen from outside.

@@ -38,8 +38,9 @@ pub struct Proof {
     pub average: Result<AverageRow, AverageError>,
 }
 
-/// Halvings at most at which the average is set beside the full system.
+/// Halvings at most at which the average is set beside the full system, and the steps that this may take, in those of the verification.
 const HALVINGS: usize = 3;
+const STEPS: u64 = 40;
 
 /// Runs the verification, with progress shown; none if Ctrl-C ended it.
 pub fn follow(
@@ -60,7 +61,8 @@ pub fn follow(
         other => other?,
     };
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
-    let average = verify_average(system, start, highest, plan.halvings.min(HALVINGS), &mut || ended());
+    let (halvings, steps) = (plan.halvings.min(HALVINGS), STEPS * verification.steps);
+    let average = verify_average(system, start, highest, halvings, steps, &mut || ended());
     bar.clear();
     match average {
         Err(AverageError::Measure(MeasureError::Interrupted)) => Ok(None),

@@ -39,8 +39,8 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let reduced = reduce(body, *order)?;
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
     let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
-    let spins = steady::at_start(&motion, &loaded)?;
-    let left_out = LeftOut::at(&loaded, omega);
+    let steady::Poles { records: spins, nearest } = steady::at_start(&motion, &loaded)?;
+    let left_out = LeftOut::at(&loaded, omega, nearest);
     let text = if arguments.common.json {
         object(&loaded, &validity, &budget, (&spins, &left_out))
     } else {

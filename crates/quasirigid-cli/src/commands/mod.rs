@@ -78,7 +78,7 @@ fn notes(model: &Model, common: &Common) {
 
 /// Says on standard error what the equations of motion leave out; whether what they give may be false.
 fn note_left_out(loaded: &Loaded, omega: [f64; 3], common: &Common) -> bool {
-    let LeftOut { materials, liquids } = LeftOut::at(loaded, omega);
+    let LeftOut { materials, liquids } = LeftOut::at(loaded, omega, None);
     if let (Some(note), false) = (materials, common.quiet) {
         remark(&format!("note: {note}"));
     }

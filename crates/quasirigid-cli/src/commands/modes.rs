@@ -28,10 +28,10 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
         (Some(name), _) => {
             let place = ["least", "middle", "greatest"].iter().position(|axis| axis == name);
             let axis = Principal::of(body.invariants().J).axes[place.unwrap_or(2)];
-            vec![steady::spin(&loaded, name, axis, given)?]
+            vec![steady::spin(&loaded, name, axis, given)]
         }
-        (None, Some(_)) => vec![steady::spin(&loaded, "asked", nearest(body, omega), given)?],
-        (None, None) => steady::poles(&loaded, omega, given)?,
+        (None, Some(_)) => vec![steady::spin(&loaded, "asked", nearest(body, omega), given)],
+        (None, None) => steady::poles(&loaded, omega, given).records,
     };
     if arguments.common.json {
         let mut object = json!(spins[0]);

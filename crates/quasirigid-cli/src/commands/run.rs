@@ -52,7 +52,8 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     let reduced = reduce(body, order)?;
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let mut notes = model.notes.clone();
-    let left_out = LeftOut::at(&loaded, start.omega);
+    let poles = steady::at_start(&motion, &loaded)?;
+    let left_out = LeftOut::at(&loaded, start.omega, poles.nearest);
     notes.extend(left_out.notes());
     let plan = Plan::new(arguments, &loaded, &motion, axis)?;
     let evolution = plan.evolution(&loaded, start, &mut notes)?;
@@ -65,7 +66,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         body: record::body(&loaded),
         liquids: liquids(&loaded, norm(start.omega)).iter().map(Liquid::record).collect(),
         validity: record::validity(&validity),
-        steady_spins: steady::at_start(&motion, &loaded)?,
+        steady_spins: poles.records,
         reduction: record::reduction(body, &reduced, &validity, start.omega),
         histories,
         verification,

@@ -8,7 +8,7 @@ use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
 use super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::support::{Ran, folder_of, names, ran_in};
+use super::support::{Ran, folder_of, names, one_line, ran_in};
 
 const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o out -q";
 const SHORT: &str = "run model.toml --duration 5 --samples 6 -q -o out";
@@ -22,7 +22,7 @@ fn meanwhile(folder: &TempDir, line: &str, done: impl FnOnce(&Path)) -> Ran {
     let code = ended(&mut child).code();
     let mut ran = Ran { code, stdout: String::new(), stderr: String::new() };
     child.stderr.take().unwrap().read_to_string(&mut ran.stderr).unwrap();
-    ran.stderr = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    ran.stderr = one_line(&ran.stderr);
     ran
 }
 

@@ -1,6 +1,6 @@
 use insta::assert_snapshot;
 
-use super::support::{EXAMPLES, MODEL, numbers, ran, ran_with};
+use super::support::{EXAMPLES, MODEL, numbers, one_line, ran, ran_with};
 
 #[test]
 fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
@@ -116,7 +116,7 @@ fn json_and_text_give_the_same_verdict_and_reasons() {
     let object = json.json();
     assert_eq!(object["valid"], false);
     let text =
-        ran("check examples/explorer1/model.toml").stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        one_line(&ran("check examples/explorer1/model.toml").stdout);
     let reasons = object["reasons"].as_array().unwrap();
     assert_eq!(reasons.len(), 5);
     for reason in reasons {

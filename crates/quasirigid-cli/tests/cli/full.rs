@@ -2,7 +2,7 @@
 
 use quasirigid_io::record::RunRecord;
 
-use super::support::{MODEL, Table, folder_with, ran, ran_in, ran_with};
+use super::support::{MODEL, Table, folder_with, one_line, ran, ran_in, ran_with};
 
 /// The model with further lines before `[initial]`, in it, and in `[run]`.
 fn model(before: &str, initial: &str, run: &str) -> String {
@@ -98,7 +98,7 @@ fn a_formula_that_fails_ends_the_run_where_it_fails() {
         let line = format!("simulate model.toml --system {system} --times 0,10,19,30 --quiet");
         let ran = ran_with(&model(force, "", ""), &line);
         assert_eq!(ran.code, Some(1), "{system}: {}", ran.stderr);
-        let message = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = one_line(&ran.stderr);
         let (_, reached) = message.split_once("not finite numbers beyond t = ").expect(&message);
         let reached: f64 = reached.split(' ').next().unwrap().parse().unwrap();
         assert!((19.99..=20.0).contains(&reached), "{system}: {message}");
@@ -210,7 +210,7 @@ fn a_run_that_is_not_proved_fails_and_says_so() {
 fn an_integrator_that_imitates_the_dashpots_is_called_out() {
     let weak = MODEL.replace("damping = 30.0", "damping = 1e-6");
     let loose = ran_with(&weak, "simulate model.toml --system full --duration 600 --tolerance 1e-4 --json");
-    let note = loose.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    let note = one_line(&loose.stderr);
     assert!(
         note.contains("The integrator changed the energy") && note.contains("smaller --tolerance"),
         "{note}"

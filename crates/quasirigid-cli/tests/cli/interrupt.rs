@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
-use super::support::{Ran, Table, folder_of, names, program};
+use super::support::{Ran, Table, folder_of, names, one_line, program};
 
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -100,7 +100,7 @@ fn interrupted_run_leaves_a_valid_record_that_says_so_and_starts_no_second_histo
     assert_eq!(record.notes, [note]);
     let page = fs::read_to_string(folder.path().join("spin/report.html")).unwrap();
     assert!(page.contains("Ended early") && page.contains(&history.message) && page.contains(note));
-    let words = ran.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = one_line(&ran.stdout);
     assert!(words.contains("the run was interrupted at t = ") && words.contains(note), "{}", ran.stdout);
     assert!(ran.stdout.lines().all(|line| line.chars().count() <= 80), "{}", ran.stdout);
 }
@@ -125,7 +125,7 @@ fn interrupted_table_is_printed_up_to_there() {
     let table = Table::of(&ran.stdout);
     let times = table.column("t");
     assert!(times[0] == 0.0 && times.is_sorted() && times.len() < 2_000_001);
-    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = one_line(&ran.stderr);
     assert!(words.starts_with("quasirigid: the run was interrupted at t = "), "{words}");
     assert!(words.ends_with("s; the table is valid up to there"), "{words}");
 }
@@ -137,7 +137,7 @@ fn full_system_ends_on_ctrl_c_with_its_table_valid_up_to_there() {
     assert_eq!(ran.code, Some(1));
     let times = Table::of(&ran.stdout).column("t");
     assert!(times[0] == 0.0 && times.is_sorted() && times.len() < 2_000_001);
-    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = one_line(&ran.stderr);
     assert!(words.starts_with("quasirigid: the run was interrupted at t = "), "{words}");
 }
 
@@ -266,6 +266,6 @@ fn slow_steps_are_asked_as_often_as_fast_ones() {
     let ran = interrupted(&folder, "simulate model.toml --duration 1h --samples 11");
     assert_eq!(ran.code, Some(1));
     assert!(Table::of(&ran.stdout).column("t")[0] == 0.0, "{ran:?}");
-    let words = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = one_line(&ran.stderr);
     assert!(words.contains("the run was interrupted at t = "), "{words}");
 }

@@ -1,6 +1,6 @@
 //! What the equations of motion leave out is said first, and the exit code tells it.
 
-use super::support::{Ran, folder_with, ran_in};
+use super::support::{Ran, folder_with, one_line, ran_in};
 
 /// A ball of liquid, Reynolds number 9000 over the viscosity in units of 10⁻⁵ m²/s.
 fn ball(viscosity: &str) -> String {
@@ -14,7 +14,7 @@ fn ball(viscosity: &str) -> String {
 }
 
 fn said(ran: &Ran) -> String {
-    format!("{} {}", ran.stdout, ran.stderr).split_whitespace().collect::<Vec<_>>().join(" ")
+    one_line(&format!("{} {}", ran.stdout, ran.stderr))
 }
 
 /// The slow flow and two relaxations give a wobble on water seven eighths too small a decay; honey at rest in the body they know.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, Ran, ran_with};
+use super::support::{MODEL, ROOT, Ran, one_line, ran_with};
 
 /// A body that hangs from a point, 0.5 m below it; its moments about that point are 10.25, 14 and 16 kg m2.
 const PENDULUM: &str = "\
@@ -24,10 +24,6 @@ fn object(ran: &Ran) -> Value {
     ran.json()
 }
 
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 fn frequencies(object: &Value) -> Vec<f64> {
     object["modes"].as_array().unwrap().iter().map(|mode| mode["frequency"].as_f64().unwrap()).collect()
 }
@@ -42,7 +38,7 @@ fn a_pendulum_at_rest_has_its_two_frequencies() {
     assert_eq!(object["modes"].as_array().unwrap().len(), 2);
     assert_eq!((&object["stable"], &object["steady_state"]["rate"]), (&Value::from(true), &Value::from(0.0)));
     let text = ran_with(PENDULUM, "modes model.toml").stdout;
-    assert!(words(&text).contains("neither decays nor grows. The body rests."), "{text}");
+    assert!(one_line(&text).contains("neither decays nor grows. The body rests."), "{text}");
 }
 
 #[test]
@@ -51,7 +47,7 @@ fn a_body_that_is_turned_over_is_said_to_be_unstable_first() {
         format!("{PENDULUM}[initial]\nangular_velocity = [0.0, 0.0, 0.0]\nattitude = [0.0, 1.0, 0.0, 0.0]\n");
     let ran = ran_with(&over, "modes model.toml");
     let (_, told) = ran.stdout.split_once(": ").unwrap();
-    assert!(words(told).starts_with("The steady state under the forces is UNSTABLE"), "{told}");
+    assert!(one_line(told).starts_with("The steady state under the forces is UNSTABLE"), "{told}");
 }
 
 #[test]
@@ -80,7 +76,7 @@ fn what_has_no_steady_state_is_refused_in_words() {
     for (model, options, code, message) in cases {
         let ran = ran_with(model, format!("modes model.toml {options}").trim_end());
         assert_eq!(ran.code, Some(code), "{ran:?}");
-        assert!(words(&format!("{}{}", ran.stdout, ran.stderr)).contains(message), "{ran:?}");
+        assert!(one_line(&format!("{}{}", ran.stdout, ran.stderr)).contains(message), "{ran:?}");
     }
     let ran = ran_with(&circular, "modes model.toml --json");
     let names: Vec<_> =
@@ -102,7 +98,7 @@ fn check_tells_of_the_steady_state_in_a_sentence() {
     let model = format!("{PENDULUM}[initial]\nangular_velocity = [0.0, 0.0, 0.3]\n");
     let ran = ran_with(&model, "check model.toml");
     assert!(
-        words(&ran.stdout).contains("Steady state under the forces (quasirigid modes) No small motion"),
+        one_line(&ran.stdout).contains("Steady state under the forces (quasirigid modes) No small motion"),
         "{ran:?}"
     );
 }

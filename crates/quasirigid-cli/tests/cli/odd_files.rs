@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 
-use super::support::{MODEL, Ran, folder_with, program, ran_in, ran_with};
+use super::support::{MODEL, Ran, folder_with, one_line, program, ran_in, ran_with};
 
 fn steers(text: &str) -> bool {
     text.chars().any(|letter| letter.is_control() && letter != '\n')
@@ -80,7 +80,7 @@ fn panel_too_fine_for_the_memory_is_refused_with_an_estimate() {
         let folder = folder_with(&format!("{}cells = [{cells}, {cells}{}", &text[..at], &text[end..]));
         let refused = on_a_small_machine(folder.path(), 1_000_000, "check model.toml");
         let said = refused.refusal().replace(['│', '\n'], " ");
-        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        let said = one_line(&said);
         assert!(said.contains(words), "{said}");
     }
 }
@@ -90,7 +90,7 @@ fn history_too_long_for_the_memory_is_refused_before_the_work() {
     let folder = folder_with(MODEL);
     for line in ["simulate model.toml --samples 10000000", "run model.toml --samples 10000000"] {
         let refused = on_a_small_machine(folder.path(), 1_000_000, line);
-        let words = refused.refusal().split_whitespace().collect::<Vec<_>>().join(" ");
+        let words = one_line(refused.refusal());
         assert!(words.starts_with("quasirigid: 10000000 rows: it would take about"), "{words}");
     }
 }

@@ -1,10 +1,6 @@
 //! Starts at which something does not hold: what is judged is what runs, and words name what is wrong.
 
-use super::support::{MODEL, Ran, Table, difference, folder_with, ran_in, ran_with};
-
-fn flowing(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
+use super::support::{MODEL, Ran, Table, difference, folder_with, one_line, ran_in, ran_with};
 
 /// The reduced body starts from the spin on which a displaced point settles; `check` judges that one.
 #[test]
@@ -18,9 +14,9 @@ fn check_judges_the_spin_that_the_reduced_body_starts_from() {
     let checked = ran_in(folder.path(), "check model.toml --json").json();
     let T3 = checked["T3"].as_f64().unwrap();
     assert!(difference([T3.recip()], [settled]) < 1e-9, "{} {settled}", T3.recip());
-    let text = flowing(&ran_in(folder.path(), "check model.toml").stdout);
+    let text = one_line(&ran_in(folder.path(), "check model.toml").stdout);
     assert!(text.contains("Judged is the spin on which it settles"), "{text}");
-    let still = flowing(&ran_with(MODEL, "check model.toml").stdout);
+    let still = one_line(&ran_with(MODEL, "check model.toml").stdout);
     assert!(!still.contains("Judged is"), "{still}");
 }
 
@@ -31,7 +27,7 @@ fn check_fails_where_the_start_holds_and_what_follows_does_not() {
     let model = MODEL.replace("[initial]", rotor).replace("[0.12, 0.035, 0.02]", "[0.003, 0.001, 0.03]");
     let checked = ran_with(&model, "check model.toml");
     assert_ne!(checked.code, Some(0), "{checked:?}");
-    let said = flowing(&format!("{}{}", checked.stdout, checked.stderr)).to_lowercase();
+    let said = one_line(&format!("{}{}", checked.stdout, checked.stderr)).to_lowercase();
     assert!(said.contains("not hold") && !said.contains("equations hold"), "{said}");
 }
 
@@ -40,7 +36,7 @@ fn carrier_lost_in_rounding_is_refused_in_words() {
     let with =
         |mass: &str, line: &str| ran_with(&MODEL.replace("mass = 40.0", &format!("mass = {mass}")), line);
     for line in ["simulate model.toml --system full", "verify model.toml"] {
-        let said = flowing(with("1e-16", line).refusal());
+        let said = one_line(with("1e-16", line).refusal());
         assert!(said.contains("is lost in rounding beside the mass that is"), "{line}: {said}");
     }
     let checked = with("1e-16", "check model.toml"); // a light carrier on a heavy point vibrates fast
@@ -54,7 +50,7 @@ fn force_without_a_value_at_the_start_is_named() {
     let force = "[[force]]\nkind = \"expression\"\non = \"tip\"\nforce = [\"sqrt(x-100)\", 0, 0]\n";
     for system in ["reduced", "full"] {
         let ran = ran_with(&format!("{MODEL}{force}"), &format!("simulate model.toml --system {system}"));
-        let said = flowing(ran.refusal());
+        let said = one_line(ran.refusal());
         assert!(said.contains("the forces are not finite numbers at the start"), "{system}: {said}");
     }
 }
@@ -62,7 +58,7 @@ fn force_without_a_value_at_the_start_is_named() {
 #[test]
 fn verification_that_fails_says_so_in_words() {
     let stiff = MODEL.replace("stiffness = 600.0", "stiffness = 1e-30");
-    let said = flowing(ran_with(&stiff, "verify model.toml").refusal());
+    let said = one_line(ran_with(&stiff, "verify model.toml").refusal());
     assert!(said.contains("a history ended early") && !said.contains("Failed("), "{said}");
 }
 
@@ -77,7 +73,7 @@ fn order_zero_is_an_order_of_the_file_too() {
 #[test]
 fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
     let calm = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 1e-4, 0.2]");
-    let said = flowing(ran_with(&calm, "evolve model.toml --to 20deg --method average").refusal());
+    let said = one_line(ran_with(&calm, "evolve model.toml --to 20deg --method average").refusal());
     assert!(
         said.contains("dissipation only lowers the wobble") && said.contains("target, 20.0 degrees"),
         "{said}"

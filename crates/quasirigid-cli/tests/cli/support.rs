@@ -48,6 +48,11 @@ angular_velocity = [0.12, 0.035, 0.02]
 duration = 60
 ";
 
+/// A text whose lines were wrapped, on one line.
+pub fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// How a command ended and what it printed.
 #[derive(Debug)]
 pub struct Ran {

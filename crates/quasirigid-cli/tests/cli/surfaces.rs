@@ -6,7 +6,7 @@ use std::fs;
 use quasirigid_io::record::RunRecord;
 use tempfile::{TempDir, tempdir};
 
-use super::support::ran_in;
+use super::support::{one_line, ran_in};
 
 const MODEL: &str = r#"
 [body]
@@ -72,22 +72,18 @@ fn folder(line: &str) -> TempDir {
     folder
 }
 
-fn flat(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 #[test]
 fn every_command_says_how_well_the_shape_is_resolved() {
     let folder = folder("cells = 1200");
     let checked = ran_in(folder.path(), "check model.toml");
     let expected = "finite elements in";
-    assert!(flat(&checked.stdout).contains(expected), "{}", checked.stdout);
+    assert!(one_line(&checked.stdout).contains(expected), "{}", checked.stdout);
     let object = ran_in(folder.path(), "check model.toml --json").json();
     let error = object["resolution"]["error"].as_f64().unwrap();
     assert!(error > 0.0 && error < 0.5 && object["resolution"]["cells"].is_u64(), "{object:#}");
     let evolved = ran_in(folder.path(), "evolve model.toml");
     assert!(
-        flat(&evolved.stdout).contains("The solid is approximated: its dissipation"),
+        one_line(&evolved.stdout).contains("The solid is approximated: its dissipation"),
         "{}",
         evolved.stdout
     );
@@ -107,10 +103,10 @@ fn polynomials_that_do_not_follow_the_shape_do_not_hold() {
     let folder = folder("degree = 2");
     let evolved = ran_in(folder.path(), "evolve model.toml");
     assert_eq!(evolved.code, Some(1), "{}", evolved.stdout);
-    let text = flat(&evolved.stdout);
+    let text = one_line(&evolved.stdout);
     assert!(text.starts_with("contact binary: THE SHAPE IS NOT RESOLVED."), "{text}");
     assert!(
-        flat(&evolved.stderr).contains("note: The shape of \"nucleus\" is hard to resolve"),
+        one_line(&evolved.stderr).contains("note: The shape of \"nucleus\" is hard to resolve"),
         "{}",
         evolved.stderr
     );

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, Ran, Table, folder_with, ran_in, ran_with};
+use super::support::{MODEL, ROOT, Ran, Table, folder_with, one_line, ran_in, ran_with};
 
 /// An ellipsoid like Apophis, with a torque fixed in the body.
 fn asteroid(torque: &str) -> String {
@@ -20,10 +20,6 @@ fn asteroid(torque: &str) -> String {
 fn boom_with_drag() -> String {
     let text = std::fs::read_to_string(format!("{ROOT}/examples/boom-satellite/model.toml")).unwrap();
     format!("{text}\n[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e-4\n")
-}
-
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The object, after a look at the exit code, at what else is printed, and at the text for people.
@@ -44,9 +40,9 @@ fn told(model: &str, options: &str, status: &str) -> Value {
     let text = line("");
     assert_eq!((json.code, text.code), (Some(code), Some(code)), "{json:?}");
     if code == 1 {
-        assert!(words(&json.stderr).contains(&message), "{}", json.stderr);
+        assert!(one_line(&json.stderr).contains(&message), "{}", json.stderr);
         let (_, told) = text.stdout.split_once(": ").unwrap();
-        assert!(words(told).starts_with(&message), "{told}");
+        assert!(one_line(told).starts_with(&message), "{told}");
     }
     let rows = Table::of(&line("--format csv").stdout).column("t");
     let time = object["time"].as_f64().unwrap();
@@ -101,13 +97,13 @@ fn a_torque_along_the_spin_ends_at_the_slowest_elastic_frequency() {
 fn steady_spins_and_rest_are_told_apart() {
     let steady = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 0.0, 0.0]");
     let refusal = ran_with(&steady, "evolve model.toml").refusal().to_owned();
-    assert!(words(&refusal).contains("the body does not turn"), "{refusal}");
+    assert!(one_line(&refusal).contains("the body does not turn"), "{refusal}");
     let fast = MODEL.replace("[0.12, 0.035, 0.02]", "[1e200, 2e200, 0]");
     let refusal = ran_with(&fast, "evolve model.toml").refusal().to_owned();
-    assert!(!words(&refusal).contains("principal axis"), "{refusal}");
+    assert!(!one_line(&refusal).contains("principal axis"), "{refusal}");
     let tiny = ran_with(MODEL, "evolve model.toml --to 1e-6deg");
     assert_eq!(tiny.code, Some(0), "{tiny:?}");
-    assert!(words(&tiny.stdout).contains("wobble of 1.00e-6 degrees"), "{}", tiny.stdout);
+    assert!(one_line(&tiny.stdout).contains("wobble of 1.00e-6 degrees"), "{}", tiny.stdout);
 }
 
 /// Planetary B7: "the body spins about a principal axis".
@@ -118,14 +114,14 @@ fn a_wobble_needs_its_axis() {
                  material = \"rock\"\n[initial]\n\
                  wobble = { angle = \"20 deg\", rate = \"2 rev/d\", mode = \"short-axis\" }\n";
     let refusal = ran_with(model, "evolve model.toml").refusal().to_owned();
-    assert!(words(&refusal).contains("no axis of greatest inertia to wobble about"), "{refusal}");
-    assert!(words(&refusal).contains("mode = \"long-axis\""), "{refusal}");
+    assert!(one_line(&refusal).contains("no axis of greatest inertia to wobble about"), "{refusal}");
+    assert!(one_line(&refusal).contains("mode = \"long-axis\""), "{refusal}");
     let long = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 0.9");
     assert_eq!(long.code, Some(0), "{long:?}");
     let to = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 5deg");
-    assert!(words(to.refusal()).contains("two greatest moments are equal"), "{to:?}");
+    assert!(one_line(to.refusal()).contains("two greatest moments are equal"), "{to:?}");
     let loss = ran_with(MODEL, "evolve model.toml --order 2 --power polynomial --method average");
-    assert!(words(&loss.stdout).contains("though the body loses energy"), "{loss:?}");
+    assert!(one_line(&loss.stdout).contains("though the body loses energy"), "{loss:?}");
 }
 
 /// Adversary 08: two bodies on a tether, whose inertia is 1e7 times less about the tether; the quadrature recursed for ever.

@@ -92,6 +92,13 @@ impl Principal {
         [lower, lower && upper, upper]
     }
 
+    /// Modes by the axis of extreme inertia that they circle: that next to a vector first.
+    #[must_use]
+    pub fn nearest(&self, vector: [f64; 3]) -> [Mode; 2] {
+        let [least, _, greatest] = self.components(vector).map(f64::abs);
+        if least > greatest { [Mode::LongAxis, Mode::ShortAxis] } else { [Mode::ShortAxis, Mode::LongAxis] }
+    }
+
     /// Components of a vector along the principal axes.
     #[must_use]
     pub fn components(&self, vector: [f64; 3]) -> [f64; 3] {

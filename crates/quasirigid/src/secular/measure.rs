@@ -70,7 +70,7 @@ pub(super) struct Plan {
     pub change: f64,
     /// Error allowed per step, relative.
     pub tolerance: f64,
-    /// Steps allowed.
+    /// Steps allowed in all.
     pub steps: u64,
     /// Times that settling and window are doubled until the mean settles.
     pub doublings: usize,
@@ -97,7 +97,8 @@ pub(super) fn measured(
         let longer = 2.0_f64.powi(doubling as i32);
         let settling = if doubling == 0 { plan.settling } else { 0.0 };
         let window = longer * plan.periods * period;
-        let run = Window::follow(body, &state, [settling, window], SAMPLES / period, plan, watch)?;
+        let left = Plan { steps: plan.steps.saturating_sub(steps), ..plan };
+        let run = Window::follow(body, &state, [settling, window], SAMPLES / period, left, watch)?;
         (turns, steps) = (turns + run.turns, steps + run.steps);
         state = run.last;
         let mean = run.mean;

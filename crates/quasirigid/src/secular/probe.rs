@@ -5,6 +5,7 @@ use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
 use super::site::{MeasureOptions, Site, span};
 use crate::averaging::{FreeRotation, MeanPower, Stage};
+use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, Mode};
 
 /// Nearest place to the separatrix that is probed, as `ξ`.
@@ -54,20 +55,26 @@ impl Probes {
         Ok(probes)
     }
 
-    /// Measures at one stage.
+    /// Measures from a state on the slow manifold.
     ///
     /// # Errors
     /// [`MeasureError`] if there is no mean.
-    pub fn at(
+    pub fn from(
         body: &FlexibleBody,
         range: &EnergyRange,
         poles: &Poles,
-        stage: Stage,
+        start: FullState,
         options: MeasureOptions,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let found = Site { body, range, poles, options }.measure(stage, watch)?;
+        let found = Site { body, range, poles, options }.measure_from(start, watch)?;
         Ok(Self { momentum: range.momentum(), measurements: vec![found], unsettled: 0.0 })
+    }
+
+    /// Steps that the runs took.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.measurements.iter().map(|found| found.steps).sum()
     }
 
     /// Largest relative difference of a power from what was measured; at least the change of a mean that did not settle.

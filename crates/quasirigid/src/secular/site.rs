@@ -5,6 +5,7 @@ use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement, Plan, measured};
 use super::poles::Poles;
 use crate::averaging::{FreeRotation, Stage};
+use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, Mode};
 
 /// How the power is measured.
@@ -32,8 +33,9 @@ const SETTLING: [f64; 2] = [2.0, 400.0];
 const PERIODS: [f64; 2] = [8.0, 24.0];
 /// Decays in a window.
 const DECAYS: f64 = 0.05;
-/// Doublings of a window until the mean settles.
+/// Doublings of a window until the mean settles, and where the run starts on the slow manifold.
 const DOUBLINGS: usize = 5;
+const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
 const SMALL: f64 = 0.02;
 /// Distance from the separatrix, as `ξ`, to which the power is measured.
@@ -55,19 +57,43 @@ impl Site<'_> {
         Stage { mode, xi }: Stage,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Measurement, MeasureError> {
-        let Self { body, range, poles, options } = self;
+        let Self { body, range, poles, .. } = self;
         let start = range.state(body, Stage { mode, xi }).ok_or(MeasureError::LeftMode)?;
         let period = FreeRotation::at_logit(range.moments(), range.momentum(), mode, xi).polhode_period();
         let pole = poles.of_mode(mode);
         let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
+        let settling = settling.clamp(SETTLING[0] * period, SETTLING[1] * period);
+        self.follow((start, settling), (mode, period), DOUBLINGS, watch)
+    }
+
+    /// Measures the mean power of a motion from a state on the slow manifold, which has nothing to forget.
+    pub fn measure_from(
+        self,
+        start: FullState,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Measurement, MeasureError> {
+        let energy = start.energy(self.body);
+        let Stage { mode, .. } = self.range.stage(energy).ok_or(MeasureError::LeftMode)?;
+        let period = self.range.polhode(energy).polhode_period();
+        self.follow((start, 0.0), (mode, period), DOUBLINGS_FROM_MANIFOLD, watch)
+    }
+
+    fn follow(
+        self,
+        (start, settling): (FullState, f64),
+        (mode, period): (Mode, f64),
+        doublings: usize,
+        watch: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Measurement, MeasureError> {
+        let Self { body, range, poles, options } = self;
         let rate = poles.rate(mode).map_or(0.0, f64::abs);
         let plan = Plan {
-            settling: settling.clamp(SETTLING[0] * period, SETTLING[1] * period),
+            settling,
             periods: (DECAYS / (rate * period)).clamp(PERIODS[0], PERIODS[1]),
             change: 0.5 * options.error,
             tolerance: options.tolerance,
             steps: options.most_steps,
-            doublings: DOUBLINGS,
+            doublings,
         };
         let found = measured(body, range, start, plan, watch)?;
         if found.stage.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }

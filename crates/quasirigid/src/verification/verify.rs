@@ -46,6 +46,8 @@ pub struct Verification {
     pub duration: f64,
     /// One row per form and order asked for.
     pub rows: Vec<OrderRow>,
+    /// Steps that the full histories took.
+    pub steps: u64,
 }
 
 /// What was measured at one order.
@@ -131,14 +133,14 @@ pub fn verify(
     let highest = check(system, plan)?;
     let duration = plan.rotations * TAU / norm(start.omega);
     let times: Vec<f64> = (1..=plan.samples).map(|i| duration * i as f64 / plan.samples as f64).collect();
-    let epsilons: Vec<f64> = (0..=plan.halvings).map(|k| 0.5_f64.powi(k as i32)).collect();
+    let epsilons = halved(plan.halvings);
     let all = plan.forms.iter().flat_map(|form| plan.orders.iter().map(|p| (*form, *p)));
     let mut rows: Vec<OrderRow> = all
         .filter(|(form, p)| takes(system, *form, *p))
         .map(|(form, p)| OrderRow { p, form, differences: Vec::new(), order: None })
         .collect();
     let runs = (epsilons.len() * (rows.len() + 1)) as f64;
-    let (mut done, mut floors) = (0.0, Vec::new());
+    let (mut done, mut floors, mut steps) = (0.0, Vec::new(), 0);
     for epsilon in &epsilons {
         let body = system.body.stiffened(*epsilon)?;
         let scaled = Forced { body: &body, ..system };
@@ -148,6 +150,7 @@ pub fn verify(
         let exact = options(Form::Momentum, FULL);
         let truth = full(scaled, start, highest, &times, exact, &mut |t| watch(share(t)))?;
         floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
+        steps += truth.steps;
         done += 1.0;
         for row in &mut rows {
             share = part(done);
@@ -160,7 +163,7 @@ pub fn verify(
     for row in &mut rows {
         row.order = order(&epsilons, &row.differences, &floors);
     }
-    Ok(Verification { epsilons, duration, rows })
+    Ok(Verification { epsilons, duration, rows, steps })
 }
 
 /// The highest order asked for.
@@ -191,13 +194,22 @@ fn order(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option
 /// An order that falls short by more than this is not reached.
 const SHORT: f64 = 0.3;
 
+/// Factors `ε = 1, ½, ¼, …` of so many halvings.
+pub(super) fn halved(halvings: usize) -> Vec<f64> {
+    (0..=halvings).map(|k| 0.5_f64.powi(k as i32)).collect()
+}
+
+/// Whether differences fall with the order expected; those in which no order is found are small enough.
+pub(super) fn falls(order: Option<f64>, expected: usize, mut differences: impl Iterator<Item = f64>) -> bool {
+    order.is_none_or(|order| order > expected as f64 - SHORT) && differences.all(f64::is_finite)
+}
+
 impl OrderRow {
     /// Whether the difference falls as `ε^{p+1}`, as it should; a difference that cannot be told from rounding is small
     /// enough.
     #[must_use]
     pub fn reached(&self) -> bool {
-        self.order.is_none_or(|order| order > (self.p + 1) as f64 - SHORT)
-            && self.differences.iter().all(|difference| difference.omega.is_finite())
+        falls(self.order, self.p + 1, self.differences.iter().map(|difference| difference.omega))
     }
 }
 

@@ -2,12 +2,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use quasirigid::averaging::{FreeRotation, MeanPower, Stage};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
-use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, apart, average_criteria};
+use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
 
 use crate::commands::Loaded;
 use crate::describe::time;
 use crate::failure::Failure;
-use crate::left_out::LEFT_OUT;
+use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
 
 /// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
@@ -94,10 +94,7 @@ impl<'a> Ground<'a> {
     pub fn left_out(&self, ends: [Stage; 2]) -> f64 {
         let share = |stage: Stage| {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
-            nutation.map_or(f64::INFINITY, |nutation| {
-                let [decay, _] = nutation.of_motion;
-                apart(decay, nutation.decay_rate)
-            })
+            nutation.map_or(f64::INFINITY, of_nutation)
         };
         share(ends[0]).max(share(ends[1]))
     }

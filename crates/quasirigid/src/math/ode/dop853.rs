@@ -36,6 +36,23 @@ const GROW: f64 = 6.0;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
 
+/// Rates at the later stages of a step from a time and a state; that at its start stands in the first.
+#[inline(always)]
+fn stage_rates<S: System<Y>, Y: State, R: Arithmetic>(
+    system: &mut S,
+    (t, y): (f64, &Y),
+    h: f64,
+    stages: &mut [Y],
+    place: &mut Y,
+    work: &mut Work,
+) {
+    for stage in 1..STAGES {
+        place.combine::<R>(y, h, &A[stage], &stages[..stage]);
+        system.rate::<R>(t + C[stage] * h, place, &mut stages[stage]);
+    }
+    work.evaluations += STAGES as u64 - 1;
+}
+
 impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
     /// Starts at a state, with the error allowed per step in each component.
     #[inline(always)]
@@ -73,12 +90,9 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
     /// Rates at the stages of a step, and its change of the state, with what rounding had kept out of it, in `place`.
     #[inline(always)]
     fn trial(&mut self, h: f64) {
-        for stage in 1..STAGES {
-            self.place.combine::<R>(&self.y, h, &A[stage], &self.stages[..stage]);
-            self.system.rate::<R>(self.t + C[stage] * h, &self.place, &mut self.stages[stage]);
-        }
-        self.work.evaluations += STAGES as u64 - 1;
-        self.place.combine::<R>(&self.carry, h, &B, &self.stages[..STAGES]);
+        let Self { system, stages, place, work, .. } = self;
+        stage_rates::<S, Y, R>(system, (self.t, &self.y), h, stages, place, work);
+        place.combine::<R>(&self.carry, h, &B, &stages[..STAGES]);
     }
 
     /// Length of the last step.
@@ -89,13 +103,10 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
     /// The state at a time in the last step, by a step of its own from the same start.
     pub fn within(&mut self, t: f64) -> Y {
         let h = t - self.last.0;
-        for stage in 1..STAGES {
-            self.place.combine::<R>(&self.start, h, &A[stage], &self.stages[..stage]);
-            self.system.rate::<R>(self.last.0 + C[stage] * h, &self.place, &mut self.stages[stage]);
-        }
-        self.work.evaluations += STAGES as u64 - 1;
-        self.place.combine::<R>(&self.start, h, &B, &self.stages[..STAGES]);
-        self.place.clone()
+        let Self { system, stages, place, work, .. } = self;
+        stage_rates::<S, Y, R>(system, (self.last.0, &self.start), h, stages, place, work);
+        place.combine::<R>(&self.start, h, &B, &stages[..STAGES]);
+        place.clone()
     }
 
     /// Error estimate of a trial in units of the allowed error.

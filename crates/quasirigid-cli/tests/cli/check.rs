@@ -115,8 +115,7 @@ fn json_and_text_give_the_same_verdict_and_reasons() {
     assert_eq!(json.code, Some(1));
     let object = json.json();
     assert_eq!(object["valid"], false);
-    let text =
-        one_line(&ran("check examples/explorer1/model.toml").stdout);
+    let text = one_line(&ran("check examples/explorer1/model.toml").stdout);
     let reasons = object["reasons"].as_array().unwrap();
     assert_eq!(reasons.len(), 5);
     for reason in reasons {

@@ -1,7 +1,6 @@
-use nalgebra::{DMatrix, Dyn};
+use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
 use super::{CurvedPaths, FlexibleBody, Invariants, Motion};
-use crate::math::eigen::Dense;
 use crate::math::sym::{Sym, add, cross, dot, products, scale, times};
 
 /// The full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
@@ -25,6 +24,21 @@ pub(super) struct CurvedKinetics<'a> {
     /// Rate of the first moment of the displacement, and the same with that of the turn.
     drift: [f64; 3],
     u: [f64; 3],
+    placed: Option<Placed>,
+}
+
+/// What displacements alone decide of the momenta: a Jacobian by differences asks for many momenta at the same displacements.
+#[derive(Clone, Debug)]
+struct Placed {
+    q: Vec<f64>,
+    /// First moment of the displacement.
+    s: [f64; 3],
+    mass: Option<Cholesky<f64, Dyn>>,
+    /// `h_j`, and `M⁻¹h`, a row for each coordinate.
+    h: DMatrix<f64>,
+    turned: DMatrix<f64>,
+    /// `(J − hᵀM⁻¹h)⁻¹`.
+    inverse: Sym,
 }
 
 impl<'a> CurvedKinetics<'a> {
@@ -46,6 +60,7 @@ impl<'a> CurvedKinetics<'a> {
             spin: [0.0; 3],
             drift: [0.0; 3],
             u: [0.0; 3],
+            placed: None,
         };
         for (j, k, pair) in pairs.iter() {
             curved.second[j * all + k] = pair.J2;
@@ -150,36 +165,41 @@ impl<'a> CurvedKinetics<'a> {
         }
     }
 
-    /// Spin at these momenta; writes the rates of the coordinates.
-    pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> [f64; 3] {
+    /// Takes displacements, unless they are those taken last.
+    fn place(&mut self, q: &[f64]) -> Placed {
+        if let Some(placed) = self.placed.take_if(|placed| placed.q == q) {
+            return placed;
+        }
         let n = q.len();
         let (J, s) = self.displace(q);
-        let rows = DMatrix::from_row_iterator(
-            n,
-            4,
-            (0..n).flat_map(|j| {
-                let [x, y, z] = self.gathered(&self.h, j);
-                [x, y, z, p[j]]
-            }),
-        );
-        let solved = match nalgebra::Cholesky::<f64, Dyn>::new(self.mass()) {
-            Some(factor) => factor.solve(&rows),
-            None => DMatrix::from_element(n, 4, f64::NAN),
-        };
-        let mut schur = J;
-        let mut load = K;
-        for (row, solved) in rows.row_iter().zip(solved.row_iter()) {
-            let [hx, hy, hz] = [row[0], row[1], row[2]];
-            let [x, y, z, p] = [solved[0], solved[1], solved[2], solved[3]];
-            let products = [hx * x, hy * y, hz * z, hy * z, hz * x, hx * y];
-            schur.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
-            load = add(load, scale(-p, [hx, hy, hz]));
+        let h = DMatrix::from_row_iterator(n, 3, (0..n).flat_map(|j| self.gathered(&self.h, j)));
+        let mass = Cholesky::<f64, Dyn>::new(self.mass());
+        let turned =
+            mass.as_ref().map_or_else(|| DMatrix::from_element(n, 3, f64::NAN), |factor| factor.solve(&h));
+        let schur = h.transpose() * &turned;
+        let at = |i: usize, j: usize| 0.5 * (schur[(i, j)] + schur[(j, i)]);
+        let entries = [at(0, 0), at(1, 1), at(2, 2), at(1, 2), at(2, 0), at(0, 1)];
+        let inverse = crate::math::sym::inverse(std::array::from_fn(|i| J[i] - entries[i]));
+        Placed { q: q.to_vec(), s, mass, h, turned, inverse }
+    }
+
+    /// Spin at these momenta; writes the rates of the coordinates.
+    pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> [f64; 3] {
+        let placed = self.place(q);
+        let load = placed
+            .turned
+            .row_iter()
+            .zip(p)
+            .fold(K, |load, (turned, p)| add(load, scale(-p, [turned[0], turned[1], turned[2]])));
+        let omega = times(placed.inverse, load);
+        let turning = placed.h.row_iter().map(|h| dot([h[0], h[1], h[2]], omega));
+        rate.iter_mut().zip(p).zip(turning).for_each(|((rate, p), turning)| *rate = p - turning);
+        match &placed.mass {
+            Some(factor) => factor.solve_mut(&mut DVectorViewMut::from_slice(rate, q.len())),
+            None => rate.fill(f64::NAN),
         }
-        let omega = times(crate::math::sym::inverse(schur), load);
-        for (rate, solved) in rate.iter_mut().zip(solved.row_iter()) {
-            *rate = solved[3] - (solved[0] * omega[0] + solved[1] * omega[1] + solved[2] * omega[2]);
-        }
-        self.move_on(omega, rate, s);
+        self.move_on(omega, rate, placed.s);
+        self.placed = Some(placed);
         omega
     }
 
@@ -226,6 +246,7 @@ impl<'a> CurvedKinetics<'a> {
 
     /// Angular momentum about the pole without that of the wheels, and the generalised momenta of a motion.
     pub fn momenta(&mut self, Motion { omega, q, rate }: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+        self.placed = None;
         let (J, s) = self.displace(q);
         self.move_on(omega, rate, s);
         let n = q.len();
@@ -236,26 +257,5 @@ impl<'a> CurvedKinetics<'a> {
             all[j] + fields.map(|(e, momentum)| momentum * self.slopes[(e, j)]).sum::<f64>()
         });
         (add(times(J, omega), turning), own.collect())
-    }
-
-    /// Mass matrix at displacements with the body free to recoil, `A(q) − h J⁻¹ hᵀ`. (V2), (K13)
-    pub fn recoiling_mass(&mut self, q: &[f64]) -> Dense {
-        let (J, _) = self.displace(q);
-        let inverse = crate::math::sym::inverse(J);
-        let h: Vec<[f64; 3]> = (0..q.len()).map(|j| self.gathered(&self.h, j)).collect();
-        let mut mass = self.mass();
-        for (j, h_j) in h.iter().enumerate() {
-            let turn = times(inverse, *h_j);
-            for (k, h_k) in h.iter().enumerate() {
-                mass[(j, k)] -= dot(turn, *h_k);
-            }
-        }
-        let mut dense = Dense::zero(q.len());
-        for j in 0..q.len() {
-            for k in 0..q.len() {
-                dense.add(j, k, mass[(j, k)]);
-            }
-        }
-        dense
     }
 }

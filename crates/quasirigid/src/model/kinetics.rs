@@ -3,7 +3,6 @@ use nalgebra::{Matrix3, Vector3};
 use super::curved::CurvedKinetics;
 use super::{FlexibleBody, Invariants, Motion};
 use crate::math::cholesky::Cholesky;
-use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::{self, Sym, add, cross, dot, products, scale, times};
 
@@ -106,11 +105,6 @@ impl<'a> Kinetics<'a> {
         }
         let u = if self.body.translation().is_some() { add(drift, cross(omega, s)) } else { [0.0; 3] };
         Velocities { omega, body: self.body, u, slopes: &self.slopes, curved: None }
-    }
-
-    /// Mass matrix at displacements with the body free to recoil, `A(q) − h J⁻¹ hᵀ`, where it changes with them. (V2), (K13)
-    pub fn recoiling_mass(&mut self, q: &[f64]) -> Option<Dense> {
-        self.curved.as_mut().map(|curved| curved.recoiling_mass(q))
     }
 
     /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows, and the slopes.

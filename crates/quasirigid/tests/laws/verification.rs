@@ -168,7 +168,8 @@ fn averages_tend_to_the_full_system() {
     for (omega, p) in [([0.1, 0.05, 0.9], 3), ([0.8, 0.1, 0.05], 3), ([0.1, 0.3, 0.6], 5)] {
         let body = assembly(Support::Free, Vec::new()).body().unwrap();
         let system = Forced::not(&body);
-        let found = verify_average(system, &start(omega), p, 3, u64::MAX, &mut || ControlFlow::Continue(())).unwrap();
+        let found =
+            verify_average(system, &start(omega), p, 3, u64::MAX, &mut || ControlFlow::Continue(())).unwrap();
         assert_eq!((found.errors.len(), found.expected), (4, 2));
         let order = found.order.unwrap();
         println!("{omega:?}: {:?} {order:.4}", found.errors);
@@ -188,7 +189,8 @@ fn averages_that_there_are_none_of_are_refused() {
     let held = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     assert!(matches!(refused(&held, [0.3, 0.2, 1.4]), AverageError::NotFree));
     let body = assembly(Support::Free, Vec::new()).body().unwrap();
-    let found =
-        verify_average(Forced::not(&body), &start([0.1, 0.05, 0.9]), 3, 2, u64::MAX, &mut || ControlFlow::Break(()));
+    let found = verify_average(Forced::not(&body), &start([0.1, 0.05, 0.9]), 3, 2, u64::MAX, &mut || {
+        ControlFlow::Break(())
+    });
     assert!(matches!(found, Err(AverageError::Measure(MeasureError::Interrupted))), "{found:?}");
 }

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 
 /// Revolutions of a history of the full system that is chosen at once, and that is tried where nothing else holds.
 const FEW: f64 = 3_000.0;
-const MANY: f64 = 200_000.0;
+pub const MANY: f64 = 200_000.0;
 /// Decay in a period of the polhode up to which the power has a mean.
 const DECAY: f64 = 0.05;
 
@@ -54,12 +54,12 @@ impl<'a> Choice<'a> {
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
         if fast || self.whirls() || revolutions.is_none_or(|turns| turns <= FEW) {
-            return self.direct(MANY, watch);
+            return self.short_history(watch);
         }
         match self.measured(watch) {
             Ok(road) => Ok(Ok(road)),
             Err(MeasureError::Interrupted) => Err(Failure::Interrupted),
-            Err(_) if revolutions.is_some_and(|turns| turns <= MANY) => self.direct(MANY, watch),
+            Err(_) if revolutions.is_some_and(|turns| turns <= MANY) => self.short_history(watch),
             Err(error) => Ok(Err(error.to_string())),
         }
     }

@@ -6,7 +6,7 @@ use quasirigid::secular::{
     DirectEnding, DirectOptions, DirectRow, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
 };
 
-use super::choice::Choice;
+use super::choice::{Choice, MANY};
 use super::ground::Ground;
 use super::verdict::Road;
 use crate::describe::{significant, time};
@@ -14,6 +14,8 @@ use crate::failure::Failure;
 
 /// Steps of a history.
 const STEPS: u64 = 30_000_000;
+/// Steps of one that is followed unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes of work.
+const WORK: f64 = 1e9;
 /// Error allowed per step of the full system, relative.
 const TOLERANCE: f64 = 1e-10;
 /// Revolutions in which no wobble dies out.
@@ -64,24 +66,41 @@ impl Choice<'_> {
         }
     }
 
-    /// The history of the full system.
+    /// The history of the full system, as long as it takes.
     pub fn direct(
         &self,
-        most_turns: f64,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<Road, String>, Failure> {
+        self.followed([f64::INFINITY, f64::INFINITY], watch)
+    }
+
+    /// The history of the full system, if it takes no more than minutes.
+    pub fn short_history(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<Road, String>, Failure> {
+        let power = if self.body.paths().is_some() { 3 } else { 2 };
+        let per_step = (self.body.coordinates().len().max(1) as f64).powi(power);
+        self.followed([MANY, WORK / per_step], watch)
+    }
+
+    fn followed(
+        &self,
+        [most_turns, most_steps]: [f64; 2],
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Result<Road, String>, Failure> {
         let options = DirectOptions {
             until: Some(self.way.energies[1]),
             duration: self.duration.unwrap_or(f64::MAX),
             most_turns,
-            most_steps: STEPS,
+            most_steps: STEPS.min(most_steps as u64),
             tolerance: TOLERANCE,
         };
         let run = follow_directly(self.body, &self.way.start, options, watch)?;
         let end = run.rows[run.rows.len() - 1];
         let told = |why: &str| {
-            let unstable =
-                self.ground.unstable().map_or_else(String::new, |unstable| format!("; {unstable}"));
+            let unstable = self.ground.unstable().or_else(|| self.ground.whirl());
+            let unstable = unstable.map_or_else(String::new, |unstable| format!("; {unstable}"));
             format!(
                 "the full system was followed for {} ({} turns) and did not get there: {why}{unstable}",
                 time(end.t),
@@ -97,7 +116,9 @@ impl Choice<'_> {
             DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
             DirectEnding::Interrupted => return Err(Failure::Interrupted),
             DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
-            DirectEnding::StepLimit => Err(told("the steps allowed were used up")),
+            DirectEnding::StepLimit => {
+                Err(told("the steps allowed were used up; --method direct allows more of them"))
+            }
             DirectEnding::Failed { reason } => Err(told(reason)),
         })
     }

@@ -2,6 +2,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use quasirigid::averaging::{FreeRotation, MeanPower, Stage};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
+use quasirigid::modes::SpinMode;
 use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
 
 use crate::commands::Loaded;
@@ -59,13 +60,13 @@ impl<'a> Ground<'a> {
 
     /// What grows at the axis of greatest inertia, in words; none if its spin is stable.
     pub fn unstable(&self) -> Option<String> {
-        let pole = self.poles.short.as_ref()?;
-        let mode = pole.unstable()?;
-        Some(format!(
-            "the steady spin about the axis of greatest inertia is unstable: a motion of {} grows e-fold in {}",
-            mode.name,
-            time(-mode.time_constant())
-        ))
+        self.poles.short.as_ref()?.unstable().map(|mode| grows("greatest", mode))
+    }
+
+    /// What grows beside the nutation at the axis of least inertia, in words; none if nothing does.
+    pub fn whirl(&self) -> Option<String> {
+        let modes = &self.poles.long.as_ref()?.modes.modes;
+        modes.iter().find(|mode| mode.grows() && !mode.nutation).map(|mode| grows("least", mode))
     }
 
     /// Estimate of the relative error that the answer of liquids about the mean spin leaves on a way, which is widest at an end or at the
@@ -123,4 +124,13 @@ impl<'a> Ground<'a> {
         };
         haste(ends[0]).max(haste(ends[1]))
     }
+}
+
+/// That a mode grows about an axis of extreme inertia.
+fn grows(inertia: &str, mode: &SpinMode) -> String {
+    format!(
+        "the steady spin about the axis of {inertia} inertia is unstable: a motion of {} grows e-fold in {}",
+        mode.name,
+        time(-mode.time_constant())
+    )
 }

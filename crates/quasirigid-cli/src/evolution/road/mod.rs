@@ -95,7 +95,7 @@ pub fn choose(
             Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
             found => found.map_err(|error| error.to_string()),
         },
-        Some(EvolveMethod::Direct) => choice.direct(f64::INFINITY, watch)?,
+        Some(EvolveMethod::Direct) => choice.direct(watch)?,
         None => match choice.average(ageing, watch)? {
             Some(road) => Ok(road),
             None => match choice.levels(loaded, asked) {

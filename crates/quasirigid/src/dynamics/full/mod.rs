@@ -3,6 +3,7 @@
 mod propagate;
 mod solver;
 mod start;
+mod stiff_part;
 mod system;
 
 pub use propagate::propagate_full;

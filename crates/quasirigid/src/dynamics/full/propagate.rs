@@ -33,8 +33,9 @@ pub fn propagate_full(
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
     check(scales.spin, initial.attitude, times, options.tolerance)?;
-    let allowed = allowed(system.body, &scales, options.tolerance);
-    let full = FullSystem::new(system).ok_or(PropagateError::LightCarrier)?;
+    let sizes = sizes(system.body, &scales);
+    let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
+    let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
     let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
@@ -53,17 +54,17 @@ fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String
     names.zip(energies.iter().copied()).collect()
 }
 
-/// Error allowed per step in each component.
-fn allowed(body: &FlexibleBody, scales: &Scales, tolerance: f64) -> Vec<f64> {
+/// Size that the error in each component is measured by; infinite where it does not matter.
+fn sizes(body: &FlexibleBody, scales: &Scales) -> Vec<f64> {
     let layout = Layout::of(body);
-    let mut allowed = vec![f64::INFINITY; layout.len()];
-    allowed[MOMENTUM..MOMENTUM + 3].fill(tolerance * scales.momentum);
-    allowed[ATTITUDE..ATTITUDE + 4].fill(tolerance);
-    allowed[PLACE..PLACE + 3].fill(tolerance * scales.place);
-    allowed[VELOCITY..VELOCITY + 3].fill(tolerance * scales.velocity);
+    let mut sizes = vec![f64::INFINITY; layout.len()];
+    sizes[MOMENTUM..MOMENTUM + 3].fill(scales.momentum);
+    sizes[ATTITUDE..ATTITUDE + 4].fill(1.0);
+    sizes[PLACE..PLACE + 3].fill(scales.place);
+    sizes[VELOCITY..VELOCITY + 3].fill(scales.velocity);
     for (j, k, pair) in body.invariants().pairs.iter().filter(|(j, k, _)| j == k) {
-        allowed[layout.q().start + j] = tolerance * (scales.inertia / pair.A).sqrt();
-        allowed[layout.p().start + k] = tolerance * scales.spin * (scales.inertia * pair.A).sqrt();
+        sizes[layout.q().start + j] = (scales.inertia / pair.A).sqrt();
+        sizes[layout.p().start + k] = scales.spin * (scales.inertia * pair.A).sqrt();
     }
-    allowed
+    sizes
 }

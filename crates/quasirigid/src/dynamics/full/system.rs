@@ -1,16 +1,16 @@
+use super::stiff_part::StiffPart;
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::keeper::{Invariant, Look, Motion as Followed, Seat};
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
-use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
 use crate::math::eigen::Dense;
 use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
-use crate::math::simd::Arithmetic;
+use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{self, add, cross, dot, norm, scale};
-use crate::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE};
+use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::model::{Displaced, Kinetics, Motion, RANGE};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
 /// (S3), (S4), (T1), (C2)
@@ -21,18 +21,19 @@ pub(super) struct FullSystem<'a> {
     kinetics: Kinetics<'a>,
     /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
     accounts: Vec<Vec<(usize, usize, f64)>>,
-    vibrator: Vibrator,
-    shifts: Vec<DynamicStiffness>,
-    /// Mass matrix of the vibrations, where it changes with the displacements.
-    mass: Option<Dense>,
+    stiff: StiffPart,
+    /// Steps of the differences that a Jacobian is taken by: in the coordinates, then in their momenta.
+    differences: Vec<f64>,
 }
 
+/// Step of a difference over the size of the component: the root of the rounding, since rates are smooth.
+const DIFFERENCE: f64 = 1.5e-8;
 /// Steps of power iteration: the frequency is needed to a few per cent.
 const POWER_ITERATIONS: usize = 40;
 
 impl<'a> FullSystem<'a> {
-    /// The equations of a body; none if its mass matrix is not positive.
-    pub fn new(system: Forced<'a>) -> Option<Self> {
+    /// The equations of a body, whose state has components of these sizes; none if its mass matrix is not positive.
+    pub fn new(system: Forced<'a>, sizes: &[f64]) -> Option<Self> {
         let body = system.body;
         let layout = Layout::of(body);
         let accounts = body.dissipators().iter().take(layout.accounts).map(|part| upper(&part.damping));
@@ -41,18 +42,27 @@ impl<'a> FullSystem<'a> {
             layout,
             kinetics: Kinetics::new(body)?,
             accounts: accounts.collect(),
-            vibrator: vibrator(body),
-            shifts: Vec::new(),
-            mass: None,
+            stiff: StiffPart::vibrations(body),
+            differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
         })
     }
 
-    /// Free vibrations with this mass matrix.
-    fn vibrator_of(&self, mass: &Dense) -> Vibrator {
-        let (n, body) = (mass.size(), self.system.body);
-        let entries = (0..n).flat_map(|j| (0..n).map(move |k| (j, k, mass.at(j, k))));
-        let A = SparseRows::sum(n, entries.collect());
-        Vibrator::new(A, vec![[0.0; 6]; n], [[0.0; 6]; 6], body.damping().clone(), body.stiffness().clone())
+    /// Jacobian of the rates of the coordinates and their momenta, by differences. (T4)
+    fn jacobian(&mut self, t: f64, y: &[f64]) -> Dense {
+        let (slow, n) = (self.layout.slow(), self.layout.n);
+        let (mut place, mut rate, mut moved) = (y.to_vec(), y.to_vec(), y.to_vec());
+        self.rate::<Plain>(t, &place, &mut rate);
+        let mut jacobian = Dense::zero(2 * n);
+        for column in 0..2 * n {
+            place[slow + column] += self.differences[column];
+            let step = place[slow + column] - y[slow + column];
+            self.rate::<Plain>(t, &place, &mut moved);
+            place[slow + column] = y[slow + column];
+            for row in 0..2 * n {
+                jacobian.add(row, column, (moved[slow + row] - rate[slow + row]) / step);
+            }
+        }
+        jacobian
     }
 
     /// Adds what external forces do to the rates of a state. (F1), (F11)
@@ -153,58 +163,26 @@ impl Followed for FullSystem<'_> {
     }
 }
 
-/// `L` is the free vibration of the body that recoils: `q̇ = M⁻¹p`, `ṗ = −Bq̇ − Cq`, with the mass of (V2). (T2)
 impl Stiff for FullSystem<'_> {
     fn stiff(&self) -> usize {
         self.layout.slow()
     }
 
-    fn renew(&mut self, y: &[f64]) -> bool {
-        let Some(mass) = self.kinetics.recoiling_mass(&y[self.layout.q()]) else { return false };
-        if self.mass.as_ref().is_some_and(|known| alike(known, &mass)) {
-            return false;
-        }
-        self.vibrator = self.vibrator_of(&mass);
-        self.mass = Some(mass);
-        true
+    fn changes(&self) -> bool {
+        self.system.body.paths().is_some()
+    }
+
+    fn renew(&mut self, t: f64, y: &[f64]) {
+        self.stiff = StiffPart::Jacobian(self.jacobian(t, y), Vec::new());
     }
 
     fn shift(&mut self, shifts: [[f64; 2]; 4]) {
-        self.shifts = shifts.map(|s| self.vibrator.at(s)).into();
+        self.stiff.shift(shifts);
     }
 
     fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
-        self.vibrator.solve(&mut self.shifts[shift], right);
+        self.stiff.solve(shift, right);
     }
-}
-
-/// Free vibrations with recoil, `M = A − SSᵀ/m* − hJ⁻¹hᵀ`. (V2)
-fn vibrator(body: &FlexibleBody) -> Vibrator {
-    let invariants = body.invariants();
-    let n = body.coordinates().len();
-    let A = SparseRows::sum(n, invariants.pairs.iter().map(|(j, k, pair)| (j, k, pair.A)).collect());
-    let rows = invariants.S.iter().zip(&invariants.h).map(|(S, h)| [S[0], S[1], S[2], h[0], h[1], h[2]]);
-    let mut weights = [[0.0; 6]; 6];
-    let inverse = sym::rows(sym::inverse(invariants.J));
-    for i in 0..3 {
-        weights[i][i] = body.translation().unwrap_or(0.0);
-        weights[3 + i][3..].copy_from_slice(&inverse[i]);
-    }
-    Vibrator::new(A, rows.collect(), weights, body.damping().clone(), body.stiffness().clone())
-}
-
-/// Change of an entry of the mass matrix, over the geometric mean of those on its diagonal, that the iteration of an implicit step
-/// does not feel.
-const CHANGED: f64 = 0.01;
-
-/// Whether two mass matrices are nearly the same.
-fn alike(known: &Dense, mass: &Dense) -> bool {
-    (0..mass.size()).all(|j| {
-        (0..=j).all(|k| {
-            let size = (mass.at(j, j) * mass.at(k, k)).sqrt();
-            (mass.at(j, k) - known.at(j, k)).abs() <= CHANGED * size
-        })
-    })
 }
 
 /// Entries of a symmetric matrix on and above the diagonal, the others doubled.

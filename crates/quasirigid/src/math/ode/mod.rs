@@ -1,5 +1,6 @@
 //! Initial value problems.
 
+mod age;
 mod dop853;
 mod dop853_tableau;
 mod integrate;

@@ -1,13 +1,14 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
+use super::age::Age;
 use super::radau_stages::{Attempt, Search, Stages, Stiff};
-use super::radau_tableau::{ERROR, GAMMA, SPLIT, STAGES, START};
+use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
 use super::system::{Dense, Solver, State, StepError, Work, accumulate, towards};
 use crate::math::simd::Arithmetic;
 
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
-/// linear and constant, so that no Jacobian is ever formed and a factorisation lasts as long as the step.
+/// linear and constant or changes slowly, so that a factorisation lasts as long as the step, or until the iteration slows.
 ///
 /// The stages are found by sweeps over what is not stiff, and by the constant linear part on the rest. The step is
 /// controlled by an embedded formula of order 7, as far as the dense output is good; the state at the end of the step is
@@ -32,6 +33,8 @@ pub struct Radau<S, R> {
     continues: bool,
     /// Step for which the linear part is factored.
     factored: f64,
+    /// Where the linear part changes: when it was taken.
+    age: Age,
     error: Vec<f64>,
     smoothed: Vec<[f64; 2]>,
     arithmetic: PhantomData<R>,
@@ -50,6 +53,8 @@ const CONTRACTION: f64 = 0.12;
 const FAR: f64 = 2.0;
 /// Factor of the step then.
 const SHORTER: f64 = 0.7;
+/// Stage in the middle of a step.
+const MIDDLE: usize = 3;
 
 impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Starts at a state with a first step (s), and with the error allowed per step in each component.
@@ -71,6 +76,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
             stages: Stages::new(y.len(), stiff),
             continues: false,
             factored: 0.0,
+            age: Age::default(),
             error: zero,
             smoothed: vec![[0.0; 2]; y.len() - stiff],
             arithmetic: PhantomData,
@@ -88,8 +94,15 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.h
     }
 
+    /// Factors the linear part, taken in the middle of the step where it changes and has aged. (T4)
     fn factor(&mut self, h: f64) {
-        let renewed = self.system.renew(&self.y);
+        let renewed = self.system.changes() && self.age.is_due();
+        if renewed {
+            let middle: Vec<f64> =
+                self.y.iter().zip(&self.stages.changes[MIDDLE]).map(|(y, change)| y + change).collect();
+            self.system.renew(self.t + C[MIDDLE] * h, &middle);
+            self.age.steps = Some(0);
+        }
         if renewed || self.factored != h {
             self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
             self.factored = h;
@@ -103,6 +116,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         } else {
             self.stages.guess_still(&self.rate);
         }
+        self.factor(h);
         let attempt = Attempt { t: self.t, h, y: &self.y, weights: &self.weights };
         self.stages.find::<S, R>(&mut self.system, attempt)
     }
@@ -138,12 +152,16 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.work.steps += 1;
         self.work.implicit_steps += 1;
         self.continues = true;
+        self.age.steps = self.age.steps.map(|steps| steps + 1);
     }
-}
 
-/// Growth of the step that the iteration of the stages can afford.
-fn affordable(ratio: f64) -> f64 {
-    if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) }
+    /// Growth of the step that the iteration of the stages can afford, where accuracy affords `wanted`; a linear part that has aged is
+    /// taken again first.
+    fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
+        let growth = if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) };
+        let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
+        if aged { growth.max(1.0) } else { growth }
+    }
 }
 
 impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
@@ -166,7 +184,6 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
         let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
         loop {
             let (h, reaches) = towards(end, self.t, self.h, undefined)?;
-            self.factor(h);
             let search = self.find_stages(h);
             undefined = matches!(search, Search::NotFinite);
             let factor = match search {
@@ -174,7 +191,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
                     let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
                     if error <= 1.0 {
-                        let growth = factor.min(affordable(ratio));
+                        let growth = factor.min(self.affordable(ratio, h, factor));
                         let growth = if rejected { growth.min(1.0) } else { growth };
                         let kept = if KEPT.contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };
@@ -183,6 +200,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     }
                     factor
                 }
+                Search::Slow(_) if self.system.changes() && self.age.is_to_blame() => 1.0,
                 Search::Slow(ratio) => (CONTRACTION / ratio).clamp(SHRINK, 0.5),
                 Search::NotFinite => 0.5,
             };

@@ -2,15 +2,19 @@ use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
 use super::system::System;
 use crate::math::simd::Arithmetic;
 
-/// A system with a stiff linear part `L` that hardly changes: `rate = L y + (what is not stiff)`.
+/// A system with a stiff linear part `L` that hardly changes in a step: `rate = L y + (what is not stiff)`.
 pub trait Stiff: System<Vec<f64>> {
     /// First of the components that `L` acts on; the components before it are not stiff.
     fn stiff(&self) -> usize;
 
-    /// Takes `L` at a state where it has changed with the state, slowly; whether it has, so that [`shift`](Self::shift) is due.
-    fn renew(&mut self, y: &[f64]) -> bool {
-        let _ = y;
+    /// Whether `L` changes with the state.
+    fn changes(&self) -> bool {
         false
+    }
+
+    /// Takes `L` at a time and a state, if it changes; [`shift`](Self::shift) is due.
+    fn renew(&mut self, t: f64, y: &[f64]) {
+        let _ = (t, y);
     }
 
     /// Prepares to solve `(s − L) x = right` at the shifts `s` (1/s): real and imaginary part.

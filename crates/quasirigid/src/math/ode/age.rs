@@ -1,0 +1,83 @@
+/// Age of a stiff linear part that changes with the state: it is taken again when the iteration of the stages slows, or has slowed at
+/// that age before.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Age {
+    /// Steps since it was taken; none if it never was.
+    pub steps: Option<u32>,
+    /// Steps after the first for which it lasts.
+    lasts: u32,
+    /// Ratio of corrections over the step (1/s) when it was new.
+    pace: f64,
+}
+
+/// Growth of the pace that shows the age, and below which it lasts longer.
+const AGED: f64 = 1.5;
+const FRESH: f64 = 1.1;
+
+impl Age {
+    /// Whether it is to be taken again.
+    pub fn is_due(self) -> bool {
+        self.steps.is_none_or(|steps| steps > self.lasts)
+    }
+
+    /// After stages that were not found: whether the age may be why, so that it is due.
+    pub fn is_to_blame(&mut self) -> bool {
+        let Some(steps @ 1..) = self.steps else { return false };
+        (self.steps, self.lasts) = (None, steps / 2);
+        true
+    }
+
+    /// After a step with this ratio of corrections over the step (1/s): whether the age shows in it where it limits the next step.
+    pub fn shows(&mut self, pace: f64, limits: bool) -> bool {
+        let steps = self.steps.unwrap_or_default();
+        if steps == 0 {
+            self.pace = pace;
+        }
+        let aged = limits && pace > AGED * self.pace;
+        if aged {
+            self.lasts = steps;
+        } else if steps == self.lasts && (steps > 0 && pace < FRESH * self.pace || !limits) {
+            self.lasts = 2 * steps + 1;
+        }
+        aged
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(steps: u32) -> Age {
+        let mut age = Age { steps: Some(0), lasts: 8, pace: 0.0 };
+        age.shows(1.0, true);
+        age.steps = Some(steps);
+        age
+    }
+
+    #[test]
+    fn it_is_due_at_first_and_once_it_slows_the_iteration() {
+        assert!(Age::default().is_due());
+        let mut age = after(3);
+        assert!(!age.is_due() && !age.shows(1.4, true) && !age.is_due());
+        assert!(age.shows(1.6, true));
+        age.steps = Some(4);
+        assert!(age.is_due());
+    }
+
+    #[test]
+    fn what_does_not_limit_the_step_shows_no_age() {
+        let mut age = after(3);
+        assert!(!age.shows(100.0, false) && !age.is_due());
+    }
+
+    #[test]
+    fn a_new_part_is_not_to_blame_and_an_old_one_lasts_half_as_long_from_then_on() {
+        assert!(!after(0).is_to_blame());
+        let mut age = after(5);
+        assert!(age.is_to_blame() && age.is_due());
+        age.steps = Some(2);
+        assert!(!age.is_due());
+        age.steps = Some(3);
+        assert!(age.is_due());
+    }
+}

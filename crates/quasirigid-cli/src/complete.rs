@@ -17,9 +17,7 @@ pub fn beyond(assembly: &Assembly, order: usize) -> Option<String> {
 
 fn cause(what: Incomplete) -> &'static str {
     match what {
-        Incomplete::Liquids => {
-            "the square of the velocity of liquids is left out where a cavity is no ball (order 2)"
-        }
+        Incomplete::Liquids => "the square of the velocity of liquids is that of slow flows (order 3)",
         Incomplete::Ellipsoids => "the strain of ellipsoids is linear (order 3)",
         Incomplete::Surfaces => "the strain of solids inside surfaces is linear (order 3)",
         Incomplete::Shapes => "the displacements of modes and matrices are linear (order 3)",

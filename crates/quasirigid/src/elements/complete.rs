@@ -5,7 +5,7 @@ use super::{Assembly, CavityShape, End, Kind, Law, Regime};
 /// What leaves terms out of the equations of a body, in the full system and in the reduced one alike. (S1)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Incomplete {
-    /// Liquids in cavities that are no balls: the square of their velocity.
+    /// Liquids in cavities that are no rings: the square of their velocity beyond that of slow flows. (L21)
     Liquids,
     /// Ellipsoids: strain is linear.
     Ellipsoids,
@@ -28,8 +28,8 @@ impl Incomplete {
     #[must_use]
     pub fn order(self) -> usize {
         match self {
-            Self::Liquids => 2,
-            Self::Ellipsoids
+            Self::Liquids
+            | Self::Ellipsoids
             | Self::Surfaces
             | Self::Shapes
             | Self::AxialSprings
@@ -44,11 +44,7 @@ impl Assembly {
     #[must_use]
     pub fn incomplete_at(&self, order: usize) -> Vec<Incomplete> {
         let shaped = |kind: &Kind| matches!(kind, Kind::Matrices(_) | Kind::Modes(_));
-        let flows = |shape: &CavityShape| match shape {
-            CavityShape::Ellipsoid { semi_axes: [a, b, c] } => a != b || b != c,
-            CavityShape::Ring { .. } => false,
-            _ => true,
-        };
+        let flows = |shape: &CavityShape| !matches!(shape, CavityShape::Ring { .. });
         let on_appendage = |end: End| matches!(end, End::Hinged(_));
         let liquid = |regime: &Regime, shape| *regime == Regime::Viscous && flows(shape);
         let all = [

@@ -1,6 +1,6 @@
 use super::error::ElementError;
 use super::matrices::Entries;
-use crate::model::{Coordinate, LiquidMemory, Pair};
+use crate::model::{Advection, Coordinate, LiquidMemory, Pair};
 
 /// What moves inside the carrier without moving its centre of mass or its inertia: a rotor, a liquid. Its coordinates are
 /// cyclic. (C1), (C2)
@@ -16,6 +16,8 @@ pub(super) struct Inner {
     pub friction: Vec<(String, Entries)>,
     /// Liquids whose linear answer is known at every frequency.
     pub memories: Vec<LiquidMemory>,
+    /// Advection of liquids.
+    pub advections: Vec<Advection>,
     /// Rates that the file gives for the start, by coordinate.
     pub speeds: Vec<(usize, f64)>,
 }
@@ -28,7 +30,7 @@ impl Inner {
     ) -> Result<Self, ElementError> {
         let mut sum = Self::default();
         for element in elements {
-            let Self { coordinates, h, pairs, friction, memories, speeds } = element?;
+            let Self { coordinates, h, pairs, friction, memories, advections, speeds } = element?;
             let start = first + sum.coordinates.len();
             sum.coordinates.extend(coordinates);
             sum.h.extend(h);
@@ -36,6 +38,10 @@ impl Inner {
             sum.memories.extend(memories.into_iter().map(|memory| {
                 let coordinates = start + memory.coordinates.start..start + memory.coordinates.end;
                 LiquidMemory { coordinates, ..memory }
+            }));
+            sum.advections.extend(advections.into_iter().map(|advection| {
+                let coordinates = start + advection.coordinates.start..start + advection.coordinates.end;
+                Advection { coordinates, ..advection }
             }));
             sum.speeds.extend(speeds.into_iter().map(|(j, speed)| (start + j, speed)));
             sum.friction.extend(friction.into_iter().map(|(name, entries)| {

@@ -59,6 +59,7 @@ impl Rotor {
         };
         let count = axes.len();
         Ok(Inner {
+            advections: Vec::new(),
             coordinates: axes
                 .iter()
                 .enumerate()

@@ -89,7 +89,7 @@ impl FlexibleBody {
         p
     }
 
-    /// Loads `∂L/∂q_j + ∂U/∂q_j`: centrifugal and Coriolis forces on the coordinates, without spring and dashpot. (S4)
+    /// Loads `∂L/∂q_j + ∂U/∂q_j`: centrifugal and Coriolis forces on the coordinates, and the advection of liquids, without spring and dashpot. (S4), (L21)
     #[must_use]
     pub fn load<T: Scalar>(&self, motion: Motion<T>) -> Vec<T> {
         let Motion { omega, q, rate } = motion;
@@ -109,6 +109,7 @@ impl FlexibleBody {
                 *Q = *Q - T::from(per_mass) * dot(S.map(T::from), turned);
             }
         }
+        self.advections().iter().for_each(|advection| advection.add_load(rate, &mut Q));
         Q
     }
 

@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{CurvedPaths, Dissipator, Invariants, LiquidMemory, Rheology, Support, Wheels};
+use super::{Advection, CurvedPaths, Dissipator, Invariants, LiquidMemory, Rheology, Support, Wheels};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -24,6 +24,7 @@ pub struct FlexibleBody {
     lossy: Vec<Lossy>,
     dissipators: Vec<Dissipator>,
     memories: Vec<LiquidMemory>,
+    advections: Vec<Advection>,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
     elastic: usize,
@@ -171,6 +172,7 @@ impl FlexibleBody {
             lossy,
             dissipators,
             memories,
+            advections: Vec::new(),
             factor,
             elastic,
             friction,
@@ -185,6 +187,18 @@ impl FlexibleBody {
     #[must_use]
     pub fn along(self, paths: Option<CurvedPaths>) -> Self {
         Self { paths, ..self }
+    }
+
+    /// The same body with the advection of its liquids. (L21)
+    #[must_use]
+    pub fn advected(self, advections: Vec<Advection>) -> Self {
+        Self { advections, ..self }
+    }
+
+    /// Advection of its liquids, where it is known. (L21)
+    #[must_use]
+    pub fn advections(&self) -> &[Advection] {
+        &self.advections
     }
 
     /// Paths whose second order the full equations have in full; none where all paths are straight, or where only (I6) is known.
@@ -213,7 +227,7 @@ impl FlexibleBody {
             wheels: self.wheels.clone(),
             markers: self.markers.clone(),
         });
-        Ok(stiffened?.along(self.paths.clone()))
+        Ok(stiffened?.along(self.paths.clone()).advected(self.advections.clone()))
     }
 
     /// The same body with its cyclic coordinates locked.
@@ -277,7 +291,8 @@ impl FlexibleBody {
         };
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
         let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");
-        body.along(paths)
+        let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
+        body.along(paths).advected(advections.collect())
     }
 
     /// How the body is held.

@@ -146,6 +146,7 @@ impl Velocities<'_> {
     /// dashpots take (W). (S4)
     pub fn add_loads(&self, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
         let Self { omega, body, u, slopes, curved } = *self;
+        body.advections().iter().for_each(|advection| advection.add_load(rate, sum));
         if let Some(curved) = curved {
             curved.add_loads(sum);
             return add_internal(body, q, rate, sum);

@@ -1,5 +1,6 @@
 //! What a body *is*.
 
+mod advection;
 mod curved;
 mod dissipator;
 mod equations;
@@ -17,6 +18,7 @@ mod spinning;
 mod support;
 mod wheels;
 
+pub use advection::Advection;
 pub use dissipator::Dissipator;
 pub use equations::Motion;
 pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Lossy, Marker, Parts};

@@ -1,6 +1,6 @@
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym::{self, Sym};
-use crate::model::FlexibleBody;
+use crate::model::{Advection, FlexibleBody};
 
 /// The slow manifold: internal coordinates and spin rate as polynomials in the spin `ω`, degree by degree. (R1)
 ///
@@ -127,7 +127,7 @@ impl Recursion<'_> {
         self.p.set(self.generalized_momentum(degree));
     }
 
-    /// `[½ ωᵀJ_jω + ωᵀJ_jkω q_k + ω·Z_jk q̇_k]_d`, and `S_j·(u̇ + ω×u)/m*` for a free body. (R4), (S6)
+    /// `[½ ωᵀJ_jω + ωᵀJ_jkω q_k + ω·Z_jk q̇_k]_d`, `S_j·(u̇ + ω×u)/m*` for a free body, and the advection of liquids. (R4), (S6), (L21)
     fn load(&self, degree: usize) -> Homogeneous {
         let Manifold { q, rate, f, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
@@ -141,6 +141,7 @@ impl Recursion<'_> {
             let coriolis = Homogeneous::linear(&[pair.Z]);
             load.add_product(j, 1.0, (&coriolis, 0), (rate.part(degree - 1), k));
         }
+        self.body.advections().iter().for_each(|advection| self.add_advection(advection, &mut load));
         if let Some(per_mass) = self.body.translation() {
             let mut acceleration = u.rate(f, degree);
             acceleration.add_scaled(1.0, &Homogeneous::identity().cross(u.part(degree - 1)));
@@ -151,6 +152,32 @@ impl Recursion<'_> {
             }
         }
         load
+    }
+
+    /// Adds `−[N(q̇, q̇)]_d` of a liquid, whose rates begin with degree two. (L21)
+    fn add_advection(&self, Advection { coordinates, shares, terms }: &Advection, load: &mut Homogeneous) {
+        let degree = load.degree();
+        let flows = |part: usize| {
+            let mut flows = Homogeneous::zero(part, shares.len());
+            for (a, row) in shares.iter().enumerate() {
+                for (share, j) in row.iter().zip(coordinates.clone()) {
+                    flows.add_row(a, *share, (self.manifold.rate.part(part), j));
+                }
+            }
+            flows
+        };
+        let mut forces = Homogeneous::zero(degree, shares.len());
+        for part in 2..(degree - 1).max(2) {
+            let (carrier, carried) = (flows(part), flows(degree - part));
+            for ([a, b, c], term) in terms {
+                forces.add_product(*a, -term, (&carrier, *b), (&carried, *c));
+            }
+        }
+        for (a, row) in shares.iter().enumerate() {
+            for (share, j) in row.iter().zip(coordinates.clone()) {
+                load.add_row(j, *share, (&forces, a));
+            }
+        }
     }
 
     /// `[A q̇ + h(q)·ω]_d`. (S4)

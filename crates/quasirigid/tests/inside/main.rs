@@ -6,6 +6,7 @@ mod budget;
 mod description;
 mod oracle;
 
+mod advection;
 mod ageing;
 mod balance;
 mod full;

@@ -96,6 +96,7 @@ impl Assembly {
             markers,
         });
         let body = body.map_err(|error| self.blame(error))?.along(paths);
+        let body = body.advected(whole.inner.advections.clone());
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })

@@ -1,7 +1,11 @@
+use std::f64::consts::TAU;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::liquid::Liquid;
+use crate::elements::finite::Velocity;
 use crate::math::polynomial::monomial::{exponents, place};
+use crate::math::quadrature::gauss_legendre;
 
 /// Polynomial flows in an ellipsoid, `u = (1 − ξ²) v(ξ)` with `ξ_i = x_i/a_i`. A force that is a polynomial drives a flow that is
 /// one two degrees higher, so every answer of the liquid is exact. (L7)
@@ -10,6 +14,9 @@ pub(super) struct EllipsoidFlow {
     mass: DMatrix<f64>,
     turned: [DMatrix<f64>; 3],
     loads: [DVector<f64>; 3],
+    semi_axes: [f64; 3],
+    degree: usize,
+    flows: Vec<Flow>,
 }
 
 /// Parities of the flows that the spin drives, and of those that it turns them into: a component is odd in the other coordinates
@@ -17,6 +24,9 @@ pub(super) struct EllipsoidFlow {
 const CLASSES: [[usize; 3]; 4] = [[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]];
 /// Singular values of the divergence below this share of the largest are zero.
 const ZERO: f64 = 1e-9;
+
+/// Points of quadrature along the radius of the ball, and along its axis.
+const RADII: usize = 8;
 
 /// A vector field: coefficients of the monomials of each component.
 type Flow = [DVector<f64>; 3];
@@ -42,7 +52,7 @@ impl EllipsoidFlow {
             let slopes = columns(&flows, |flow| slope(&flow[i], j, degree) / semi_axes[j]);
             friction += slopes.transpose() * (&moments * &slopes);
         }
-        Some(Self { friction, mass, turned, loads })
+        Some(Self { friction, mass, turned, loads, semi_axes, degree, flows })
     }
 }
 
@@ -68,6 +78,54 @@ impl Liquid for EllipsoidFlow {
     fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
         times(&self.turned[axis], u)
     }
+
+    fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        let polynomials: Vec<[DVector<f64>; 12]> = flows.iter().map(|u| self.with_slopes(u)).collect();
+        let monomials: Vec<[usize; 3]> = all(self.degree).collect();
+        let volume: f64 = self.semi_axes.iter().product();
+        for (share, xi) in ball() {
+            let powers =
+                monomials.iter().map(|powers| (0..3).map(|i| xi[i].powi(powers[i] as i32)).product());
+            let powers = DVector::<f64>::from_iterator(monomials.len(), powers);
+            let velocity = |parts: &[DVector<f64>; 12]| {
+                let value = |part: usize| parts[part].dot(&powers);
+                let gradient = [0, 1, 2].map(|i| [0, 1, 2].map(|k| value(3 + 3 * i + k)));
+                Velocity { u: [0, 1, 2].map(value), gradient }
+            };
+            visit(volume * share, &polynomials.iter().map(velocity).collect::<Vec<_>>());
+        }
+    }
+}
+
+impl EllipsoidFlow {
+    /// Components of a flow, then their slopes `∂u_i/∂x_k` row by row.
+    fn with_slopes(&self, u: &[f64]) -> [DVector<f64>; 12] {
+        let flow: Flow = std::array::from_fn(|axis| {
+            let sum = DVector::zeros(count(self.degree));
+            self.flows.iter().zip(u).fold(sum, |sum, (flow, share)| sum + *share * &flow[axis])
+        });
+        std::array::from_fn(|part| match part.checked_sub(3) {
+            None => flow[part].clone(),
+            Some(entry) => slope(&flow[entry / 3], entry % 3, self.degree) / self.semi_axes[entry % 3],
+        })
+    }
+}
+
+/// Points of the unit ball with their shares of the volume, exact for products of three slow flows and beyond.
+fn ball() -> impl Iterator<Item = (f64, [f64; 3])> {
+    let along = || gauss_legendre(RADII).into_iter();
+    let angles = 2 * RADII;
+    along().flat_map(move |[x, weight]| {
+        let (r, weight) = (0.5 * (1.0 + x), 0.5 * weight);
+        along().flat_map(move |[cosine, height]| {
+            let sine = (1.0 - cosine * cosine).sqrt();
+            let share = weight * r * r * height * TAU / angles as f64;
+            (0..angles).map(move |i| {
+                let (y, x) = (TAU * i as f64 / angles as f64).sin_cos();
+                (share, [r * sine * x, r * sine * y, r * cosine])
+            })
+        })
+    })
 }
 
 fn times(matrix: &DMatrix<f64>, u: &[f64]) -> Vec<f64> {

@@ -18,7 +18,7 @@ const PANEL: f64 = 4.0;
 pub(super) fn relaxations(slip: &Slip, panels: usize, mass: f64) -> Option<Relaxations> {
     let axes = axes(slip)?;
     let nodes = nodes(panels);
-    let mut own = Relaxations { mass, friction: Vec::new(), momentum: Vec::new(), turning: Vec::new() };
+    let mut own = Relaxations { mass, ..Relaxations::default() };
     for [x, weight] in &nodes {
         let first = own.friction.len();
         for axis in &axes {

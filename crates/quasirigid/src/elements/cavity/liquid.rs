@@ -2,6 +2,8 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
+use super::advection::advection;
+use crate::elements::finite::Velocity;
 use crate::math::eigen::{Dense, modes};
 use crate::math::krylov::dot;
 use crate::math::span::Span;
@@ -30,11 +32,17 @@ pub(super) trait Liquid {
 
     /// `∫ψ·(e × u) dV` for the unit vector of an axis.
     fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64>;
+
+    /// Visits points of quadrature, with the share of the volume (m³) and the velocity of each flow; none where flows carry nothing of
+    /// each other.
+    fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        let _ = (flows, visit);
+    }
 }
 
 /// What is kept of the motions of a liquid: relaxations `∇²u − ∇p = −u/τ` within a space that holds its answers to the spin,
 /// per unit of density and of kinematic viscosity; each has the same `∫u² dV`. (L6)
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Relaxations {
     /// `∫u² dV` of each.
     pub mass: f64,
@@ -44,6 +52,9 @@ pub(super) struct Relaxations {
     pub momentum: Vec<Vector3<f64>>,
     /// `∫u_j × u_k dV` by row and column.
     pub turning: Vec<(usize, usize, Vector3<f64>)>,
+    /// Share of each slow flow in each, a row for each flow, and `∫u_a·(u_b·∇)u_c dV` of the slow flows. (L21)
+    pub shares: Vec<Vec<f64>>,
+    pub advection: Vec<([usize; 3], f64)>,
 }
 
 /// How much is kept of the motions of a liquid.
@@ -69,19 +80,15 @@ impl Relaxations {
     /// The chains begin with the three slow flows that a change of spin drives. Each step answers the inertia of the flow before
     /// it, and its turning with the body about each axis. The answers to faster changes of the spin join them.
     pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
-        let span = chains(liquid, memory)?;
+        let (span, slow) = chains(liquid, memory)?;
         let inertia = span.projected(|u| liquid.mass(u));
         let size = inertia.size();
         let mut unit = Dense::zero(size);
         (0..size).for_each(|i| unit.add(i, i, 1.0));
         let found = modes(&inertia, &unit).ok()?;
-        let fields: Vec<Vec<f64>> = (0..size)
-            .map(|mode| {
-                let shares: Vec<f64> =
-                    (0..size).map(|row| found.shapes.at(row, mode) * mass.sqrt()).collect();
-                span.combined(&shares)
-            })
-            .collect();
+        let share = |row: usize, mode: usize| found.shapes.at(row, mode) * mass.sqrt();
+        let field = |mode: usize| span.combined(&(0..size).map(|row| share(row, mode)).collect::<Vec<_>>());
+        let fields: Vec<Vec<f64>> = (0..size).map(field).collect();
         let loads: [Vec<f64>; 3] = std::array::from_fn(|axis| liquid.load(axis));
         let momentum = |u: &Vec<f64>| Vector3::from_fn(|axis, _| dot(&loads[axis], u));
         Some(Self {
@@ -89,6 +96,8 @@ impl Relaxations {
             friction: found.frequencies.iter().map(|frequency| mass * frequency * frequency).collect(),
             momentum: fields.iter().map(momentum).collect(),
             turning: turning(liquid, &fields),
+            shares: (0..slow).map(|row| (0..size).map(|mode| share(row, mode)).collect()).collect(),
+            advection: advection(liquid, &span.into_vectors()[..slow]),
         })
     }
 
@@ -99,8 +108,8 @@ impl Relaxations {
     }
 }
 
-/// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`.
-fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<Span> {
+/// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`, and how many slow flows they begin with.
+fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<(Span, usize)> {
     let mut kept = Vec::new();
     let slow = grown(liquid, &mut kept, liquid.slow()?);
     let mut last = slow.clone();
@@ -113,14 +122,15 @@ fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<Span>
         let loads: Vec<Vec<f64>> = kept[last].iter().flat_map(after).collect();
         last = grown(liquid, &mut kept, liquid.flows(&loads, 0.0)?);
     }
-    let slowest = kept[slow].iter().map(|u| 1.0 / dot(u, &liquid.mass(u))).fold(f64::INFINITY, f64::min);
+    let slowest =
+        kept[slow.clone()].iter().map(|u| 1.0 / dot(u, &liquid.mass(u))).fold(f64::INFINITY, f64::min);
     let loads = [0, 1, 2].map(|axis| liquid.load(axis));
     let mut rate = FIRST * slowest;
     for _ in 0..modes {
         grown(liquid, &mut kept, liquid.flows(&loads, rate)?);
         rate *= STEP;
     }
-    Some(Span::orthonormal(kept, |u| liquid.friction(u)))
+    Some((Span::orthonormal(kept, |u| liquid.friction(u)), slow.len()))
 }
 
 /// Adds flows to orthonormal ones, without those that are combinations of the others; the places of the new ones.

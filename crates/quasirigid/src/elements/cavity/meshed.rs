@@ -1,5 +1,6 @@
 use super::liquid::Liquid;
 use super::shape::Extent;
+use crate::elements::finite::Velocity;
 use crate::elements::finite::stokes::{StokesError, StokesFlow};
 use crate::math::krylov::dot;
 use crate::math::mesh::Mesh;
@@ -62,5 +63,9 @@ impl Liquid for MeshedFlow {
 
     fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
         self.flow.turned(AXES[axis], u)
+    }
+
+    fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        self.flow.sample(flows, visit);
     }
 }

@@ -1,5 +1,6 @@
 //! Cavities full of a viscous liquid.
 
+mod advection;
 mod ellipsoid;
 mod flowing;
 mod ideal;
@@ -19,7 +20,7 @@ use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
-use crate::model::{Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
+use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
 use flowing::Flowing;
 use liquid::{Memory, Relaxations};
 pub use shape::CavityShape;
@@ -193,7 +194,7 @@ impl Cavity {
 
     fn inner(&self, relaxations: Relaxations) -> Inner {
         let turn = self.turn();
-        let Relaxations { mass, friction, momentum, turning } = relaxations;
+        let Relaxations { mass, friction, momentum, turning, shares, advection } = relaxations;
         let coordinate = |number: usize| Coordinate {
             name: format!("\"{}\" relaxation {}", self.name, number + 1),
             unit: "rad",
@@ -203,6 +204,12 @@ impl Cavity {
         let coupled = turning.into_iter().map(|(j, k, turning)| {
             (j, k, Pair { Z: (2.0 * self.density * (turn * turning)).into(), ..Pair::default() })
         });
+        let terms: Vec<_> = advection.into_iter().map(|(flows, term)| (flows, self.density * term)).collect();
+        let advections = if terms.is_empty() {
+            Vec::new()
+        } else {
+            vec![Advection { coordinates: 0..count, shares, terms }]
+        };
         let brake = self.density * self.viscosity;
         let friction = friction.iter().enumerate().map(|(j, friction)| (j, j, brake * friction));
         Inner {
@@ -211,6 +218,7 @@ impl Cavity {
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
             friction: vec![(self.name.clone(), friction.collect())],
+            advections,
             speeds: Vec::new(),
         }
     }

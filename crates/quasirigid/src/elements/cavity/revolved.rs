@@ -1,4 +1,5 @@
 use super::liquid::Liquid;
+use crate::elements::finite::Velocity;
 use crate::elements::finite::revolution::{Fineness, Outline, RevolvedFlow};
 use crate::elements::finite::stokes::StokesError;
 use crate::math::krylov::dot;
@@ -58,5 +59,9 @@ impl Liquid for MeridianFlow {
 
     fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
         self.flow.turned(self.own(axis), u)
+    }
+
+    fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        self.flow.sample(flows, visit);
     }
 }

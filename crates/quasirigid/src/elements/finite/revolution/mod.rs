@@ -8,9 +8,12 @@ mod layout;
 mod matrices;
 mod outline;
 mod potential;
+mod ring;
 #[cfg(test)]
 mod tests;
 mod turning;
+
+use std::f64::consts::TAU;
 
 pub(in crate::elements) use self::outline::Outline;
 pub(in crate::elements) use self::potential::slip;
@@ -20,8 +23,8 @@ use self::harmonic::Harmonic;
 use self::layout::Layout;
 use self::matrices::{Dense, Scalar};
 use self::turning::Nodal;
-use super::incompressible;
 use super::stokes::StokesError;
+use super::{Velocity, incompressible};
 use crate::math::factor::{Factor, Method};
 use crate::math::symmetric::Symmetric;
 
@@ -164,14 +167,7 @@ impl RevolvedFlow {
 
     /// `∫ ψ·(e × u) dV` for the unit vector of an axis, without what leaves the harmonics.
     pub fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
-        let spread = |m: usize, kind: usize, place: usize| {
-            let mut values = vec![0.0; self.grid.places.len()];
-            let nodes = &self.scalar(Layout::turns(m)[place]).nodes;
-            let own = &u[self.layout.parts(m, kind)[place].clone()];
-            nodes.iter().zip(own).for_each(|(node, value)| values[*node] = *value);
-            values
-        };
-        let turned = Nodal::new(&self.layout, self.grid.places.len(), spread).turned(axis);
+        let turned = self.nodal(u).turned(axis);
         self.by_families(|m, kind| {
             let (turns, values) = (Layout::turns(m), turned.parts(m, kind));
             [0, 1, 2].map(|place| {
@@ -179,6 +175,35 @@ impl RevolvedFlow {
                 scalar.mass.times(&scalar.nodes.iter().map(|node| values[place][*node]).collect::<Vec<_>>())
             })
         })
+    }
+
+    /// Visits points of quadrature, with the share of the volume and the velocity of each flow in space; products of three flows are
+    /// integrated.
+    pub fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        let nodal: Vec<Nodal> = flows.iter().map(|u| self.nodal(u)).collect();
+        let angles = 6 * self.layout.most + 8;
+        for patch in &self.grid.patches {
+            for point in &patch.points {
+                let round: Vec<_> = nodal.iter().map(|u| u.at(&patch.nodes, &point.functions)).collect();
+                let share = point.share * point.at[0] * TAU / angles as f64;
+                for angle in (0..angles).map(|i| TAU * i as f64 / angles as f64) {
+                    let velocities = round.iter().map(|u| u.velocity(point.at[0], angle));
+                    visit(share, &velocities.collect::<Vec<_>>());
+                }
+            }
+        }
+    }
+
+    /// A flow at all nodes.
+    fn nodal(&self, u: &[f64]) -> Nodal {
+        let spread = |m: usize, kind: usize, place: usize| {
+            let mut values = vec![0.0; self.grid.places.len()];
+            let nodes = &self.scalar(Layout::turns(m)[place]).nodes;
+            let own = &u[self.layout.parts(m, kind)[place].clone()];
+            nodes.iter().zip(own).for_each(|(node, value)| values[*node] = *value);
+            values
+        };
+        Nodal::new(&self.layout, self.grid.places.len(), spread)
     }
 
     /// A vector from the parts of its families, by harmonic and kind, each times the factor of its squares.

@@ -3,6 +3,7 @@ use std::collections::BTreeMap;
 use nalgebra::Complex;
 
 use super::layout::Layout;
+use super::ring::Ring;
 
 type C = Complex<f64>;
 
@@ -47,6 +48,19 @@ impl Nodal {
             Some(values) => values.clone(),
             None => vec![C::ZERO; self.nodes],
         }
+    }
+
+    /// The ring of places at a point of the meridian, from the nodes of its patch and their polynomials there: value and slopes.
+    pub fn at(&self, nodes: &[usize], functions: &[[f64; 3]]) -> Ring {
+        let sum = |values: &Vec<C>| -> [C; 3] {
+            let shares = nodes.iter().zip(functions);
+            shares.fold([C::ZERO; 3], |sum, (node, functions)| {
+                std::array::from_fn(|i| sum[i] + values[*node] * functions[i])
+            })
+        };
+        let harmonics =
+            |parts: &BTreeMap<i32, Vec<C>>| parts.iter().map(|(n, values)| (*n, sum(values))).collect();
+        Ring { across: harmonics(&self.w), along: harmonics(&self.zeta) }
     }
 
     /// `e × u` for the unit vector of an axis.

@@ -21,10 +21,11 @@ pub(in crate::elements) use moments::Moments;
 pub(in crate::elements) use potential::slip;
 
 use self::assembly::Assembly;
-use self::cell::points;
+use self::cell::{NODES, points};
 use self::grid::Grid;
+use super::Velocity;
 use crate::math::mesh::Mesh;
-use crate::math::sym::{cross, scale};
+use crate::math::sym::{add, cross, scale};
 
 /// A cavity full of liquid, discretised.
 ///
@@ -110,6 +111,25 @@ impl StokesFlow {
     pub fn turned(&self, axis: [f64; 3], u: &[f64]) -> Vec<f64> {
         let turned = u.as_chunks().0.iter().flat_map(|u| cross(axis, *u));
         self.mass_times(&turned.collect::<Vec<_>>())
+    }
+
+    /// Visits points of quadrature, with the share of the volume and the velocity of each flow.
+    pub fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
+        let at = |u: &Vec<f64>, node: usize| match self.assembly.unknowns[node] {
+            Some(unknown) => [0, 1, 2].map(|axis| u[3 * unknown as usize + axis]),
+            None => [0.0; 3],
+        };
+        for cell in &self.grid.cells {
+            let fields: Vec<[[f64; 3]; NODES]> = flows.iter().map(|u| cell.map(|node| at(u, node))).collect();
+            for point in points(&cell.map(|node| self.grid.places[node])) {
+                let velocity = |field: &[[f64; 3]; NODES]| {
+                    let shares = field.iter().zip(point.functions);
+                    let u = shares.fold([0.0; 3], |sum, (value, share)| add(sum, scale(share, *value)));
+                    Velocity { u, gradient: point.gradient(field) }
+                };
+                visit(point.volume, &fields.iter().map(velocity).collect::<Vec<_>>());
+            }
+        }
     }
 
     /// Discrete divergence beside the gradient, in the mean square; zero where nothing flows.

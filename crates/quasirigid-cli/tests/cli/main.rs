@@ -25,6 +25,7 @@ mod run_folder;
 mod simulate;
 mod simulate_refusals;
 mod slaved;
+mod standard_input;
 mod starts;
 mod structures;
 mod support;

@@ -125,7 +125,7 @@ fn object(
         "order": loaded.order,
         "valid": validity.verdict() != Verdict::Fails,
         "verdict": word(validity.verdict()),
-        "dissipation": word(validity.dissipation()),
+        "dissipation_verdict": word(validity.dissipation()),
         "averages": word(validity.averages()),
         "reasons": reasons(validity),
         "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,

@@ -13,6 +13,7 @@ mod full;
 mod help;
 #[cfg(unix)]
 mod interrupt;
+mod keys;
 mod left_out;
 mod model_errors;
 mod modes;

@@ -48,7 +48,7 @@ pub enum Command {
 /// The model, and what holds for every command.
 #[derive(Args, Debug)]
 pub struct Common {
-    /// Model file
+    /// Model file, or - for standard input
     #[arg(value_name = "MODEL.toml")]
     pub model: PathBuf,
     /// Order p of the reduced equations, 0 (rigid) to 12; the file's own, or 3 (the paper's)

@@ -55,6 +55,10 @@ pub enum Failure {
     NoCoordinates { option: &'static str },
     #[error("{file}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n", file = file.display())]
     NoSpin { file: PathBuf },
+    #[error(
+        "a record is named after the file of its model, and standard input has no name; name its folder with -o DIR"
+    )]
+    NamelessRun,
     #[error("{path} is there already; choose another with {option}, or add --overwrite", path = path.display())]
     Exists { path: PathBuf, option: &'static str },
     #[error("{path} is there already and is more or other than a record of quasirigid, so it is never replaced; choose another folder with -o", path = path.display())]

@@ -21,6 +21,9 @@ use crate::rotation::{follows_its_spin, slaved_order};
 /// series means nothing there.
 const CLOSED: f64 = 0.01;
 
+/// What is said first of a model whose motion [starts displaced](Motion::starts_displaced).
+pub const DISPLACED: &str = "What moves inside does not start on the slow manifold";
+
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
     pub body: &'a FlexibleBody,
@@ -148,12 +151,11 @@ impl<'a> Motion<'a> {
 
     /// Spin (rad/s) at which the reduced equations start: the one given, or the one on which displacements and rotors off the slow
     /// manifold settle.
-    pub fn settled_spin(&self) -> Result<[f64; 3], Failure> {
+    pub fn settled_spin(&self, reduced: &ReducedBody) -> Result<[f64; 3], Failure> {
         if !self.starts_displaced() || self.order == 0 {
             return Ok(self.start.omega);
         }
-        let reduced = reduce(self.body, self.order)?;
-        self.settled_on(&reduced, &self.matched(self.order.min(MAX_FORCED_ORDER))?)
+        self.settled_on(reduced, &self.matched(self.order.min(MAX_FORCED_ORDER))?)
     }
 
     fn settled_on(&self, reduced: &ReducedBody, slow: &SlowState) -> Result<[f64; 3], Failure> {

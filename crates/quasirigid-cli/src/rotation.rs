@@ -1,7 +1,6 @@
 //! The rotation that a model starts with, however the file describes it.
 
 use std::fmt::{self, Display, Formatter};
-use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
@@ -16,7 +15,8 @@ use crate::describe::significant;
 use crate::failure::Failure;
 
 /// The state the file starts from.
-pub fn initial(model: &Model, body: &FlexibleBody, order: usize, file: &Path) -> Result<SpinState, Failure> {
+pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinState, Failure> {
+    let file = &model.source.file;
     let rotation = model.initial.rotation.ok_or_else(|| Failure::NoSpin { file: file.into() })?;
     let principal = Principal::of(body.invariants().J);
     let attitude = model.initial.attitude;

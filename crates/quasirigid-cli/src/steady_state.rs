@@ -1,7 +1,5 @@
 //! The steady state of a body under moments with the modes about it, found, recorded and told.
 
-use std::path::Path;
-
 use quasirigid::math::sym::norm;
 use quasirigid::modes::{Near, SteadyModes, SteadyState};
 use quasirigid_io::model::Rotation;
@@ -29,11 +27,11 @@ pub struct Told {
 }
 
 /// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
-pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>, file: &Path) -> Result<Near, Failure> {
+pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>) -> Result<Near, Failure> {
     let Loaded { model, body, order, .. } = loaded;
     let omega = match (asked, model.initial.rotation) {
         (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
-        (None, Some(_)) => initial(model, body, *order, file)?.omega,
+        (None, Some(_)) => initial(model, body, *order)?.omega,
         (None, None) => [0.0; 3],
     };
     let (place, velocity) = placed(loaded);

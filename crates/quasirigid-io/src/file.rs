@@ -31,12 +31,16 @@ pub(crate) fn stream_of(file: &Path, limit: u64) -> Result<Vec<u8>, Unread> {
     if metadata.is_dir() {
         return Err(Unread::Folder);
     }
-    let mut bytes = Vec::new();
-    if metadata.len() <= limit {
-        File::open(file).and_then(|open| open.take(limit + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > limit {
+    if metadata.len() > limit {
         return Err(Unread::TooLarge);
     }
-    Ok(bytes)
+    all_of(File::open(file).map_err(unreadable)?, limit)
+}
+
+/// The bytes of a stream to its end, which are at most `limit`.
+pub(crate) fn all_of(stream: impl Read, limit: u64) -> Result<Vec<u8>, Unread> {
+    let mut bytes = Vec::new();
+    let read = stream.take(limit + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Unread::Unreadable(error.kind()))?;
+    if bytes.len() as u64 > limit { Err(Unread::TooLarge) } else { Ok(bytes) }
 }

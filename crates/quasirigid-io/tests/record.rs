@@ -7,16 +7,21 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use proptest::collection::{btree_map, vec};
-use proptest::num::f64::ANY;
+use proptest::num::f64::{ANY, Any, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::option;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use quasirigid_io::record::*;
 use tempfile::tempdir;
 
+/// Numbers that JSON can write: every one that is finite, with its sign.
+fn finite() -> Any {
+    POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO
+}
+
 prop_compose! {
     fn resolution()(
-        degree in option::of(any::<usize>()), cells in option::of(any::<usize>()), error in option::of(ANY),
+        degree in option::of(any::<usize>()), cells in option::of(any::<usize>()), error in option::of(finite()),
         sentence in ".*",
     ) -> ResolutionRecord {
         ResolutionRecord { degree, cells, error, sentence }
@@ -25,9 +30,9 @@ prop_compose! {
 
 prop_compose! {
     fn body()(
-        mass in ANY, center_of_mass in [ANY; 3], pole in [ANY; 3], support in ".*",
-        inertia in [[ANY; 3], [ANY; 3], [ANY; 3]], principal_moments in [ANY; 3],
-        principal_axes in [[ANY; 3], [ANY; 3], [ANY; 3]], coordinates in vec(".*", 0..3),
+        mass in finite(), center_of_mass in [finite(); 3], pole in [finite(); 3], support in ".*",
+        inertia in [[finite(); 3], [finite(); 3], [finite(); 3]], principal_moments in [finite(); 3],
+        principal_axes in [[finite(); 3], [finite(); 3], [finite(); 3]], coordinates in vec(".*", 0..3),
         resolution in option::of(resolution()),
     ) -> BodyRecord {
         BodyRecord {
@@ -39,7 +44,7 @@ prop_compose! {
 
 prop_compose! {
     fn criterion()(
-        name in ".*", symbol in ".*", value in ANY, limit in ANY, verdict in ".*", sentence in ".*",
+        name in ".*", symbol in ".*", value in finite(), limit in finite(), verdict in ".*", sentence in ".*",
     ) -> CriterionRecord {
         CriterionRecord { name, symbol, value, limit, verdict, sentence }
     }
@@ -47,8 +52,8 @@ prop_compose! {
 
 prop_compose! {
     fn validity()(
-        valid: bool, verdict in ".*", overall in ".*", T1 in ANY, T2 in option::of(ANY), T3 in ANY,
-        frequencies in vec(ANY, 0..4), decay_rates in vec(ANY, 0..4), relaxations in vec(ANY, 0..4),
+        valid: bool, verdict in ".*", overall in ".*", T1 in finite(), T2 in option::of(finite()), T3 in finite(),
+        frequencies in vec(finite(), 0..4), decay_rates in vec(finite(), 0..4), relaxations in vec(finite(), 0..4),
         criteria in vec(criterion(), 0..3),
     ) -> ValidityRecord {
         ValidityRecord { valid, verdict, overall, T1, T2, T3, frequencies, decay_rates, relaxations, criteria }
@@ -57,9 +62,9 @@ prop_compose! {
 
 prop_compose! {
     fn liquid()(
-        name in ".*", mass in ANY, radius in ANY, viscosity in ANY, reynolds in ANY, P in [[ANY; 3], [ANY; 3], [ANY; 3]],
-        errors in option::of([ANY; 3]),
-        equivalent_inertia in option::of([[ANY; 3], [ANY; 3], [ANY; 3]]),
+        name in ".*", mass in finite(), radius in finite(), viscosity in finite(), reynolds in finite(), P in [[finite(); 3], [finite(); 3], [finite(); 3]],
+        errors in option::of([finite(); 3]),
+        equivalent_inertia in option::of([[finite(); 3], [finite(); 3], [finite(); 3]]),
     ) -> LiquidRecord {
         LiquidRecord { name, mass, radius, viscosity, reynolds, P, errors, equivalent_inertia }
     }
@@ -67,8 +72,8 @@ prop_compose! {
 
 prop_compose! {
     fn reduction()(
-        order in 1usize..9, optimal_order in 1usize..9, residual in ANY, power in ANY, dissipation in shares(),
-        sizes in vec((2usize..9, ANY, ANY), 0..4),
+        order in 1usize..9, optimal_order in 1usize..9, residual in finite(), power in finite(), dissipation in shares(),
+        sizes in vec((2usize..9, finite(), finite()), 0..4),
     ) -> ReductionRecord {
         let degrees = sizes
             .into_iter()
@@ -79,7 +84,7 @@ prop_compose! {
 }
 
 fn shares() -> impl Strategy<Value = BTreeMap<String, f64>> {
-    btree_map(".*", ANY, 0..3)
+    btree_map(".*", finite(), 0..3)
 }
 
 fn columns() -> impl Strategy<Value = Vec<Column>> {
@@ -96,7 +101,7 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 prop_compose! {
     fn history(system: &'static str)(
         form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
-        numbers in [ANY, ANY, ANY, ANY, ANY, ANY, ANY], columns in columns(), dissipation in shares(),
+        numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
         let [tolerance, turns, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
@@ -108,7 +113,7 @@ prop_compose! {
 
 prop_compose! {
     fn order()(
-        p in 1usize..9, order in option::of(ANY), reached: bool, numbers in [vec(ANY, 0..4), vec(ANY, 0..4)],
+        p in 1usize..9, order in option::of(finite()), reached: bool, numbers in [vec(finite(), 0..4), vec(finite(), 0..4)],
     ) -> OrderRecord {
         let [epsilons, errors] = numbers;
         let (attitude, dissipated, dissipation) = (errors.clone(), epsilons.clone(), errors.clone());
@@ -118,7 +123,7 @@ prop_compose! {
 
 prop_compose! {
     fn average()(
-        order in option::of(ANY), reached: bool, expected in 1usize..3, numbers in [vec(ANY, 0..4), vec(ANY, 0..4)],
+        order in option::of(finite()), reached: bool, expected in 1usize..3, numbers in [vec(finite(), 0..4), vec(finite(), 0..4)],
     ) -> AverageRecord {
         let [epsilons, errors] = numbers;
         AverageRecord { epsilons, errors, order, expected, reached }
@@ -127,7 +132,7 @@ prop_compose! {
 
 prop_compose! {
     fn verification()(
-        reached: bool, rotations in ANY, duration in ANY, orders in vec(order(), 0..3),
+        reached: bool, rotations in finite(), duration in finite(), orders in vec(order(), 0..3),
         average in option::of(average()), average_left_out in option::of(".*"),
     ) -> VerificationRecord {
         VerificationRecord { reached, rotations, duration, orders, average, average_left_out }
@@ -136,11 +141,11 @@ prop_compose! {
 
 prop_compose! {
     fn evolution()(
-        words in [".*", ".*", ".*", ".*", ".*", ".*"], numbers in [ANY; 8], time_range in option::of([ANY; 2]),
-        separatrix_time in option::of(ANY), lingering in option::of(ANY), columns in columns(),
-        harmonics in vec((1usize..40, ANY, ANY), 0..3), resonances in vec((1usize..40, ".*", [ANY; 3]), 0..3),
-        dissipation in shares(), road in ".*", verdict in ".*", time_error in option::of(ANY),
-        estimates in vec((".*", ANY, ANY), 0..3), approach in option::of((1usize..9, ".*", [ANY; 3])), observed in [option::of([ANY; 5]), option::of([ANY; 5])],
+        words in [".*", ".*", ".*", ".*", ".*", ".*"], numbers in [finite(); 8], time_range in option::of([finite(); 2]),
+        separatrix_time in option::of(finite()), lingering in option::of(finite()), columns in columns(),
+        harmonics in vec((1usize..40, finite(), finite()), 0..3), resonances in vec((1usize..40, ".*", [finite(); 3]), 0..3),
+        dissipation in shares(), road in ".*", verdict in ".*", time_error in option::of(finite()),
+        estimates in vec((".*", finite(), finite()), 0..3), approach in option::of((1usize..9, ".*", [finite(); 3])), observed in [option::of([finite(); 5]), option::of([finite(); 5])],
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
         let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
@@ -163,13 +168,14 @@ prop_compose! {
             resonances: resonances.into_iter().map(crossing).collect(),
             sentence, road, verdict, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, start, end, time,
             time_error, time_range, turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
+            not_known: vec![],
         }
     }
 }
 
 prop_compose! {
     fn mode()(
-        name in ".*", nutation: bool, numbers in [ANY; 5], time_constant in option::of(ANY), dissipation in shares(),
+        name in ".*", nutation: bool, numbers in [finite(); 5], time_constant in option::of(finite()), dissipation in shares(),
         moves in shares(),
     ) -> ModeRecord {
         let [decay_rate, frequency, damping_ratio, slow, fast] = numbers;
@@ -182,8 +188,8 @@ prop_compose! {
 
 prop_compose! {
     fn steady_spin()(
-        sentence in ".*", axis in ".*", spin in option::of([ANY; 3]), momentum in option::of([ANY; 3]),
-        energy in option::of(ANY), displacements in shares(), stable: bool, modes in vec(mode(), 0..3),
+        sentence in ".*", axis in ".*", spin in option::of([finite(); 3]), momentum in option::of([finite(); 3]),
+        energy in option::of(finite()), displacements in shares(), stable: bool, modes in vec(mode(), 0..3),
     ) -> SteadySpinRecord {
         SteadySpinRecord { sentence, axis, spin, momentum, energy, displacements, stable, modes }
     }
@@ -297,7 +303,8 @@ fn sample() -> RunRecord {
             separatrix_time: None,
             lingering: None,
             damping_time: f64::INFINITY,
-            growth_time: f64::INFINITY,
+            growth_time: f64::NAN,
+            not_known: vec!["growth_time".into()],
             estimates: vec![],
             harmonics: vec![],
             resonances: vec![],
@@ -324,7 +331,7 @@ fn record_without_shares_reads_with_none() {
     let dir = written();
     let path = dir.path().join("record.json");
     let mut object: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
-    assert_eq!(object["reduction"]["dissipation"]["tank"], "NaN");
+    assert!(object["reduction"]["dissipation"]["tank"].is_null());
     for part in ["/reduction", "/histories/0", "/evolution"] {
         let part = object.pointer_mut(part).unwrap().as_object_mut().unwrap();
         assert!(part.remove("dissipation").is_some());
@@ -367,12 +374,62 @@ fn history_is_plain_csv_with_names_in_the_header() {
     assert_eq!(String::from_utf8(text).unwrap(), "t,wx\n0.0,NaN\n0.30000000000000004,-1e300\n");
 }
 
+/// A number of JSON is a number: no reader stumbles over a word.
 #[test]
-fn numbers_that_are_not_finite_are_words_in_json() {
+fn numbers_that_are_not_finite_are_null_in_json() {
     let dir = written();
     let text = fs::read_to_string(dir.path().join("record.json")).unwrap();
-    assert!(text.contains(r#""T1": "inf""#) && text.contains(r#""residual": "NaN""#), "{text}");
+    assert!(text.contains(r#""T1": null"#) && text.contains(r#""residual": null"#), "{text}");
+    assert!(!text.contains("inf\"") && !text.contains("NaN"), "{text}");
     assert!(text.contains(r#""power": -0.0"#) && !text.contains("-1e300"), "{text}");
+}
+
+/// Infinity where a field can be infinite, unless the record says that it is not known; else NaN, or none.
+#[test]
+fn null_reads_back_as_what_the_field_means() {
+    let read = RunRecord::read(written().path()).unwrap();
+    let infinite = |values: &[f64]| values.iter().all(|value| *value == f64::INFINITY);
+    assert!(infinite(&[read.validity.T1]) && read.validity.T2.is_none());
+    assert!(read.reduction.residual.is_nan() && read.reduction.dissipation["tank"].is_nan());
+    let evolution = read.evolution.unwrap();
+    assert!(infinite(&[evolution.time, evolution.turns, evolution.damping_time]));
+    assert!(infinite(&[evolution.end.unwrap().rotation_period]));
+    assert_eq!(evolution.time_range, Some([1.5, f64::INFINITY]));
+    assert_eq!(evolution.time_error, None);
+    assert!(evolution.growth_time.is_nan() && evolution.not_known == ["growth_time"]);
+}
+
+/// Records of versions that wrote words where JSON has no number.
+#[test]
+fn words_of_old_records_are_read() {
+    let dir = written();
+    let file = dir.path().join("record.json");
+    let mut text = fs::read_to_string(&file).unwrap();
+    let words = [
+        ("T1", "inf"),
+        ("residual", "NaN"),
+        ("tank", "NaN"),
+        ("damping_time", "-inf"),
+        ("time_error", "NaN"),
+    ];
+    for (field, word) in words {
+        let old = text.replace(&format!("\"{field}\": null"), &format!("\"{field}\": \"{word}\""));
+        assert_ne!(old, text, "{field}");
+        text = old;
+    }
+    fs::write(&file, text).unwrap();
+    let read = RunRecord::read(dir.path()).unwrap();
+    assert!(read.validity.T1 == f64::INFINITY && read.reduction.residual.is_nan());
+    let evolution = read.evolution.unwrap();
+    assert!(evolution.damping_time == f64::NEG_INFINITY && evolution.time_error.unwrap().is_nan());
+}
+
+#[test]
+fn evolution_names_what_is_not_known() {
+    let named = sample().evolution.unwrap().with_unknown_named();
+    assert_eq!(named.not_known, ["growth_time"]);
+    let refused = EvolutionRecord { time: f64::NAN, growth_time: 2.0, ..named }.with_unknown_named();
+    assert_eq!(refused.not_known, ["time"]);
 }
 
 #[test]
@@ -482,12 +539,12 @@ fn broken_rows_of_the_evolution_are_located() {
 fn broken_json_is_located() {
     let dir = written();
     let file = dir.path().join("record.json");
-    let text = fs::read_to_string(&file).unwrap().replace("\"inf\"", "\"large\"");
+    let text = fs::read_to_string(&file).unwrap().replacen("\"T1\": null", "\"T1\": \"large\"", 1);
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
         matches!(&error, RecordError::Json { line: 71, problem, .. }
-        if problem == "invalid value: string \"large\", expected a number, \"NaN\", \"inf\" or \"-inf\""),
+        if problem == "invalid value: string \"large\", expected a number or null"),
         "{error}"
     );
 }

@@ -1,6 +1,5 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
-use std::path::Path;
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
@@ -21,7 +20,7 @@ use crate::failure::Failure;
 use crate::layout::paragraph;
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
-use crate::motion::Motion;
+use crate::motion::{DISPLACED, Motion};
 use crate::{Ending, output, record, steady, steady_state};
 
 /// Frequencies printed one by one.
@@ -32,11 +31,11 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, condensation, order, .. } = &loaded;
     notes(model, &arguments.common);
-    let start = initial(model, body, *order, &arguments.common.model)?;
+    let start = initial(model, body, *order)?;
     let motion = Motion::new(&loaded, start);
-    let omega = motion.settled_spin()?;
-    let validity = Validity::of(body, *order, omega)?;
     let reduced = reduce(body, *order)?;
+    let omega = motion.settled_spin(&reduced)?;
+    let validity = Validity::of_reduced(body, &reduced, omega)?;
     let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
     let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
     let steady::Poles { records: spins, nearest } = steady::at_start(&motion, &loaded)?;
@@ -51,7 +50,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
             text.push_str(&settled(start.omega, omega));
         }
         text.push_str(&steady::lines(&spins));
-        text.push_str(&under_forces(&loaded, &arguments.common.model)?);
+        text.push_str(&under_forces(&loaded)?);
         if let Some(words) = dissipation(&budget) {
             let power = significant(reduced.dissipated_power(omega), 3);
             let words = format!("At this spin {power} W are dissipated; {words}.");
@@ -78,7 +77,7 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
 /// Which spin was judged, where what moves inside does not start on the slow manifold.
 fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
     let words = format!(
-        "What moves inside does not start on the slow manifold. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
+        "{DISPLACED}. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
         significant(norm(omega), 4),
         significant(norm(start), 4)
     );
@@ -89,7 +88,7 @@ fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
 const FEW: usize = 60;
 
 /// What the steady state under the forces comes to; nothing of a body that no moment acts on.
-fn under_forces(loaded: &Loaded, file: &Path) -> Result<String, Failure> {
+fn under_forces(loaded: &Loaded) -> Result<String, Failure> {
     let Loaded { body, forces, .. } = loaded;
     if !acts(body, forces) {
         return Ok(String::new());
@@ -97,7 +96,7 @@ fn under_forces(loaded: &Loaded, file: &Path) -> Result<String, Failure> {
     let words = if body.coordinates().len() > FEW {
         "The modes of its steady state are left out: quasirigid modes finds them.".to_owned()
     } else {
-        steady_state::told(loaded, steady_state::near(loaded, None, file)?).record.sentence
+        steady_state::told(loaded, steady_state::near(loaded, None)?).record.sentence
     };
     let heading = "Steady state under the forces (quasirigid modes)";
     Ok(format!("\n{heading}\n{}\n", paragraph(&words, "  ", "    ")))
@@ -126,7 +125,7 @@ fn object(
         "order": loaded.order,
         "valid": validity.verdict() != Verdict::Fails,
         "verdict": word(validity.verdict()),
-        "dissipation": word(validity.dissipation()),
+        "dissipation_verdict": word(validity.dissipation()),
         "averages": word(validity.averages()),
         "reasons": reasons(validity),
         "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,

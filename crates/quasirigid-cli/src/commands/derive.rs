@@ -17,7 +17,7 @@ pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     notes(model, &arguments.common);
     let reduced = reduce(body, *order)?;
     let frequencies = frequencies(body)?;
-    let start = initial(model, body, *order, &arguments.common.model).ok();
+    let start = initial(model, body, *order).ok();
     let forces = acting(&loaded, start);
     let derived = Derived {
         name: &model.name,

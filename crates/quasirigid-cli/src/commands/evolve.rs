@@ -14,7 +14,7 @@ use crate::{Ending, output};
 pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     notes(&loaded.model, &arguments.common);
-    let start = initial(&loaded.model, &loaded.body, loaded.order, &arguments.common.model)?;
+    let start = initial(&loaded.model, &loaded.body, loaded.order)?;
     if let Some(path) = &arguments.out {
         output::check_file(path, arguments.overwrite)?;
     }

@@ -9,6 +9,8 @@ pub mod simulate;
 mod summary;
 pub mod verify;
 
+use std::path::Path;
+
 use quasirigid::dynamics::{Event, Form, Method, Options};
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::math::memory;
@@ -42,8 +44,20 @@ pub struct Loaded {
     pub order: usize,
 }
 
+/// Where a model comes from that has no file: its name in messages, in the current folder.
+const STANDARD_INPUT: &str = "standard input";
+
+/// Whether the model is read from the standard input.
+fn is_standard_input(common: &Common) -> bool {
+    common.model == Path::new("-")
+}
+
 fn load(common: &Common) -> Result<Loaded, Failure> {
-    let mut model = Model::read(&common.model)?;
+    let mut model = if is_standard_input(common) {
+        Model::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock())?
+    } else {
+        Model::read(&common.model)?
+    };
     let order = common.order.unwrap_or(model.run.order);
     model.assembly.reduction.order = order;
     let errors = model.assembly.check();

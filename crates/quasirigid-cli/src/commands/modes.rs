@@ -1,5 +1,3 @@
-use std::path::Path;
-
 use quasirigid::math::sym::norm;
 use quasirigid::model::Principal;
 use quasirigid::modes::{Given, acts};
@@ -22,7 +20,7 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let (omega, given) = match asked {
         Some(omega) => (omega, Given::Rate(norm(omega))),
-        None => of_start(&loaded, &arguments.common.model)?,
+        None => of_start(&loaded)?,
     };
     let spins = match (&arguments.axis, asked) {
         (Some(name), _) => {
@@ -46,8 +44,8 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
 }
 
 /// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if what turns inside takes that up.
-fn of_start(loaded: &Loaded, file: &Path) -> Result<([f64; 3], Given), Failure> {
-    let spin = initial(&loaded.model, &loaded.body, loaded.order, file)?;
+fn of_start(loaded: &Loaded) -> Result<([f64; 3], Given), Failure> {
+    let spin = initial(&loaded.model, &loaded.body, loaded.order)?;
     let momentum = Motion::new(loaded, spin).momentum()?;
     let given = if momentum > 0.0 { Given::Momentum(momentum) } else { Given::Rate(norm(spin.omega)) };
     Ok((spin.omega, given))
@@ -59,7 +57,7 @@ fn under_forces(arguments: &Modes, loaded: &Loaded) -> Result<Ending, Failure> {
         return Err(Failure::AxisUnderForces);
     }
     let asked = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let near = steady_state::near(loaded, asked, &arguments.common.model)?;
+    let near = steady_state::near(loaded, asked)?;
     let steady_state::Told { record, state } = steady_state::told(loaded, near);
     let found = record.spin.is_some();
     let name = &loaded.model.name;

@@ -8,7 +8,9 @@ use quasirigid_io::model::Model;
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
 use super::derive::acting;
-use super::{Loaded, circled_axis, duration, even_times, initial, load, options, room, summary};
+use super::{
+    Loaded, circled_axis, duration, even_times, initial, is_standard_input, load, options, room, summary,
+};
 use crate::args::{Run, System};
 use crate::describe::drift_note;
 use crate::failure::Failure;
@@ -16,7 +18,7 @@ use crate::interrupt::Interrupt;
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::message::remark;
-use crate::motion::Motion;
+use crate::motion::{DISPLACED, Motion};
 use crate::output::Folder;
 use crate::progress::Collector;
 use crate::{Ending, evolution, output, record, steady, verification};
@@ -31,25 +33,28 @@ const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, s
 /// Note on a run that Ctrl-C ended.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
-/// Note on a start off the slow manifold.
-const DISPLACED: &str = "What moves inside does not start on the slow manifold: the full system moves until its friction has \
-                         stilled it, and the reduced body starts from the state that it settles on.";
+/// What a start off the slow manifold means for the histories.
+const SETTLES: &str = "the full system moves until its friction has stilled it, and the reduced body starts from the state that it \
+                       settles on";
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &Run) -> Result<Ending, Failure> {
+    if arguments.out.is_none() && is_standard_input(&arguments.common) {
+        return Err(Failure::NamelessRun);
+    }
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, order, .. } = &loaded;
     let order = *order;
-    let start = initial(model, body, order, &arguments.common.model)?;
+    let start = initial(model, body, order)?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(model));
     Folder::check(&path, arguments.overwrite)?;
     let motion = Motion::new(&loaded, start);
-    let judged = match motion.settled_spin() {
+    let reduced = reduce(body, order)?;
+    let judged = match motion.settled_spin(&reduced) {
         Err(Failure::Propagate(PropagateError::NoMomentum)) => start.omega,
         other => other?,
     };
-    let validity = Validity::of(body, order, judged)?;
-    let reduced = reduce(body, order)?;
+    let validity = Validity::of_reduced(body, &reduced, judged)?;
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let mut notes = model.notes.clone();
     let poles = steady::at_start(&motion, &loaded)?;
@@ -174,7 +179,7 @@ impl<'a> Plan<'a> {
             }
         }
         if self.motion.starts_displaced() {
-            notes.push(DISPLACED.into());
+            notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
         let note =

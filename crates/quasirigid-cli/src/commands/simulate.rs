@@ -22,7 +22,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
-    let start = initial(model, body, *order, &arguments.common.model)?;
+    let start = initial(model, body, *order)?;
     let wrong = arguments.system != System::Rigid && note_left_out(&loaded, start.omega, &arguments.common);
     let axis = circled_axis(&reduce(body, 0)?, start.omega);
     let options = options(&loaded, &arguments.propagation, axis)?;
@@ -48,7 +48,8 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let motion = Motion::new(&loaded, start);
     let judged = start.omega != [0.0; 3] || !motion.system().acts();
     if !arguments.common.quiet && arguments.system == System::Reduced && judged {
-        warn(&Validity::of(body, *order, motion.settled_spin()?)?);
+        let reduced = reduce(body, *order)?;
+        warn(&Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?);
     }
     let interrupt = Interrupt::listen()?;
     let end = times.last().copied().unwrap_or(0.0);

@@ -16,7 +16,7 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let loaded = load(&arguments.common)?;
     let Loaded { model, body, order, .. } = &loaded;
     notes(model, &arguments.common);
-    let start = initial(model, body, *order, &arguments.common.model)?;
+    let start = initial(model, body, *order)?;
     note_left_out(&loaded, start.omega, &arguments.common);
     let motion = Motion::new(&loaded, start);
     let file = verification::plan(model, body, *order);

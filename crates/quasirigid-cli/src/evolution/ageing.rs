@@ -150,12 +150,14 @@ impl Ageing {
             lingering: None,
             damping_time,
             growth_time,
+            not_known: Vec::new(),
             estimates: Vec::new(),
             harmonics: Vec::new(),
             resonances: Vec::new(),
             approach: None,
             columns: Vec::new(),
         }
+        .with_unknown_named()
     }
 
     /// Takes another power, along the equivalent polhodes of the deformed body from an energy (J) on.
@@ -334,6 +336,7 @@ impl Ageing {
                 .folding(Mode::ShortAxis)
                 .unwrap_or(folding(evolution, Mode::ShortAxis)),
             growth_time: self.verdict.folding(Mode::LongAxis).unwrap_or(folding(evolution, Mode::LongAxis)),
+            not_known: Vec::new(),
             estimates: Vec::new(),
             harmonics: self.harmonics(&evolution.motion(from)),
             resonances: self.resonances(evolution, from, to),
@@ -344,7 +347,7 @@ impl Ageing {
         if !ages && self.by_polynomial && self.response.mean_power(&evolution.motion(from)) > 0.0 {
             record.sentence = words::lossless(self.order);
         }
-        record
+        record.with_unknown_named()
     }
 
     fn method(&self) -> String {

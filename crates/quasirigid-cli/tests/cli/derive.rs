@@ -108,12 +108,49 @@ fn latex_is_balanced_and_has_the_degrees_of_the_order() {
         assert!(latex.stdout.starts_with('%'), "the name is a comment");
         assert_eq!(
             latex.stdout.matches(r"\begin{align*}").count(),
-            order - 1,
-            "one display a degree from 4 up"
+            2 * (order - 1),
+            "one display a degree, of mu from 4 up and of q from 2 up"
         );
         assert!(!latex.stdout.contains("NaN") && !latex.stdout.contains("inf"), "{}", latex.stdout);
         assert!(!latex.stdout.contains("\n\n"), "a blank line ends a display");
     }
+}
+
+/// (2.14) of the paper, as the text and the object have it.
+#[test]
+fn latex_has_the_displacements_of_the_json() {
+    let latex = ran("derive examples/three-masses/model.toml --format latex").stdout;
+    let json = derived("three-masses", 3);
+    let names: Vec<_> =
+        json["coordinates"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    for (number, name) in (1..).zip(&names) {
+        let name = name.replace('"', "");
+        assert!(latex.contains(&format!("% q_{number}: {name}, m\n")), "{latex}");
+    }
+    assert!(latex.contains("  q = q_{2}(\\omega) + q_{3}(\\omega)\n"), "{latex}");
+    let terms = json["displacements"].as_array().unwrap();
+    let term = terms.iter().find(|term| term["exponents"] == serde_json::json!([1, 0, 2])).unwrap();
+    let exact = numbers(&term["value"]);
+    assert_eq!(exact.len(), names.len());
+    for (number, exact) in (1..).zip(exact) {
+        let shown = coefficient(&latex, &format!("q_{{3,{number}}}"), r"\omega_x\omega_z^{2}");
+        assert!((shown - exact).abs() <= 1e-9 * exact.abs(), "{shown} {exact}"); // ten digits are printed
+    }
+}
+
+/// The number before a monomial in the row of a symbol.
+fn coefficient(latex: &str, symbol: &str, monomial: &str) -> f64 {
+    let (_, rest) = latex.split_once(&format!("  {symbol} &= ")).unwrap();
+    let row = rest.split("\n\\end").next().unwrap().split("\n  q_").next().unwrap();
+    let row = row.replace("\\\\\n  &\\quad ", "");
+    let pieces: Vec<_> = row.split(r"\,").collect();
+    let is_after = |piece: &str| piece.split(' ').next() == Some(monomial);
+    let after = pieces.iter().position(|piece| is_after(piece)).unwrap();
+    let before = pieces[after - 1];
+    let sign = before.rfind("+ ").max(before.rfind("- "));
+    let digits = sign.map_or(before, |at| &before[at + 2..]).replace(r"\cdot 10^{", "e").replace('}', "");
+    let size: f64 = digits.trim().parse().unwrap();
+    if sign.is_some_and(|at| before[at..].starts_with('-')) { -size } else { size }
 }
 
 /// Braces close, environments close in the order in which they opened, and columns of a display are two.

@@ -13,6 +13,7 @@ mod full;
 mod help;
 #[cfg(unix)]
 mod interrupt;
+mod keys;
 mod left_out;
 mod model_errors;
 mod modes;
@@ -25,6 +26,7 @@ mod run_folder;
 mod simulate;
 mod simulate_refusals;
 mod slaved;
+mod standard_input;
 mod starts;
 mod structures;
 mod support;

@@ -1,5 +1,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::process::Command;
 
 use super::support::{ROOT, Table, folder_of, ran, ran_in};
 
@@ -35,6 +37,21 @@ fn what_turns_inside_answers_as_its_pages_show() {
 #[test]
 fn a_network_answers_as_its_page_shows() {
     assert_answers_as_shown("quillen-network", "evolve");
+}
+
+/// The script of the example, on the first runs of its table.
+#[cfg(unix)]
+#[test]
+fn networks_of_the_runs_lose_what_the_page_tables() {
+    let program = Path::new(env!("CARGO_BIN_EXE_quasirigid")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
+    let script = Path::new(ROOT).join("examples/quillen-network/runs.sh");
+    let printed = Command::new("sh").arg(script).arg("5").env("PATH", path).output().unwrap();
+    let printed = String::from_utf8(printed.stdout).unwrap();
+    let page = fs::read_to_string(Path::new(ROOT).join("examples/quillen-network/README.md")).unwrap();
+    assert_eq!(printed.lines().count(), 2 + 5, "{printed}");
+    assert!(page.contains(&printed), "{printed}");
+    assert_eq!(page.matches(" | (").count(), 42);
 }
 
 #[test]

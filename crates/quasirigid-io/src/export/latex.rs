@@ -2,7 +2,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::math::polynomial::Homogeneous;
 
-use super::Derived;
+use super::{Derived, MOST};
 
 /// Terms smaller than this share of the largest of their degree are rounding and left out.
 const KEPT: f64 = 1e-13;
@@ -31,26 +31,55 @@ impl Derived<'_> {
         let sum = if self.forces.is_some() {
             writeln!(
                 out,
-                "% without the forces mu is the polynomial below; with them see derive --format text"
+                "% without the forces mu and q are the polynomials below; with them see derive --format text"
             )?;
             r"M^\ast + \mu".into()
         } else {
             sum
         };
-        writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times J\\omega = {sum}, \\qquad")?;
+        let k = self.body.wheels().momentum(0.0);
+        let momentum = if self.body.wheels().is_none() { "J\\omega" } else { "(J\\omega + k)" };
+        writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times {momentum} = {sum}, \\qquad")?;
         writeln!(out, "  J = \\begin{{pmatrix}}")?;
         for row in self.body.inertia() {
             writeln!(out, "    {} \\\\", row.map(number).join(" & "))?;
         }
-        writeln!(out, "  \\end{{pmatrix}}\n\\end{{equation*}}")?;
-        degrees.iter().try_for_each(|part| display(out, part))
+        write!(out, "  \\end{{pmatrix}}")?;
+        if !self.body.wheels().is_none() {
+            let k = k.map(number).join(" \\\\ ");
+            write!(out, ", \\quad\n  k = \\begin{{pmatrix}} {k} \\end{{pmatrix}}")?;
+        }
+        writeln!(out, "\n\\end{{equation*}}")?;
+        let axes = ["x", "y", "z"].map(str::to_owned);
+        degrees.iter().try_for_each(|part| display(out, r"\mu", &axes, part))?;
+        self.write_latex_displacements(out)
+    }
+
+    /// The internal coordinates that follow the spin, the paper's (2.14); of many coordinates where they are to be had. (R4)
+    fn write_latex_displacements(&self, out: &mut String) -> fmt::Result {
+        let (elastic, degrees) = (self.body.elastic(), self.displacements());
+        if elastic == 0 || degrees.is_empty() {
+            return Ok(());
+        }
+        if elastic > MOST {
+            return writeln!(out, "% q(omega) of {elastic} internal coordinates: with --format json");
+        }
+        for (number, coordinate) in self.body.coordinates()[..elastic].iter().enumerate() {
+            let name = coordinate.name.replace('\n', " ").replace('"', "");
+            writeln!(out, "% q_{}: {name}, {}", number + 1, coordinate.unit)?;
+        }
+        let sum: Vec<_> = degrees.iter().map(|part| format!("q_{{{}}}(\\omega)", part.degree())).collect();
+        writeln!(out, "\\begin{{equation*}}\n  q = {}\n\\end{{equation*}}", sum.join(" + "))?;
+        let numbers: Vec<_> = (1..=elastic).map(|number| number.to_string()).collect();
+        degrees.iter().try_for_each(|part| display(out, "q", &numbers, part))
     }
 }
 
-fn display(out: &mut String, part: &Homogeneous) -> fmt::Result {
+/// One degree of a map, a line for each row: the symbol has the degree and the name of the row for indices.
+fn display(out: &mut String, symbol: &str, names: &[String], part: &Homogeneous) -> fmt::Result {
     writeln!(out, "\\begin{{align*}}")?;
-    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
-        write!(out, "  \\mu_{{{},{name}}} &= ", part.degree())?;
+    for (axis, name) in names.iter().enumerate() {
+        write!(out, "  {symbol}_{{{},{name}}} &= ", part.degree())?;
         let terms: Vec<_> = part
             .terms()
             .filter(|(_, value)| value[axis].abs() > KEPT * part.amax())
@@ -62,7 +91,7 @@ fn display(out: &mut String, part: &Homogeneous) -> fmt::Result {
         if lines.is_empty() {
             lines.push("0".into());
         }
-        let end = if axis < 2 { " \\\\" } else { "" };
+        let end = if axis + 1 < names.len() { " \\\\" } else { "" };
         writeln!(out, "{}{end}", lines.join(" \\\\\n  &\\quad "))?;
     }
     writeln!(out, "\\end{{align*}}")

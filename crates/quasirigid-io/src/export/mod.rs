@@ -30,6 +30,9 @@ pub struct Derived<'a> {
     pub forces: Option<&'a Forces>,
 }
 
+/// Internal coordinates whose displacements are printed for people, at most.
+const MOST: usize = 12;
+
 impl Derived<'_> {
     /// Whether something turns inside the body.
     fn turns_inside(&self) -> bool {

@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::{Principal, Support};
 
-use super::{Derived, comparison, forces, rows};
+use super::{Derived, MOST, comparison, forces, rows};
 
 /// Terms smaller than this share of the largest of their degree are rounding and not shown.
 const SHOWN: f64 = 1e-13;
@@ -114,9 +114,6 @@ impl Derived<'_> {
         Ok(())
     }
 }
-
-/// Internal coordinates that are printed for people, at most.
-const MOST: usize = 12;
 
 fn section(out: &mut String, title: &str, part: &Homogeneous) -> fmt::Result {
     table(out, title, &["x".into(), "y".into(), "z".into()], part, SHOWN * part.amax())

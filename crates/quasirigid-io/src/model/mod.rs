@@ -35,6 +35,7 @@ mod table;
 mod value;
 mod wheel;
 
+use std::io::Read;
 use std::path::Path;
 
 use quasirigid::elements::{Assembly, ElementError};
@@ -108,6 +109,15 @@ impl Model {
     /// [`ModelError::Unreadable`] if there is no text to read, [`ModelError::Invalid`] with every mistake in it.
     pub fn read(path: &Path) -> Result<Self, ModelError> {
         Self::new(Source::read(path)?)
+    }
+
+    /// Reads a model to the end of a stream; `file` stands in messages and names a nameless body, and paths in the model are relative to
+    /// its folder.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_from(file: &Path, input: impl Read) -> Result<Self, ModelError> {
+        Self::new(Source::read_from(file, input)?)
     }
 
     /// Reads the text of a model file; `file` stands in messages and names a nameless body.

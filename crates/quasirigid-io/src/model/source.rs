@@ -1,10 +1,10 @@
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
 use super::{Diagnostic, FileProblem, ModelError};
-use crate::file::{Unread, stream_of};
+use crate::file::{Unread, all_of, stream_of};
 
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
 const LARGEST: u64 = 64 * 1024 * 1024;
@@ -28,13 +28,22 @@ impl Source {
 
     /// Reads a file, and no more of it than a model file may have.
     pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
+        Self::of(file, stream_of(file, LARGEST))
+    }
+
+    /// Reads a stream, and no more of it than a model file may have.
+    pub(super) fn read_from(file: &Path, input: impl Read) -> Result<Self, ModelError> {
+        Self::of(file, all_of(input, LARGEST))
+    }
+
+    fn of(file: &Path, bytes: Result<Vec<u8>, Unread>) -> Result<Self, ModelError> {
         let problem = |unread: Unread| match unread {
             Unread::Unreadable(ErrorKind::NotFound) => FileProblem::Missing,
             Unread::Unreadable(kind) => FileProblem::Refused { kind },
             Unread::Folder | Unread::NoFile => FileProblem::Folder,
             Unread::TooLarge => FileProblem::TooLarge { limit: LARGEST },
         };
-        let bytes = stream_of(file, LARGEST)
+        let bytes = bytes
             .map_err(|unread| ModelError::Unreadable { file: file.to_owned(), problem: problem(unread) })?;
         String::from_utf8(bytes)
             .map(|text| Self::new(file, text))

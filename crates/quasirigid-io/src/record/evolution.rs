@@ -48,16 +48,16 @@ pub struct EvolutionRecord {
     #[serde(default)]
     pub end: Option<ObservedRecord>,
     /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub time: f64,
     /// Estimate of the relative error of that time; none if it is not known.
     #[serde(with = "number", default)]
     pub time_error: Option<f64>,
     /// Least and greatest of that time (s) over the ranges of the materials; none where they have no ranges.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub time_range: Option<[f64; 2]>,
     /// Turns about the angular momentum.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub turns: f64,
     /// Mean power dissipated at the start (W).
     #[serde(with = "number")]
@@ -72,11 +72,14 @@ pub struct EvolutionRecord {
     #[serde(with = "number")]
     pub lingering: Option<f64>,
     /// Time in which a small wobble about the axis of greatest inertia decays by e (s).
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub damping_time: f64,
     /// Time in which a small wobble about the axis of least inertia grows by e (s).
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub growth_time: f64,
+    /// Which of `time`, `turns`, `damping_time` and `growth_time` are not known: in JSON those are `null` as well as infinite ones.
+    #[serde(default)]
+    pub not_known: Vec<String>,
     /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.
     #[serde(default)]
     pub estimates: Vec<EstimateRecord>,
@@ -91,14 +94,45 @@ pub struct EvolutionRecord {
     pub columns: Vec<Column>,
 }
 
+impl EvolutionRecord {
+    /// Names in `not_known` the numbers that are NaN.
+    #[must_use]
+    pub fn with_unknown_named(mut self) -> Self {
+        let unknown = self.unbounded().into_iter().filter(|(_, value)| value.is_nan());
+        self.not_known = unknown.map(|(name, _)| name.to_owned()).collect();
+        self
+    }
+
+    /// Makes NaN of the numbers that `not_known` names.
+    pub(super) fn restore_unknown(&mut self) {
+        let unknown = std::mem::take(&mut self.not_known);
+        self.unbounded().into_iter().filter(|(name, _)| unknown.iter().any(|each| each == name)).for_each(
+            |(_, value)| {
+                *value = f64::NAN;
+            },
+        );
+        self.not_known = unknown;
+    }
+
+    /// The numbers that may be infinite, or not known.
+    fn unbounded(&mut self) -> [(&'static str, &mut f64); 4] {
+        [
+            ("time", &mut self.time),
+            ("turns", &mut self.turns),
+            ("damping_time", &mut self.damping_time),
+            ("growth_time", &mut self.growth_time),
+        ]
+    }
+}
+
 /// A rotation as observers describe it.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ObservedRecord {
     /// Period of the rotation about the long axis, in body axes (s); `P_ψ`. Infinite in a steady spin.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub rotation_period: f64,
     /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub precession_period: f64,
     /// Least angle between the angular momentum and the axis that it circles (rad).
     #[serde(with = "number")]
@@ -117,10 +151,10 @@ pub struct EstimateRecord {
     /// Who published it, and when.
     pub source: String,
     /// Least time (s) that it gives.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub least: f64,
     /// Greatest time (s).
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub greatest: f64,
 }
 

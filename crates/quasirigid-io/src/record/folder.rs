@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use super::table::{history_csv, read_rows};
-use super::{Column, RecordError, RunRecord};
+use super::{Column, EvolutionRecord, RecordError, RunRecord};
 
 /// File of the evolution's rows.
 const EVOLUTION: &str = "evolution.csv";
@@ -33,7 +33,7 @@ impl RunRecord {
         })
     }
 
-    /// Reads back what [`write`](Self::write) wrote, bit for bit. Other files in the folder are ignored.
+    /// Reads back what [`write`](Self::write) wrote, finite numbers bit for bit. Other files in the folder are ignored.
     ///
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
@@ -47,6 +47,7 @@ impl RunRecord {
             file,
         })?;
         record.check_names()?;
+        record.evolution.iter_mut().for_each(EvolutionRecord::restore_unknown);
         for (file, columns) in record.tables_mut() {
             let file = dir.join(file);
             let input = File::open(&file).map_err(|error| unusable(&file, &error))?;

@@ -1,9 +1,9 @@
 //! What a run leaves behind: numbers and words enough to remake its report years later.
 //!
 //! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution,
-//! `history-<system>.csv` holds the rows of one history and `evolution.csv` those of the evolution. Every number reads
-//! back bit for bit; one that is not finite is written `"NaN"`, `"inf"` or `"-inf"` in JSON, the same words without
-//! quotes in CSV.
+//! `history-<system>.csv` holds the rows of one history and `evolution.csv` those of the evolution. Every
+//! finite number reads back bit for bit. One that is not finite is `null` in JSON, which reads back as infinity where the field can be
+//! infinite, else as NaN or none; in CSV it is `NaN`, `inf` or `-inf`.
 
 mod error;
 mod evolution;
@@ -150,13 +150,13 @@ pub struct ValidityRecord {
     #[serde(default)]
     pub overall: String,
     /// Longest period of free vibration (s).
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub T1: f64,
     /// Time in which the slowest free vibration decays by e (s); none when it does not decay.
     #[serde(with = "number")]
     pub T2: Option<f64>,
     /// Time of the spin, `1/|ω|` (s).
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub T3: f64,
     /// Undamped natural frequencies (rad/s), ascending.
     #[serde(with = "number")]
@@ -165,7 +165,7 @@ pub struct ValidityRecord {
     #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
     /// Times in which what turns inside comes to rest while the attitude is held (s), descending.
-    #[serde(with = "number", default)]
+    #[serde(with = "number::unbounded", default)]
     pub relaxations: Vec<f64>,
     /// Every criterion with its number.
     pub criteria: Vec<CriterionRecord>,
@@ -179,7 +179,7 @@ pub struct CriterionRecord {
     /// What is compared, in symbols.
     pub symbol: String,
     /// Its value.
-    #[serde(with = "number")]
+    #[serde(with = "number::unbounded")]
     pub value: f64,
     /// The value below which it holds.
     #[serde(with = "number")]

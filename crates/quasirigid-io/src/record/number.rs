@@ -1,4 +1,7 @@
-//! Numbers in JSON, which has no word for those that are not finite: they become `"NaN"`, `"inf"`, `"-inf"`.
+//! Numbers in JSON, which has no word for those that are not finite: they become `null`.
+//!
+//! Read back, `null` is NaN, or infinity where [`unbounded`] says that the field means it. Records of versions before wrote the words
+//! `"NaN"`, `"inf"` and `"-inf"`, which are still read.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,17 +15,17 @@ pub trait Numbers: Sized {
     type Wire: Serialize + DeserializeOwned;
     /// To what is written.
     fn to_wire(&self) -> Self::Wire;
-    /// From what was read.
-    fn from_wire(wire: Self::Wire) -> Self;
+    /// From what was read, with this number for `null`.
+    fn from_wire(wire: Self::Wire, null: f64) -> Self;
 }
 
 impl Numbers for f64 {
     type Wire = Written;
     fn to_wire(&self) -> Written {
-        Written(*self)
+        Written(self.is_finite().then_some(*self))
     }
-    fn from_wire(wire: Written) -> Self {
-        wire.0
+    fn from_wire(wire: Written, null: f64) -> Self {
+        wire.0.unwrap_or(null)
     }
 }
 
@@ -31,8 +34,8 @@ impl<T: Numbers> Numbers for Option<T> {
     fn to_wire(&self) -> Self::Wire {
         self.as_ref().map(T::to_wire)
     }
-    fn from_wire(wire: Self::Wire) -> Self {
-        wire.map(T::from_wire)
+    fn from_wire(wire: Self::Wire, null: f64) -> Self {
+        wire.map(|value| T::from_wire(value, null))
     }
 }
 
@@ -41,8 +44,8 @@ impl<T: Numbers> Numbers for Vec<T> {
     fn to_wire(&self) -> Self::Wire {
         self.iter().map(T::to_wire).collect()
     }
-    fn from_wire(wire: Self::Wire) -> Self {
-        wire.into_iter().map(T::from_wire).collect()
+    fn from_wire(wire: Self::Wire, null: f64) -> Self {
+        wire.into_iter().map(|value| T::from_wire(value, null)).collect()
     }
 }
 
@@ -51,8 +54,8 @@ impl<T: Numbers> Numbers for BTreeMap<String, T> {
     fn to_wire(&self) -> Self::Wire {
         self.iter().map(|(name, value)| (name.clone(), value.to_wire())).collect()
     }
-    fn from_wire(wire: Self::Wire) -> Self {
-        wire.into_iter().map(|(name, value)| (name, T::from_wire(value))).collect()
+    fn from_wire(wire: Self::Wire, null: f64) -> Self {
+        wire.into_iter().map(|(name, value)| (name, T::from_wire(value, null))).collect()
     }
 }
 
@@ -64,8 +67,8 @@ where
     fn to_wire(&self) -> Self::Wire {
         self.each_ref().map(T::to_wire)
     }
-    fn from_wire(wire: Self::Wire) -> Self {
-        wire.map(T::from_wire)
+    fn from_wire(wire: Self::Wire, null: f64) -> Self {
+        wire.map(|value| T::from_wire(value, null))
     }
 }
 
@@ -74,21 +77,29 @@ pub fn serialize<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<
     value.to_wire().serialize(serializer)
 }
 
-/// For `#[serde(with = "number")]`.
+/// For `#[serde(with = "number")]`: `null` is NaN.
 pub fn deserialize<'de, T: Numbers, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
-    T::Wire::deserialize(deserializer).map(T::from_wire)
+    T::Wire::deserialize(deserializer).map(|wire| T::from_wire(wire, f64::NAN))
 }
 
-/// One number as JSON spells it here.
-pub struct Written(f64);
+/// Numbers whose `null` means infinity: times of what never happens, ratios to what is zero.
+pub mod unbounded {
+    use super::{Deserialize, Deserializer, Numbers};
+
+    pub use super::serialize;
+
+    /// For `#[serde(with = "number::unbounded")]`.
+    pub fn deserialize<'de, T: Numbers, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+        T::Wire::deserialize(deserializer).map(|wire| T::from_wire(wire, f64::INFINITY))
+    }
+}
+
+/// One number as JSON spells it here; none is `null`.
+pub struct Written(Option<f64>);
 
 impl Serialize for Written {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.0.is_finite() {
-            serializer.serialize_f64(self.0)
-        } else {
-            serializer.collect_str(&self.0) // Display spells them NaN, inf and -inf
-        }
+        self.0.serialize(serializer)
     }
 }
 
@@ -101,29 +112,33 @@ impl<'de> Deserialize<'de> for Written {
 struct Spelling;
 
 impl Visitor<'_> for Spelling {
-    type Value = f64;
+    type Value = Option<f64>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, \"NaN\", \"inf\" or \"-inf\"")
+        f.write_str("a number or null")
     }
 
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<f64, E> {
-        Ok(value)
+    fn visit_unit<E: de::Error>(self) -> Result<Self::Value, E> {
+        Ok(None)
     }
 
-    fn visit_u64<E: de::Error>(self, value: u64) -> Result<f64, E> {
-        Ok(value as f64)
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
+        Ok(Some(value))
     }
 
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<f64, E> {
-        Ok(value as f64)
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Self::Value, E> {
+        Ok(Some(value as f64))
     }
 
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<f64, E> {
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
+        Ok(Some(value as f64))
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
         match text {
-            "NaN" => Ok(f64::NAN),
-            "inf" => Ok(f64::INFINITY),
-            "-inf" => Ok(f64::NEG_INFINITY),
+            "NaN" => Ok(Some(f64::NAN)),
+            "inf" => Ok(Some(f64::INFINITY)),
+            "-inf" => Ok(Some(f64::NEG_INFINITY)),
             _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
         }
     }

@@ -1,6 +1,6 @@
 use crate::math::polynomial::Series;
 use crate::math::sphere::directions;
-use crate::math::sym::{add, dot, norm, scale};
+use crate::math::sym::{Sym, add, dot, norm, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Size of one degree of the reduced equations at the actual spin. (R14)
@@ -18,9 +18,12 @@ const DIRECTIONS: usize = 400;
 /// Size of each degree of `f`, from 2 to `p + 2`, at the length of a spin (rad/s). (R14)
 #[must_use]
 pub fn degree_sizes(body: &ReducedBody, omega: [f64; 3]) -> Vec<DegreeSize> {
-    (2..=body.f.degree())
-        .map(|degree| DegreeSize { degree, size: size(&body.f, degree, norm(omega)) })
-        .collect()
+    sizes(&body.f, norm(omega))
+}
+
+/// The same of the rate `f(ω)` at the length of a spin (rad/s).
+pub(super) fn sizes(f: &Series, spin: f64) -> Vec<DegreeSize> {
+    (2..=f.degree()).map(|degree| DegreeSize { degree, size: size(f, degree, spin) }).collect()
 }
 
 /// The order at which the terms left out are smallest, from sizes that reach two degrees beyond every order tried. (R14)
@@ -37,9 +40,9 @@ pub fn optimal_order(sizes: &[DegreeSize]) -> usize {
 ///
 /// The directions are those of `K`; `momentum` is its length (N·m·s).
 #[must_use]
-pub(super) fn momentum_ratio(body: &ReducedBody, momentum: f64, [from, to]: [usize; 2]) -> f64 {
-    let below = size(&body.Omega, from, momentum);
-    if below > 0.0 { size(&body.Omega, to, momentum) / below } else { 0.0 }
+pub(super) fn momentum_ratio(Omega: &Series, momentum: f64, [from, to]: [usize; 2]) -> f64 {
+    let below = size(Omega, from, momentum);
+    if below > 0.0 { size(Omega, to, momentum) / below } else { 0.0 }
 }
 
 /// Largest value of one degree of a map of three rows over the sphere of a radius.
@@ -60,16 +63,14 @@ fn size(map: &Series, degree: usize, radius: f64) -> f64 {
 /// Over the sphere of all directions, and over each circle between two principal axes with the components across it: two
 /// moments may be nearly equal where the third is not.
 #[must_use]
-pub(super) fn levels_ratio(body: &ReducedBody, omega: [f64; 3]) -> f64 {
+pub(super) fn levels_ratio(f: &Series, J: Sym, omega: [f64; 3]) -> f64 {
     let spin = norm(omega);
-    let Some([rigid, elastic]) =
-        (body.f.degree() >= 4).then(|| [2, 4].map(|degree| size(&body.f, degree, spin)))
-    else {
+    let Some([rigid, elastic]) = (f.degree() >= 4).then(|| [2, 4].map(|degree| size(f, degree, spin))) else {
         return 0.0;
     };
     let nothing = ROUNDING * spin * spin;
     let ratio = |rigid: f64, elastic: f64| if elastic > nothing { elastic / rigid.max(nothing) } else { 0.0 };
-    let principal = Principal::of(body.J);
+    let principal = Principal::of(J);
     let axes = principal.axes;
     // Rigid spins in the plane of equal moments are all steady: only motions that start there are bent.
     let distinct = |across: &usize| {
@@ -77,7 +78,7 @@ pub(super) fn levels_ratio(body: &ReducedBody, omega: [f64; 3]) -> f64 {
         (a - b).abs() > EQUAL * principal.moments[2]
     };
     let circles = (0..3).filter(distinct).map(|across| {
-        let [rigid, elastic] = [2, 4].map(|degree| across_size(&body.f, degree, spin, axes, across));
+        let [rigid, elastic] = [2, 4].map(|degree| across_size(f, degree, spin, axes, across));
         ratio(rigid, elastic)
     });
     circles.fold(ratio(rigid, elastic), f64::max)
@@ -103,22 +104,22 @@ fn across_size(map: &Series, degree: usize, radius: f64, axes: [[f64; 3]; 3], ac
     (0..PLACES).map(component).fold(0.0, f64::max)
 }
 
-/// What a body of higher order changes in the power of a lower one at the length of a spin (rad/s): largest change over the
+/// What the power (W) of a higher order changes in that of a lower one at the length of a spin (rad/s): largest change over the
 /// directions, relative to the largest power; zero where the lower one keeps no power. Odd degrees have no mean along a closed
 /// motion and are left out. (V11)
 #[must_use]
-pub(super) fn power_change(lower: &ReducedBody, higher: &ReducedBody, omega: [f64; 3]) -> f64 {
+pub(super) fn power_change(lower: &Series, higher: &Series, omega: [f64; 3]) -> f64 {
     let spin = norm(omega);
-    let power = |body: &ReducedBody, u: [f64; 3]| {
+    let mean = |power: &Series, u: [f64; 3]| {
         let mut value = [0.0];
-        for degree in (2..=body.power.degree()).step_by(2) {
-            body.power.part(degree).add_value(scale(spin, u), &mut value);
+        for degree in (2..=power.degree()).step_by(2) {
+            power.part(degree).add_value(scale(spin, u), &mut value);
         }
         value[0]
     };
     let (mut change, mut whole) = (0.0_f64, 0.0_f64);
     for u in directions(DIRECTIONS) {
-        let [before, after] = [lower, higher].map(|body| power(body, u));
+        let [before, after] = [lower, higher].map(|power| mean(power, u));
         change = change.max((after - before).abs());
         whole = whole.max(before.abs());
     }

@@ -53,7 +53,8 @@ fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogene
 }
 
 /// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic
-/// ones to degree `p + 1`, degrees 4 to `2p + 2`; and the same of each dissipator that has damping, by name. (R9), (C6), (D3)
+/// ones to degree `p + 1`, degrees 4 to `2p + 2`; and the same of each dissipator that has damping, by name. The manifold may be of a
+/// higher order. (R9), (C6), (D3)
 pub(super) fn power(
     body: &FlexibleBody,
     manifold: &Manifold,
@@ -62,7 +63,7 @@ pub(super) fn power(
     let mut rate = manifold.rate.truncated(order);
     let mut highest = 2 * order;
     if !body.cyclic().is_empty() {
-        rate = manifold.rate.clone();
+        rate = manifold.rate.truncated(order + 1);
         let mut last = Homogeneous::zero(order + 1, rate.rows());
         body.cyclic().for_each(|j| last.add_row(j, 1.0, (rate.part(order + 1), j)));
         rate.set(last);

@@ -35,13 +35,7 @@ pub const MAX_ORDER: usize = 12;
 /// # Errors
 /// [`ReductionError`] for an order that is not offered, and for coefficients that overflow.
 pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {
-    if order > MAX_ORDER {
-        return Err(ReductionError::Order { order });
-    }
-    let manifold = Manifold::of(body, order);
-    if let Some(degree) = (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {
-        return Err(ReductionError::NotFinite { degree });
-    }
+    let manifold = manifold(body, order)?;
     let J = body.invariants().J;
     let Omega = momentum_form::reverted(&manifold.K, J);
     let energy = energetics::energy(body, &manifold, order);
@@ -63,4 +57,16 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
         q: manifold.q,
         rate: manifold.rate,
     })
+}
+
+/// The slow manifold to order `p`, which is offered and does not overflow.
+pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<Manifold, ReductionError> {
+    if order > MAX_ORDER {
+        return Err(ReductionError::Order { order });
+    }
+    let manifold = Manifold::of(body, order);
+    match (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {
+        Some(degree) => Err(ReductionError::NotFinite { degree }),
+        None => Ok(manifold),
+    }
 }

@@ -1,8 +1,11 @@
 use thiserror::Error;
 
 use super::criterion::{Comparison, Criterion, Verdict};
-use super::degrees::{DegreeSize, degree_sizes, levels_ratio, momentum_ratio, optimal_order, power_change};
-use super::reduce::{MAX_ORDER, ReductionError, reduce};
+use super::degrees::{DegreeSize, levels_ratio, momentum_ratio, optimal_order, power_change, sizes};
+use super::energetics;
+use super::manifold::Manifold;
+use super::momentum_form::reverted;
+use super::reduce::{MAX_ORDER, ReductionError, manifold, reduce};
 use super::relaxation::Relaxation;
 use super::residual::residual;
 use super::resonance::{Resonance, resonances};
@@ -63,12 +66,23 @@ impl Validity {
     /// # Errors
     /// [`ValidityError`] if the spin is zero or not finite, the order is not offered, or an eigenvalue solver fails.
     pub fn of(body: &FlexibleBody, order: usize, omega: [f64; 3]) -> Result<Self, ValidityError> {
+        Self::of_reduced(body, &reduce(body, order)?, omega)
+    }
+
+    /// The same of a body that is reduced already.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn of_reduced(
+        body: &FlexibleBody,
+        reduced: &ReducedBody,
+        omega: [f64; 3],
+    ) -> Result<Self, ValidityError> {
         let spin = norm(omega);
         if !spin.is_finite() || spin == 0.0 {
             return Err(ValidityError::NoSpin { omega });
         }
-        let reduced = reduce(body, order)?;
-        let ahead = reduce(body, (order + LOOK_AHEAD).min(MAX_ORDER))?;
+        let ahead = manifold(body, (reduced.order + LOOK_AHEAD).min(MAX_ORDER))?;
         let vibrations = Vibrations::of(body)?;
         let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
         let relaxation = Relaxation::of(body)?;
@@ -79,9 +93,10 @@ impl Validity {
         } else {
             Vec::new()
         };
-        let displacement = displacement(body, &reduced, omega);
+        let displacement = displacement(body, reduced, omega);
         let momentum = norm(reduced.momentum(omega));
-        let series = momentum_ratio(&ahead, momentum, [1, 3]).max(momentum_ratio(&ahead, momentum, [3, 5]));
+        let Omega = reverted(&ahead.K.truncated(5), reduced.J);
+        let series = momentum_ratio(&Omega, momentum, [1, 3]).max(momentum_ratio(&Omega, momentum, [3, 5]));
         let criteria = [
             (Comparison::Spin, spin / slowest),
             (Comparison::Damping, spin * vibrations.damping_time),
@@ -89,12 +104,12 @@ impl Validity {
             (Comparison::Series, series),
             (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
             (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
-            (Comparison::Residual, left_over(body, &reduced, omega)),
-            (Comparison::Power, power_series(body, &reduced, omega)?),
-            (Comparison::Levels, levels_ratio(&ahead, omega)),
+            (Comparison::Residual, left_over(body, reduced, omega)),
+            (Comparison::Power, power_series(body, reduced, &ahead, omega)),
+            (Comparison::Levels, levels_ratio(&ahead.f, reduced.J, omega)),
             (Comparison::Forgetting, spin / decay),
         ];
-        let degrees = degree_sizes(&ahead, omega);
+        let degrees = sizes(&ahead.f, spin);
         Ok(Self {
             T1: std::f64::consts::TAU / slowest,
             T2: decay.recip(),
@@ -134,12 +149,14 @@ impl Validity {
 }
 
 /// What two more orders change in the power; at the highest orders, what the last two did. (V11)
-fn power_series(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Result<f64, ReductionError> {
+fn power_series(body: &FlexibleBody, reduced: &ReducedBody, ahead: &Manifold, omega: [f64; 3]) -> f64 {
     let order = reduced.order;
+    let power = |order: usize| energetics::power(body, ahead, order).0;
     if order + 2 <= MAX_ORDER {
-        return Ok(power_change(reduced, &reduce(body, order + 2)?, omega));
+        power_change(&reduced.power, &power(order + 2), omega)
+    } else {
+        power_change(&power(order - 2), &reduced.power, omega)
     }
-    Ok(power_change(&reduce(body, order - 2)?, reduced, omega))
 }
 
 /// What the reduced equations leave of the load on the coordinates that their order slaves.

@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use quasirigid::math::polynomial::Series;
-use quasirigid::model::Support;
-use quasirigid::reduction::reduce;
+use quasirigid::math::sphere;
+use quasirigid::model::{ReducedBody, Support};
+use quasirigid::reduction::{Comparison, MAX_ORDER, Validity, degree_sizes, reduce};
 
 use crate::compare::{difference, directions, scaled_gap, size, value};
 use crate::support::{assemblies, bodies, cases, direction};
@@ -143,5 +144,63 @@ proptest! {
             let gap = (left - Vector3::from(reduced.torque(u))).norm();
             prop_assert!(gap < 1e-13 * J.amax(), "{gap:e}");
         }
+    }
+}
+
+/// Largest length of a map over the directions that a validity looks at.
+fn greatest(map: impl Fn([f64; 3]) -> Vec<f64>, length: f64) -> f64 {
+    let values = sphere::directions(400).map(|u| Vector3::from(u) * length).map(|x| map(x.into()));
+    values.map(|value| value.iter().map(|x| x * x).sum::<f64>().sqrt()).fold(0.0, f64::max)
+}
+
+/// Even degrees of the power: what is left of it in a mean.
+fn mean_power(body: &ReducedBody, omega: [f64; 3]) -> f64 {
+    (2..=body.power.degree()).step_by(2).map(|degree| value(body.power.part(degree), omega)[0]).sum()
+}
+
+fn criterion(validity: &Validity, comparison: Comparison) -> f64 {
+    validity.criteria.iter().find(|criterion| criterion.comparison == comparison).unwrap().value
+}
+
+proptest! {
+    #![proptest_config(cases(8))]
+
+    /// What a validity takes from one manifold of a higher order is what the reduced equations of these orders have. (R14), (V7), (V11)
+    #[test]
+    fn validity_looks_ahead_as_the_reduced_equations_do(
+        assembly in assemblies(), u in direction(), order in prop::sample::select(vec![0usize, 1, 3, 4, 10, 11])
+    ) {
+        let body = assembly.body().unwrap();
+        let omega = u.map(|u| 0.1 * u);
+        let spin = Vector3::from(omega).norm();
+        let validity = Validity::of(&body, order, omega).unwrap();
+        let ahead = reduce(&body, (order + 4).min(MAX_ORDER)).unwrap();
+        prop_assert_eq!(&validity.degrees, &degree_sizes(&ahead, omega));
+        let reduced = reduce(&body, order).unwrap();
+        let momentum = Vector3::from(reduced.momentum(omega)).norm();
+        let size = |degree: usize| greatest(|x| value(ahead.Omega.part(degree), x), momentum);
+        let ratio = |from: f64, to: f64| if from > 0.0 { to / from } else { 0.0 };
+        let series = ratio(size(1), size(3)).max(ratio(size(3), size(5)));
+        let found = criterion(&validity, Comparison::Series);
+        prop_assert!((found - series).abs() <= 1e-9 * series + 1e-13, "{found} {series}");
+        let (low, high) = if order + 2 <= MAX_ORDER { (order, order + 2) } else { (order - 2, order) };
+        let [low, high] = [low, high].map(|order| reduce(&body, order).unwrap());
+        let whole = greatest(|x| vec![mean_power(&low, x)], spin);
+        let change = ratio(whole, greatest(|x| vec![mean_power(&high, x) - mean_power(&low, x)], spin));
+        let found = criterion(&validity, Comparison::Power);
+        prop_assert!((found - change).abs() <= 1e-9 * change + 1e-13, "{found} {change}");
+    }
+
+    /// A body that is reduced already is judged as it is handed in, not reduced again.
+    #[test]
+    fn what_is_handed_in_is_judged(assembly in bodies(), u in direction()) {
+        let body = assembly.body().unwrap();
+        let mut reduced = reduce(&body, 3).unwrap();
+        let own = Validity::of_reduced(&body, &reduced, u).unwrap();
+        prop_assert_eq!(&own, &Validity::of(&body, 3, u).unwrap());
+        reduced.q = reduced.q.scaled(2.0);
+        let doubled = Validity::of_reduced(&body, &reduced, u).unwrap();
+        let [before, after] = [own, doubled].map(|validity| criterion(&validity, Comparison::Linearity));
+        prop_assert!((after / before - 2.0).abs() < 1e-12, "{after} {before}");
     }
 }

@@ -101,7 +101,13 @@ pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f6
 }
 
 /// Force per rate of a motion `e^{imφ}` about the spin, per `I ν/a²` with the inertia about the axis.
+///
+/// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`, which circles as the conjugate of the other at the conjugate frequency.
 fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
+    if m < 0 {
+        return drag(flow, -m, sigma.conj(), tau).conj();
+    }
+    let m = m as usize;
     // The load squared of a motion across the axis over that of one about it.
     let across = |ratio: f64| if m == 0 { 1.0 } else { ratio };
     match flow {

@@ -13,17 +13,17 @@ const ROUND: usize = 8;
 
 /// Force per rate of an ideal core of uniform vorticity and of its thin boundary layer with the force of Coriolis in both, in the units of
 /// [`Spinning::drag`]. (L17)
-pub(super) fn drag(liquid: Spinning, m: i32, sigma: C) -> [C; 2] {
+pub(super) fn drag(liquid: Spinning, m: usize, sigma: C) -> [C; 2] {
     let Spinning { stretch, tau } = liquid;
     // Inertia and turning of the slip per its load squared, with `∫|e × r|² dV = 1` in the ball.
     let shape = Slip::new(m, stretch);
-    let core = shape.mass * sigma - C::new(0.0, f64::from(m) * 2.0 * tau * shape.turning);
+    let core = shape.mass * sigma - C::new(0.0, m as f64 * 2.0 * tau * shape.turning);
     [core, over_wall(sigma, tau, |x| shape.at(x))]
 }
 
 /// Slip past the wall of an ideal core, per its load squared.
 struct Slip {
-    m: i32,
+    m: usize,
     stretch: f64,
     mass: f64,
     turning: f64,
@@ -33,7 +33,7 @@ struct Slip {
 impl Slip {
     /// With the semi-axes 1 and `c`: across the axis the load is `4c²/(1 + c²)·V/5` and `∫w² dV` the same, per `c² V·2/5`
     /// of the load of (L16); about the axis the core turns as a whole.
-    fn new(m: i32, stretch: f64) -> Self {
+    fn new(m: usize, stretch: f64) -> Self {
         let unit = 5.0 / (2.0 * (4.0 / 3.0 * std::f64::consts::PI) * stretch.sqrt());
         if m == 0 {
             return Self { m, stretch, mass: 1.0, turning: 0.0, scale: unit };
@@ -72,7 +72,7 @@ impl Slip {
             return [w, w];
         }
         let factor = 2.0 / (1.0 + self.stretch) / 2.0_f64.sqrt();
-        let sign = C::new(0.0, f64::from(self.m));
+        let sign = C::new(0.0, self.m as f64);
         let about_x = [zero, r.z * factor, -r.y * (factor * self.stretch)];
         let about_y = [-r.z * factor, zero, r.x * (factor * self.stretch)];
         [sign, -sign].map(|sign| [0, 1, 2].map(|axis| about_x[axis] + sign * about_y[axis]))

@@ -42,20 +42,17 @@ impl Spinning {
     /// Force per rate, per `I ν/a²` with the load of the flow squared in the place of `I`, of a motion `e^{imφ}` about the spin at the
     /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L16)
     ///
-    /// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`.
-    pub fn drag(self, m: i32, sigma: C) -> C {
-        if m < 0 {
-            return self.drag(-m, sigma.conj()).conj();
-        }
+    /// `m` is 0 about the spin and 1 for `(1, i, 0)`.
+    pub fn drag(self, m: usize, sigma: C) -> C {
         let size = sigma.norm() + 2.0 * self.tau;
         if size <= self.resolved() {
-            return self.exact(m as usize, sigma);
+            return self.exact(m, sigma);
         }
         let share = self.resolved() / size;
         let near = Self { tau: share * self.tau, ..self };
         let [inviscid, layer] = layer::drag(self, m, sigma);
         let [inviscid_near, layer_near] = layer::drag(near, m, share * sigma);
-        inviscid + layer * (near.exact(m as usize, share * sigma) - inviscid_near) / layer_near
+        inviscid + layer * (near.exact(m, share * sigma) - inviscid_near) / layer_near
     }
 
     fn exact(self, m: usize, sigma: C) -> C {

@@ -33,15 +33,12 @@ impl Spinning {
     /// Force per rate, per `I ν/a²` with the frozen inertia `I` about the axis in question, of a motion `e^{imφ}` about the spin at the
     /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L20)
     ///
-    /// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`.
-    pub fn drag(self, m: i32, sigma: C) -> C {
-        if m < 0 {
-            return self.drag(-m, sigma.conj()).conj();
-        }
+    /// `m` is 0 about the spin and 1 for `(1, i, 0)`.
+    pub fn drag(self, m: usize, sigma: C) -> C {
         let size = (sigma.norm() + 2.0 * self.tau).sqrt().sqrt();
         let counted = |number: f64| ((number.ceil() as usize).next_multiple_of(STEP)).min(MOST);
         let numbers = [1.0, self.half.sqrt().max(0.5)].map(|long| counted(LEAST + PER_LAYER * size * long));
-        let key = Key { m: m as usize, numbers, shape: (true, self.half.to_bits()) };
-        known::drag(key, || fields(m as usize, self.half, numbers), sigma, self.tau)
+        let key = Key { m, numbers, shape: (true, self.half.to_bits()) };
+        known::drag(key, || fields(m, self.half, numbers), sigma, self.tau)
     }
 }

@@ -65,7 +65,7 @@ fn what_is_resolved_is_settled() {
                 let size = (sigma.norm() + 2.0 * tau).sqrt().sqrt();
                 let count = |long: f64| 8 + (1.5 * size * long) as usize;
                 let numbers = [count(1.0), count(half.sqrt().max(0.5))];
-                let fine = fields(m as usize, half, numbers).answer(sigma, tau).unwrap().inv();
+                let fine = fields(m, half, numbers).answer(sigma, tau).unwrap().inv();
                 let gap = (found - fine).norm() / fine.re;
                 assert!(gap < 5e-3, "half {half} tau {tau} frequency {frequency} m {m}: {gap:e}");
             }

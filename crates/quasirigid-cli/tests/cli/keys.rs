@@ -1,0 +1,133 @@
+//! What `--json` prints is what the guide lists, key by key, and none of it is a number in a text.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::support::{MODEL, ROOT, ran, ran_with};
+
+type Keys = BTreeSet<String>;
+
+/// Objects whose keys are names of the model.
+const BY_NAME: [&str; 3] = ["dissipation", "displacements", "moves"];
+
+/// Keys of an object and of all in it, with those that they belong to before a dot.
+fn keys(value: &Value, path: &str, found: &mut Keys) {
+    match value {
+        Value::Object(entries) => {
+            for (key, value) in entries {
+                let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                if !(BY_NAME.contains(&&**key) && value.is_object()) {
+                    keys(value, &path, found);
+                }
+                found.insert(path);
+            }
+        }
+        Value::Array(entries) => entries.iter().for_each(|entry| keys(entry, path, found)),
+        Value::String(text) => assert!(!["inf", "-inf", "NaN"].contains(&&**text), "{path} is {text:?}"),
+        _ => {}
+    }
+}
+
+/// Keys that commands print, all together.
+fn printed(lines: &[&str]) -> Keys {
+    let mut found = Keys::new();
+    for line in lines {
+        keys(&ran(&format!("{line} --json --quiet")).json(), "", &mut found);
+    }
+    found
+}
+
+/// Keys in the first column of the tables under a heading of a page.
+fn listed(page: &str, heading: &str) -> Keys {
+    let page = fs::read_to_string(Path::new(ROOT).join("docs/guide").join(page)).unwrap();
+    let (_, section) = page.split_once(&format!("\n## {heading}\n")).expect(heading);
+    let rows = section.split("\n## ").next().unwrap().lines().filter_map(|line| line.strip_prefix('|'));
+    let cells = rows.filter_map(|row| row.split('|').next());
+    cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(str::to_owned).collect()
+}
+
+fn under(key: &str, keys: &Keys) -> Keys {
+    keys.iter().map(|inner| format!("{key}.{inner}")).collect()
+}
+
+/// The difference, both ways.
+#[track_caller]
+fn assert_same(printed: &Keys, listed: &Keys) {
+    let missing: Vec<_> = printed.difference(listed).collect();
+    let stale: Vec<_> = listed.difference(printed).collect();
+    assert!(missing.is_empty() && stale.is_empty(), "not in the guide: {missing:?}; not printed: {stale:?}");
+}
+
+const PAGE: &str = "13-json.md";
+
+#[test]
+fn keys_of_check_and_modes_are_those_of_the_guide() {
+    let spin = listed(PAGE, "Modes of a steady spin");
+    let spins = under("steady_spins", &spin);
+    let mut check =
+        printed(&["check examples/mercury-ring/model.toml", "check examples/solar-panels/model.toml"]);
+    check.extend(
+        ["name", "degree", "cells", "error", "sentence"]
+            .iter()
+            .skip(1)
+            .map(|key| format!("resolution.{key}")),
+    );
+    assert_same(&check, &(&listed(PAGE, "`check`") | &spins));
+    let modes = printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
+    assert_same(&modes, &(&(&listed(PAGE, "`modes`") | &spin) | &spins));
+}
+
+#[test]
+fn keys_of_histories_are_those_of_the_guide() {
+    let simulate = printed(&["simulate examples/three-masses/model.toml --samples 2 --duration 1"]);
+    assert_same(&simulate, &listed(PAGE, "`simulate`"));
+    let verify = "verify examples/boom-satellite/model.toml --orders 1 --halvings 2";
+    assert_same(&printed(&[verify]), &listed(PAGE, "`verify`"));
+}
+
+#[test]
+fn keys_of_evolve_are_those_of_the_guide() {
+    let evolve = printed(&[
+        "evolve examples/apophis/model.toml",
+        "evolve examples/nutation-damper/model.toml",
+        "evolve examples/nutation-damper/model.toml --from 80deg --to 5deg --method average",
+    ]);
+    assert_same(&evolve, &listed(PAGE, "`evolve`"));
+}
+
+#[test]
+fn keys_of_derive_are_those_of_the_guide() {
+    let derive =
+        printed(&["derive examples/three-masses/model.toml", "derive examples/heavy-top/model.toml"]);
+    let term = ["exponents", "value"].map(str::to_owned).into();
+    let polynomials =
+        ["mu", "momentum", "spin_of_momentum", "force", "energy", "power", "displacements", "rates"];
+    let terms = polynomials.iter().filter(|name| derive.contains(&format!("{name}.value")));
+    let terms = terms.fold(Keys::new(), |all, name| &all | &under(name, &term));
+    let start = listed("04-derive-equations.md", "Under forces");
+    let displaced = ["moment_variation", "force_variation", "mu", "phi", "displacements"];
+    let forces: Keys = start
+        .iter()
+        .map(|key| match displaced.contains(&&**key) {
+            true => format!("forces.start.displaced.{key}"),
+            false => format!("forces.start.{key}"),
+        })
+        .chain(["forces.names", "forces.start"].map(str::to_owned))
+        .collect();
+    assert_same(&derive, &(&(&listed("04-derive-equations.md", "As JSON") | &terms) | &forces));
+}
+
+/// What is refused has numbers that are not known, and says which; what never happens has infinite ones.
+#[test]
+fn null_is_what_is_infinite_or_not_known() {
+    let refused = ran("evolve examples/spherical-tank/model.toml --method direct --json --quiet").json();
+    assert!(refused["time"].is_null() && refused["power"].is_null(), "{refused}");
+    assert_eq!(refused["not_known"], serde_json::json!(["time", "turns"]));
+    let lossless = MODEL.replace("damping = 30.0", "damping = 0.0");
+    let forever = ran_with(&lossless, "evolve model.toml --to 0.99 --json --quiet").json();
+    assert!(forever["time"].is_null() && forever["damping_time"].is_null(), "{forever}");
+    assert_eq!(forever["not_known"], serde_json::json!([]));
+}

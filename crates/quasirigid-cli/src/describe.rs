@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::layout::FIRM;
-use quasirigid::model::{Displaced, FlexibleBody, RANGE};
+use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
@@ -247,10 +247,20 @@ pub fn count(number: f64) -> String {
     format!("{}{word}", significant(number / size, 3))
 }
 
-/// A place on a beam that has left the range of its curved paths.
+/// What has left the range of its paths.
 pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
-    let name = body.paths().and_then(|paths| Some(paths.reaches.get(left.reach)?.name.as_str()));
-    let [share, range] = [left.share, RANGE].map(|share| significant(100.0 * share, 3));
+    let (reach, share) = match left {
+        Displaced::Place { reach, share } => (reach, share),
+        Displaced::Hinge { hinge, angle } => {
+            let name = body.hinges().get(hinge).map_or("a hinge", |hinge| hinge.name.as_str());
+            let [angle, range] = [angle, HINGE_RANGE].map(|angle| significant(angle.to_degrees(), 3));
+            return format!(
+                "{name:?} turned on its hinge by {angle} degrees, beyond the {range} degrees to which paths on hinges hold,"
+            );
+        }
+    };
+    let name = body.paths().and_then(|paths| Some(paths.reaches.get(reach)?.name.as_str()));
+    let [share, range] = [share, RANGE].map(|share| significant(100.0 * share, 3));
     format!(
         "{} was displaced by {share} % of its distance from where it is held, beyond the {range} % to which curved paths hold,",
         name.unwrap_or("a beam")

@@ -87,13 +87,43 @@ displacements = \"rest\"
 #[test]
 fn implicit_steps_on_a_beam_are_as_long_as_its_motion_allows() {
     let line = |method: &str| {
-        format!("simulate model.toml --system full --duration 2s --samples 2 --tolerance 1e-10 --json --method {method}")
+        format!(
+            "simulate model.toml --system full --duration 2s --samples 2 --tolerance 1e-10 --json --method {method}"
+        )
     };
-    let [implicit, explicit] =
-        ["implicit", "explicit"].map(|method| ran_with(BOOM, &line(method)).json());
+    let [implicit, explicit] = ["implicit", "explicit"].map(|method| ran_with(BOOM, &line(method)).json());
     assert!(implicit["steps"].as_u64().unwrap() < 400, "{}", implicit["steps"]);
     let [a, b] = [&implicit, &explicit].map(|object| numbers(&object["omega"]));
     assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9), "{a:?} {b:?}");
+}
+
+/// Paths on hinges are of second order: a boom that swings far is followed no further, at exit code 1.
+#[test]
+fn a_hinge_that_turns_far_ends_the_full_system_in_words() {
+    let boom = "\
+[carrier]
+mass = 40.0
+center_of_mass = [0.0, 0.1, 0.0]
+inertia = [9.0, 13.0, 16.0]
+[[hinged]]
+name = \"boom\"
+mass = 0.5
+center_of_mass = [1.2, 0.1, 0.3]
+inertia = [0.01, 0.08, 0.08]
+hinge = [0.8, 0.1, 0.3]
+axes = [[0.0, 1.0, 0.0]]
+stiffness = 0.01
+damping = 0.001
+[initial]
+angular_velocity = [0.5, 0.0, 0.6]
+[initial.displacements]
+boom = [\"10 deg\"]
+";
+    let ran = ran_with(boom, "simulate model.toml --system full --duration 100s --samples 50 --json");
+    let said = one_line(&ran.stderr);
+    assert_eq!((ran.code, &ran.json()["status"]), (Some(1), &"left-validity".into()), "{said}");
+    assert!(said.contains("\"boom\" turned on its hinge by 18.5 degrees"), "{said}");
+    assert!(said.contains("beyond the 17.2 degrees to which paths on hinges hold"), "{said}");
 }
 
 /// Its whips are stiff and damp beside the step of the explicit method, whose outputs between steps once broke the order.

@@ -5,7 +5,7 @@ use super::assembly::Mover;
 use super::coefficient;
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::matrices::Block;
-use crate::model::{Coordinate, Inertia, Rheology};
+use crate::model::{Coordinate, Hinge, Inertia, Rheology};
 
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
 ///
@@ -113,6 +113,13 @@ impl Hinged {
             stiffness: rows(stiffness),
             damping: rows(damping),
         })
+    }
+
+    /// The hinge with its axes, whose coordinates start here.
+    pub(super) fn hinge(&self, index: usize, start: usize) -> Result<Hinge, ElementError> {
+        let axes = self.unit_axes().map_err(at(Place::Hinged(index), Field::Axes))?;
+        let axes = axes.into_iter().enumerate().map(|(j, axis)| (start + j, axis.into()));
+        Ok(Hinge { name: self.name.clone(), axes: axes.collect() })
     }
 
     fn unit_axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {

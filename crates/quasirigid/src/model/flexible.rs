@@ -2,7 +2,10 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{Advection, CurvedPaths, Dissipator, Invariants, LiquidMemory, Rheology, Support, Wheels};
+use super::{
+    Advection, CurvedPaths, Displaced, Dissipator, HINGE_RANGE, Hinge, Invariants, LiquidMemory, Rheology,
+    Support, Wheels,
+};
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
@@ -25,6 +28,7 @@ pub struct FlexibleBody {
     dissipators: Vec<Dissipator>,
     memories: Vec<LiquidMemory>,
     advections: Vec<Advection>,
+    hinges: Vec<Hinge>,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
     elastic: usize,
@@ -173,6 +177,7 @@ impl FlexibleBody {
             dissipators,
             memories,
             advections: Vec::new(),
+            hinges: Vec::new(),
             factor,
             elastic,
             friction,
@@ -201,6 +206,27 @@ impl FlexibleBody {
         &self.advections
     }
 
+    /// The same body with hinges whose angles are watched.
+    #[must_use]
+    pub fn on_hinges(self, hinges: Vec<Hinge>) -> Self {
+        Self { hinges, ..self }
+    }
+
+    /// Hinges whose angles are watched.
+    #[must_use]
+    pub fn hinges(&self) -> &[Hinge] {
+        &self.hinges
+    }
+
+    /// What has left the range in which the equations hold at these coordinates; none if nothing has. (K14)
+    #[must_use]
+    pub fn left_range(&self, q: &[f64]) -> Option<Displaced> {
+        let angles = self.hinges.iter().map(|hinge| hinge.angle(q)).enumerate();
+        let farthest = angles.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, angle)| *angle > HINGE_RANGE);
+        let turned = farthest.map(|(hinge, angle)| Displaced::Hinge { hinge, angle });
+        turned.or_else(|| self.paths.as_ref()?.left(q))
+    }
+
     /// Paths whose second order the full equations have in full; none where all paths are straight, or where only (I6) is known.
     #[must_use]
     pub fn paths(&self) -> Option<&CurvedPaths> {
@@ -227,7 +253,10 @@ impl FlexibleBody {
             wheels: self.wheels.clone(),
             markers: self.markers.clone(),
         });
-        Ok(stiffened?.along(self.paths.clone()).advected(self.advections.clone()))
+        Ok(stiffened?
+            .along(self.paths.clone())
+            .advected(self.advections.clone())
+            .on_hinges(self.hinges.clone()))
     }
 
     /// The same body with its cyclic coordinates locked.
@@ -292,7 +321,8 @@ impl FlexibleBody {
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
         let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");
         let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
-        body.along(paths).advected(advections.collect())
+        let hinges = if kept.start == 0 { self.hinges.clone() } else { Vec::new() };
+        body.along(paths).advected(advections.collect()).on_hinges(hinges)
     }
 
     /// How the body is held.

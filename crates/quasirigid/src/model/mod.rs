@@ -26,7 +26,7 @@ pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};
 pub use liquid::{LiquidFlow, LiquidMemory};
-pub use paths::{CurvedPaths, Displaced, RANGE, Reach};
+pub use paths::{CurvedPaths, Displaced, HINGE_RANGE, Hinge, RANGE, Reach};
 pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
 pub use rheology::{Measured, Rheology, RheologyError};

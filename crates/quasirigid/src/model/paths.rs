@@ -31,26 +31,68 @@ pub struct Reach {
     pub shapes: Vec<(usize, [f64; 3])>,
 }
 
-/// A place on a part, and how far it is displaced.
+/// What has left the range in which the equations hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Displaced {
-    /// Number of the place.
-    pub reach: usize,
-    /// Its displacement over its distance from where the part is held.
-    pub share: f64,
+pub enum Displaced {
+    /// A place on a part.
+    Place {
+        /// Its number.
+        reach: usize,
+        /// Its displacement over its distance from where the part is held.
+        share: f64,
+    },
+    /// An appendage on a hinge.
+    Hinge {
+        /// Its number.
+        hinge: usize,
+        /// Angle by which it turned (rad).
+        angle: f64,
+    },
 }
 
 /// Displacement of a place over its distance from where its part is held up to which the second order of curved paths is taken for
 /// the whole: the third, `(u/L)²` of the first, is a few per cent there. (K14)
 pub const RANGE: f64 = 0.2;
+/// Angle (rad) of a hinge up to which the second order of its paths is taken for the whole: the third is a few per cent of what the
+/// turn changes there. (K14)
+pub const HINGE_RANGE: f64 = 0.3;
+
+/// A hinge with its angles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hinge {
+    /// Name of the appendage.
+    pub name: String,
+    /// Unit vectors of the axes, by coordinate.
+    pub axes: Vec<(usize, [f64; 3])>,
+}
+
+impl Hinge {
+    /// Angle (rad) by which the appendage has turned, from the coordinates.
+    #[must_use]
+    pub fn angle(&self, q: &[f64]) -> f64 {
+        let turned = |sum: [f64; 3], (j, axis): &(usize, [f64; 3])| sym::add(sum, sym::scale(q[*j], *axis));
+        sym::norm(self.axes.iter().fold([0.0; 3], turned))
+    }
+}
 
 impl fmt::Display for Displaced {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [share, range] = [self.share, RANGE].map(|share| 100.0 * share);
-        write!(
-            f,
-            "a beam was displaced by {share:.1} % of its length, beyond the {range} % to which its curved paths hold"
-        )
+        match self {
+            Self::Place { share, .. } => {
+                let [share, range] = [*share, RANGE].map(|share| 100.0 * share);
+                write!(
+                    f,
+                    "a beam was displaced by {share:.1} % of its length, beyond the {range} % to which its curved paths hold"
+                )
+            }
+            Self::Hinge { angle, .. } => {
+                let [angle, range] = [*angle, HINGE_RANGE].map(f64::to_degrees);
+                write!(
+                    f,
+                    "a hinge turned by {angle:.1} degrees, beyond the {range:.1} degrees to which its paths hold"
+                )
+            }
+        }
     }
 }
 
@@ -64,12 +106,13 @@ impl Reach {
 }
 
 impl CurvedPaths {
-    /// The place that is displaced the most, by its number, and how far. (K14)
+    /// The place that is displaced the most, if that is beyond the range. (K14)
     #[must_use]
-    pub fn farthest(&self, q: &[f64]) -> Option<Displaced> {
+    pub fn left(&self, q: &[f64]) -> Option<Displaced> {
         let shares = self.reaches.iter().map(|reach| reach.share(q)).enumerate();
+        let shares = shares.filter(|(_, share)| *share > RANGE);
         let farthest = shares.max_by(|a, b| a.1.total_cmp(&b.1));
-        farthest.map(|(reach, share)| Displaced { reach, share })
+        farthest.map(|(reach, share)| Displaced::Place { reach, share })
     }
 
     /// Number of fields.

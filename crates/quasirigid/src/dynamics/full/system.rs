@@ -10,7 +10,7 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::{add, cross, dot, norm, scale};
-use crate::model::{Displaced, Kinetics, Motion, RANGE};
+use crate::model::{Displaced, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
 /// (S3), (S4), (T1), (C2)
@@ -154,8 +154,7 @@ impl Followed for FullSystem<'_> {
     }
 
     fn left(&self, y: &[f64]) -> Option<Displaced> {
-        let farthest = self.system.body.paths()?.farthest(&y[self.layout.q()])?;
-        (farthest.share > RANGE).then_some(farthest)
+        self.system.body.left_range(&y[self.layout.q()])
     }
 
     fn invariant(&self) -> Invariant {

@@ -18,7 +18,8 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Invariants, Marker, Pair, Parts, Support, Wheels,
+    Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support,
+    Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -96,10 +97,16 @@ impl Assembly {
             markers,
         });
         let body = body.map_err(|error| self.blame(error))?.along(paths);
-        let body = body.advected(whole.inner.advections.clone());
+        let body = body.advected(whole.inner.advections.clone()).on_hinges(self.watched(&whole.starts)?);
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })
+    }
+
+    /// Hinges of appendages, from where the coordinates of each mover start.
+    fn watched(&self, starts: &[usize]) -> Result<Vec<Hinge>, ElementError> {
+        let hinged = self.hinged.iter().zip(&starts[self.points.len()..]).enumerate();
+        hinged.map(|(index, (hinged, start))| hinged.hinge(index, *start)).collect()
     }
 
     /// A place on an appendage, from a pole.

@@ -83,6 +83,9 @@ fn told(
         Ok(equilibrium) => equilibrium,
         Err(error) => return (unfound(error.to_string()), None),
     };
+    if let Some(left) = body.left_range(&equilibrium.q) {
+        return (unfound(format!("no answer, since in the steady spin {left}")), None);
+    }
     let modes = match SpinModes::about(body, equilibrium) {
         Ok(modes) => modes,
         Err(error) => return (unfound(error.to_string()), None),

@@ -129,7 +129,8 @@ proptest! {
             let speed = WheelSpeed::Constant { momentum: 0.02 };
             assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.2, 0.5, -0.9], speed });
         }
-        let Ok(body) = assembly.body() else { return Ok(()) };
+        // Modes and full system share the paths of hinges, also beyond the range in which they are those of a body.
+        let Ok(body) = assembly.body().map(|body| body.on_hinges(Vec::new())) else { return Ok(()) };
         let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
         let axis = Principal::of(body.invariants().J).axes[axis];
         let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };

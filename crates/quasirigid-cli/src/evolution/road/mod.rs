@@ -96,7 +96,6 @@ pub fn choose(
             found => found.map_err(|error| error.to_string()),
         },
         Some(EvolveMethod::Direct) => choice.direct(watch)?,
-        None if choice.whirls() => choice.other(ageing, watch)?,
         None => match choice.average(ageing, watch)? {
             Some(road) => Ok(road),
             None => match choice.levels(loaded, asked) {

@@ -37,12 +37,21 @@ impl Analysis {
         self.structure.as_ref().map_or(0, Structure::entries)
     }
 
-    /// Bytes that the factor will take, at least.
+    /// Bytes that computing the factor will take, at least.
     #[must_use]
     pub fn bytes(&self, precision: Precision) -> f64 {
+        let Some(structure) = &self.structure else { return 0.0 };
+        let entries = self.matrix.entries().len();
+        if self.begins_single(precision) {
+            structure.bytes::<f32>(entries)
+        } else {
+            structure.bytes::<f64>(entries)
+        }
+    }
+
+    fn begins_single(&self, precision: Precision) -> bool {
         let large = precision == Precision::Automatic && self.scale.len() > LARGE;
-        let single = large || precision == Precision::Single;
-        self.entries() as f64 * if single { 4.0 } else { 8.0 }
+        large || precision == Precision::Single
     }
 
     /// Multiplications that the factorisation will take.
@@ -56,6 +65,7 @@ impl Analysis {
     /// # Errors
     /// [`NotPositive`] holds a direction in which the matrix is singular or indefinite.
     pub fn factor(self, precision: Precision) -> Result<Factor, NotPositive> {
+        let begins_single = self.begins_single(precision);
         let work = Work {
             unknowns: self.scale.len(),
             entries: self.entries(),
@@ -66,8 +76,7 @@ impl Analysis {
         };
         let mut factor = Factor { matrix: self.matrix, scale: self.scale, triangle: Stored::Nothing, work };
         let Some(structure) = self.structure else { return Ok(factor) };
-        let large = precision == Precision::Automatic && factor.work.unknowns > LARGE;
-        if large || precision == Precision::Single {
+        if begins_single {
             factor.work.precision = Precision::Single;
             factor.triangle = factor.triangle_of(&structure).map_or(Stored::Nothing, Stored::Single);
             if factor.holds()? {

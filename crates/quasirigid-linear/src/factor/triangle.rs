@@ -74,6 +74,14 @@ impl Structure {
         self.symbolic.len_val()
     }
 
+    /// Bytes that [`Triangle::new`] takes for a matrix of so many entries: the factor, the matrix scaled, its rows, and room to work.
+    pub fn bytes<T: Real>(&self, matrix_entries: usize) -> f64 {
+        let work = self.symbolic.factorize_numeric_llt_scratch::<T>(Par::Seq, default());
+        let factor = self.entries() * size_of::<T>();
+        let matrix = matrix_entries * (size_of::<T>() + size_of::<usize>());
+        (factor + matrix) as f64 + work.unaligned_bytes_required() as f64
+    }
+
     /// Multiplications of the factorisation: the sum of squares of the lengths of the columns.
     pub fn multiplications(&self) -> f64 {
         let square = |length: usize| (length * length) as f64;

@@ -44,8 +44,8 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
         object(&loaded, &validity, &budget, (&spins, &left_out))
     } else {
         let mut text = String::new();
-        let forced = acting(&loaded, None).is_some();
-        write(&mut text, &model.name, &reduced, (omega, forced), &validity).expect("a string takes any text");
+        write(&mut text, &model.name, &reduced, (omega, without(&loaded)), &validity)
+            .expect("a string takes any text");
         if motion.starts_displaced() {
             text.push_str(&settled(start.omega, omega));
         }
@@ -72,6 +72,16 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     output::print(&text)?;
     let fails = [validity.verdict(), validity.dissipation()].contains(&Verdict::Fails);
     Ok(if fails || left_out.liquids.is_some() { Ending::CheckFailed } else { Ending::Done })
+}
+
+/// What the steady spins of the reduced equations leave out.
+fn without(loaded: &Loaded) -> &'static str {
+    match (acting(loaded, None).is_some(), !loaded.body.lossy().is_empty()) {
+        (true, true) => " WITHOUT the forces and the losses of materials",
+        (true, false) => " WITHOUT the forces",
+        (false, true) => " WITHOUT the losses of materials",
+        (false, false) => "",
+    }
 }
 
 /// Which spin was judged, where what moves inside does not start on the slow manifold.
@@ -153,7 +163,7 @@ fn write(
     out: &mut String,
     name: &str,
     reduced: &ReducedBody,
-    (omega, forced): ([f64; 3], bool),
+    (omega, without): ([f64; 3], &str),
     validity: &Validity,
 ) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
@@ -177,7 +187,7 @@ fn write(
             "\nWhat the reduced equations say of steady spins is left out: they do not hold."
         );
     }
-    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails, forced)
+    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails, without)
 }
 
 fn times(out: &mut String, validity: &Validity) -> fmt::Result {
@@ -234,13 +244,12 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
 }
 
-fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, forced: bool) -> fmt::Result {
+fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
     let principal = Principal::of(reduced.J);
     let K = reduced.momentum(omega);
     if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
         return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
     }
-    let without = if forced { " WITHOUT the forces" } else { "" };
     writeln!(out, "\nSteady spins at this momentum, after the reduced equations{without}")?;
     let names = ["least", "middle", "greatest"];
     let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));

@@ -256,13 +256,14 @@ impl Ageing {
             if let Some(powers) = &rows.powers {
                 values[POWER] = powers[i];
             }
-            if let Some(LevelRow { energy, nutation, period, momentum, .. }) =
+            if let Some(LevelRow { energy, nutation, period, long_axis_precession_rate, momentum, .. }) =
                 rows.levels.as_ref().map(|rows| rows[i])
             {
                 let G = norm(momentum);
                 values[RATIO] = G * G / (2.0 * energy * self.principal.moments[2]);
                 [values[NUTATION], values[NUTATION + 1]] = nutation;
-                (values[ENERGY], values[PERIOD], values[PERIOD + 1]) = (energy, period, f64::NAN);
+                let precession = TAU / long_axis_precession_rate;
+                (values[ENERGY], values[PERIOD], values[PERIOD + 1]) = (energy, period, precession);
             }
             columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
         }

@@ -1,10 +1,12 @@
 //! Where moments differ much, a level is nearly a rigid polhode.
 
 use nalgebra::{Matrix3, Vector3};
-use quasirigid::averaging::{Evolution, LevelEvolution, PolynomialPower, Stage, Until};
+use quasirigid::averaging::{Evolution, FreeRotation, LevelEvolution, PolynomialPower, Stage, Until};
+use quasirigid::dynamics::{Options, Sample, SpinState, propagate};
 use quasirigid::elements::Assembly;
+use quasirigid::math::rotation::{ALIGNED, to_inertial};
 use quasirigid::math::sym::norm;
-use quasirigid::model::Mode;
+use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 
 use crate::bodies::with_tensor;
@@ -29,9 +31,7 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
         let passage = levels.follow(K, Until::Wobble(0.1), 3).unwrap();
         let [first, .., last] = &passage.rows[..] else { panic!("{passage:?}") };
         let stage = |wobble: f64| {
-            let motion =
-                quasirigid::averaging::FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble)
-                    .unwrap();
+            let motion = FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble).unwrap();
             Stage::of(&motion).unwrap()
         };
         let along = evolution.passage(stage(first.nutation[1]), stage(0.1));
@@ -69,4 +69,56 @@ fn the_way_leads_through_the_separatrix() {
     assert!(separatrix.ways.iter().all(|way| (way.share - 0.5).abs() < 1e-6));
     let known = evolution.separatrix_time(start, end).unwrap();
     assert!((separatrix.time / known - 1.0).abs() < 1e-3, "{} {known}", separatrix.time);
+}
+
+/// Mean precession of the axis of least inertia in both modes: as `ε²` to that of rigid polhodes.
+#[test]
+fn precession_on_a_level_tends_to_that_on_a_polhode() {
+    for (omega, mode) in [([0.5, 0.1, 0.9], Mode::ShortAxis), ([-1.0, 0.3, 0.1], Mode::LongAxis)] {
+        let gap = |epsilon: f64| {
+            let reduced = reduce(&body(epsilon).body().unwrap(), 3).unwrap();
+            let K = reduced.momentum(omega);
+            let level = LevelEvolution::new(&reduced, norm(K)).unwrap().level(K).unwrap();
+            let motion = FreeRotation::through([1.5, 2.0, 2.5], reduced.Omega.vector(K));
+            assert_eq!(motion.mode(), mode);
+            (level.long_axis_precession_rate / motion.long_axis_precession_rate() - 1.0).abs()
+        };
+        let [coarse, fine, finest] = [0.4, 0.2, 0.1].map(gap);
+        let orders = [coarse / fine, fine / finest].map(f64::log2);
+        assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.4), "{mode:?} {orders:?}");
+    }
+}
+
+/// The axis of least inertia followed through many turns of a level by the attitude of a history, where elasticity matters. (N7)
+#[test]
+fn precession_on_a_level_is_that_of_a_history() {
+    for omega in [[0.5, 0.1, 0.9], [1.0, 0.3, -0.1], [0.2, 0.9, -0.5]] {
+        let lossless = with_tensor(Matrix3::from_diagonal(&Vector3::new(1.5, 2.0, 2.5)));
+        let reduced = reduce(&stiffened(&lossless, 40.0, 1e-9).body().unwrap(), 4).unwrap();
+        let K = reduced.momentum(omega);
+        let level = LevelEvolution::new(&reduced, norm(K)).unwrap().level(K).unwrap();
+        let axis = Principal::of(reduced.J).axes[0];
+        let turns = 20_u32;
+        let times: Vec<f64> = (0..=turns * 400).map(|i| level.period * f64::from(i) / 400.0).collect();
+        let start = SpinState { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let mut samples: Vec<Sample> = Vec::new();
+        propagate(&reduced, start, &times, Options { tolerance: 1e-11, ..Options::default() }, &mut samples)
+            .unwrap();
+        let azimuth = |sample: &Sample| {
+            let [along, axis] =
+                [sample.momentum, axis].map(|x| Vector3::from(to_inertial(sample.attitude, x)));
+            let pole = along.normalize();
+            axis - pole * axis.dot(&pole)
+        };
+        let pole = Vector3::from(K).normalize();
+        let gone: f64 = samples
+            .windows(2)
+            .map(|pair| {
+                let [a, b] = [azimuth(&pair[0]), azimuth(&pair[1])];
+                pole.dot(&a.cross(&b)).atan2(a.dot(&b))
+            })
+            .sum();
+        let expected = level.long_axis_precession_rate * level.period * f64::from(turns);
+        assert!((gone / expected - 1.0).abs() < 1e-8, "{gone} {expected}");
+    }
 }

@@ -40,7 +40,7 @@ impl Choice<'_> {
         let until = match (asked.until, self.duration) {
             (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
             (Some(Target::Ratio(_)), None) => {
-                return Some(Err("the moments of this body are nearly equal, so that D/I3 says little; say how far to go by an angle".into()));
+                return Some(Err("elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says little; say how far to go by an angle".into()));
             }
             (_, Some(duration)) => Until::Duration(duration),
             (None, None) => Until::EnergyLeft(0.01),

@@ -167,7 +167,7 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
         Road::Levels(passage) => {
             ageing.verdict = Verdict {
                 road: "levels",
-                sentence: "The moments are nearly equal: averaged along the level curves of the slow energy, which elasticity bends.".into(),
+                sentence: "Elasticity changes a difference of the moments of inertia by more than 1 %: averaged along the level curves of the slow energy.".into(),
                 rates: ageing.verdict.rates,
                 ..Verdict::default()
             };

@@ -5,7 +5,7 @@ use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Plain;
 use crate::math::sphere::{deviator, directions};
 use crate::math::sym::{self, cross, dot, norm};
-use crate::model::ReducedBody;
+use crate::model::{Principal, ReducedBody};
 
 /// The slow energy on the sphere `|K| = G`, and how fast the momentum runs along its levels. (N1), (N3)
 ///
@@ -15,6 +15,8 @@ use crate::model::ReducedBody;
 pub(super) struct SlowEnergy {
     /// Angular momentum (N·m·s).
     pub G: f64,
+    /// Axis of least inertia at rest, a unit vector.
+    pub long_axis: [f64; 3],
     /// `∇h`, as a series.
     pub gradient: Series,
     /// Share of `G²` that `h` leaves out of the energy, `λ̄/2` (1/kg·m²).
@@ -55,6 +57,7 @@ impl SlowEnergy {
         }
         let mut slow = Self {
             G,
+            long_axis: Principal::of(body.J).axes[0],
             half_mean,
             energy: Kernel::new(&potential(&even, half_mean, G)),
             field: Kernel::new(&field),

@@ -4,7 +4,7 @@ use super::energy::SlowEnergy;
 use crate::math::ode::{Dop853, Solver, System};
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
-use crate::math::sym::{add, dot, norm, scale};
+use crate::math::sym::{add, cross, dot, norm, scale};
 
 /// One turn of the momentum along a level curve of the slow energy. (N4)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Level {
     pub power: f64,
     /// Mean rate of the turns about the momentum (1/s).
     pub turns: f64,
+    /// Mean rate (rad/s) at which the axis of least inertia goes round the momentum. (N7)
+    pub long_axis_precession_rate: f64,
     /// Least and greatest angle (rad) between the momentum and the steady spin circled.
     pub nutation: [f64; 2],
 }
@@ -34,12 +36,15 @@ const LOOKS: usize = 6;
 /// Halvings of a step that find a crossing.
 const HALVINGS: usize = 60;
 
-/// State on a level: the place, the time (s), the energy dissipated (J), the angle turned about the momentum (rad).
-type State = [f64; 6];
+/// State on a level: the place, the time (s), the energy dissipated (J), the angle turned about the momentum (rad), the solid angle
+/// swept about the axis of least inertia (rad).
+type State = [f64; 7];
 
 /// Runs along a level at the speed of the canonical equations; the time runs at the ratio `s`. (N3)
 struct Along<'a> {
     energy: &'a SlowEnergy,
+    /// Sense of the axis of least inertia that the level starts nearer to.
+    axis: [f64; 3],
 }
 
 impl System<State> for Along<'_> {
@@ -48,7 +53,9 @@ impl System<State> for Along<'_> {
         let (velocity, ratio) = self.energy.velocity(u);
         let [power, turning] = self.energy.power(u);
         let slowness = ratio.recip();
-        *rate = [velocity[0], velocity[1], velocity[2], slowness, power * slowness, turning * slowness];
+        let swept = dot(self.axis, cross(u, velocity)) / (1.0 + dot(self.axis, u));
+        *rate =
+            [velocity[0], velocity[1], velocity[2], slowness, power * slowness, turning * slowness, swept];
     }
 }
 
@@ -60,14 +67,23 @@ pub(super) struct Traced {
     pub loss: f64,
     /// Angle turned about the momentum in a turn (rad).
     pub angle: f64,
+    /// Angle by which the axis of least inertia goes round the momentum in a turn (rad).
+    pub precession: f64,
     pub nutation: [f64; 2],
 }
 
 impl Traced {
     /// The level as users see it, with its slow energy (J).
     pub fn level(&self, energy: f64) -> Level {
-        let Self { period, loss, angle, nutation } = *self;
-        Level { energy, period, power: loss / period, turns: angle / (TAU * period), nutation }
+        let Self { period, loss, angle, precession, nutation } = *self;
+        Level {
+            energy,
+            period,
+            power: loss / period,
+            turns: angle / (TAU * period),
+            long_axis_precession_rate: precession / period,
+            nutation,
+        }
     }
 }
 
@@ -85,10 +101,11 @@ pub(super) fn traced(
         return None;
     }
     let allowed = allowed(energy, (speed / energy.fastest).min(1.0));
-    let y = [start[0], start[1], start[2], 0.0, 0.0, 0.0];
-    let mut solver = Dop853::<_, _, Plain>::new(Along { energy }, 0.0, y, allowed);
+    let axis = scale(dot(energy.long_axis, start).signum(), energy.long_axis);
+    let y = [start[0], start[1], start[2], 0.0, 0.0, 0.0, 0.0];
+    let mut solver = Dop853::<_, _, Plain>::new(Along { energy, axis }, 0.0, y, allowed);
     let behind = |y: &State| dot([y[0] - start[0], y[1] - start[1], y[2] - start[2]], velocity);
-    let mut turn = Turn { nutation: [angle(pole, start); 2], extent: 0.0 };
+    let mut turn = Turn { nutation: [angle(pole, start); 2], extent: 0.0, last: start, azimuth: 0.0 };
     for _ in 0..STEPS {
         let (t, before) = (solver.t(), *solver.y());
         solver.step(f64::INFINITY).ok()?;
@@ -98,6 +115,7 @@ pub(super) fn traced(
             let y = dense.at(t + h * i as f64 / LOOKS as f64);
             let u = [y[0], y[1], y[2]];
             turn.extent = turn.extent.max(norm(add(u, scale(-1.0, start))));
+            turn.go(u, axis);
             look(u);
         }
         let away = |time: f64| {
@@ -117,7 +135,14 @@ pub(super) fn traced(
         if crossed {
             let y = dense.at(end);
             if norm([y[0] - start[0], y[1] - start[1], y[2] - start[2]]) < CLOSED * turn.extent {
-                return Some(Traced { period: y[3], loss: y[4], angle: y[5], nutation: turn.nutation });
+                let precession = y[5] + TAU * (turn.azimuth / TAU).round() - y[6];
+                return Some(Traced {
+                    period: y[3],
+                    loss: y[4],
+                    angle: y[5],
+                    precession,
+                    nutation: turn.nutation,
+                });
             }
         }
     }
@@ -128,9 +153,18 @@ pub(super) fn traced(
 struct Turn {
     nutation: [f64; 2],
     extent: f64,
+    last: [f64; 3],
+    /// Angle gone round the axis of least inertia (rad).
+    azimuth: f64,
 }
 
 impl Turn {
+    fn go(&mut self, u: [f64; 3], axis: [f64; 3]) {
+        let along = dot(u, axis) * dot(self.last, axis);
+        self.azimuth += dot(axis, cross(self.last, u)).atan2(dot(self.last, u) - along);
+        self.last = u;
+    }
+
     fn see(&mut self, angle: f64) {
         self.nutation = [self.nutation[0].min(angle), self.nutation[1].max(angle)];
     }
@@ -143,7 +177,7 @@ fn allowed(energy: &SlowEnergy, size: f64) -> State {
     let place = (TOLERANCE * size).max(ROUNDING);
     let time = 10.0 * TOLERANCE / fastest;
     let loss = if largest_power > 0.0 { largest_power * size * size * time } else { f64::INFINITY };
-    [place, place, place, time, loss, fastest_turning * time]
+    [place, place, place, time, loss, fastest_turning * time, place]
 }
 
 /// Where a function changes its sign between two times.

@@ -41,6 +41,8 @@ pub struct LevelRow {
     pub nutation: [f64; 2],
     /// Period of the level (s).
     pub period: f64,
+    /// Mean rate (rad/s) at which the axis of least inertia goes round the momentum. (N7)
+    pub long_axis_precession_rate: f64,
     /// Mean power dissipated (W).
     pub power: f64,
     /// A momentum on the level (N·m·s, body axes).
@@ -255,6 +257,7 @@ impl Making<'_> {
                 energy: level.energy,
                 nutation: level.nutation,
                 period: level.period,
+                long_axis_precession_rate: level.long_axis_precession_rate,
                 power: level.power,
                 momentum: scale(G, leg.on(&levels.energy, xi)),
                 circled: scale(G, leg.circled),

@@ -211,12 +211,14 @@ impl Observer for Tip<'_> {
 }
 
 /// Angular acceleration of the hub (rad/s²), and the tip at 0.5, 1 and 1.5 s: a chain of rigid links, `rigid_links.py`, to 2e-4.
-const CHAIN: [(f64, [f64; 3]); 2] = [
+const CHAIN: [(f64, [f64; 3]); 4] = [
     (0.046257152054794526, [0.040729, 0.127727, 0.185777]),
     (0.15419050684931512, [0.135744, 0.425061, 0.615928]),
+    (0.23128576027397263, [0.203576, 0.636159, 0.917128]),
+    (0.28987815287671237, [0.255097, 0.795482, 1.140902]),
 ];
 
-/// A second road at 3 % and 10 % of the length. (K14)
+/// A second road at 3, 10, 15 and 19 % of the length. (K14)
 #[test]
 fn the_tip_follows_a_chain_of_rigid_links() {
     for (acceleration, chain) in CHAIN {

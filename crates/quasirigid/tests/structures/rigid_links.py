@@ -39,7 +39,7 @@ def tip(alpha, times, n):
     return link * np.sin(found.y[:n]).sum(axis=0)
 
 
-for share in (0.03, 0.06, 0.1):
+for share in (0.03, 0.06, 0.1, 0.15, 0.188):
     alpha = share * 3 * 1.937**2 / 7.3
     times = np.array([0.5, 1.0, 1.5])
     coarse, fine = tip(alpha, times, 16), tip(alpha, times, 32)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::layout::FIRM;
-use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE};
+use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE, Reach, Watched};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
@@ -252,34 +252,44 @@ pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
     let (reach, share) = match left {
         Displaced::Place { reach, share } => (reach, share),
         Displaced::Hinge { hinge, angle } => {
-            let name = body.hinges().get(hinge).map_or("a hinge", |hinge| hinge.name.as_str());
+            let name = body.watched().hinges.get(hinge).map_or("a hinge", |hinge| hinge.name.as_str());
             let [angle, range] = [angle, HINGE_RANGE].map(|angle| significant(angle.to_degrees(), 3));
             return format!(
                 "{name:?} turned on its hinge by {angle} degrees, beyond the {range} degrees to which paths on hinges hold,"
             );
         }
     };
-    let name = body.paths().and_then(|paths| Some(paths.reaches.get(reach)?.name.as_str()));
+    let name = body.watched().reaches.get(reach).map(|reach| reach.name.as_str());
     let [share, range] = [share, RANGE].map(|share| significant(100.0 * share, 3));
     format!(
-        "{} was displaced by {share} % of its distance from where it is held, beyond the {range} % to which curved paths hold,",
-        name.unwrap_or("a beam")
+        "{} was displaced by {share} % of its distance from where it is held, beyond the {range} % to which its paths hold,",
+        name.unwrap_or("a part")
     )
 }
 
-/// How far the curved paths of the beams of a body hold; nothing without beams.
+/// How far the full system follows parts and hinges; nothing without them.
 pub fn range(body: &FlexibleBody) -> Option<String> {
-    let paths = body.paths()?;
-    let names: Vec<String> = paths
-        .reaches
-        .iter()
-        .map(|reach| format!("{} {} m", reach.name, significant(RANGE * reach.length, 3)))
-        .collect();
-    let range = significant(100.0 * RANGE, 3);
-    (!names.is_empty()).then(|| {
+    let Watched { reaches, hinges } = body.watched();
+    let mut shortest: BTreeMap<&str, &Reach> = BTreeMap::new();
+    for reach in reaches {
+        let part = reach.name.split('"').nth(1).unwrap_or(&reach.name);
+        let known = shortest.entry(part).or_insert(reach);
+        if reach.length < known.length {
+            *known = reach;
+        }
+    }
+    let places =
+        shortest.values().map(|reach| format!("{} {} m", reach.name, significant(RANGE * reach.length, 3)));
+    let parts = (!shortest.is_empty()).then(|| {
+        let range = significant(100.0 * RANGE, 3);
         format!(
-            "The full system follows beams along curved paths up to displacements of {range} % of their length ({}), and ends there.",
-            names.join(", ")
+            "parts up to displacements of {range} % of their length ({})",
+            places.collect::<Vec<_>>().join(", ")
         )
-    })
+    });
+    let turned = (!hinges.is_empty())
+        .then(|| format!("hinges up to angles of {} degrees", significant(HINGE_RANGE.to_degrees(), 3)));
+    let followed: Vec<String> = parts.into_iter().chain(turned).collect();
+    (!followed.is_empty())
+        .then(|| format!("The full system follows {}, and ends there.", followed.join(" and ")))
 }

@@ -83,6 +83,21 @@ angular_velocity = [0.0, 0.05, \"10 rpm\"]
 displacements = \"rest\"
 ";
 
+/// Panels on soft hinges, thrown far by the spin: their paths hold no further, and an angle of 12 degrees is told as such.
+#[test]
+fn panels_thrown_far_end_the_full_system_in_words() {
+    let path = format!("{}/examples/solar-panels/model.toml", super::support::ROOT);
+    let panels = std::fs::read_to_string(path).unwrap();
+    let soft = panels
+        .replace("stiffness = 900.0", "stiffness = 5.0")
+        .replace("angle = \"5 deg\", rate = \"4 rpm\"", "angle = \"40 deg\", rate = \"12 rpm\"");
+    let ran = ran_with(&soft, "simulate model.toml --system full --duration 1s --samples 2 --json");
+    let said = one_line(&ran.stderr);
+    assert_eq!((ran.code, &ran.json()["status"]), (Some(1), &"left-validity".into()), "{said}");
+    assert!(said.contains("beyond the 20.0 % to which its paths hold"), "{said}");
+    assert!(said.contains("\"north\" node") || said.contains("\"south\" node"), "{said}");
+}
+
 /// Free vibrations alone in the stiff part allow implicit steps of a third of a millisecond on curved paths: 15 000 of these.
 #[test]
 fn implicit_steps_on_a_beam_are_as_long_as_its_motion_allows() {

@@ -3,8 +3,8 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::{
-    Advection, CurvedPaths, Displaced, Dissipator, HINGE_RANGE, Hinge, Invariants, LiquidMemory, Rheology,
-    Support, Wheels,
+    Advection, CurvedPaths, Displaced, Dissipator, Invariants, LiquidMemory, Rheology, Support, Watched,
+    Wheels,
 };
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
@@ -28,7 +28,7 @@ pub struct FlexibleBody {
     dissipators: Vec<Dissipator>,
     memories: Vec<LiquidMemory>,
     advections: Vec<Advection>,
-    hinges: Vec<Hinge>,
+    watched: Watched,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
     elastic: usize,
@@ -177,7 +177,7 @@ impl FlexibleBody {
             dissipators,
             memories,
             advections: Vec::new(),
-            hinges: Vec::new(),
+            watched: Watched::default(),
             factor,
             elastic,
             friction,
@@ -206,25 +206,22 @@ impl FlexibleBody {
         &self.advections
     }
 
-    /// The same body with hinges whose angles are watched.
+    /// The same body with places and hinges whose displacements are watched.
     #[must_use]
-    pub fn on_hinges(self, hinges: Vec<Hinge>) -> Self {
-        Self { hinges, ..self }
+    pub fn watching(self, watched: Watched) -> Self {
+        Self { watched, ..self }
     }
 
-    /// Hinges whose angles are watched.
+    /// Places and hinges whose displacements are watched.
     #[must_use]
-    pub fn hinges(&self) -> &[Hinge] {
-        &self.hinges
+    pub fn watched(&self) -> &Watched {
+        &self.watched
     }
 
     /// What has left the range in which the equations hold at these coordinates; none if nothing has. (K14)
     #[must_use]
     pub fn left_range(&self, q: &[f64]) -> Option<Displaced> {
-        let angles = self.hinges.iter().map(|hinge| hinge.angle(q)).enumerate();
-        let farthest = angles.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, angle)| *angle > HINGE_RANGE);
-        let turned = farthest.map(|(hinge, angle)| Displaced::Hinge { hinge, angle });
-        turned.or_else(|| self.paths.as_ref()?.left(q))
+        self.watched.left(q)
     }
 
     /// Paths whose second order the full equations have in full; none where all paths are straight, or where only (I6) is known.
@@ -256,7 +253,7 @@ impl FlexibleBody {
         Ok(stiffened?
             .along(self.paths.clone())
             .advected(self.advections.clone())
-            .on_hinges(self.hinges.clone()))
+            .watching(self.watched.clone()))
     }
 
     /// The same body with its cyclic coordinates locked.
@@ -321,8 +318,7 @@ impl FlexibleBody {
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
         let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");
         let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
-        let hinges = if kept.start == 0 { self.hinges.clone() } else { Vec::new() };
-        body.along(paths).advected(advections.collect()).on_hinges(hinges)
+        body.along(paths).advected(advections.collect()).watching(self.watched.locked(&kept))
     }
 
     /// How the body is held.

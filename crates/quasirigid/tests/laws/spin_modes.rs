@@ -5,7 +5,7 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propaga
 use quasirigid::elements::{Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::math::eigen::{Dense, modes};
 use quasirigid::math::sym::{norm, rows, times};
-use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 
 use crate::support::{assemblies, cases, rotation, units, vector};
@@ -130,7 +130,7 @@ proptest! {
             assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.2, 0.5, -0.9], speed });
         }
         // Modes and full system share the paths of hinges, also beyond the range in which they are those of a body.
-        let Ok(body) = assembly.body().map(|body| body.on_hinges(Vec::new())) else { return Ok(()) };
+        let Ok(body) = assembly.body().map(|body| body.watching(Watched::default())) else { return Ok(()) };
         let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
         let axis = Principal::of(body.invariants().J).axes[axis];
         let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };

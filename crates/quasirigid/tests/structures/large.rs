@@ -62,7 +62,7 @@ fn run(body: &FlexibleBody, omega: [f64; 3], duration: f64, tolerance: f64) -> (
 
 /// Displacement that bends the boom by so much of its length, with a twist and a stretch of the same elastic energy each.
 fn bent(body: &FlexibleBody, share: f64) -> Vec<f64> {
-    let reaches = &body.paths().unwrap().reaches;
+    let reaches = &body.watched().reaches;
     let tip = reaches.iter().find(|reach| reach.name.contains("tip")).unwrap();
     let stiffness = body.stiffness();
     let unit: Vec<f64> = stiffness.diagonal().iter().map(|c| c.sqrt().recip()).collect();
@@ -193,7 +193,7 @@ fn a_boom_beyond_its_range_ends_the_run() {
     let Outcome::LeftRange(left) = run.outcome else { panic!("{:?}", run.outcome) };
     let Displaced::Place { reach, share } = left else { panic!("{left:?}") };
     assert!(share > RANGE && share < 1.1 * RANGE, "{left:?}");
-    assert_eq!(body.paths().unwrap().reaches[reach].name, "\"boom\" tip");
+    assert_eq!(body.watched().reaches[reach].name, "\"boom\" tip");
     assert!(left.to_string().contains('%'));
 }
 
@@ -204,8 +204,7 @@ impl Observer for Tip<'_> {
     fn sample(&mut self, _: &Sample) {}
 
     fn coordinates(&mut self, q: &[f64], _: &[f64]) {
-        let paths = self.0.paths().unwrap();
-        let tip = paths.reaches.iter().find(|reach| reach.name.contains("tip")).unwrap();
+        let tip = self.0.watched().reaches.iter().find(|reach| reach.name.contains("tip")).unwrap();
         self.1.push(tip.share(q) * tip.length);
     }
 }

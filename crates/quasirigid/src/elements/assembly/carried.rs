@@ -18,8 +18,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support,
-    Wheels,
+    Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched, Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -68,7 +67,6 @@ impl Assembly {
         let nodes = net.as_ref().zip(whole.component.as_ref());
         let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
         let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&pulled));
-        let paths = paths.map(|paths| CurvedPaths { reaches, ..paths });
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
         let inside = whole.inner.coordinates.len();
         memory::ask(memory::dense(inside, INSIDE_MATRICES))
@@ -97,7 +95,9 @@ impl Assembly {
             markers,
         });
         let body = body.map_err(|error| self.blame(error))?.along(paths);
-        let body = body.advected(whole.inner.advections.clone()).on_hinges(self.watched(&whole.starts)?);
+        let body = body
+            .advected(whole.inner.advections.clone())
+            .watching(Watched { reaches, hinges: self.watched(&whole.starts)? });
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })

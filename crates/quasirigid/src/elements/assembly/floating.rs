@@ -10,7 +10,7 @@ use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
-use crate::model::{Coordinate, CurvedPaths, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Watched, Wheels};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
@@ -40,7 +40,7 @@ impl Assembly {
         let Matrices { stiffness, damping, lossy, dissipators } =
             Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
         let pulled = net.pulled(&component, 0);
-        let paths = paths.map(|paths| CurvedPaths { reaches: net.reaches(&pulled), ..paths });
+        let reaches = net.reaches(&pulled);
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
             End::Carrier | End::Hinged(_) => None,
@@ -71,7 +71,7 @@ impl Assembly {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
         });
         Ok(Built {
-            body: body?.along(paths),
+            body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }),
             forces,
             condensation: Some(component.condensation()),
             speeds: Vec::new(),

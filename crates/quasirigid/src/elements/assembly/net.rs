@@ -123,21 +123,21 @@ impl<'a> Net<'a> {
         self.stations.iter().enumerate().map(pulled).collect()
     }
 
-    /// Named nodes of beams, by which their displacement is measured, each with its distance from where the beams are attached, or
-    /// from the farthest of their nodes.
+    /// Nodes by which the displacement of parts is measured, each with its distance from where its part is held, or from the
+    /// farthest of its nodes.
     pub fn reaches(&self, pulled: &BTreeMap<NodeRef, Pulled>) -> Vec<Reach> {
-        let reach = |(node, pulled): (&NodeRef, &Pulled)| {
-            let part = self.assembly.parts.get(node.part)?;
-            let Kind::Frame(frame) = &part.kind else { return None };
+        let of_part = |(number, part): (usize, &Part)| {
             let places = part.nodes();
-            let from = |other: usize| (places[other].place - places[node.node].place).norm();
-            let held = part.attached.iter().map(|other| from(*other)).min_by(f64::total_cmp);
-            let length = held.or_else(|| (0..places.len()).map(from).max_by(f64::total_cmp))?;
-            let watched = node.node < frame.nodes.len() && length > 0.0;
-            let (name, shapes) = (pulled.name.clone(), pulled.shapes.clone());
-            watched.then_some(Reach { name, length, shapes })
+            let reach = |node: usize| {
+                let from = |other: usize| (places[other].place - places[node].place).norm();
+                let held = part.attached.iter().map(|other| from(*other)).min_by(f64::total_cmp);
+                let length = held.or_else(|| (0..places.len()).map(from).max_by(f64::total_cmp))?;
+                let Pulled { name, shapes, .. } = pulled.get(&NodeRef { part: number, node })?;
+                (length > 0.0).then(|| Reach { name: name.clone(), length, shapes: shapes.clone() })
+            };
+            part.watched().into_iter().filter_map(reach).collect::<Vec<_>>()
         };
-        pulled.iter().filter_map(reach).collect()
+        self.assembly.parts.iter().enumerate().flat_map(of_part).collect()
     }
 
     /// Name of a node of the structure.

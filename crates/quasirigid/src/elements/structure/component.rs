@@ -209,7 +209,7 @@ impl Component {
         }
         whole.pairs = SparseRows::sum(whole.S.len(), pairs);
         let forms = paths.forms.iter().map(|form| form.as_slice().to_vec()).collect();
-        Some(CurvedPaths { straight: whole, coordinates: own, forms, reaches: Vec::new() })
+        Some(CurvedPaths { straight: whole, coordinates: own, forms })
     }
 
     /// Invariants of two coordinates without what the fields of the second order bring themselves.

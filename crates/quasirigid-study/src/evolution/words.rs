@@ -8,7 +8,7 @@ use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRec
 use super::Asked;
 use super::ageing::Ageing;
 use super::rows::Rows;
-use crate::describe::{count, dissipation, significant, time};
+use crate::words::{count, dissipation, significant, time};
 use crate::layout::paragraph;
 
 /// Rows of the table for people.

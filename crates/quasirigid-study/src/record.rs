@@ -13,11 +13,11 @@ use quasirigid_io::record::{
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 
-use crate::args::System;
-use crate::commands::Loaded;
+use quasirigid_io::model::System;
+use crate::study::Study;
 use crate::verification::Proof;
 use crate::visible::one_line;
-use crate::{describe, resolution};
+use crate::{resolution, words};
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -30,8 +30,8 @@ pub fn model(model: &Model) -> ModelRecord {
 }
 
 /// The frozen body.
-pub fn body(loaded: &Loaded) -> BodyRecord {
-    let body = &loaded.body;
+pub fn body(study: &Study) -> BodyRecord {
+    let body = &study.body;
     let principal = Principal::of(body.invariants().J);
     BodyRecord {
         mass: body.invariants().mass,
@@ -46,33 +46,33 @@ pub fn body(loaded: &Loaded) -> BodyRecord {
         principal_moments: principal.moments,
         principal_axes: principal.axes,
         coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.clone()).collect(),
-        resolution: resolution(loaded).next(),
+        resolution: resolution(study).next(),
     }
 }
 
 /// How well the shape of a solid inside a surface is resolved.
-pub fn resolution(loaded: &Loaded) -> impl Iterator<Item = ResolutionRecord> + '_ {
-    let solids = loaded.model.assembly.surfaces.iter().zip(&loaded.resolution);
+pub fn resolution(study: &Study) -> impl Iterator<Item = ResolutionRecord> + '_ {
+    let solids = study.model.assembly.surfaces.iter().zip(&study.resolution);
     solids.map(|(solid, found)| resolution::record(&solid.name, found))
 }
 
 /// How far the reduced equations hold.
 pub fn validity(validity: &Validity) -> ValidityRecord {
     let criteria = validity.criteria.iter().map(|criterion| {
-        let words = describe::criterion(criterion, validity);
+        let words = words::criterion(criterion, validity);
         CriterionRecord {
             name: words.name.into(),
             symbol: words.symbol.into(),
             value: criterion.value,
             limit: criterion.limit(),
-            verdict: describe::word(criterion.verdict()).into(),
+            verdict: words::word(criterion.verdict()).into(),
             sentence: words.sentence,
         }
     });
     ValidityRecord {
         valid: validity.verdict() != Verdict::Fails,
-        verdict: describe::verdict(validity),
-        overall: describe::word(validity.verdict()).into(),
+        verdict: words::verdict(validity),
+        overall: words::word(validity.verdict()).into(),
         T1: validity.T1,
         T2: validity.T2.is_finite().then_some(validity.T2),
         T3: validity.T3,
@@ -103,7 +103,7 @@ pub fn reduction(
         residual: residual.elastic.max(residual.cyclic),
         degrees: degrees.collect(),
         power: reduced.dissipated_power(omega),
-        dissipation: describe::shares(&reduced.power_budget(omega)),
+        dissipation: words::shares(&reduced.power_budget(omega)),
     }
 }
 
@@ -162,7 +162,7 @@ pub fn history(
         turns: run.last.turns,
         energy: samples.first().map_or(f64::NAN, |first| first.energy),
         dissipated: run.last.dissipated,
-        dissipation: describe::shares(budget),
+        dissipation: words::shares(budget),
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
@@ -202,7 +202,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
             ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
         }
         Outcome::LeftRange(left) => {
-            ("left-validity", format!("{} at t = {t} s", describe::displaced(body, left)))
+            ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))
         }
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {

@@ -6,8 +6,6 @@ mod road;
 mod rows;
 mod words;
 
-use std::ops::ControlFlow;
-
 use quasirigid::averaging::{
     DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
     SmallBody, Stage,
@@ -19,11 +17,10 @@ use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 
-use crate::commands::Loaded;
-use crate::failure::Failure;
-use crate::interrupt::Interrupt;
-use crate::progress::Bar;
-use crate::rotation::slaved_order;
+use crate::study::Study;
+use crate::error::StudyError;
+use crate::start::slaved_order;
+use crate::watch::Watch;
 use ageing::Ageing;
 use road::History;
 use rows::Rows;
@@ -72,40 +69,35 @@ pub fn asked(model: &Model) -> Asked {
 
 /// Follows the averaged rotation; the record, and what the reader should know before the numbers.
 pub fn follow(
-    loaded: &Loaded,
+    study: &Study,
     start: SpinState,
     asked: &Asked,
-    interrupt: &Interrupt,
-    quiet: bool,
-) -> Result<(EvolutionRecord, Vec<String>), Failure> {
-    let Loaded { model, body, forces, order, .. } = loaded;
+    observer: &mut dyn Watch,
+) -> Result<(EvolutionRecord, Vec<String>), StudyError> {
+    let Study { model, body, forces, order, .. } = study;
     if matches!(body.support(), Support::Prescribed { .. }) {
-        return Err(Failure::DrivenPole);
+        return Err(StudyError::DrivenPole);
     }
     if !body.wheels().is_none() {
-        return Err(Failure::Wheels);
+        return Err(StudyError::Wheels);
     }
     let torque = SlowTorque::of(forces)?;
     let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
     let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
-    let bar = Bar::new("following", quiet);
-    let mut watch = |share: f64| {
-        bar.show(share);
-        if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
+    let mut watch = |share: f64| observer.at("following", share);
     let run = if torque.is_none() {
-        match road::choose(loaded, start, asked, &mut ageing, &mut watch)? {
+        match road::choose(study, start, asked, &mut ageing, &mut watch)? {
             Ok(history) => history,
             Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
         }
-    } else if let Some(refusal) = road::under_torque(loaded, start, asked, &mut ageing)? {
+    } else if let Some(refusal) = road::under_torque(study, start, asked, &mut ageing)? {
         return Ok((ageing.refused(refusal), Vec::new()));
     } else {
         History::None
     };
-    if let Some(resolution) = &loaded.resolution {
+    if let Some(resolution) = &study.resolution {
         ageing.verdict.add_shape(resolution.error);
     }
     let evolution = ageing.evolution();
@@ -129,8 +121,7 @@ pub fn follow(
             Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, &mut watch)
         }
     };
-    let columns = ageing.columns(&mut rows, interrupt, &bar);
-    bar.clear();
+    let columns = ageing.columns(&mut rows, &mut watch);
     let time_range = match &model.extremes {
         Some(extremes) if rows.steady() && ageing.verdict.road == "average" => {
             Some(range(extremes, &ageing, from, rows.last().stage)?)
@@ -141,12 +132,12 @@ pub fn follow(
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
-    let estimates = estimates(loaded, record.momentum / ageing.principal.moments[2]);
+    let estimates = estimates(study, record.momentum / ageing.principal.moments[2]);
     Ok((EvolutionRecord { estimates, ..record }, notes))
 }
 
 /// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.
-fn estimates(Loaded { model, body, .. }: &Loaded, spin: f64) -> Vec<EstimateRecord> {
+fn estimates(Study { model, body, .. }: &Study, spin: f64) -> Vec<EstimateRecord> {
     let Some(material) = model.assembly.homogeneous() else { return Vec::new() };
     let Rheology::QualityFactor { factor } = material.rheology else { return Vec::new() };
     let mass = body.invariants().mass;
@@ -161,9 +152,9 @@ fn estimates(Loaded { model, body, .. }: &Loaded, spin: f64) -> Vec<EstimateReco
 }
 
 /// Times (s) of the same way at both ends of what is known of the materials.
-fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], Failure> {
-    let time = |assembly: &Assembly| -> Result<f64, Failure> {
-        let body = assembly.body().map_err(|cause| Failure::Extreme { cause: Box::new(cause) })?;
+fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], StudyError> {
+    let time = |assembly: &Assembly| -> Result<f64, StudyError> {
+        let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
         let power: Box<dyn MeanPower> = if ageing.by_polynomial {
             Box::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
         } else {

@@ -1,7 +1,6 @@
 //! The proof of the reduced equations: how it is asked for, followed and told.
 
 use std::fmt::{self, Write};
-use std::ops::ControlFlow;
 
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::MeasureError;
@@ -11,12 +10,11 @@ use quasirigid::verification::{
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
-use crate::describe::{significant, time};
-use crate::failure::Failure;
-use crate::interrupt::Interrupt;
+use crate::words::{significant, time};
+use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::motion::Motion;
-use crate::progress::Bar;
+use crate::watch::Watch;
 
 /// What the file asks for; where it does not say, every order up to the model's from the highest one that is the rigid
 /// body: 0 with rotors and liquids, 1 with springs alone.
@@ -42,28 +40,22 @@ pub struct Proof {
 const HALVINGS: usize = 3;
 const STEPS: u64 = 40;
 
-/// Runs the verification, with progress shown; none if Ctrl-C ended it.
+const STAGE: &str = "verifying";
+
+/// Runs the verification; none if the watch ended it.
 pub fn follow(
     motion: &Motion,
     plan: &Plan,
-    interrupt: &Interrupt,
-    quiet: bool,
-) -> Result<Option<Proof>, Failure> {
-    let bar = Bar::new("verifying", quiet);
-    let ended = || if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let mut watch = |share: f64| {
-        bar.show(share);
-        ended()
-    };
+    watch: &mut dyn Watch,
+) -> Result<Option<Proof>, StudyError> {
     let (system, start) = (motion.system(), &motion.start);
-    let verification = match verify(system, start, plan, &mut watch) {
+    let verification = match verify(system, start, plan, &mut |share| watch.at(STAGE, share)) {
         Err(VerificationError::Interrupted) => return Ok(None),
         other => other?,
     };
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
     let (halvings, steps) = (plan.halvings.min(HALVINGS), STEPS * verification.steps);
-    let average = verify_average(system, start, highest, halvings, steps, &mut || ended());
-    bar.clear();
+    let average = verify_average(system, start, highest, halvings, steps, &mut || watch.at(STAGE, 1.0));
     match average {
         Err(AverageError::Measure(MeasureError::Interrupted)) => Ok(None),
         average => Ok(Some(Proof { verification, average })),

@@ -5,7 +5,7 @@ use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
 use super::History;
 use super::ground::Ground;
 use super::way::{Levels, Way};
-use crate::describe::significant;
+use crate::words::significant;
 use crate::evolution::ageing::Ageing;
 use crate::resolution::{NOTHING, known};
 

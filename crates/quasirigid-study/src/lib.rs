@@ -1,0 +1,34 @@
+//! What a user asks of a body that is almost rigid, as a library: from a model to a record.
+//!
+//! A [`Study`] is a model with its body. What is asked of it (how far the reduced equations hold, its modes, its histories, its
+//! evolution, the proof against the full system, the record of all) is answered here, with the verdicts and notes in words; nothing is
+//! printed, and no flag is known. The command line, Python and the report are doors to it.
+#![allow(non_snake_case)]
+
+pub mod check;
+pub mod derive;
+pub mod error;
+pub mod evolution;
+pub mod histories;
+mod incomplete;
+pub mod layout;
+pub mod left_out;
+pub mod liquids;
+pub mod modes;
+pub mod motion;
+pub mod record;
+pub mod resolution;
+pub mod run;
+pub mod start;
+pub mod steady;
+pub mod steady_state;
+mod study;
+pub mod verification;
+pub mod visible;
+pub mod watch;
+pub mod words;
+
+pub use error::{Setting, StudyError};
+pub use incomplete::beyond;
+pub use study::Study;
+pub use watch::Watch;

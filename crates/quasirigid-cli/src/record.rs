@@ -1,8 +1,7 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Event, Form, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Form, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
-use quasirigid::math::rotation::angle;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
@@ -140,14 +139,14 @@ pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> Ver
     }
 }
 
-/// A spin history of some `equations`, in words; nutation is counted from the `axis` (body axes).
+/// A spin history of some `equations`, in words, with the nutation by the `nutating` body.
 pub fn history(
     system: System,
     equations: &str,
     options: &Options,
     (samples, budget): (&[Sample], &[(String, f64)]),
     (body, run): (&FlexibleBody, &Run),
-    axis: [f64; 3],
+    nutating: &ReducedBody,
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
@@ -166,7 +165,7 @@ pub fn history(
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
-        columns: columns(body.support(), samples, Some(axis)),
+        columns: columns(body.support(), samples, Some(nutating)),
     }
 }
 
@@ -224,8 +223,8 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
     }
 }
 
-/// The columns of a table of samples: nutation only with an axis to count it from, places only of a body that can move away.
-pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
+/// The columns of a table of samples: nutation only with a body to count it by, places only of a body that can move away.
+pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedBody>) -> Vec<Column> {
     let column = |name: &str, unit: &str, value: &dyn Fn(&Sample) -> f64| Column {
         name: name.into(),
         unit: unit.into(),
@@ -247,8 +246,8 @@ pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) ->
         column("energy_drift", "J", &|s| s.energy_drift),
         column("momentum_drift", "1", &|s| s.momentum_drift),
     ];
-    if let Some(axis) = axis {
-        columns.push(column("nutation", "rad", &|s| angle(s.momentum, axis)));
+    if let Some(body) = nutating {
+        columns.extend(nutation_columns(body, samples));
     }
     if matches!(support, Support::FixedPoint { .. }) {
         return columns;
@@ -265,6 +264,18 @@ pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) ->
         }
     }
     columns
+}
+
+/// The least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
+fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 2] {
+    let mut nutations = Nutations::of(body);
+    let found: Vec<Option<Nutation>> = samples.iter().map(|sample| nutations.at(sample.momentum)).collect();
+    let column = |name: &str, angle: fn(&Nutation) -> f64| Column {
+        name: name.into(),
+        unit: "rad".into(),
+        values: found.iter().map(|nutation| nutation.as_ref().map_or(f64::NAN, angle)).collect(),
+    };
+    [column("nutation_min", |nutation| nutation.least), column("nutation_max", |nutation| nutation.greatest)]
 }
 
 /// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.

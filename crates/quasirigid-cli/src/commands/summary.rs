@@ -60,9 +60,9 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
     let degrees = |value: f64| significant(value.to_degrees(), 5);
     writeln!(
         out,
-        "  nutation           {:>12} to {} degrees",
-        degrees(first("nutation")),
-        degrees(last("nutation"))
+        "  nutation, greatest {:>12} to {} degrees",
+        degrees(first("nutation_max")),
+        degrees(last("nutation_max"))
     )?;
     writeln!(
         out,

@@ -109,10 +109,16 @@ impl LevelEvolution {
             time: 0.0,
             turns: 0.0,
         };
-        let ending = making.run(h, until)?;
+        let ending = making.run(h, until).map_err(|error| match (error, until) {
+            (LevelError::Open, Until::Wobble(angle)) if angle < SMALLEST => LevelError::TooSmall { angle },
+            (error, _) => error,
+        })?;
         making.passage(ending, rows)
     }
 }
+
+/// Wobbles (rad) above this have an energy that stands out of rounding.
+const SMALLEST: f64 = 1e-6;
 
 impl Making<'_> {
     fn run(&mut self, start: f64, until: Until) -> Result<LevelEnding, LevelError> {

@@ -286,3 +286,15 @@ pub fn range(body: &FlexibleBody) -> Option<String> {
         )
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::drift_note;
+
+    #[test]
+    fn drift_of_some_roundings_of_the_energy_is_no_alarm() {
+        assert_eq!(drift_note("reduced", false, 1.2, [4.8e-19, 1e-17]), None);
+        assert!(drift_note("reduced", false, 1.2, [4.8e-3, 1e-2]).is_some());
+        assert!(drift_note("reduced", false, 1.2e-20, [4.8e-23, 1e-22]).is_some());
+    }
+}

@@ -2,7 +2,7 @@
 
 use quasirigid::dynamics::{Event, Form, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
@@ -266,16 +266,25 @@ pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedB
     columns
 }
 
-/// The least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
-fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 2] {
+/// The principal axis next to that circled, of least inertia first, and the least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
+fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 3] {
     let mut nutations = Nutations::of(body);
     let found: Vec<Option<Nutation>> = samples.iter().map(|sample| nutations.at(sample.momentum)).collect();
-    let column = |name: &str, angle: fn(&Nutation) -> f64| Column {
-        name: name.into(),
-        unit: "rad".into(),
-        values: found.iter().map(|nutation| nutation.as_ref().map_or(f64::NAN, angle)).collect(),
+    let axes = Principal::of(body.J).axes;
+    let circled = |nutation: &Nutation| {
+        let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();
+        (0..3).max_by(|a, b| along(a).total_cmp(&along(b))).map_or(f64::NAN, |axis| (axis + 1) as f64)
     };
-    [column("nutation_min", |nutation| nutation.least), column("nutation_max", |nutation| nutation.greatest)]
+    let column = |name: &str, unit: &str, value: &dyn Fn(&Nutation) -> f64| Column {
+        name: name.into(),
+        unit: unit.into(),
+        values: found.iter().map(|nutation| nutation.as_ref().map_or(f64::NAN, value)).collect(),
+    };
+    [
+        column("circled_axis", "1", &circled),
+        column("nutation_min", "rad", &|nutation| nutation.least),
+        column("nutation_max", "rad", &|nutation| nutation.greatest),
+    ]
 }
 
 /// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.

@@ -109,11 +109,11 @@ impl LevelEvolution {
             time: 0.0,
             turns: 0.0,
         };
-        let ending = making.run(h, until).map_err(|error| match (error, until) {
+        let followed = making.run(h, until).and_then(|ending| making.passage(ending, rows));
+        followed.map_err(|error| match (error, until) {
             (LevelError::Open, Until::Wobble(angle)) if angle < SMALLEST => LevelError::TooSmall { angle },
             (error, _) => error,
-        })?;
-        making.passage(ending, rows)
+        })
     }
 }
 

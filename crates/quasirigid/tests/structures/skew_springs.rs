@@ -173,7 +173,7 @@ fn beams(kept: usize) -> FlexibleBody {
     let frame = |name: &str, nodes, ends: &[[usize; 2]], section: SectionShape| {
         let member = |ends: &[usize; 2]| Member {
             ends: *ends,
-            section: section.clone(),
+            section,
             up: Some([0.0, 0.0, 1.0]),
             material: Material { density: 2700.0, young: 70e9, poisson: 0.33, rheology: Rheology::Elastic },
             elements: 3,

@@ -11,10 +11,10 @@ pub mod verify;
 
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Options};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Options};
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::math::memory;
-use quasirigid::math::sym::{dot, norm};
+use quasirigid::math::sym::norm;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, frequencies};
@@ -161,20 +161,10 @@ fn events(loaded: &Loaded, axis: [f64; 3]) -> Result<Vec<Event>, Failure> {
     Ok(events)
 }
 
-/// The axis of least or of greatest inertia, on the side of the momentum: the one that the rigid body's momentum circles. With
-/// momentum wheels, the principal axis next to the momentum.
-fn circled_axis(rigid: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let K = rigid.momentum(omega);
-    let Principal { moments, axes } = Principal::of(rigid.J);
-    let along = |axis: usize| dot(axes[axis], K);
-    let axis = if rigid.has_wheels() {
-        (0..3).max_by(|a, b| along(*a).abs().total_cmp(&along(*b).abs())).unwrap_or(2)
-    } else if 2.0 * rigid.energy(omega) * moments[1] > dot(K, K) {
-        0
-    } else {
-        2
-    };
-    axes[axis].map(|entry| entry * along(axis).signum())
+/// The axis from which nutation is counted, of a body at an angular velocity; that of greatest inertia where the momentum circles none. (P8)
+fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let nutation = Nutations::of(body).at(body.momentum(omega));
+    nutation.map_or_else(|| Principal::of(body.J).axes[2], |nutation| nutation.axis)
 }
 
 /// Numbers of a row, in the history and in its table.

@@ -2,6 +2,7 @@ use std::path::{Path, PathBuf};
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
 use quasirigid::math::sym::norm;
+use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::export::Derived;
 use quasirigid_io::model::Model;
@@ -55,12 +56,14 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
         other => other?,
     };
     let validity = Validity::of_reduced(body, &reduced, judged)?;
-    let axis = circled_axis(&reduce(body, 0)?, start.omega);
+    let rigid = reduce(body, 0)?;
+    let holds = validity.verdict() != Verdict::Fails;
+    let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
     let mut notes = model.notes.clone();
     let poles = steady::at_start(&motion, &loaded)?;
     let left_out = LeftOut::at(&loaded, start.omega, poles.nearest);
     notes.extend(left_out.notes());
-    let plan = Plan::new(arguments, &loaded, &motion, axis)?;
+    let plan = Plan::new(arguments, &loaded, &motion, nutating)?;
     let evolution = plan.evolution(&loaded, start, &mut notes)?;
     let histories = plan.histories(&mut notes)?;
     let verification = plan.verification(model, order, &mut notes)?;
@@ -127,10 +130,22 @@ struct Plan<'a> {
     systems: Vec<System>,
     times: Vec<f64>,
     options: Options,
-    /// The principal axis that the momentum of the rigid body circles; nutation is counted from it.
-    axis: [f64; 3],
+    nutating: Nutating<'a>,
     interrupt: Interrupt,
     quiet: bool,
+}
+
+/// The bodies by which nutation is counted. (P8)
+struct Nutating<'a> {
+    rigid: &'a ReducedBody,
+    /// The reduced body where it holds, else the rigid one.
+    nearly_rigid: &'a ReducedBody,
+}
+
+impl Nutating<'_> {
+    fn of(&self, system: System) -> &ReducedBody {
+        if system == System::Rigid { self.rigid } else { self.nearly_rigid }
+    }
 }
 
 impl<'a> Plan<'a> {
@@ -138,7 +153,7 @@ impl<'a> Plan<'a> {
         arguments: &Run,
         loaded: &Loaded,
         motion: &'a Motion<'a>,
-        axis: [f64; 3],
+        nutating: Nutating<'a>,
     ) -> Result<Self, Failure> {
         let Loaded { model, .. } = loaded;
         let omega = motion.start.omega;
@@ -152,8 +167,8 @@ impl<'a> Plan<'a> {
             motion,
             systems,
             times: even_times(rows, duration)?,
-            options: options(loaded, &arguments.propagation, axis)?,
-            axis,
+            options: options(loaded, &arguments.propagation, circled_axis(nutating.nearly_rigid, omega))?,
+            nutating,
             interrupt: Interrupt::listen()?,
             quiet: arguments.common.quiet,
         })
@@ -182,8 +197,9 @@ impl<'a> Plan<'a> {
             notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
-        let note =
-            |each: &HistoryRecord| drift_note(&each.system, forced, each.energy_drift, each.dissipated);
+        let note = |each: &HistoryRecord| {
+            drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
+        };
         notes.extend(histories.iter().filter_map(note));
         Ok(histories)
     }
@@ -251,7 +267,7 @@ impl<'a> Plan<'a> {
             &self.options,
             (&samples, &budget),
             (self.motion.system().body, &run),
-            self.axis,
+            self.nutating.of(system),
         ))
     }
 }

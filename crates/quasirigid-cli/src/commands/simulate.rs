@@ -24,7 +24,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     notes(model, &arguments.common);
     let start = initial(model, body, *order)?;
     let wrong = arguments.system != System::Rigid && note_left_out(&loaded, start.omega, &arguments.common);
-    let axis = circled_axis(&reduce(body, 0)?, start.omega);
+    let axis = stop_axis(&loaded, start.omega)?;
     let options = options(&loaded, &arguments.propagation, axis)?;
     let times = match &arguments.times {
         Some(times) => times.clone(),
@@ -62,7 +62,12 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let (samples, coordinates) = collector.finish();
     interrupt.forget();
     let (forced, last) = (motion.system().acts(), run.last);
-    let note = describe::drift_note(name(arguments.system), forced, last.energy_drift, last.dissipated);
+    let note = describe::drift_note(
+        name(arguments.system),
+        forced,
+        last.energy,
+        [last.energy_drift, last.dissipated],
+    );
     if let Some(note) = note {
         remark(&note);
     }
@@ -90,6 +95,17 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
             Ok(Ending::CheckFailed)
         }
     }
+}
+
+/// The axis from which the nutation that ends a history is counted. (P8)
+fn stop_axis(loaded: &Loaded, omega: [f64; 3]) -> Result<[f64; 3], Failure> {
+    if loaded.model.run.stop.nutation.is_none() {
+        return Ok(omega);
+    }
+    let reduced = reduce(&loaded.body, loaded.order)?;
+    let validity = Validity::of_reduced(&loaded.body, &reduced, omega);
+    let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);
+    Ok(circled_axis(&if holds { reduced } else { reduce(&loaded.body, 0)? }, omega))
 }
 
 fn warn(validity: &Validity) {

@@ -88,6 +88,17 @@ pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize)
     liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
 }
 
+/// `xᴴBx` of a symmetric matrix, positive semi-definite; zero where it is rounding of its terms, whose sign says nothing.
+pub(super) fn form(matrix: &SparseRows<f64>, x: &[Complex<f64>]) -> f64 {
+    let (mut sum, mut size) = (0.0, 0.0);
+    for (j, k, entry) in matrix.iter() {
+        let term = entry * (x[j].conj() * x[k]).re;
+        sum += term;
+        size += term.abs();
+    }
+    if sum.abs() > matrix.size() as f64 * f64::EPSILON * size { sum } else { 0.0 }
+}
+
 /// Twice the mean power that each dissipator takes from a motion `e^{λt}`, by name.
 pub(super) fn dissipation(
     body: &FlexibleBody,
@@ -97,9 +108,7 @@ pub(super) fn dissipation(
     liquids: &[Turning<'_>],
 ) -> Vec<(String, f64)> {
     let square = lambda.norm_sqr();
-    let form = |matrix: &SparseRows<f64>| -> f64 {
-        matrix.iter().map(|(j, k, entry)| entry * (q[j].conj() * q[k]).re).sum()
-    };
+    let form = |matrix: &SparseRows<f64>| form(matrix, q);
     let mut lost: Vec<(String, f64)> = body
         .dissipators()
         .iter()

@@ -14,6 +14,8 @@ mod modes;
 mod necked;
 mod necks;
 mod networks;
+mod skew_springs;
 mod solids;
 mod spin_up;
 mod spinning;
+mod whirl;

@@ -2,11 +2,12 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::basis::Basis;
 use super::curvature::Curvature;
-use super::discrete::{Discrete, Structure, times};
+use super::discrete::{Discrete, Structure};
 use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
+use super::masses::Scaled;
 use super::paths::Paths;
 use super::solver::{Solver, Unsolved};
 use crate::elements::matrices::Block;
@@ -103,7 +104,8 @@ impl Structure {
         let wanted = stacked(&statics, &pulls);
         let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
-        let fields = scaled(&discrete, basis.displacements(forces.ncols()), whole.mass);
+        let Scaled { fields, masses } =
+            Scaled::new(&discrete, basis.displacements(forces.ncols()), whole.mass);
         let works = &fields * forces.transpose();
         let energies: Vec<f64> =
             fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
@@ -116,7 +118,7 @@ impl Structure {
             sums,
             moments,
             products: by_pair(&discrete.products(&fields)),
-            masses: &fields * times(&discrete.mass, &fields).transpose(),
+            masses,
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
@@ -264,16 +266,6 @@ fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
     all.rows_mut(0, above.nrows()).copy_from(above);
     all.rows_mut(above.nrows(), below.nrows()).copy_from(below);
     all
-}
-
-/// Displacements with an rms of one, over the mass of the structure.
-fn scaled(discrete: &Discrete<'_>, mut fields: DMatrix<f64>, mass: f64) -> DMatrix<f64> {
-    let forces = times(&discrete.mass, &fields);
-    for j in 0..fields.nrows() {
-        let rms = (fields.row(j).dot(&forces.row(j)) / mass).sqrt();
-        fields.row_mut(j).scale_mut(rms.recip());
-    }
-    fields
 }
 
 fn energy(discrete: &Discrete<'_>, field: &nalgebra::RowDVector<f64>) -> f64 {

@@ -237,8 +237,8 @@ impl Frame<'_> {
             size(a).total_cmp(&size(b))
         });
         let largest = largest.filter(|(_, rate)| rate.norm_sqr() > 0.0).map(|(j, _)| j);
-        let leading = leading(self.body, &moved, largest, &liquids).unwrap_or("spin");
-        let name = if nutation { "nutation" } else { leading }.to_owned();
+        let leading = leading(self.body, &moved, largest, &liquids).unwrap_or_else(|| "spin".to_owned());
+        let name = if nutation { "nutation".to_owned() } else { leading };
         let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),

@@ -11,6 +11,7 @@ mod frames;
 mod large;
 mod meshes;
 mod modes;
+mod moving;
 mod necked;
 mod necks;
 mod networks;

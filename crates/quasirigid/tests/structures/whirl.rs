@@ -11,7 +11,7 @@ use quasirigid::secular::{EnergyRange, Pole, Poles};
 use crate::common::turned_axes;
 
 /// A hub with two unlike booms whose material alone dissipates, and, if wanted, a dashpot between mass and speed of one.
-fn booms(braked: f64) -> FlexibleBody {
+pub fn booms(braked: f64) -> FlexibleBody {
     let node = |name: &str, place: [f64; 3]| FrameNode {
         name: name.to_owned(),
         position: (turned_axes() * nalgebra::Vector3::from(place)).into(),

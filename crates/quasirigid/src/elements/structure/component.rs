@@ -8,6 +8,7 @@ use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
 use super::masses::Scaled;
+use super::owned;
 use super::paths::Paths;
 use super::solver::{Solver, Unsolved};
 use crate::elements::matrices::Block;
@@ -17,7 +18,7 @@ use crate::math::eigen::NoConvergence;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
-use crate::model::{Coordinate, CurvedPaths, Invariants, Pair};
+use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
 
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub(in crate::elements) struct Component {
     products: Vec<Vec<Matrix3<f64>>>,
     /// Mass matrix: the traces of the products, and the inertia of freedoms that have no displacement.
     masses: DMatrix<f64>,
+    /// Those of each part.
+    owned: Vec<(String, DMatrix<f64>)>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
     /// Their second order point by point; none if they are straight, or those of a panel or a solid.
@@ -120,6 +123,7 @@ impl Structure {
             products: by_pair(&discrete.products(&fields)),
             masses,
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
+            owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
             unknowns: fields.ncols(),
@@ -240,6 +244,19 @@ impl Component {
             damping: block.damping.clone(),
             rheology: block.rheology.clone(),
         })
+    }
+
+    /// Mass of each part over the coordinates, numbered from `start`, of a body that has so many.
+    pub fn part_masses(&self, start: usize, all: usize) -> Vec<PartMass> {
+        let entries = |mass: &DMatrix<f64>| {
+            let places = (0..mass.nrows()).flat_map(|j| (0..mass.ncols()).map(move |k| (j, k)));
+            places.map(|(j, k)| (start + j, start + k, mass[(j, k)])).collect()
+        };
+        let part = |(name, mass): &(String, DMatrix<f64>)| PartMass {
+            name: name.clone(),
+            mass: SparseRows::sum(all, entries(mass)),
+        };
+        self.owned.iter().map(part).collect()
     }
 
     /// Displacement of a station per unit of each coordinate, numbered from `start`.

@@ -10,6 +10,7 @@ mod grains;
 mod loads;
 mod losses;
 mod masses;
+mod owned;
 mod paths;
 mod rigid;
 mod rows;

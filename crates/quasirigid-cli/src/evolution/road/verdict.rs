@@ -47,14 +47,14 @@ impl Verdict {
         Some(if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY })
     }
 
-    /// Closes the sentence with how good the time is: one number of the road and of a solid's approximation. That is too stiff, so
-    /// a time is too long by no more of itself than its dissipation is too small.
+    /// Closes the sentence with how good the time is: one number of the road and of a solid's approximation, since a time is as wrong
+    /// as its power.
     pub fn close(&mut self, shape: Option<f64>) {
         self.error = shape.map_or(self.error, |shape| Some(self.error.unwrap_or(0.0) + shape));
         let (judge, error) = (self.judge.take(), self.error.unwrap_or(0.0));
         let words = match (judge, shape) {
             (None, None) => String::new(),
-            (_, Some(_)) if !error.is_finite() => format!("The solid is approximated: {}.", known(error)),
+            (_, Some(_)) if !error.is_finite() => format!("the solid is approximated: {}.", known(error)),
             _ => {
                 let judges = shape.map(|_| "the approximation of the solid").into_iter().chain(judge);
                 let judges: Vec<&str> = judges.filter(|words| !words.is_empty()).collect();

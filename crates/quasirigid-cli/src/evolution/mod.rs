@@ -105,9 +105,7 @@ pub fn follow(
     } else {
         History::None
     };
-    if let Some(resolution) = &loaded.resolution {
-        ageing.verdict.add_shape(resolution.error);
-    }
+    ageing.verdict.close(loaded.resolution.as_ref().map(|resolution| resolution.error));
     let evolution = ageing.evolution();
     let from = match &run {
         History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,

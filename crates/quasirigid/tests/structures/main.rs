@@ -8,6 +8,7 @@ mod ellipsoids;
 mod exported;
 mod floating;
 mod frames;
+mod hostile;
 mod large;
 mod meshes;
 mod modes;

@@ -25,6 +25,7 @@ use crate::args::{self, Common, Propagation};
 use crate::complete::beyond;
 use crate::failure::Failure;
 use crate::left_out::LeftOut;
+use crate::liquids;
 use crate::message::remark;
 use crate::resolution;
 use crate::rotation::initial;
@@ -64,13 +65,14 @@ fn load(common: &Common) -> Result<Loaded, Failure> {
     if !errors.is_empty() {
         return Err(model.diagnose_all(&errors).into());
     }
-    let Built { body, forces, condensation, speeds, liquids, resolution } =
+    let Built { body, forces, condensation, speeds, liquids: slow, resolution } =
         model.assembly.build().map_err(|error| model.diagnose(&error))?;
     model.notes.extend(beyond(&model.assembly, order));
+    model.notes.extend(liquids::notes(&model.assembly, &slow));
     if let Some(resolution) = &resolution {
         settle(&mut model, resolution);
     }
-    Ok(Loaded { model, body, forces, speeds, liquids, condensation, resolution, order })
+    Ok(Loaded { model, body, forces, speeds, liquids: slow, condensation, resolution, order })
 }
 
 /// Notes how well a solid is resolved, and takes the same approximation for the ends of the ranges of its materials.

@@ -22,6 +22,7 @@ use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 use crate::commands::Loaded;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::liquids::{NOTABLE, unresolved};
 use crate::progress::Bar;
 use crate::rotation::slaved_order;
 use ageing::Ageing;
@@ -105,7 +106,7 @@ pub fn follow(
     } else {
         History::None
     };
-    ageing.verdict.close(loaded.resolution.as_ref().map(|resolution| resolution.error));
+    ageing.verdict.close(approximated(loaded));
     let evolution = ageing.evolution();
     let from = match &run {
         History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,
@@ -141,6 +142,13 @@ pub fn follow(
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
     let estimates = estimates(loaded, record.momentum / ageing.principal.moments[2]);
     Ok((EvolutionRecord { estimates, ..record }, notes))
+}
+
+/// What of a body is approximated so that a reader must know, with its error: a solid, or the flow of liquids.
+fn approximated(loaded: &Loaded) -> Option<(&'static str, f64)> {
+    let solid = loaded.resolution.as_ref().map(|resolution| ("the solid", resolution.error));
+    let liquids = loaded.liquids.iter().map(unresolved).fold(0.0, f64::max);
+    solid.or((liquids > NOTABLE).then_some(("the flow", liquids)))
 }
 
 /// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.

@@ -47,17 +47,21 @@ impl Verdict {
         Some(if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY })
     }
 
-    /// Closes the sentence with how good the time is: one number of the road and of a solid's approximation, since a time is as wrong
-    /// as its power.
-    pub fn close(&mut self, shape: Option<f64>) {
+    /// Closes the sentence with how good the time is: one number of the road and of what is approximated, by its name, since a time is as
+    /// wrong as its power.
+    pub fn close(&mut self, approximated: Option<(&str, f64)>) {
+        let (what, shape) = (approximated.map(|(what, _)| what), approximated.map(|(_, error)| error));
         self.error = shape.map_or(self.error, |shape| Some(self.error.unwrap_or(0.0) + shape));
         let (judge, error) = (self.judge.take(), self.error.unwrap_or(0.0));
         let words = match (judge, shape) {
             (None, None) => String::new(),
-            (_, Some(_)) if !error.is_finite() => format!("the solid is approximated: {}.", known(error)),
+            (_, Some(_)) if !error.is_finite() => {
+                format!("{} is approximated: {}.", what.unwrap_or_default(), known(error))
+            }
             _ => {
-                let judges = shape.map(|_| "the approximation of the solid").into_iter().chain(judge);
-                let judges: Vec<&str> = judges.filter(|words| !words.is_empty()).collect();
+                let approximation = what.map(|what| format!("the approximation of {what}"));
+                let judges = approximation.into_iter().chain(judge.map(str::to_owned));
+                let judges: Vec<String> = judges.filter(|words| !words.is_empty()).collect();
                 let by =
                     if judges.is_empty() { String::new() } else { format!("by {} ", judges.join(" and ")) };
                 format!("{by}the time is good to {} %.", significant(100.0 * error.max(LEAST), 2))

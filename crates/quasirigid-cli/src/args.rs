@@ -1,6 +1,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use quasirigid::dynamics;
+use quasirigid_io::model;
+use quasirigid_study::modes::PrincipalAxis;
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -125,8 +128,8 @@ pub struct Modes {
     #[arg(long, value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
     pub spin: Option<Vec<f64>>,
     /// Principal axis to spin about
-    #[arg(long, value_parser = ["least", "middle", "greatest"])]
-    pub axis: Option<String>,
+    #[arg(long, value_enum)]
+    pub axis: Option<Axis>,
 }
 
 #[derive(Args, Debug)]
@@ -269,3 +272,30 @@ pub enum Power {
     /// Every elastic mode and material, harmonic by harmonic: any law of loss, resonance too
     Harmonics,
 }
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Axis {
+    Least,
+    Middle,
+    Greatest,
+}
+
+/// The setting of the study that a flag's value stands for.
+macro_rules! stands_for {
+    ($flag:ident => $setting:ty { $($value:ident),+ }) => {
+        impl From<$flag> for $setting {
+            fn from(value: $flag) -> Self {
+                match value {
+                    $($flag::$value => Self::$value),+
+                }
+            }
+        }
+    };
+}
+
+stands_for!(Form => dynamics::Form { Momentum, Paper });
+stands_for!(Method => dynamics::Method { Automatic, Explicit, Implicit });
+stands_for!(System => model::System { Full, Reduced, Rigid });
+stands_for!(Power => model::Power { Polynomial, Harmonics });
+stands_for!(EvolveMethod => model::EvolveMethod { Average, MicroRuns, Direct, Modes });
+stands_for!(Axis => PrincipalAxis { Least, Middle, Greatest });

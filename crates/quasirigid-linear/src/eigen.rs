@@ -82,7 +82,7 @@ impl Dense {
 pub struct Modes {
     /// Frequencies `Ω`, ascending.
     pub frequencies: Vec<f64>,
-    /// Modes, one per column; `xᵀ A x = 1`.
+    /// Modes, one per column; `xᵀ A x = 1`, or `xᵀ C x = 1` if the frequency is infinite.
     pub shapes: Dense,
 }
 
@@ -100,7 +100,8 @@ pub fn modes(A: &Dense, C: &Dense) -> Result<Modes, NoConvergence> {
         let (squares, vectors) = block_modes(A, C, &rows).ok_or(NoConvergence { size })?;
         for (column, inverse) in squares.iter().enumerate() {
             let frequency = inverse.max(0.0).sqrt().recip();
-            let entries = rows.iter().enumerate().map(|(i, row)| (*row, vectors[(i, column)] * frequency));
+            let unit = if frequency.is_finite() { frequency } else { 1.0 };
+            let entries = rows.iter().enumerate().map(|(i, row)| (*row, vectors[(i, column)] * unit));
             found.push((frequency, entries.collect()));
         }
     }

@@ -345,7 +345,7 @@ fn gaps_and_extremes_are_drawn_without_nonsense() {
     column(&mut record, "wz")[3] = f64::INFINITY;
     column(&mut record, "dissipated")[7] = 1e-300;
     column(&mut record, "dissipated")[8] = 1e300;
-    column(&mut record, "nutation").fill(f64::NAN);
+    column(&mut record, "nutation_max").fill(f64::NAN);
     column(&mut record, "t")[100] = f64::NEG_INFINITY;
     let page = page(&record);
     assert_drawable(&page);

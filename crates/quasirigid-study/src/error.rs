@@ -31,6 +31,10 @@ pub enum Setting {
     Coordinates,
     /// Displacements in the table.
     Displacements,
+    /// Principal axis of a steady spin.
+    Axis,
+    /// Angular velocity of a steady spin.
+    Spin,
     /// Start of an evolution.
     From,
     /// End of an evolution.
@@ -49,6 +53,8 @@ impl Setting {
             Self::System => "[run] systems",
             Self::Coordinates => "coordinates",
             Self::Displacements => "displacements",
+            Self::Axis => "axis",
+            Self::Spin => "spin",
             Self::From => "from",
             Self::Until => "evolve.until",
             Self::EvolutionDuration => "evolve = { duration = \"10 yr\" } in [run]",
@@ -167,6 +173,15 @@ pub enum StudyError {
         /// What is wrong.
         cause: Box<ElementError>,
     },
+    /// A principal axis of a body that moments act on.
+    AxisUnderForces,
+    /// A file that cannot be written.
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        cause: std::io::Error,
+    },
     /// The work was told to end.
     Interrupted,
 }
@@ -198,10 +213,17 @@ impl StudyError {
                 significant(angle.to_degrees(), 6)
             ),
             Self::Extreme { cause } => format!("at one end of the ranges of the materials: {cause}"),
+            Self::AxisUnderForces => format!(
+                "{} names a principal axis of a body that no moment acts on; under forces give {}, or nothing",
+                name(Setting::Axis),
+                name(Setting::Spin)
+            ),
+            Self::Write { path, cause } => format!("cannot write {}: {cause}", path.display()),
             Self::Interrupted => "interrupted; the table breaks off here".into(),
-            Self::NoDuration { .. } | Self::Samples { .. } | Self::History { .. } | Self::NoCoordinates { .. } => {
-                self.of_histories(name)
-            }
+            Self::NoDuration { .. }
+            | Self::Samples { .. }
+            | Self::History { .. }
+            | Self::NoCoordinates { .. } => self.of_histories(name),
             _ => self.of_evolutions(name),
         }
     }
@@ -212,13 +234,17 @@ impl StudyError {
             Self::NoDuration { seconds } => {
                 format!("{duration} {seconds} s is not a duration; give one above zero, such as \"2 h\"")
             }
-            Self::Samples { samples: rows } => format!("{samples} {rows} is out of range; give 2 to 10000000"),
+            Self::Samples { samples: rows } => {
+                format!("{samples} {rows} is out of range; give 2 to 10000000")
+            }
             Self::History { samples: rows, cause } => {
                 format!("{rows} rows: {cause}; ask for fewer with {samples}")
             }
             Self::NoCoordinates { setting } => {
                 let (asked, system) = (name(*setting), name(Setting::System));
-                format!("{asked}: the rigid body has no internal coordinates; take {system} reduced or {system} full")
+                format!(
+                    "{asked}: the rigid body has no internal coordinates; take {system} reduced or {system} full"
+                )
             }
             _ => String::new(),
         }

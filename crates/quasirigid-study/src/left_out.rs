@@ -5,9 +5,9 @@ use quasirigid::model::Principal;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid::secular::apart;
 
+use crate::liquids::unanswered;
 use crate::study::Study;
 use crate::words::significant;
-use crate::liquids::unanswered;
 
 /// Share of a decay that what no equation of motion holds may have.
 pub const LEFT_OUT: f64 = 0.02;
@@ -16,6 +16,7 @@ const LOSSLESS: &str = "Part of the body loses energy by a law of its material t
                         reduced system take it as elastic, and `evolve` alone counts its loss.";
 
 /// What the equations of motion leave out.
+#[derive(Clone, Debug)]
 pub struct LeftOut {
     /// Of materials, which they take as elastic.
     pub materials: Option<&'static str>,
@@ -36,6 +37,8 @@ impl LeftOut {
         }
     }
 
+    /// In words.
+    #[must_use]
     pub fn notes(&self) -> Vec<String> {
         self.materials.map(String::from).into_iter().chain(self.liquids.clone()).collect()
     }

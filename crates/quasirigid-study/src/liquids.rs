@@ -1,12 +1,12 @@
 //! Liquids of a model at a spin, in words and numbers.
 
-use quasirigid::elements::{MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
+use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
 use quasirigid::math::sym::norm;
 use quasirigid_io::record::LiquidRecord;
 
+use crate::layout::paragraph;
 use crate::study::Study;
 use crate::words::significant;
-use crate::layout::paragraph;
 
 /// A liquid of a model at a spin.
 pub struct Liquid<'a> {
@@ -39,6 +39,28 @@ pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<Strin
             names.join(", ")
         )
     })
+}
+
+/// Error of a flow from which a reader is told before the numbers.
+pub const NOTABLE: f64 = 0.01;
+
+/// Relative error of the slow flow of a liquid; zero where it is exact.
+pub fn unresolved(liquid: &SlowLiquid) -> f64 {
+    liquid.errors.map_or(0.0, |errors| errors.into_iter().fold(0.0, f64::max))
+}
+
+/// What a reader should know of flows before the numbers; nothing where they are well resolved.
+pub fn notes(assembly: &Assembly, liquids: &[SlowLiquid]) -> Vec<String> {
+    let coarse = assembly.cavities.iter().zip(liquids).filter(|(_, liquid)| unresolved(liquid) > NOTABLE);
+    coarse
+        .map(|(cavity, liquid)| {
+            format!(
+                "The flow in {:?} is known to about {} %: raise its `resolution`, or give it a finer mesh.",
+                cavity.name,
+                significant(100.0 * unresolved(liquid), 2)
+            )
+        })
+        .collect()
 }
 
 impl Liquid<'_> {

@@ -12,10 +12,10 @@ use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
 
-use quasirigid_io::model::System;
-use crate::study::Study;
 use crate::error::StudyError;
 use crate::start::{follows_its_spin, slaved_order};
+use crate::study::Study;
+use quasirigid_io::model::System;
 
 /// Difference between an angular momentum and that of the spin which the series finds for it, relative to itself, from which the
 /// series means nothing there.

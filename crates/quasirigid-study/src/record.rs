@@ -1,9 +1,8 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Event, Form, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Form, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::norm;
+use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
@@ -13,11 +12,11 @@ use quasirigid_io::record::{
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 
-use quasirigid_io::model::System;
 use crate::study::Study;
 use crate::verification::Proof;
 use crate::visible::one_line;
 use crate::{resolution, words};
+use quasirigid_io::model::System;
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -140,14 +139,14 @@ pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> Ver
     }
 }
 
-/// A spin history of some `equations`, in words; nutation is counted from the `axis` (body axes).
+/// A spin history of some `equations`, in words, with the nutation by the `nutating` body.
 pub fn history(
     system: System,
     equations: &str,
     options: &Options,
     (samples, budget): (&[Sample], &[(String, f64)]),
     (body, run): (&FlexibleBody, &Run),
-    axis: [f64; 3],
+    nutating: &ReducedBody,
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
@@ -166,7 +165,7 @@ pub fn history(
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
-        columns: columns(body.support(), samples, Some(axis)),
+        columns: columns(body.support(), samples, Some(nutating)),
     }
 }
 
@@ -224,8 +223,8 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
     }
 }
 
-/// The columns of a table of samples: nutation only with an axis to count it from, places only of a body that can move away.
-pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) -> Vec<Column> {
+/// The columns of a table of samples: nutation only with a body to count it by, places only of a body that can move away.
+pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedBody>) -> Vec<Column> {
     let column = |name: &str, unit: &str, value: &dyn Fn(&Sample) -> f64| Column {
         name: name.into(),
         unit: unit.into(),
@@ -247,8 +246,8 @@ pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) ->
         column("energy_drift", "J", &|s| s.energy_drift),
         column("momentum_drift", "1", &|s| s.momentum_drift),
     ];
-    if let Some(axis) = axis {
-        columns.push(column("nutation", "rad", &|s| angle(s.momentum, axis)));
+    if let Some(body) = nutating {
+        columns.extend(nutation_columns(body, samples));
     }
     if matches!(support, Support::FixedPoint { .. }) {
         return columns;
@@ -265,6 +264,27 @@ pub fn columns(support: &Support, samples: &[Sample], axis: Option<[f64; 3]>) ->
         }
     }
     columns
+}
+
+/// The principal axis next to that circled, of least inertia first, and the least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
+fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 3] {
+    let mut nutations = Nutations::of(body);
+    let found: Vec<Option<Nutation>> = samples.iter().map(|sample| nutations.at(sample.momentum)).collect();
+    let axes = Principal::of(body.J).axes;
+    let circled = |nutation: &Nutation| {
+        let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();
+        (0..3).max_by(|a, b| along(a).total_cmp(&along(b))).map_or(f64::NAN, |axis| (axis + 1) as f64)
+    };
+    let column = |name: &str, unit: &str, value: &dyn Fn(&Nutation) -> f64| Column {
+        name: name.into(),
+        unit: unit.into(),
+        values: found.iter().map(|nutation| nutation.as_ref().map_or(f64::NAN, value)).collect(),
+    };
+    [
+        column("circled_axis", "1", &circled),
+        column("nutation_min", "rad", &|nutation| nutation.least),
+        column("nutation_max", "rad", &|nutation| nutation.greatest),
+    ]
 }
 
 /// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.

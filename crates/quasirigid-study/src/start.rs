@@ -11,8 +11,8 @@ use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, 
 use quasirigid::secular::{manifold_has_meaning, spun_state};
 use quasirigid_io::model::{Displacements, Model, Rotation};
 
-use crate::words::significant;
 use crate::error::StudyError;
+use crate::words::significant;
 
 /// The state the file starts from.
 pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinState, StudyError> {

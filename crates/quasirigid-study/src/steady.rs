@@ -7,12 +7,12 @@ use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
-use crate::study::Study;
-use crate::words::{significant, time};
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
 use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::{significant, time};
 
 /// Coordinates of a body whose modes take longer than a moment.
 const MANY: usize = 700;

@@ -6,13 +6,13 @@ use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
-use crate::study::Study;
-use crate::words::significant;
 use crate::error::StudyError;
 use crate::liquids::unanswered;
 use crate::motion::placed;
 use crate::start::initial;
 use crate::steady::{fate, missing, recorded};
+use crate::study::Study;
+use crate::words::significant;
 
 /// What the record of such a state has for the axis that it was looked for near.
 pub const UNDER_FORCES: &str = "under forces";

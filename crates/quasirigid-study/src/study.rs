@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
+use quasirigid::dynamics::SpinState;
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker};
@@ -10,7 +11,8 @@ use quasirigid_io::model::Model;
 
 use crate::error::StudyError;
 use crate::incomplete::beyond;
-use crate::resolution;
+use crate::start::initial;
+use crate::{liquids, resolution};
 
 /// A model, assembled: what every question is asked of.
 #[derive(Debug)]
@@ -61,13 +63,22 @@ impl Study {
         if !errors.is_empty() {
             return Err(model.diagnose_all(&errors).into());
         }
-        let Built { body, forces, condensation, speeds, liquids, resolution } =
+        let Built { body, forces, condensation, speeds, liquids: slow, resolution } =
             model.assembly.build().map_err(|error| model.diagnose(&error))?;
         model.notes.extend(beyond(&model.assembly, order));
+        model.notes.extend(liquids::notes(&model.assembly, &slow));
         if let Some(resolution) = &resolution {
             settle(&mut model, resolution);
         }
-        Ok(Self { model, body, forces, speeds, liquids, condensation, resolution, order })
+        Ok(Self { model, body, forces, speeds, liquids: slow, condensation, resolution, order })
+    }
+
+    /// The rotation that the model starts with, however it describes it.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a model without a rotation, and for one that its body cannot have.
+    pub fn initial(&self) -> Result<SpinState, StudyError> {
+        initial(&self.model, &self.body, self.order)
     }
 }
 

@@ -2,36 +2,51 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::model::FlexibleBody;
 use quasirigid::secular::MeasureError;
 use quasirigid::verification::{
-    AverageError, AverageRow, Plan, Verification, VerificationError, verify, verify_average,
+    self, AverageError, AverageRow, Plan, Verification, VerificationError, verify_average,
 };
-use quasirigid_io::model::Model;
+use quasirigid_io::model::Verify;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
-use crate::words::{significant, time};
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::motion::Motion;
+use crate::record;
+use crate::study::Study;
 use crate::watch::Watch;
+use crate::words::{significant, time};
 
-/// What the file asks for; where it does not say, every order up to the model's from the highest one that is the rigid
-/// body: 0 with rotors and liquids, 1 with springs alone.
-pub fn plan(model: &Model, body: &FlexibleBody, order: usize) -> Plan {
-    let lowest = usize::from(body.cyclic().is_empty());
-    let asked = model.run.verify.clone().unwrap_or_default();
-    let defaults = Plan::default();
+/// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
+/// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
+#[must_use]
+pub fn plan(study: &Study, asked: Verify) -> Plan {
+    let lowest = usize::from(study.body.cyclic().is_empty());
+    let file = study.model.run.verify.clone().unwrap_or_default();
+    let usual = Plan::default();
     Plan {
-        orders: asked.orders.unwrap_or_else(|| (lowest..=order).collect()),
-        rotations: asked.rotations.unwrap_or(defaults.rotations),
-        halvings: asked.halvings.unwrap_or(defaults.halvings),
-        ..defaults
+        orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=study.order).collect()),
+        rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
+        halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
+        ..usual
     }
 }
 
+/// Verifies the reduced equations of a study; none if the watch ended it.
+///
+/// # Errors
+/// [`StudyError`] for a start that is none, and for a plan that means nothing.
+pub fn verify(
+    study: &Study,
+    plan: &Plan,
+    watch: &mut dyn Watch,
+) -> Result<Option<VerificationRecord>, StudyError> {
+    let motion = Motion::new(study, study.initial()?);
+    Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
+}
+
 /// What was found of the reduced equations and of the average.
-pub struct Proof {
+pub(crate) struct Proof {
     pub verification: Verification,
     pub average: Result<AverageRow, AverageError>,
 }
@@ -43,13 +58,13 @@ const STEPS: u64 = 40;
 const STAGE: &str = "verifying";
 
 /// Runs the verification; none if the watch ended it.
-pub fn follow(
+pub(crate) fn follow(
     motion: &Motion,
     plan: &Plan,
     watch: &mut dyn Watch,
 ) -> Result<Option<Proof>, StudyError> {
     let (system, start) = (motion.system(), &motion.start);
-    let verification = match verify(system, start, plan, &mut |share| watch.at(STAGE, share)) {
+    let verification = match verification::verify(system, start, plan, &mut |share| watch.at(STAGE, share)) {
         Err(VerificationError::Interrupted) => return Ok(None),
         other => other?,
     };

@@ -146,11 +146,14 @@ pub fn reasons(validity: &Validity) -> Vec<String> {
 
 /// Share of the dissipated energy above which the integrator's own change of energy is worth a note.
 const NOTED_DRIFT: f64 = 0.01;
+/// Roundings of the energy that no tolerance takes away.
+const ROUNDINGS: f64 = 8.0;
 
 /// Says that the numerics may imitate the physics, if they may. Under forces the drift of a reduced body holds what its
 /// series leaves out, too.
-pub fn drift_note(system: &str, forced: bool, energy_drift: f64, dissipated: f64) -> Option<String> {
-    if !(dissipated > 0.0 && energy_drift.abs() > NOTED_DRIFT * dissipated) {
+pub fn drift_note(system: &str, forced: bool, energy: f64, [drift, dissipated]: [f64; 2]) -> Option<String> {
+    let rounding = ROUNDINGS * f64::EPSILON * energy.abs();
+    if !(dissipated > 0.0 && drift.abs() > (NOTED_DRIFT * dissipated).max(rounding)) {
         return None;
     }
     let (culprit, remedy) = if forced && system == "reduced" {
@@ -158,7 +161,7 @@ pub fn drift_note(system: &str, forced: bool, energy_drift: f64, dissipated: f64
     } else {
         ("The integrator", "use a smaller --tolerance")
     };
-    let [drift, taken] = [energy_drift, dissipated].map(|energy| significant(energy, 2));
+    let [drift, taken] = [drift, dissipated].map(|energy| significant(energy, 2));
     Some(format!(
         "{culprit} changed the energy of the {system} body by {drift} J, beside {taken} J that the dashpots took: {remedy}."
     ))
@@ -292,4 +295,16 @@ pub fn range(body: &FlexibleBody) -> Option<String> {
     let followed: Vec<String> = parts.into_iter().chain(turned).collect();
     (!followed.is_empty())
         .then(|| format!("The full system follows {}, and ends there.", followed.join(" and ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::drift_note;
+
+    #[test]
+    fn drift_of_some_roundings_of_the_energy_is_no_alarm() {
+        assert_eq!(drift_note("reduced", false, 1.2, [4.8e-19, 1e-17]), None);
+        assert!(drift_note("reduced", false, 1.2, [4.8e-3, 1e-2]).is_some());
+        assert!(drift_note("reduced", false, 1.2e-20, [4.8e-23, 1e-22]).is_some());
+    }
 }

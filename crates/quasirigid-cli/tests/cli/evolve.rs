@@ -220,3 +220,31 @@ fn shares_of_dissipators_sum_to_one() {
     assert_eq!(object["dissipation"], serde_json::json!({ "ellipsoid 1": 1.0 }));
     assert!(!ran_in(folder.path(), "evolve model.toml").stdout.contains("what dissipates"));
 }
+
+/// The wobble at the start and at the end is the same whoever follows the body: a long-axis and a short-axis mode. What remains is of the
+/// second order in the deformation, and of the polhode that stands for the level.
+#[test]
+fn run_and_evolve_tell_the_same_wobble() {
+    for (name, duration, tolerance) in [("boom-satellite", 600, 5e-3), ("three-masses", 600, 2e-3)] {
+        let folder = folder_of(name);
+        let told = |line: &str| ran_in(folder.path(), &format!("{line} --duration {duration} --json"));
+        let evolve = told("evolve model.toml").json();
+        told("run model.toml --out spin");
+        let table = Table::of(&fs::read_to_string(folder.path().join("spin/history-reduced.csv")).unwrap());
+        for (column, observed) in [("nutation_min", "nutation_least"), ("nutation_max", "nutation_greatest")]
+        {
+            let values = table.column(column);
+            for (row, end) in [(0, "start"), (values.len() - 1, "end")] {
+                close(values[row], number(&evolve[end], observed), tolerance);
+            }
+        }
+    }
+}
+
+/// Such a wobble lies on no separatrix.
+#[test]
+fn a_wobble_lost_in_rounding_is_called_too_small() {
+    let ran = ran("evolve examples/boom-satellite/model.toml --to 1e-6deg");
+    assert!(ran.stderr.replace('\n', " ").contains("is too small to be followed"), "{}", ran.stderr);
+    assert!(!ran.stderr.contains("separatrix"), "{}", ran.stderr);
+}

@@ -7,6 +7,7 @@ mod check;
 mod complete;
 mod derive;
 mod docs;
+mod eigenvalues;
 mod evolve;
 mod files;
 mod full;

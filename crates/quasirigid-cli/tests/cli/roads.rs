@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use serde_json::Value;
 
-use super::support::{ROOT, Ran, folder_with, ran, ran_in, ran_with};
+use super::support::{ROOT, Ran, folder_with, one_line, ran, ran_in, ran_with};
 
 /// Two pendulums that centrifugal force holds out, nearly without springs.
 const SLOSH: &str = "\
@@ -395,4 +395,41 @@ fn a_liquid_that_spins_is_not_followed_through_the_separatrix() {
     let found = ran.json();
     assert_eq!((&found["status"], ran.code), (&"refused".into(), Some(1)), "{found}");
     assert!(found["message"].as_str().unwrap().contains("too wide"), "{found}");
+}
+
+/// A box of liquid on a coarse mesh of its own: every command tells how good the flow is, and the time is no better.
+#[test]
+fn coarse_flows_are_told_and_make_the_time_worse() {
+    let tank = |resolution: usize| {
+        format!(
+            "\
+[carrier]
+mass = 50.0
+center_of_mass = [0.0, 0.0, 0.0]
+inertia = [10.0, 12.0, 16.0]
+[[cavity]]
+name = \"tank\"
+shape = \"box\"
+sides = [0.6, 0.5, 0.4]
+center = [0.0, 0.0, 0.1]
+resolution = {resolution}
+density = 1000.0
+kinematic_viscosity = \"1 m^2/s\"
+[initial]
+wobble = {{ angle = \"3 deg\", rate = \"0.1 rad/s\", mode = \"short-axis\" }}
+"
+        )
+    };
+    let [coarse, fine] = [2, 8].map(|resolution| ran_with(&tank(resolution), "evolve model.toml --json"));
+    let said = one_line(&coarse.stderr);
+    assert!(
+        said.contains("note: The flow in \"tank\" is known to about 21 %: raise its `resolution`"),
+        "{said}"
+    );
+    assert_eq!(fine.stderr, "");
+    let [coarse, fine] = [coarse.json(), fine.json()];
+    let of = |object: &serde_json::Value, key: &str| object[key].as_f64().unwrap();
+    let off = (of(&coarse, "time") / of(&fine, "time") - 1.0).abs();
+    assert!(off > 0.1 && off < of(&coarse, "time_error"), "{off}");
+    assert!(coarse["verdict"].as_str().unwrap().contains("the approximation of the flow"), "{coarse}");
 }

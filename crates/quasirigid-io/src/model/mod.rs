@@ -45,7 +45,7 @@ pub use error::{FileProblem, ModelError};
 pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
 pub use initial::{Displacements, Initial};
 pub use rotation::Rotation;
-pub use settings::{Form, Method, Run, Stop, System, Verify};
+pub use settings::{Run, Stop, System, Verify};
 pub use source::Source;
 
 use body::Parts;

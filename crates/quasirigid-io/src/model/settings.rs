@@ -1,5 +1,7 @@
 use std::f64::consts::PI;
 
+use quasirigid::dynamics::{Form, Method};
+
 use super::evolve::{Evolve, evolve};
 use super::table::{Keys, Table};
 use super::value::Value;
@@ -72,15 +74,6 @@ impl Default for Run {
     }
 }
 
-/// Form in which the reduced equations are integrated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// For the angular momentum, which keeps its length without torque.
-    Momentum,
-    /// For the angular velocity, as the paper writes them.
-    Paper,
-}
-
 /// A system of equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum System {
@@ -90,17 +83,6 @@ pub enum System {
     Rigid,
     /// The body with all its coordinates, which is stiff.
     Full,
-}
-
-/// Method for the full system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Both, in turns, as the stiffness asks.
-    Automatic,
-    /// Explicit steps, which follow every vibration.
-    Explicit,
-    /// Implicit steps, which may pass over vibrations that have died out.
-    Implicit,
 }
 
 /// What ends a run before its time.

@@ -1,5 +1,6 @@
 use insta::assert_snapshot;
-use quasirigid_io::model::{Form, Method, Stop, System, Verify};
+use quasirigid::dynamics::{Form, Method};
+use quasirigid_io::model::{Stop, System, Verify};
 
 use super::{CARRIER, read, refusal_of};
 

@@ -42,7 +42,7 @@ pub fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
 fn spin(history: &HistoryRecord) -> Markup {
     let omega = vectors(&history.columns, ["wx", "wy", "wz"]).unwrap_or_default();
     let nutation =
-        column(&history.columns, "nutation").and_then(|column| ends(column.values.iter().copied()));
+        column(&history.columns, "nutation_max").and_then(|column| ends(column.values.iter().copied()));
     let Some((start, end)) = ends(omega.iter().map(|&omega| norm(omega))) else {
         return tile("Spin, start → end", html! { "unknown" }, html! { "no rows with wx, wy, wz" });
     };

@@ -102,7 +102,7 @@ fn energy(history: &HistoryRecord) -> Figure {
 fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
     let time = TimeUnit::of(&main.columns, usize::MAX);
     let curves = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {
-        Curve { name: "nutation", label: &history.system, class }.series(
+        Curve { name: "nutation_max", label: &history.system, class }.series(
             &history.columns,
             &time,
             f64::to_degrees,
@@ -112,7 +112,7 @@ fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
         id: "nutation",
         title: "Nutation",
         caption:
-            "Angle between the angular momentum and the axis of the body from which nutation is counted."
+            "Greatest angle between the angular momentum and the axis of the steady spin that it circles, over one turn of the nutation."
                 .into(),
         series: curves.collect(),
         x: Quantity { name: "t", unit: time.name },

@@ -92,7 +92,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
     let (mut dissipated, mut turns, mut angle) = (0.0, 0.0, 0.0f64);
     let mut columns: Vec<Column> = COLUMNS
         .iter()
-        .chain(&[("nutation", "rad")])
+        .chain(&[("nutation_max", "rad")])
         .map(|&(name, unit)| Column { name: name.into(), unit: unit.into(), values: vec![] })
         .collect();
     for row in 0..rows {

@@ -16,8 +16,8 @@ use super::approach::approach;
 use super::road::{Refusal, Verdict};
 use super::rows::Rows;
 use super::{Asked, words};
-use crate::words::shares;
 use crate::error::StudyError;
+use crate::words::shares;
 
 /// Share of the wobble's energy that is left where nothing says how far to go.
 const LEFT: f64 = 0.01;
@@ -176,7 +176,12 @@ impl Ageing {
     }
 
     /// Where the evolution starts: at a target, or at the initial state.
-    pub fn start(&self, evolution: &Evolution, from: Option<Target>, free: bool) -> Result<Stage, StudyError> {
+    pub fn start(
+        &self,
+        evolution: &Evolution,
+        from: Option<Target>,
+        free: bool,
+    ) -> Result<Stage, StudyError> {
         let energy = self.initial.energy();
         if energy == 0.0 {
             return Err(StudyError::AtRest);
@@ -194,7 +199,9 @@ impl Ageing {
     pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, StudyError> {
         let [I1, _, I3] = self.principal.moments;
         match target {
-            Target::Ratio(ratio) => evolution.stage(ratio).ok_or(StudyError::NoStage { ratio, least: I1 / I3 }),
+            Target::Ratio(ratio) => {
+                evolution.stage(ratio).ok_or(StudyError::NoStage { ratio, least: I1 / I3 })
+            }
             Target::Wobble(angle) => {
                 evolution.wobbling(angle).ok_or(StudyError::NoShortAxis { moments: self.principal.moments })
             }
@@ -239,11 +246,7 @@ impl Ageing {
     }
 
     /// The table of the rows; fewer of them if the watch ends the work.
-    pub fn columns(
-        &self,
-        rows: &mut Rows,
-        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Vec<Column> {
+    pub fn columns(&self, rows: &mut Rows, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Vec<Column> {
         let mut columns: Vec<Column> = COLUMNS
             .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
             .into();

@@ -17,9 +17,10 @@ use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 
-use crate::study::Study;
 use crate::error::StudyError;
+use crate::liquids::{NOTABLE, unresolved};
 use crate::start::slaved_order;
+use crate::study::Study;
 use crate::watch::Watch;
 use ageing::Ageing;
 use road::History;
@@ -97,9 +98,7 @@ pub fn follow(
     } else {
         History::None
     };
-    if let Some(resolution) = &study.resolution {
-        ageing.verdict.add_shape(resolution.error);
-    }
+    ageing.verdict.close(approximated(study));
     let evolution = ageing.evolution();
     let from = match &run {
         History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,
@@ -134,6 +133,13 @@ pub fn follow(
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.momentum / ageing.principal.moments[2]);
     Ok((EvolutionRecord { estimates, ..record }, notes))
+}
+
+/// What of a body is approximated so that a reader must know, with its error: a solid, or the flow of liquids.
+fn approximated(study: &Study) -> Option<(&'static str, f64)> {
+    let solid = study.resolution.as_ref().map(|resolution| ("the solid", resolution.error));
+    let liquids = study.liquids.iter().map(unresolved).fold(0.0, f64::max);
+    solid.or((liquids > NOTABLE).then_some(("the flow", liquids)))
 }
 
 /// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.

@@ -8,8 +8,8 @@ use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRec
 use super::Asked;
 use super::ageing::Ageing;
 use super::rows::Rows;
-use crate::words::{count, dissipation, significant, time};
 use crate::layout::paragraph;
+use crate::words::{count, dissipation, significant, time};
 
 /// Rows of the table for people.
 const ROWS: usize = 11;

@@ -9,6 +9,7 @@ mod full;
 mod keeper;
 mod layer;
 mod layout;
+mod nutation;
 mod quadrature;
 mod reduced;
 mod run;
@@ -25,6 +26,7 @@ pub use external::Forced;
 pub use form::Form;
 pub use full::{FullState, propagate_full};
 pub use layer::{BoundaryLayer, FastPart, composite_spin, matched_start};
+pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;
 pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
 pub use slow::{

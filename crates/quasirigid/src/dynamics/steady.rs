@@ -74,7 +74,7 @@ pub fn all_steady_spins(body: &ReducedBody, momentum: f64) -> SteadySpins {
 }
 
 /// Solves `Ω(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
-fn steady_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64>> {
+pub(super) fn steady_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64>> {
     let mut K = G * Vector3::from(axis);
     let spin = Vector3::from(Omega.vector(K.into()));
     let mut rate = spin.dot(&K) / (G * G);

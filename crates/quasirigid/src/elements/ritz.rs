@@ -14,10 +14,12 @@ use crate::model::{Invariants, Pair, Rheology};
 
 /// A homogeneous elastic solid, for displacements that are polynomials of the place. (G9)
 ///
-/// Places are from the centre of mass, over a `scale` along each axis of the file's frame.
+/// Places are from the centre of mass, `ξ` over a `scale` along each of the solid's own axes; displacements are in the file's frame.
 pub(super) struct Solid<'a> {
     pub material: &'a Material,
-    /// Lengths (m) of about half the solid along each axis.
+    /// Its own axes, as columns.
+    pub axes: Matrix3<f64>,
+    /// Lengths (m) of about half the solid along each of them.
     pub scale: [f64; 3],
     /// `∫ ξ^i η^k ζ^l dV` (m³).
     pub moment: &'a dyn Fn([usize; 3]) -> f64,
@@ -32,6 +34,7 @@ pub(super) struct Ritz {
     polynomials: Polynomials,
     /// Displacement of each coordinate: a row per axis, a column per polynomial.
     fields: Vec<Matrix3xX<f64>>,
+    axes: Matrix3<f64>,
     scale: [f64; 3],
 }
 
@@ -79,6 +82,7 @@ impl Solid<'_> {
             growth: growth(&forward, degree),
             polynomials,
             fields,
+            axes: self.axes,
             scale: self.scale,
         })
     }
@@ -123,7 +127,7 @@ impl Solid<'_> {
                 (0..4).for_each(|a| position[(axis, a)] = shares[a]);
             }
         }
-        position
+        self.axes * position
     }
 
     /// `C` over the displacements `φ_a e_i`, numbered `3a + i`. (G4)
@@ -150,13 +154,17 @@ impl Solid<'_> {
         stiffness
     }
 
-    /// Derivatives along each axis, as combinations of the polynomials.
+    /// Derivatives along each axis of the file's frame, as combinations of the polynomials.
     fn slopes(&self, polynomials: &Polynomials) -> [DMatrix<f64>; 3] {
         let factor = polynomials.coefficients.transpose().lu();
-        [0, 1, 2].map(|axis| {
+        let own = [0, 1, 2].map(|axis| {
             let derived = polynomials.derived(axis) / self.scale[axis];
             // derived = slope · coefficients
             factor.solve(&derived.transpose()).unwrap_or(derived).transpose()
+        });
+        [0, 1, 2].map(|axis| {
+            let share = |own_axis: usize| self.axes[(axis, own_axis)] * &own[own_axis];
+            share(0) + share(1) + share(2)
         })
     }
 }
@@ -192,6 +200,7 @@ impl Ritz {
 
     /// Displacement of a place (m from the centre of mass) per unit of each coordinate.
     pub fn shapes(&self, place: [f64; 3]) -> Vec<(usize, [f64; 3])> {
+        let place = self.axes.tr_mul(&Vector3::from(place));
         let power = |exponents: &[usize; 3]| -> f64 {
             (0..3).map(|axis| (place[axis] / self.scale[axis]).powi(exponents[axis] as i32)).product()
         };
@@ -355,7 +364,12 @@ mod tests {
         for degree in [3, 4, 5, 7] {
             let scale = [1.5, 1.3, 0.9];
             let material = rock();
-            let solid = Solid { material: &material, scale, moment: &|exponents| moment(scale, exponents) };
+            let solid = Solid {
+                material: &material,
+                axes: Matrix3::identity(),
+                scale,
+                moment: &|exponents| moment(scale, exponents),
+            };
             let ritz = solid.ritz(degree).unwrap();
             let close = |found: f64, expected: f64| {
                 assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}")

@@ -3,8 +3,8 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::{
-    Advection, CurvedPaths, Displaced, Dissipator, Invariants, LiquidMemory, Rheology, Support, Watched,
-    Wheels,
+    Advection, CurvedPaths, Displaced, Dissipator, Invariants, LiquidMemory, PartMass, Rheology, Support,
+    Watched, Wheels,
 };
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
@@ -29,6 +29,7 @@ pub struct FlexibleBody {
     memories: Vec<LiquidMemory>,
     advections: Vec<Advection>,
     watched: Watched,
+    part_masses: Vec<PartMass>,
     factor: Cholesky,
     /// Number of elastic coordinates, and the factor of the damping of the others.
     elastic: usize,
@@ -49,6 +50,12 @@ pub struct Coordinate {
 }
 
 impl Coordinate {
+    /// Whether it is a displacement of a whole structure, of which [`FlexibleBody::part_masses`] says what moves.
+    #[must_use]
+    pub fn is_shape(&self) -> bool {
+        self.name.starts_with("shape ")
+    }
+
     /// Name of the part that it moves, as the model file has it.
     #[must_use]
     pub fn part(&self) -> &str {
@@ -178,6 +185,7 @@ impl FlexibleBody {
             memories,
             advections: Vec::new(),
             watched: Watched::default(),
+            part_masses: Vec::new(),
             factor,
             elastic,
             friction,
@@ -218,6 +226,18 @@ impl FlexibleBody {
         &self.watched
     }
 
+    /// The same body with the mass of each part of its structure.
+    #[must_use]
+    pub fn made_of(self, part_masses: Vec<PartMass>) -> Self {
+        Self { part_masses, ..self }
+    }
+
+    /// Mass of each part of its structure. (M5)
+    #[must_use]
+    pub fn part_masses(&self) -> &[PartMass] {
+        &self.part_masses
+    }
+
     /// What has left the range in which the equations hold at these coordinates; none if nothing has. (K14)
     #[must_use]
     pub fn left_range(&self, q: &[f64]) -> Option<Displaced> {
@@ -253,7 +273,8 @@ impl FlexibleBody {
         Ok(stiffened?
             .along(self.paths.clone())
             .advected(self.advections.clone())
-            .watching(self.watched.clone()))
+            .watching(self.watched.clone())
+            .made_of(self.part_masses.clone()))
     }
 
     /// The same body with its cyclic coordinates locked.
@@ -318,7 +339,11 @@ impl FlexibleBody {
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates.len(), &kept));
         let body = Self::new(parts).expect("a block of a positive definite matrix is positive definite");
         let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
-        body.along(paths).advected(advections.collect()).watching(self.watched.locked(&kept))
+        let part_masses = self.part_masses.iter().map(|part| part.locked(kept.clone()));
+        body.along(paths)
+            .advected(advections.collect())
+            .watching(self.watched.locked(&kept))
+            .made_of(part_masses.collect())
     }
 
     /// How the body is held.

@@ -32,6 +32,9 @@ const ROUNDING: f64 = 1e-12;
 pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
     let mut best = f64::INFINITY;
     for step in 0..STEPS {
+        if !lambda.is_finite() {
+            return None;
+        }
         let factor = ComplexLu::new(&problem.at(lambda))?;
         let h = Complex::from(STEP * lambda.norm());
         let ahead = times(&problem.at(lambda + h), &x);

@@ -4,7 +4,7 @@ use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::iteration::{Pair, belongs};
 use super::pencil::Pencil;
-use super::shares::{dissipation, leading, listed, moving, tellable};
+use super::shares::{dissipation, form, leading, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::sym::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
@@ -116,7 +116,7 @@ impl SpinModes {
         for i in nutation.into_iter().chain(others) {
             let motion = &found[i];
             if Some(i) != nutation {
-                internal.push([-motion.lambda.re, motion.lambda.im]);
+                internal.push([frame.decay_of_motion(motion), motion.lambda.im]);
             }
             let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
             let refined = if again(i) { pencil.refined(start.clone()) } else { None };
@@ -237,8 +237,8 @@ impl Frame<'_> {
             size(a).total_cmp(&size(b))
         });
         let largest = largest.filter(|(_, rate)| rate.norm_sqr() > 0.0).map(|(j, _)| j);
-        let leading = leading(self.body, &moved, largest, &liquids).unwrap_or("spin");
-        let name = if nutation { "nutation" } else { leading }.to_owned();
+        let leading = leading(self.body, &moved, largest, &liquids).unwrap_or_else(|| "spin".to_owned());
+        let name = if nutation { "nutation".to_owned() } else { leading };
         let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
@@ -272,6 +272,20 @@ impl Frame<'_> {
         let second = self.second_variation(delta, rate, q);
         let size = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
         if second.abs() > CANCELLED * size { lost / (2.0 * second) } else { found }
+    }
+
+    /// Decay rate in the equations of motion, where dashpots alone dissipate: from their balance of energy where the motion oscillates,
+    /// so that one without loss neither decays nor grows by rounding. (M4)
+    fn decay_of_motion(&self, Eigenmotion { lambda, delta, rate, q }: &Eigenmotion) -> f64 {
+        let second = self.second_variation(*delta, rate, q);
+        let size = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
+        let balanced = lambda.im.abs() > lambda.re.abs() && second.abs() > CANCELLED * size;
+        let (decay, rounding) = if balanced {
+            (form(self.body.damping(), rate) / (2.0 * second), f64::EPSILON)
+        } else {
+            (-lambda.re, ROUNDING)
+        };
+        if decay.abs() > rounding * lambda.norm() { decay } else { 0.0 }
     }
 
     /// Second variation of the energy at the angular momentum of the steady spin: conserved where nothing is lost. (M4)

@@ -25,16 +25,22 @@ pub(super) fn moving(
     let (re, im) = (body.mass_times(&re), body.mass_times(&im));
     let mut K = sym::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
     let mut parts: Vec<(String, f64)> = vec![("body".to_owned(), 0.0)];
+    let mut of_structure = 0.0;
     for (j, coordinate) in body.coordinates().iter().enumerate() {
         let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
         let momentum = Complex::new(re[j], im[j]) + turned;
         let energy = (rate[j].conj() * momentum).re;
         (0..3).for_each(|axis| K[axis] += rate[j] * h[j][axis]);
+        if coordinate.is_shape() {
+            of_structure += energy;
+            continue;
+        }
         match parts[1..].iter_mut().find(|(name, _)| name == coordinate.part()) {
             Some((_, sum)) => *sum += energy,
             None => parts.push((coordinate.part().to_owned(), energy)),
         }
     }
+    parts.extend(split(body, rate, of_structure));
     for (liquid, lambda, angles) in liquids {
         let name = body.coordinates()[liquid.coordinates.start].part();
         let mut energy = 0.0;
@@ -53,13 +59,34 @@ pub(super) fn moving(
     parts
 }
 
-/// Name of what moves most beside the body: a coordinate, or a liquid with more kinetic energy than the coordinate's part.
-pub(super) fn leading<'a>(
-    body: &'a FlexibleBody,
+/// The energy of a structure, given to its parts as they have it relative to the body.
+fn split(body: &FlexibleBody, rate: &[Complex<f64>], energy: f64) -> Vec<(String, f64)> {
+    let own: Vec<f64> = body.part_masses().iter().map(|part| form(&part.mass, rate).max(0.0)).collect();
+    let sum: f64 = own.iter().sum();
+    if !(sum > 0.0) {
+        return if energy == 0.0 { Vec::new() } else { vec![("structure".to_owned(), energy)] };
+    }
+    let parts = body.part_masses().iter().zip(own);
+    parts.map(|(part, own)| (part.name.clone(), energy * own / sum)).collect()
+}
+
+/// Names of the parts that move most in a structure: all with at least half of the energy of the first.
+fn parts_that_move(body: &FlexibleBody, moved: &[(String, f64)]) -> String {
+    let of_structure = |name: &str| body.part_masses().iter().any(|part| part.name == name);
+    let own = moved.iter().filter(|(name, _)| of_structure(name));
+    let most = own.clone().fold(0.0_f64, |most, (_, energy)| most.max(energy.abs()));
+    let names = own.filter(|(_, energy)| energy.abs() >= 0.5 * most).map(|(name, _)| format!("{name:?}"));
+    names.collect::<Vec<_>>().join(" and ")
+}
+
+/// Name of what moves most beside the body: a coordinate, parts of a structure, or a liquid with more kinetic energy than the
+/// coordinate's part.
+pub(super) fn leading(
+    body: &FlexibleBody,
     moved: &[(String, f64)],
     largest: Option<usize>,
     liquids: &[Turning<'_>],
-) -> Option<&'a str> {
+) -> Option<String> {
     let energy =
         |part: &str| moved.iter().find(|(name, _)| name == part).map_or(0.0, |(_, energy)| energy.abs());
     let flowing = liquids
@@ -67,8 +94,13 @@ pub(super) fn leading<'a>(
         .map(|(liquid, ..)| body.coordinates()[liquid.coordinates.start].part())
         .max_by(|a, b| energy(a).total_cmp(&energy(b)));
     let own = largest.map(|j| &body.coordinates()[j]);
-    let own = own.filter(|own| flowing.is_none_or(|liquid| energy(own.part()) >= energy(liquid)));
-    own.map(|own| own.name.as_str()).or(flowing)
+    let own =
+        own.filter(|own| own.is_shape() || flowing.is_none_or(|liquid| energy(own.part()) >= energy(liquid)));
+    let named = own.map(|own| match own.is_shape() && !body.part_masses().is_empty() {
+        true => parts_that_move(body, moved),
+        false => own.name.clone(),
+    });
+    named.or_else(|| flowing.map(str::to_owned))
 }
 
 /// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
@@ -88,6 +120,17 @@ pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize)
     liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
 }
 
+/// `xᴴBx` of a symmetric matrix, positive semi-definite; zero where it is rounding of its terms, whose sign says nothing.
+pub(super) fn form(matrix: &SparseRows<f64>, x: &[Complex<f64>]) -> f64 {
+    let (mut sum, mut size) = (0.0, 0.0);
+    for (j, k, entry) in matrix.iter() {
+        let term = entry * (x[j].conj() * x[k]).re;
+        sum += term;
+        size += term.abs();
+    }
+    if sum.abs() > matrix.size() as f64 * f64::EPSILON * size { sum } else { 0.0 }
+}
+
 /// Twice the mean power that each dissipator takes from a motion `e^{λt}`, by name.
 pub(super) fn dissipation(
     body: &FlexibleBody,
@@ -97,9 +140,7 @@ pub(super) fn dissipation(
     liquids: &[Turning<'_>],
 ) -> Vec<(String, f64)> {
     let square = lambda.norm_sqr();
-    let form = |matrix: &SparseRows<f64>| -> f64 {
-        matrix.iter().map(|(j, k, entry)| entry * (q[j].conj() * q[k]).re).sum()
-    };
+    let form = |matrix: &SparseRows<f64>| form(matrix, q);
     let mut lost: Vec<(String, f64)> = body
         .dissipators()
         .iter()

@@ -4,6 +4,7 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod compare;
+mod envelope;
 mod evolution;
 mod forced;
 mod ray;

@@ -11,9 +11,9 @@ use super::choice::Choice;
 use super::full::REFUSED;
 use super::ground::Ground;
 use super::verdict::Road;
-use crate::words::{significant, time};
-use crate::evolution::ageing::Ageing;
 use crate::error::StudyError;
+use crate::evolution::ageing::Ageing;
+use crate::words::{significant, time};
 
 /// Places of the way at which parametric resonance is looked for.
 const LOOKS: usize = 4;
@@ -80,7 +80,10 @@ impl Choice<'_> {
     }
 
     /// Short runs of the full system on the way; none of a body that is stiff, or has no equations of motion for what it loses.
-    pub fn probes(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Option<&Probes>, StudyError> {
+    pub fn probes(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<&Probes>, StudyError> {
         if let Some(probes) = self.probes.get() {
             return Ok(probes.as_ref());
         }

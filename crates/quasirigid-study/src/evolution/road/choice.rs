@@ -7,8 +7,8 @@ use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 use super::ground::Ground;
 use super::verdict::Road;
 use super::way::Way;
-use crate::evolution::ageing::Ageing;
 use crate::error::StudyError;
+use crate::evolution::ageing::Ageing;
 
 /// Revolutions of a history of the full system that is chosen at once, and that is tried where nothing else holds.
 const FEW: f64 = 3_000.0;

@@ -9,8 +9,8 @@ use quasirigid::secular::{
 use super::choice::{Choice, MANY};
 use super::ground::Ground;
 use super::verdict::Road;
-use crate::words::{significant, time};
 use crate::error::StudyError;
+use crate::words::{significant, time};
 
 /// Steps of a history.
 const STEPS: u64 = 30_000_000;

@@ -5,11 +5,11 @@ use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
 use quasirigid::modes::SpinMode;
 use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
 
-use crate::study::Study;
-use crate::words::time;
 use crate::error::StudyError;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
+use crate::study::Study;
+use crate::words::time;
 
 /// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {

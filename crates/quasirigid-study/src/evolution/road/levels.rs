@@ -8,9 +8,9 @@ use quasirigid_io::model::Target;
 
 use super::choice::Choice;
 use super::verdict::Road;
+use crate::evolution::Asked;
 use crate::study::Study;
 use crate::words::time;
-use crate::evolution::Asked;
 
 /// Relative change of a difference of moments by elasticity from which levels are followed, largest ratio of spin to frequency, and
 /// least order of the power there.

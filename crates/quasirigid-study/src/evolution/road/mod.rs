@@ -19,10 +19,10 @@ use quasirigid_io::model::EvolveMethod;
 
 use super::Asked;
 use super::ageing::Ageing;
-use crate::study::Study;
-use crate::words::significant;
 use crate::error::StudyError;
 use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::significant;
 use choice::Choice;
 use ground::Ground;
 pub use verdict::Verdict;

@@ -5,9 +5,12 @@ use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
 use super::History;
 use super::ground::Ground;
 use super::way::{Levels, Way};
-use crate::words::significant;
 use crate::evolution::ageing::Ageing;
 use crate::resolution::{NOTHING, known};
+use crate::words::significant;
+
+/// Least error of a time that is told.
+const LEAST: f64 = 1e-6;
 
 /// The road taken, and what it knows beside the power.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +19,8 @@ pub struct Verdict {
     pub road: &'static str,
     /// Why, and how far it holds.
     pub sentence: String,
+    /// What judges the time, in words that may be none, until all its errors are known and the sentence is closed with them.
+    pub judge: Option<&'static str>,
     /// Estimate of the relative error of the time.
     pub error: Option<f64>,
     /// Rates (1/s) of the modes: growth about the axis of least inertia, decay about that of greatest.
@@ -42,15 +47,33 @@ impl Verdict {
         Some(if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY })
     }
 
-    /// Adds the error of the dissipation of a shape: a time is as wrong as its power.
-    pub fn add_shape(&mut self, error: f64) {
-        self.error = Some(self.error.unwrap_or(0.0) + error);
-        let words = format!("The solid is approximated: {}.", known(error));
-        if error > NOTHING {
+    /// Closes the sentence with how good the time is: one number of the road and of what is approximated, by its name, since a time is as
+    /// wrong as its power.
+    pub fn close(&mut self, approximated: Option<(&str, f64)>) {
+        let (what, shape) = (approximated.map(|(what, _)| what), approximated.map(|(_, error)| error));
+        self.error = shape.map_or(self.error, |shape| Some(self.error.unwrap_or(0.0) + shape));
+        let (judge, error) = (self.judge.take(), self.error.unwrap_or(0.0));
+        let words = match (judge, shape) {
+            (None, None) => String::new(),
+            (_, Some(_)) if !error.is_finite() => {
+                format!("{} is approximated: {}.", what.unwrap_or_default(), known(error))
+            }
+            _ => {
+                let approximation = what.map(|what| format!("the approximation of {what}"));
+                let judges = approximation.into_iter().chain(judge.map(str::to_owned));
+                let judges: Vec<String> = judges.filter(|words| !words.is_empty()).collect();
+                let by =
+                    if judges.is_empty() { String::new() } else { format!("by {} ", judges.join(" and ")) };
+                format!("{by}the time is good to {} %.", significant(100.0 * error.max(LEAST), 2))
+            }
+        };
+        self.sentence = match judge {
+            Some(_) => format!("{}; {words}", self.sentence),
+            None => format!("{} {}", self.sentence, capital(&words)).trim().into(),
+        };
+        if shape.is_some_and(|shape| shape > NOTHING) {
             self.fails = true;
-            self.sentence = format!("THE SHAPE IS NOT RESOLVED. {words} {}", self.sentence).trim_end().into();
-        } else {
-            self.sentence = format!("{} {words}", self.sentence).trim_start().into();
+            self.sentence = format!("THE SHAPE IS NOT RESOLVED. {}", self.sentence);
         }
     }
 
@@ -90,10 +113,8 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
         Road::Average { error } => {
             ageing.begin(way.settled);
             ageing.verdict = Verdict {
-                sentence: format!(
-                    "Averaged along the polhode; by the modes about the steady spins the time is good to {} %.",
-                    significant(100.0 * error.max(1e-6), 2)
-                ),
+                sentence: "Averaged along the polhode".into(),
+                judge: Some("the modes about the steady spins"),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::average(Some(error))
@@ -116,10 +137,9 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
             ageing.source = power;
             ageing.verdict = Verdict {
                 road: "modes",
-                sentence: format!(
-                    "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them; the time is good to {} %.",
-                    significant(100.0 * error, 2)
-                ),
+                sentence: "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them"
+                    .into(),
+                judge: Some(""),
                 error: Some(error),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
@@ -134,15 +154,15 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
                 road: "micro-runs",
                 sentence: format!(
                     "What moves inside is too heavy or too soft for an average: the mean power was measured in {} short runs of the \
-                     full system; the time is good to {} %.",
-                    power.measurements.len(),
-                    significant(100.0 * error, 2)
+                     full system",
+                    power.measurements.len()
                 ),
+                judge: Some(""),
                 error: Some(error),
                 budget: first.map(|first| names(&first.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
-                fails: false,
+                ..Verdict::default()
             };
             ageing.take(power, &ground.range, way.energies[0]);
             if let Some(row) = settled {
@@ -159,7 +179,7 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
                 budget: Some(names(&run.budget, &way.dissipators)),
                 rates: ageing.verdict.rates,
                 parametric: ageing.verdict.parametric.take(),
-                fails: false,
+                ..Verdict::default()
             };
             ageing.take(Box::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
             History::Full(run, ground.range.clone())
@@ -174,6 +194,11 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
             History::Levels(passage)
         }
     }
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Why an average does not hold, in words.

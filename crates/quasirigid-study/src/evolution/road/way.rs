@@ -2,9 +2,9 @@ use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
 use quasirigid::dynamics::FullState;
 
 use super::ground::Ground;
+use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::evolution::ageing::Ageing;
-use crate::error::StudyError;
 
 /// Effective moments alone: what places a stage, without a power.
 pub struct Levels(pub [f64; 3]);

@@ -40,8 +40,8 @@ const UNDETERMINED: f64 = 1e-10;
 
 impl SlowEnergy {
     pub fn of(body: &ReducedBody, G: f64) -> Self {
-        let even = parity(&body.energy_of_momentum, 0);
-        let gradient = deviator(&gradient(&even), G);
+        let even = body.energy_of_momentum.even();
+        let gradient = deviator(&even.gradient(), G);
         let half_mean = 0.5 * sym::inverse(body.J)[..3].iter().sum::<f64>() / 3.0;
         let ratio = speed_ratio(body, &gradient, G);
         let mut field = Series::zero(gradient.degree().max(ratio.degree()), 4);
@@ -62,8 +62,8 @@ impl SlowEnergy {
             energy: Kernel::new(&potential(&even, half_mean, G)),
             field: Kernel::new(&field),
             gradient,
-            Omega: Kernel::new(&parity(&body.Omega, 1).stretched(G)),
-            power: Kernel::new(&parity(&body.power, 0)),
+            Omega: Kernel::new(&body.Omega.odd().stretched(G)),
+            power: Kernel::new(&body.power.even()),
             fastest: 0.0,
             largest_power: 0.0,
             fastest_turning: 0.0,
@@ -109,27 +109,6 @@ impl SlowEnergy {
     }
 }
 
-/// The degrees of one parity.
-fn parity(series: &Series, remainder: usize) -> Series {
-    let mut kept = Series::zero(series.degree(), series.rows());
-    for degree in (0..=series.degree()).filter(|degree| degree % 2 == remainder) {
-        kept.set(series.part(degree).clone());
-    }
-    kept
-}
-
-fn gradient(energy: &Series) -> Series {
-    let mut gradient = Series::zero(energy.degree().saturating_sub(1), 3);
-    for degree in 1..=energy.degree() {
-        let mut part = Homogeneous::zero(degree - 1, 3);
-        for axis in 0..3 {
-            part.add_row(axis, 1.0, (&energy.part(degree).partial(axis), 0));
-        }
-        gradient.set(part);
-    }
-    gradient
-}
-
 /// `h` on the unit sphere.
 fn potential(even: &Series, half_mean: f64, G: f64) -> Series {
     let mut centred = even.clone();
@@ -156,7 +135,7 @@ fn speed_ratio(body: &ReducedBody, gradient: &Series, G: f64) -> Series {
     if highest == 0 {
         return ratio;
     }
-    let conservative = deviator(&parity(&body.Omega, 1), G);
+    let conservative = deviator(&body.Omega.odd(), G);
     let monomials: Vec<[usize; 3]> = (lowest..=highest).flat_map(exponents).collect();
     let (mut rows, mut gap) = (DMatrix::zeros(3 * FITTED, monomials.len()), DVector::zeros(3 * FITTED));
     for (i, u) in directions(FITTED).enumerate() {

@@ -46,6 +46,14 @@ pub enum LevelError {
         "the level of the slow energy could not be followed from here: it lies on a separatrix; move the start a little"
     )]
     Open,
+    /// A wobble so small that its energy is lost in rounding.
+    #[error(
+        "a wobble of {angle} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
+    )]
+    TooSmall {
+        /// The wobble (rad).
+        angle: f64,
+    },
     /// A wobble about a family of steady spins.
     #[error(
         "the steady spins that attract form a family, and a wobble about them has no angle; give a duration or a share of the energy"

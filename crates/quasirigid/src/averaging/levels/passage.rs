@@ -111,10 +111,16 @@ impl LevelEvolution {
             time: 0.0,
             turns: 0.0,
         };
-        let ending = making.run(h, until)?;
-        making.passage(ending, rows)
+        let followed = making.run(h, until).and_then(|ending| making.passage(ending, rows));
+        followed.map_err(|error| match (error, until) {
+            (LevelError::Open, Until::Wobble(angle)) if angle < SMALLEST => LevelError::TooSmall { angle },
+            (error, _) => error,
+        })
     }
 }
+
+/// Wobbles (rad) above this have an energy that stands out of rounding.
+const SMALLEST: f64 = 1e-6;
 
 impl Making<'_> {
     fn run(&mut self, start: f64, until: Until) -> Result<LevelEnding, LevelError> {

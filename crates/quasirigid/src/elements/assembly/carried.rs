@@ -98,6 +98,9 @@ impl Assembly {
         let body = body
             .advected(whole.inner.advections.clone())
             .watching(Watched { reaches, hinges: self.watched(&whole.starts)? });
+        let all = body.coordinates().len();
+        let parts = whole.component.as_ref().map(|component| component.part_masses(start, all));
+        let body = body.made_of(parts.unwrap_or_default());
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
         Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })

@@ -41,6 +41,7 @@ impl Assembly {
             Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
         let pulled = net.pulled(&component, 0);
         let reaches = net.reaches(&pulled);
+        let parts = if exact.is_none() { component.part_masses(0, size) } else { Vec::new() };
         let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
         let marker = |end: End| match end {
             End::Carrier | End::Hinged(_) => None,
@@ -71,7 +72,7 @@ impl Assembly {
             at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
         });
         Ok(Built {
-            body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }),
+            body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }).made_of(parts),
             forces,
             condensation: Some(component.condensation()),
             speeds: Vec::new(),

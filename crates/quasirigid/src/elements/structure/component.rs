@@ -2,11 +2,13 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::basis::Basis;
 use super::curvature::Curvature;
-use super::discrete::{Discrete, Structure, times};
+use super::discrete::{Discrete, Structure};
 use super::freedoms::{Freedoms, Unknown};
 use super::grains::Whole;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
+use super::masses::Scaled;
+use super::owned;
 use super::paths::Paths;
 use super::solver::{Solver, Unsolved};
 use crate::elements::matrices::Block;
@@ -16,7 +18,7 @@ use crate::math::eigen::NoConvergence;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
-use crate::model::{Coordinate, CurvedPaths, Invariants, Pair};
+use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
 
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
 #[derive(Clone, Debug)]
@@ -31,6 +33,8 @@ pub(in crate::elements) struct Component {
     products: Vec<Vec<Matrix3<f64>>>,
     /// Mass matrix: the traces of the products, and the inertia of freedoms that have no displacement.
     masses: DMatrix<f64>,
+    /// Those of each part.
+    owned: Vec<(String, DMatrix<f64>)>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
     /// Their second order point by point; none if they are straight, or those of a panel or a solid.
@@ -103,7 +107,8 @@ impl Structure {
         let wanted = stacked(&statics, &pulls);
         let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
         basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
-        let fields = scaled(&discrete, basis.displacements(forces.ncols()), whole.mass);
+        let Scaled { fields, masses } =
+            Scaled::new(&discrete, basis.displacements(forces.ncols()), whole.mass);
         let works = &fields * forces.transpose();
         let energies: Vec<f64> =
             fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
@@ -116,8 +121,9 @@ impl Structure {
             sums,
             moments,
             products: by_pair(&discrete.products(&fields)),
-            masses: &fields * times(&discrete.mass, &fields).transpose(),
+            masses,
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
+            owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
             stations: stations(&discrete, &fields, purpose.stations),
             unknowns: fields.ncols(),
@@ -240,6 +246,19 @@ impl Component {
         })
     }
 
+    /// Mass of each part over the coordinates, numbered from `start`, of a body that has so many.
+    pub fn part_masses(&self, start: usize, all: usize) -> Vec<PartMass> {
+        let entries = |mass: &DMatrix<f64>| {
+            let places = (0..mass.nrows()).flat_map(|j| (0..mass.ncols()).map(move |k| (j, k)));
+            places.map(|(j, k)| (start + j, start + k, mass[(j, k)])).collect()
+        };
+        let part = |(name, mass): &(String, DMatrix<f64>)| PartMass {
+            name: name.clone(),
+            mass: SparseRows::sum(all, entries(mass)),
+        };
+        self.owned.iter().map(part).collect()
+    }
+
     /// Displacement of a station per unit of each coordinate, numbered from `start`.
     pub fn shapes(&self, station: usize, start: usize) -> Vec<(usize, [f64; 3])> {
         self.stations[station].iter().enumerate().map(|(j, shape)| (start + j, *shape)).collect()
@@ -264,16 +283,6 @@ fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
     all.rows_mut(0, above.nrows()).copy_from(above);
     all.rows_mut(above.nrows(), below.nrows()).copy_from(below);
     all
-}
-
-/// Displacements with an rms of one, over the mass of the structure.
-fn scaled(discrete: &Discrete<'_>, mut fields: DMatrix<f64>, mass: f64) -> DMatrix<f64> {
-    let forces = times(&discrete.mass, &fields);
-    for j in 0..fields.nrows() {
-        let rms = (fields.row(j).dot(&forces.row(j)) / mass).sqrt();
-        fields.row_mut(j).scale_mut(rms.recip());
-    }
-    fields
 }
 
 fn energy(discrete: &Discrete<'_>, field: &nalgebra::RowDVector<f64>) -> f64 {

@@ -1,7 +1,7 @@
-use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::discrete::{Discrete, times};
-use super::freedoms::Unknown;
+use super::rigid::{Resistance, Rigid};
 use crate::math::eigen::NoConvergence;
 use crate::math::factor::{Analysis, Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
@@ -13,6 +13,8 @@ pub(super) struct Solver {
     factor: Factor,
     /// Motions as a rigid body, of a structure that floats.
     rigid: Option<Rigid>,
+    /// What resists them.
+    resistance: Option<Resistance>,
 }
 
 /// Why a structure has no solver.
@@ -38,13 +40,6 @@ fn factor(matrix: &Symmetric) -> Result<Factor, Unsolved> {
     Ok(analysis.factor(precision)?)
 }
 
-/// The six motions of a structure as a rigid body, a row each, and their forces of inertia.
-struct Rigid {
-    fields: DMatrix<f64>,
-    forces: DMatrix<f64>,
-    inverse: Matrix6<f64>,
-}
-
 impl Solver {
     /// The solver of a structure, floating or held.
     ///
@@ -52,10 +47,12 @@ impl Solver {
     /// [`Unsolved`] holds a motion that meets no stiffness, or says how much memory the factor needs.
     pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, Unsolved> {
         if !floating {
-            return Ok(Self { factor: factor(&discrete.total)?, rigid: None });
+            return Ok(Self { factor: factor(&discrete.total)?, rigid: None, resistance: None });
         }
         let rigid = Rigid::new(discrete);
-        Ok(Self { factor: factor(&pinned(discrete))?, rigid: Some(rigid) })
+        let factor = factor(&pinned(discrete))?;
+        let resistance = Resistance::new(discrete, &rigid, &factor)?;
+        Ok(Self { factor, rigid: Some(rigid), resistance })
     }
 
     /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and
@@ -69,6 +66,9 @@ impl Solver {
             return forces;
         }
         self.factor.solve(forces.as_mut_slice(), width);
+        if let Some(resistance) = &self.resistance {
+            resistance.correct(&mut forces);
+        }
         if let Some(rigid) = &self.rigid {
             rigid.settle(&mut forces);
         }
@@ -87,7 +87,7 @@ impl Solver {
             let found = self.answers(DMatrix::from_row_slice(1, size, x));
             x.copy_from_slice(found.as_slice());
         };
-        let stiffness = |x: &[f64]| discrete.total.times(x);
+        let stiffness = |x: &[f64]| self.stiffness(discrete, x);
         let mass = |x: &[f64]| discrete.mass.times(x);
         let pencil = Pencil { size, stiffness: &stiffness, solve: &answer, mass: &mass };
         let found = if count == 0 { Vec::new() } else { pencil.largest(count)? };
@@ -97,44 +97,16 @@ impl Solver {
         }
         Ok(modes)
     }
-}
 
-impl Rigid {
-    fn new(discrete: &Discrete<'_>) -> Self {
-        let center = discrete.structure.middle();
-        let nodes = &discrete.structure.nodes;
-        let unknowns = discrete.freedoms.unknowns();
-        let mut fields = DMatrix::zeros(6, unknowns.len());
-        for (column, unknown) in unknowns.iter().enumerate() {
-            if let Unknown::Node(node, component) = *unknown {
-                let motion = motions(nodes[node].place - center);
-                fields.column_mut(column).copy_from(&motion.column(component));
-            }
-        }
-        let forces = times(&discrete.mass, &fields);
-        let matrix = Matrix6::from_fn(|i, j| fields.row(i).dot(&forces.row(j)));
-        let inverse = matrix.try_inverse().unwrap_or_else(Matrix6::zeros);
-        Self { fields, forces, inverse }
+    /// `Pᵀ C P x` where something resists a rigid motion, else `C x`, which is the same. (K15)
+    fn stiffness(&self, discrete: &Discrete<'_>, x: &[f64]) -> Vec<f64> {
+        let (Some(rigid), Some(_)) = (&self.rigid, &self.resistance) else { return discrete.total.times(x) };
+        let mut settled = DMatrix::from_row_slice(1, x.len(), x);
+        rigid.settle(&mut settled);
+        let mut forces = times(&discrete.total, &settled);
+        rigid.balance(&mut forces);
+        forces.as_slice().to_vec()
     }
-
-    /// Takes from the forces those of the rigid acceleration that they cause.
-    fn balance(&self, forces: &mut DMatrix<f64>) {
-        let shares = &*forces * self.fields.transpose() * self.inverse;
-        forces.gemm(-1.0, &shares, &self.forces, 1.0);
-    }
-
-    /// Takes from the displacements their part as a rigid body.
-    fn settle(&self, displacements: &mut DMatrix<f64>) {
-        let shares = &*displacements * self.forces.transpose() * self.inverse;
-        displacements.gemm(-1.0, &shares, &self.fields, 1.0);
-    }
-}
-
-/// Displacement and rotation of a place `s` from the centre in each of the six motions, a row each.
-fn motions(s: Vector3<f64>) -> SMatrix<f64, 6, 6> {
-    let mut motions = SMatrix::<f64, 6, 6>::identity();
-    motions.fixed_view_mut::<3, 3>(3, 0).copy_from(&s.cross_matrix());
-    motions
 }
 
 /// The stiffness with six pins: enough to hold a rigid body, and too few to strain one. (K7)

@@ -1,11 +1,11 @@
 //! Which functions a solid is approximated by.
 
 use super::elements::Meshed;
-use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes};
+use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::ritz::Ritz;
-use crate::math::meshing::{Neck, necks};
+use crate::math::meshing::{Neck, graded, necks};
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
@@ -102,21 +102,38 @@ impl Road<'_> {
                 }
             }
         }
-        let first = self.judged(CELLS[0], &necks);
+        self.by_cells(&necks)
+    }
+
+    /// Cells in the one mesh or the other. What necks hide is known before anything is solved.
+    fn by_cells(&self, necks: &[Neck]) -> Result<Found, ElementError> {
+        let hidden = CELLS.map(|cells| {
+            let mesh = graded(&self.surface.surface, necks.first(), cells);
+            mesh.map_or(0.0, |mesh| hidden(&self.surface.surface, &mesh, necks))
+        });
+        let least = hidden[0].min(hidden[1]);
+        if least > REFUSED {
+            return Err(self.unsettled(least));
+        }
+        let first = (hidden[0] <= WANTED).then(|| self.judged(CELLS[0], necks));
         let found = match first {
-            Ok(found) if found.resolution.error <= WANTED => found,
-            first => match (self.judged(CELLS[1], &necks), first) {
-                (Ok(finer), Ok(first)) if first.resolution.error < finer.resolution.error => first,
+            Some(Ok(found)) if found.resolution.error <= WANTED => found,
+            first => match (self.judged(CELLS[1], necks), first) {
+                (Ok(finer), Some(Ok(first))) if first.resolution.error < finer.resolution.error => first,
                 (Ok(finer), _) => finer,
-                (Err(_), Ok(first)) => first,
-                (Err(error), Err(_)) => return Err(error),
+                (Err(error), first) => {
+                    first.unwrap_or_else(|| self.judged(CELLS[0], necks)).map_err(|_| error)?
+                }
             },
         };
         if found.resolution.error > REFUSED {
-            let error = found.resolution.error;
-            return Err(at(Place::Surface(self.index), Field::File)(Problem::Unsettled { error }));
+            return Err(self.unsettled(found.resolution.error));
         }
         Ok(found)
+    }
+
+    fn unsettled(&self, error: f64) -> ElementError {
+        at(Place::Surface(self.index), Field::File)(Problem::Unsettled { error })
     }
 
     /// The first degree at which the compliance has converged, or the highest that rounding leaves.
@@ -127,9 +144,11 @@ impl Road<'_> {
             if best.1.growth < CONVERGED {
                 break;
             }
-            match self.surface.ritz(*degree) {
-                Ok(better) => best = (*degree, better),
-                Err(_) => break,
+            // Rounding may leave the degree between.
+            let ritz = |degree: usize| Some((degree, self.surface.ritz(degree).ok()?));
+            match ritz(*degree).or_else(|| ritz(degree - 1)) {
+                Some(better) => best = better,
+                None => break,
             }
         }
         Ok(best)

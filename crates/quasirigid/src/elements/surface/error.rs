@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::compliance;
 use super::elements::Meshed;
-use crate::math::meshing::Neck;
+use crate::math::meshing::{GradedMesh, Neck};
 use crate::math::surface::ClosedSurface;
 use crate::math::sym::{add, cross, dot, norm, scale};
 
@@ -29,12 +29,17 @@ const MOST_TRIANGLES: usize = 1_000;
 pub(super) fn between_meshes(surface: &ClosedSurface, fine: &Meshed, coarse: &Meshed, necks: &[Neck]) -> f64 {
     let apart = compliance::gap(&compliance::of(&fine.body), &compliance::of(&coarse.body));
     let ratio = (fine.cells as f64 / coarse.cells as f64).cbrt();
-    let hidden = |neck: &Neck| {
-        let width = fine.mesh.width(neck.center);
+    (UNEVEN * apart / (ratio - 1.0)).max(hidden(surface, &fine.mesh, necks)).max(LEAST)
+}
+
+/// What the cells of a mesh hide of necks, whatever its solution. (G12)
+pub(super) fn hidden(surface: &ClosedSurface, mesh: &GradedMesh, necks: &[Neck]) -> f64 {
+    let of = |neck: &Neck| {
+        let width = mesh.width(neck.center);
         let depth = FILLED * width / (2.0 * (0.5 * notch(surface, neck, width)).tan());
         (width / neck.radius).powi(3).max((1.0 + depth / neck.radius).powi(3) - 1.0)
     };
-    (UNEVEN * apart / (ratio - 1.0)).max(necks.iter().map(hidden).sum()).max(LEAST)
+    necks.iter().map(of).sum()
 }
 
 /// Smallest angle (rad) between parts of the surface that face each other across less than a width, at a neck; that of a plane

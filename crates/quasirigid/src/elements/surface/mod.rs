@@ -4,6 +4,8 @@ mod choice;
 mod elements;
 mod error;
 
+use nalgebra::Matrix3;
+
 use super::error::{ElementError, Field, Place, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
@@ -101,15 +103,34 @@ impl Surface {
         }
     }
 
-    /// The polynomials up to a degree.
+    /// The polynomials up to a degree, of places along the principal axes: in a thin body that lies aslant, rounding tells no others apart.
     fn ritz(&self, degree: usize) -> Result<Ritz, Problem> {
-        let [low, high] = self.surface.bounds();
+        let axes = self.axes();
+        let own = self
+            .surface
+            .seen(self.surface.centroid(), [0, 1, 2].map(|axis| axes.column(axis).into_owned().into()));
+        let [low, high] = own.bounds();
         let scale = [0, 1, 2].map(|axis| 0.5 * (high[axis] - low[axis]));
-        let moments = self.surface.moments(2 * degree, self.surface.centroid(), scale);
+        let moments = own.moments(2 * degree, [0.0; 3], scale);
         let unit: f64 = scale.iter().product();
-        let solid =
-            Solid { material: &self.material, scale, moment: &|exponents| unit * moments.of(exponents) };
-        solid.ritz(degree)
+        let moment = |exponents| unit * moments.of(exponents);
+        Solid { material: &self.material, axes, scale, moment: &moment }.ritz(degree)
+    }
+
+    /// Principal axes of inertia, as columns, right-handed.
+    fn axes(&self) -> Matrix3<f64> {
+        let [low, high] = self.surface.bounds();
+        let size = [0, 1, 2].map(|axis| high[axis] - low[axis]).into_iter().fold(0.0, f64::max);
+        let moments = self.surface.moments(2, self.surface.centroid(), [size; 3]);
+        let second = Matrix3::from_fn(|a, b| {
+            let mut exponents = [0; 3];
+            exponents[a] += 1;
+            exponents[b] += 1;
+            moments.of(exponents)
+        });
+        let axes = second.symmetric_eigen().eigenvectors;
+        // A mirror would turn the surface inside out.
+        axes * Matrix3::from_diagonal(&[1.0, 1.0, axes.determinant().signum()].into())
     }
 
     /// The body of polynomials.

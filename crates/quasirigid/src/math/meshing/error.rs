@@ -82,6 +82,18 @@ pub enum MeshingError {
         /// The resolution to try.
         resolution: usize,
     },
+    /// A mesh that hangs together otherwise than the surface: cells as wide as a ring's tube tear it, and join what a gap parts.
+    #[error(
+        "the mesh has the Euler characteristic {found}, the surface {expected}: cells tear what is thinner, or join what is nearer, than they are wide; try a resolution of {resolution}"
+    )]
+    Torn {
+        /// Euler characteristic of the wall of the mesh.
+        found: i64,
+        /// That of the surface.
+        expected: i64,
+        /// The resolution to try.
+        resolution: usize,
+    },
 }
 
 /// What to try when there are too many cells.

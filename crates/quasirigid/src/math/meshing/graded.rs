@@ -8,6 +8,7 @@ use super::jacobian::six_volumes;
 use super::lattice::Lattice;
 use super::quadratic::Quadratic;
 use super::stencils::cells;
+use super::topology::same_topology;
 use super::wall::curved;
 use super::{MeshingError, Neck};
 use crate::math::mesh::Mesh;
@@ -114,6 +115,7 @@ fn fill(
     if !((found - 1.0).abs() <= OFF) {
         return Err(MeshingError::Volume { found, allowed: OFF, resolution: resolution.saturating_mul(2) });
     }
+    same_topology(surface, &filling.cells, resolution)?;
     mesh.nodes.iter_mut().for_each(|node| *node = add(scale(frame.side, *node), middle));
     Ok(GradedMesh { mesh, side: frame.side, grading })
 }

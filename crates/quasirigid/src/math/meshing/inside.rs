@@ -5,6 +5,7 @@ use super::fit::Fit;
 use super::lattice::Lattice;
 use super::quadratic::Quadratic;
 use super::stencils::cells;
+use super::topology::same_topology;
 use super::wall::curved;
 use crate::math::mesh::Mesh;
 use crate::math::surface::{ClosedSurface, Proximity};
@@ -25,8 +26,8 @@ const WHOLE: f64 = 1e-9;
 /// not lie in the lattice, which is aligned with the axes and with the middle of the box.
 ///
 /// # Errors
-/// [`MeshingError::Resolution`] for no cells, [`MeshingError::TooMany`], [`MeshingError::Volume`] and
-/// [`MeshingError::Severed`] if cells are too wide for the surface.
+/// [`MeshingError::Resolution`] for no cells, [`MeshingError::TooMany`], [`MeshingError::Volume`],
+/// [`MeshingError::Severed`] and [`MeshingError::Torn`] if cells are too wide for the surface.
 pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, MeshingError> {
     if resolution == 0 {
         return Err(MeshingError::Resolution);
@@ -47,6 +48,7 @@ pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, Meshin
     if !((found - 1.0).abs() <= OFF) {
         return Err(MeshingError::Volume { found, allowed: OFF, resolution: resolution.saturating_mul(2) });
     }
+    same_topology(surface, &filling.cells, resolution)?;
     mesh.nodes.iter_mut().for_each(|node| *node = frame.in_space(*node));
     Ok(mesh)
 }

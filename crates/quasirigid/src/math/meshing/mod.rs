@@ -30,6 +30,7 @@ mod simplices;
 mod stencils;
 #[cfg(test)]
 mod testing;
+mod topology;
 mod wall;
 
 pub use cuboid::cuboid;

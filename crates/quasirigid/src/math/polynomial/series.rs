@@ -87,6 +87,40 @@ impl Series {
         stretched
     }
 
+    /// The parts of even degree.
+    #[must_use]
+    pub fn even(&self) -> Self {
+        self.of_parity(0)
+    }
+
+    /// The parts of odd degree.
+    #[must_use]
+    pub fn odd(&self) -> Self {
+        self.of_parity(1)
+    }
+
+    fn of_parity(&self, remainder: usize) -> Self {
+        let mut kept = Self::zero(self.degree(), self.rows);
+        for part in self.parts.iter().filter(|part| part.degree() % 2 == remainder) {
+            kept.set(part.clone());
+        }
+        kept
+    }
+
+    /// Gradient of a map with one row, three rows.
+    #[must_use]
+    pub fn gradient(&self) -> Self {
+        let mut gradient = Self::zero(self.degree().saturating_sub(1), 3);
+        for degree in 1..=self.degree() {
+            let mut part = Homogeneous::zero(degree - 1, 3);
+            for axis in 0..3 {
+                part.add_row(axis, 1.0, (&self.part(degree).partial(axis), 0));
+            }
+            gradient.set(part);
+        }
+        gradient
+    }
+
     /// Coefficient of a monomial in a row, over all degrees: a constant brings low monomials into high ones.
     #[must_use]
     pub fn coefficient(&self, row: usize, exponents: [usize; 3]) -> f64 {

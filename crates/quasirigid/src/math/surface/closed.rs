@@ -48,6 +48,14 @@ impl ClosedSurface {
         Ok(Self { vertices, triangles, bounds })
     }
 
+    /// The same seen from a place along unit axes at right angles.
+    pub(crate) fn seen(&self, from: [f64; 3], axes: [[f64; 3]; 3]) -> Self {
+        let vertices: Vec<[f64; 3]> =
+            self.vertices.iter().map(|vertex| axes.map(|axis| dot(axis, minus(*vertex, from)))).collect();
+        let bounds = bounds(self.triangles.iter().flatten().map(|vertex| vertices[*vertex]));
+        Self { vertices, triangles: self.triangles.clone(), bounds }
+    }
+
     /// All vertices, as they were given.
     #[must_use]
     pub fn vertices(&self) -> &[[f64; 3]] {

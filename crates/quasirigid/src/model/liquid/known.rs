@@ -19,9 +19,11 @@ pub(super) struct Key {
 /// Fields that are kept.
 const KEPT: usize = 64;
 
-/// Force per rate `1/(bᵀ(…)⁻¹b)` of fields at a frequency and a spin, in their units. Not a number where floating point finds none.
+/// Force per rate `1/(bᵀ(…)⁻¹b)` of fields at a frequency and a spin, in their units. Not a number where floating point finds none, nor of a
+/// frequency that is none, for which there is no number of functions.
 pub(super) fn drag(key: Key, make: impl FnOnce() -> Fields, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
-    let answer = known(key, make).answer(sigma, tau);
+    let finite = sigma.is_finite() && tau.is_finite();
+    let answer = finite.then(|| known(key, make).answer(sigma, tau)).flatten();
     answer.map_or(Complex::new(f64::NAN, f64::NAN), |answer| answer.inv())
 }
 

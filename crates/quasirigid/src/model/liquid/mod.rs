@@ -163,6 +163,23 @@ mod tests {
         assert!((D - opposite.transpose()).norm() < 1e-12 * D.norm(), "the other sense is the transpose");
     }
 
+    /// An iteration that went astray asks at no number.
+    #[test]
+    fn what_is_asked_at_no_number_has_no_answer() {
+        let axis = [0.0, 0.0, 1.0];
+        for flow in [
+            LiquidFlow::Tube,
+            LiquidFlow::Ball,
+            LiquidFlow::Spheroid { axis, stretch: 0.5 },
+            LiquidFlow::Cylinder { axis, half: 1.2 },
+        ] {
+            for (m, tau) in [(0, 3.0), (1, 1e-2), (-1, 1e7)] {
+                let sigma = Complex::new(0.0, f64::NAN);
+                assert!(drag(flow, m, sigma, tau).re.is_nan(), "{flow:?} {m} {tau}");
+            }
+        }
+    }
+
     /// The fields of a ball that spins lead to the Bessel functions of one that does not.
     #[test]
     fn a_ball_that_hardly_spins_is_one_that_does_not() {

@@ -177,9 +177,9 @@ impl About<'_> {
         let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
         let carried = moved.iter().all(|(name, energy)| name == "body" || *energy <= moved[0].1);
         let largest = (0..q.len()).max_by(|a, b| self.energy(*a, &rate).total_cmp(&self.energy(*b, &rate)));
-        let leading =
-            leading(self.body, &moved, largest, &liquids).filter(|_| !carried).unwrap_or("rotation");
-        let name = if kinetic > 0.0 { leading } else { "translation" }.to_owned();
+        let leading = leading(self.body, &moved, largest, &liquids).filter(|_| !carried && kinetic > 0.0);
+        let name =
+            leading.unwrap_or_else(|| if kinetic > 0.0 { "rotation" } else { "translation" }.to_owned());
         let rounding = self.pencil.rounding(lambda, x);
         let told = tellable(lambda, liquids.len(), lost.len());
         let mode = SpinMode {

@@ -4,6 +4,8 @@ mod fields;
 mod lines;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod waves;
 
 use nalgebra::Complex;
 

@@ -1,11 +1,13 @@
+//! The answer of a run in words.
+
 use std::fmt::{self, Write};
 use std::path::Path;
 
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use crate::describe::{dissipation, significant, time};
 use crate::layout::paragraph;
 use crate::verification;
+use crate::words::{dissipation, significant, time};
 
 /// The answer of a run for a terminal of 80 columns.
 pub fn text(record: &RunRecord, path: &Path) -> String {
@@ -58,12 +60,9 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
     writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
     writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;
     let degrees = |value: f64| significant(value.to_degrees(), 5);
-    writeln!(
-        out,
-        "  nutation           {:>12} to {} degrees",
-        degrees(first("nutation")),
-        degrees(last("nutation"))
-    )?;
+    let angles = [degrees(first("nutation_max")), degrees(last("nutation_max"))];
+    let axes = [first("circled_axis"), last("circled_axis")];
+    writeln!(out, "  nutation, greatest {}", nutation(&angles, axes))?;
     writeln!(
         out,
         "  energy dissipated  {:>12} J of {} J",
@@ -80,4 +79,17 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
         significant(history.energy_drift, 2),
         significant(history.momentum_drift, 2)
     )
+}
+
+/// The greatest angles at the start and at the end, with the principal axes that are circled where these differ.
+fn nutation([start, end]: &[String; 2], axes: [f64; 2]) -> String {
+    match axes {
+        [from, to] if from.is_finite() && to.is_finite() && from != to => {
+            format!("{start:>12} degrees about axis {from} to {end} about axis {to}")
+        }
+        _ if start == "NaN" || end == "NaN" => {
+            "not known: no steady spin is circled at the start or at the end".into()
+        }
+        _ => format!("{start:>12} to {end} degrees"),
+    }
 }

@@ -1,0 +1,113 @@
+//! Nutation as an envelope: against rigid bodies in closed form, against the motion itself, and with momentum wheels. (P8)
+
+use quasirigid::averaging::FreeRotation;
+use quasirigid::dynamics::{Nutations, Observer, Options, Sample, SpinState, propagate, steady_spins};
+use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
+use quasirigid::math::rotation::angle;
+use quasirigid::math::sym::{dot, norm};
+use quasirigid::model::{Mode, Principal, ReducedBody};
+use quasirigid::problems::ring_of_points;
+use quasirigid::reduction::reduce;
+
+fn rigid(inertia: [[f64; 3]; 3], wheels: Vec<Wheel>) -> ReducedBody {
+    let carrier = Carrier { mass: 3.0, center_of_mass: [0.4, -0.2, 0.1], inertia };
+    let body = Assembly { carrier: Some(carrier), wheels, ..Assembly::default() }.body().unwrap();
+    reduce(&body, 0).unwrap()
+}
+
+/// Both modes of a turned triaxial body, from anywhere on the polhode: the closed form.
+#[test]
+fn a_rigid_body_nutates_as_in_closed_form() {
+    let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], Vec::new());
+    let Principal { moments, axes } = Principal::of(body.J);
+    for (mode, degrees) in [(Mode::ShortAxis, 1e-3), (Mode::ShortAxis, 50.0), (Mode::LongAxis, 30.0)] {
+        let motion = FreeRotation::at_nutation(moments, 7.0, mode, f64::to_radians(degrees)).unwrap();
+        for share in [0.0, 0.13, 0.71] {
+            let omega = motion.omega(share * motion.polhode_period());
+            let K = [0, 1, 2].map(|i| (0..3).map(|k| moments[k] * omega[k] * axes[k][i]).sum());
+            let found = Nutations::of(&body).at(K).unwrap();
+            let [least, greatest] = motion.nutation();
+            assert!((found.least / least - 1.0).abs() < 1e-7, "{mode:?} {degrees}: {found:?} {least}");
+            assert!((found.greatest / greatest - 1.0).abs() < 1e-7, "{mode:?} {degrees}: {found:?}");
+            assert!(dot(found.axis, axes[mode.circled()]).abs() > 1.0 - 1e-12);
+        }
+    }
+}
+
+/// Oblate and prolate bodies of revolution keep the angle from their axis; so does one in a flat spin, of ninety degrees.
+#[test]
+fn a_body_of_revolution_keeps_its_angle() {
+    for axial in [3.0, 9.0] {
+        let body = rigid([[5.0, 0.0, 0.0], [0.0, axial, 0.0], [0.0, 0.0, 5.0]], Vec::new());
+        for degrees in [0.01_f64, 20.0, 70.0, 90.0] {
+            let (sine, cosine) = degrees.to_radians().sin_cos();
+            let found = Nutations::of(&body).at([0.6 * sine, cosine, 0.8 * sine]).unwrap();
+            for angle in [found.least, found.greatest] {
+                assert!(
+                    (angle.to_degrees() - degrees).abs() < 1e-8 * degrees,
+                    "{axial} {degrees}: {found:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The angles seen on the way.
+#[derive(Default)]
+struct Seen(Vec<[f64; 3]>);
+
+impl Observer for Seen {
+    fn sample(&mut self, sample: &Sample) {
+        self.0.push(sample.momentum);
+    }
+}
+
+/// A body whose steady spins are not about its principal axes: what the motion itself shows over one turn, and the same envelope from
+/// every place on it.
+fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
+    let times: Vec<f64> = (0..=4000).map(|i| 1.1 * period * f64::from(i) / 4000.0).collect();
+    let mut seen = Seen::default();
+    let start = SpinState::new(omega, [1.0, 0.0, 0.0, 0.0]);
+    propagate(body, start, &times, Options { tolerance: 1e-12, ..Options::default() }, &mut seen).unwrap();
+    let first = Nutations::of(body).at(seen.0[0]).unwrap();
+    let angles = seen.0.iter().map(|K| angle(first.axis, *K));
+    let (low, high) = angles.fold((f64::INFINITY, 0.0_f64), |(l, h), a| (l.min(a), h.max(a)));
+    println!("{:?} {low} {high}", first);
+    assert!((first.least / low - 1.0).abs() < 2e-4 && (first.greatest / high - 1.0).abs() < 2e-4);
+    let mut nutations = Nutations::of(body);
+    for K in seen.0.iter().step_by(500) {
+        let found = nutations.at(*K).unwrap();
+        assert!((found.least / first.least - 1.0).abs() < 2e-4, "{found:?} {first:?}");
+        assert!((found.greatest / first.greatest - 1.0).abs() < 2e-4, "{found:?} {first:?}");
+    }
+}
+
+/// Wheels turn the axis of steady spin far from every principal axis, and the angle is counted from there.
+#[test]
+fn momentum_wheels_turn_the_axis_that_is_circled() {
+    let wheel =
+        Wheel { name: "wheel".into(), axis: [0.5, 1.0, 0.2], speed: WheelSpeed::Constant { momentum: 6.0 } };
+    let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], vec![wheel]);
+    let omega = [0.05, 0.1, 0.7];
+    let axis = Nutations::of(&body).at(body.momentum(omega)).unwrap().axis;
+    assert!(Principal::of(body.J).axes.iter().all(|principal| dot(*principal, axis).abs() < 0.99));
+    let spin = body.Omega.vector(axis.map(|entry| norm(body.momentum(omega)) * entry));
+    assert!(angle(spin, axis).min(angle(spin, axis.map(|entry| -entry))) < 1e-9, "a steady spin");
+    assert_seen(&body, omega, 60.0);
+}
+
+/// An elastic body: the axis is that of the deformed body.
+#[test]
+fn the_axis_is_that_of_the_deformed_body() {
+    let body = reduce(&ring_of_points(7).body().unwrap(), 2).unwrap();
+    let omega = [0.03, 0.05, 0.9];
+    let found = Nutations::of(&body).at(body.momentum(omega)).unwrap();
+    let steady = steady_spins(&body, norm(body.momentum(omega)));
+    let nearest = steady.iter().flatten().map(|spin| {
+        let K = body.momentum(spin.omega);
+        angle(K, found.axis).min(angle(K, found.axis.map(|entry| -entry)))
+    });
+    assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-8);
+    let frequency = steady.iter().flatten().map(|spin| spin.frequency).filter(|f| *f > 0.0);
+    assert_seen(&body, omega, std::f64::consts::TAU / frequency.fold(f64::INFINITY, f64::min));
+}

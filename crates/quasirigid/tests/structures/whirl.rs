@@ -1,0 +1,106 @@
+//! What grows in the equations of motion and what does not: materials that leave no dashpots, and a boom that whirls. (M4)
+
+use quasirigid::elements::{
+    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Kind, Material, Member, Part, Reduction,
+    SectionShape,
+};
+use quasirigid::model::{FlexibleBody, Mode, Rheology};
+use quasirigid::modes::SpinModes;
+use quasirigid::secular::{EnergyRange, Pole, Poles};
+
+use crate::common::turned_axes;
+
+/// A hub with two unlike booms whose material alone dissipates, and, if wanted, a dashpot between mass and speed of one.
+pub fn booms(braked: f64) -> FlexibleBody {
+    let node = |name: &str, place: [f64; 3]| FrameNode {
+        name: name.to_owned(),
+        position: (turned_axes() * nalgebra::Vector3::from(place)).into(),
+    };
+    let boom = |name: &str, to: [f64; 3], per_mass: f64| {
+        let rheology = Rheology::QualityFactor { factor: 40.0 };
+        let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
+        let member = Member {
+            ends: [0, 1],
+            section: SectionShape::Rectangle { height: 0.02, width: 0.014 },
+            up: None,
+            material,
+            elements: 5,
+        };
+        let nodes = vec![node("root", [0.1, -0.2, 0.3]), node("tip", to)];
+        let kind = Kind::Frame(Frame { nodes, members: vec![member] });
+        Part { name: name.to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [per_mass, 0.0] }
+    };
+    let carrier = Carrier {
+        mass: 40.0,
+        center_of_mass: [0.1, -0.05, 0.02],
+        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
+    };
+    let parts = vec![boom("long", [2.9, 0.8, 0.4], 0.0), boom("short", [-1.8, 1.1, 0.2], braked)];
+    let reduction = Reduction { order: 3, modes: 12 };
+    Assembly { carrier: Some(carrier), parts, reduction, ..Assembly::default() }.body().unwrap()
+}
+
+fn poles(body: &FlexibleBody, spin: f64) -> Poles {
+    let principal = quasirigid::model::Principal::of(body.invariants().J);
+    Poles::of(body, &EnergyRange::of(body, spin * principal.moments[2]).unwrap()).unwrap()
+}
+
+fn internal(pole: Option<&Pole>) -> &SpinModes {
+    &pole.unwrap().modes
+}
+
+/// No dashpot, no decay, to the last digit: the eigenvalues of such motions have real parts of either sign by rounding.
+#[test]
+fn a_body_of_lossy_material_alone_has_no_motion_that_grows_in_its_equations() {
+    let body = booms(0.0);
+    let poles = poles(&body, 0.05);
+    for mode in [Mode::LongAxis, Mode::ShortAxis] {
+        let modes = internal(poles.of_mode(mode));
+        assert!(modes.internal.len() > 10);
+        assert!(modes.internal.iter().all(|[decay, _]| *decay == 0.0), "{mode:?}: {:?}", modes.internal);
+    }
+}
+
+/// With a dashpot every one of them decays, and none grows below the critical spin.
+#[test]
+fn a_dashpot_makes_every_internal_motion_decay() {
+    let body = booms(1e-3);
+    let poles = poles(&body, 0.05);
+    for mode in [Mode::LongAxis, Mode::ShortAxis] {
+        let decays = &internal(poles.of_mode(mode)).internal;
+        assert!(decays.iter().all(|[decay, _]| *decay > 0.0 && *decay < 1e-3), "{mode:?}: {decays:?}");
+    }
+}
+
+/// A boom along the axis of least inertia of a stage at 50 rpm: above its critical spin a whirl grows by its own damping. An
+/// independent code has it grow e-fold in 364 s.
+#[test]
+fn a_boom_above_its_critical_spin_whirls() {
+    let boom = Hinged {
+        name: "boom".to_owned(),
+        mass: 3.5,
+        center_of_mass: [0.0, 0.0, 7.5],
+        inertia: [[0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.01]],
+        hinge: [0.0, 0.0, 1.5],
+        axes: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        stiffness: HingeCoefficient::PerAxis(vec![472.748_094; 2]),
+        damping: HingeCoefficient::PerAxis(vec![0.472_748_094; 2]),
+        rheology: Rheology::Elastic,
+        places: Vec::new(),
+    };
+    let carrier = Carrier {
+        mass: 900.0,
+        center_of_mass: [0.0; 3],
+        inertia: [[1100.0, 0.0, 0.0], [0.0, 1150.0, 0.0], [0.0, 0.0, 300.0]],
+    };
+    let body = Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap();
+    let spin = 50.0 * std::f64::consts::TAU / 60.0;
+    let momentum = spin * quasirigid::model::Principal::of(body.invariants().J).moments[0];
+    let poles = Poles::of(&body, &EnergyRange::of(&body, momentum).unwrap()).unwrap();
+    let long = internal(poles.long.as_ref());
+    let slowest = long.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min);
+    let grown = long.modes.iter().filter(|mode| mode.grows() && !mode.nutation).count();
+    println!("{slowest:e} {grown}");
+    assert!(slowest < 0.0 && grown == 1, "{:?}", long.internal);
+    assert!((-1.0 / slowest / 364.0 - 1.0).abs() < 0.05, "{slowest}");
+}

@@ -160,6 +160,31 @@ fn block_modes(A: &Dense, C: &Dense, rows: &[usize]) -> Option<(Vec<f64>, Mat<f6
     Some(((0..rows.len()).map(|i| eigen.S()[i]).collect(), unscaled))
 }
 
+/// Linear forms `g` whose squares sum to a symmetric positive semi-definite matrix, `Σ g gᵀ`, one per row.
+///
+/// Each row of the matrix keeps its digits however large the others are; what is negative is taken for rounding.
+///
+/// # Errors
+/// [`NoConvergence`] if the solver fails.
+pub fn squares(matrix: &Dense) -> Result<Dense, NoConvergence> {
+    let size = matrix.size();
+    if size == 0 {
+        return Ok(Dense::zero(0));
+    }
+    let scale: Vec<f64> = (0..size).map(|row| matrix.at(row, row).max(0.0).sqrt()).collect();
+    let unit = |row: usize| if scale[row] > 0.0 { scale[row].recip() } else { 0.0 };
+    let scaled = Mat::from_fn(size, size, |i, j| matrix.at(i, j) * unit(i) * unit(j));
+    let eigen = scaled.self_adjoint_eigen(Side::Lower).map_err(|_| NoConvergence { size })?;
+    let (values, vectors) = (eigen.S(), eigen.U());
+    let least = size as f64 * f64::EPSILON * (0..size).map(|form| values[form]).fold(0.0, f64::max);
+    let mut forms = Dense::zero(size);
+    for form in (0..size).filter(|form| values[*form] > least) {
+        (0..size)
+            .for_each(|row| forms.add(form, row, values[form].sqrt() * scale[row] * vectors[(row, form)]));
+    }
+    Ok(forms)
+}
+
 /// Eigenvalues of a square matrix as pairs (real part, imaginary part), in no particular order.
 ///
 /// # Errors
@@ -194,6 +219,26 @@ pub fn eigenvectors(matrix: &Dense) -> Result<Eigenvectors, NoConvergence> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn squares_give_back_a_matrix_of_any_scales_and_rank() {
+        let forms = [[1e8, -3e8, 0.0, 0.0], [0.0, 1e-6, 2e-6, 0.0]];
+        let entry = |i: usize, j: usize| forms.iter().map(|form| form[i] * form[j]).sum::<f64>();
+        let mut matrix = Dense::zero(4);
+        (0..16).for_each(|k| matrix.add(k / 4, k % 4, entry(k / 4, k % 4)));
+        let found = squares(&matrix).unwrap();
+        let back = |i: usize, j: usize| (0..4).map(|form| found.at(form, i) * found.at(form, j)).sum::<f64>();
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let scale = (entry(i, i) * entry(j, j)).sqrt();
+            assert!(
+                (back(i, j) - entry(i, j)).abs() <= 1e-14 * scale,
+                "{i} {j}: {} for {}",
+                back(i, j),
+                entry(i, j)
+            );
+        }
+        assert_eq!((0..4).filter(|form| (0..4).any(|row| found.at(*form, row) != 0.0)).count(), 2);
+    }
 
     #[test]
     fn two_masses_on_a_line_have_their_textbook_modes() {

@@ -1,5 +1,5 @@
 use super::projection::Projection;
-use crate::math::eigen::{Dense, Modes, NoConvergence, eigenvectors, modes};
+use crate::math::eigen::{Dense, Modes, NoConvergence, eigenvectors, modes, squares};
 use crate::model::FlexibleBody;
 
 /// Free vibrations of a body that does not turn: all of them, or for a body of many coordinates the slow ones.
@@ -58,16 +58,22 @@ fn slow(mut ascending: Vec<f64>, trusted: usize) -> Vec<f64> {
 /// Decay rates of `λ²A + λB + C` but for those that are infinite. (V3)
 ///
 /// From `μ = 1/λ`, whose first-order form in the undamped modes, `z` and `v = z/Ω`, has bounded entries however fast some vibrations are:
-/// `μ u = −B u − Ω⁻¹v`, `μ v = Ω⁻¹u` with `u = μz`. A motion that oscillates has the rate of its balance of energy,
-/// `uᴴBu / (2 vᴴv)`, which keeps the sign of the damping.
+/// `μ u = −GᵀG u − Ω⁻¹v`, `μ v = Ω⁻¹u` with `u = μz`, `B = GᵀG`. A motion that oscillates has the rate of its balance of energy,
+/// `|Gu|² / 2|v|²`, which is never negative.
 fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
     let size = modes.frequencies.len();
-    let damping = between(modes, B);
+    let damping = between(modes, &squares(B)?);
     let mut system = Dense::zero(2 * size);
     for (k, frequency) in modes.frequencies.iter().enumerate() {
         system.add(k, size + k, -frequency.recip());
         system.add(size + k, k, frequency.recip());
-        (0..size).for_each(|row| system.add(row, k, -damping.at(row, k)));
+        for row in 0..size {
+            system.add(
+                row,
+                k,
+                -(0..size).map(|form| damping.at(form, row) * damping.at(form, k)).sum::<f64>(),
+            );
+        }
     }
     let (values, vectors) = eigenvectors(&system)?;
     let largest = values.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
@@ -78,7 +84,9 @@ fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
             return (-re > rounding).then(|| -re / square);
         }
         let (u, v) = x.split_at(size);
-        let (lost, kinetic) = (form(&damping, u), v.iter().map(|[re, im]| re * re + im * im).sum::<f64>());
+        let part = |i: usize| damping.times(&u.iter().map(|entry| entry[i]).collect::<Vec<_>>());
+        let lost: f64 = [part(0), part(1)].iter().flatten().map(|entry| entry * entry).sum();
+        let kinetic: f64 = v.iter().flatten().map(|entry| entry * entry).sum();
         (im.abs() > rounding).then(|| 0.5 * lost / (kinetic * square))
     };
     let mut rates: Vec<f64> = values.iter().zip(&vectors).filter_map(rate).collect();
@@ -86,32 +94,16 @@ fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
     Ok(rates)
 }
 
-/// The damping between the undamped modes, each with a unit of elastic energy.
-fn between(modes: &Modes, B: &Dense) -> Dense {
+/// Linear forms of the displacements in the undamped modes, each with a unit of elastic energy.
+fn between(modes: &Modes, forms: &Dense) -> Dense {
     let size = modes.frequencies.len();
     let unit = |k: usize| if modes.frequencies[k].is_finite() { modes.frequencies[k].recip() } else { 1.0 };
     let mut between = Dense::zero(size);
     for column in 0..size {
         let shape: Vec<f64> = (0..size).map(|j| unit(column) * modes.shapes.at(j, column)).collect();
-        let force = B.times(&shape);
-        for row in 0..size {
-            between.add(row, column, (0..size).map(|j| unit(row) * modes.shapes.at(j, row) * force[j]).sum());
-        }
+        forms.times(&shape).iter().enumerate().for_each(|(form, value)| between.add(form, column, *value));
     }
     between
-}
-
-/// `xᴴAx` of a real symmetric matrix, positive semi-definite; zero where it is rounding of its terms.
-fn form(A: &Dense, x: &[[f64; 2]]) -> f64 {
-    let (mut sum, mut size) = (0.0, 0.0);
-    for (i, [re, im]) in x.iter().enumerate() {
-        for (j, other) in x.iter().enumerate() {
-            let term = A.at(i, j) * (re * other[0] + im * other[1]);
-            sum += term;
-            size += term.abs();
-        }
-    }
-    if sum.abs() > x.len() as f64 * f64::EPSILON * size { sum } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -160,6 +160,31 @@ fn block_modes(A: &Dense, C: &Dense, rows: &[usize]) -> Option<(Vec<f64>, Mat<f6
     Some(((0..rows.len()).map(|i| eigen.S()[i]).collect(), unscaled))
 }
 
+/// Linear forms `g` whose squares sum to a symmetric positive semi-definite matrix, `Σ g gᵀ`, one per row.
+///
+/// Each row of the matrix keeps its digits however large the others are; what is negative is taken for rounding.
+///
+/// # Errors
+/// [`NoConvergence`] if the solver fails.
+pub fn squares(matrix: &Dense) -> Result<Dense, NoConvergence> {
+    let size = matrix.size();
+    if size == 0 {
+        return Ok(Dense::zero(0));
+    }
+    let scale: Vec<f64> = (0..size).map(|row| matrix.at(row, row).max(0.0).sqrt()).collect();
+    let unit = |row: usize| if scale[row] > 0.0 { scale[row].recip() } else { 0.0 };
+    let scaled = Mat::from_fn(size, size, |i, j| matrix.at(i, j) * unit(i) * unit(j));
+    let eigen = scaled.self_adjoint_eigen(Side::Lower).map_err(|_| NoConvergence { size })?;
+    let (values, vectors) = (eigen.S(), eigen.U());
+    let least = size as f64 * f64::EPSILON * (0..size).map(|form| values[form]).fold(0.0, f64::max);
+    let mut forms = Dense::zero(size);
+    for form in (0..size).filter(|form| values[*form] > least) {
+        (0..size)
+            .for_each(|row| forms.add(form, row, values[form].sqrt() * scale[row] * vectors[(row, form)]));
+    }
+    Ok(forms)
+}
+
 /// Eigenvalues of a square matrix as pairs (real part, imaginary part), in no particular order.
 ///
 /// # Errors
@@ -177,6 +202,9 @@ pub type Eigenvectors = (Vec<[f64; 2]>, Vec<Vec<[f64; 2]>>);
 
 /// Eigenvalues of a square matrix with an eigenvector of each.
 ///
+/// Complex eigenvalues come in conjugate pairs, real ones have no imaginary part. Vectors of eigenvalues that are equal are independent
+/// where the matrix has so many.
+///
 /// # Errors
 /// [`NoConvergence`] if the solver fails.
 pub fn eigenvectors(matrix: &Dense) -> Result<Eigenvectors, NoConvergence> {
@@ -184,16 +212,132 @@ pub fn eigenvectors(matrix: &Dense) -> Result<Eigenvectors, NoConvergence> {
     if size == 0 {
         return Ok((Vec::new(), Vec::new()));
     }
-    let eigen = matrix.mat().eigen().map_err(|_| NoConvergence { size })?;
+    let (values, mut vectors) = lists(&matrix.mat().eigen().map_err(|_| NoConvergence { size })?);
+    let scale = matrix.entries.iter().fold(0.0_f64, |sum, entry| sum.hypot(*entry));
+    let least = STRAY * size as f64 * f64::EPSILON * scale;
+    let lost = |k: &usize| crowded(&values, *k) || !solves(matrix, values[*k], &vectors[*k], least);
+    let wrong: Vec<usize> = (0..size).filter(lost).collect();
+    if !wrong.is_empty() {
+        let complex = Mat::from_fn(size, size, |row, column| faer::c64::new(matrix.at(row, column), 0.0));
+        let (near, found) = lists(&complex.eigen().map_err(|_| NoConvergence { size })?);
+        replace(&mut vectors, &values, &wrong, &near, &found);
+    }
+    Ok((values, vectors))
+}
+
+/// Residuals of an eigenvector, in roundings, beyond which it is not one.
+const STRAY: f64 = 1e3;
+
+/// Relative distance within which the library loses the vectors of complex eigenvalues in the arithmetic of real numbers, though not in
+/// that of complex ones.
+const NEAR: f64 = 1e-8;
+
+/// Whether another complex eigenvalue is as good as equal.
+fn crowded(values: &[[f64; 2]], k: usize) -> bool {
+    let [re, im] = values[k];
+    let near = |other: &[f64; 2]| (other[0] - re).hypot(other[1] - im) <= NEAR * re.hypot(im);
+    im != 0.0 && values.iter().filter(|other| near(other)).count() > 1
+}
+
+/// Eigenvalues and eigenvectors as lists.
+fn lists(eigen: &faer::linalg::solvers::Eigen<f64>) -> Eigenvectors {
     let (values, vectors) = (eigen.S(), eigen.U());
     let pair = |entry: faer::c64| [entry.re, entry.im];
-    let list = |column: usize| (0..size).map(|row| pair(vectors[(row, column)])).collect();
-    Ok(((0..size).map(|i| pair(values[i])).collect(), (0..size).map(list).collect()))
+    let list = |column: usize| (0..vectors.nrows()).map(|row| pair(vectors[(row, column)])).collect();
+    ((0..vectors.ncols()).map(|i| pair(values[i])).collect(), (0..vectors.ncols()).map(list).collect())
+}
+
+/// Whether `|Mx − λx|` is at most so much of `|x|`.
+fn solves(matrix: &Dense, [re, im]: [f64; 2], x: &[[f64; 2]], least: f64) -> bool {
+    let part = |i: usize| matrix.times(&x.iter().map(|entry| entry[i]).collect::<Vec<_>>());
+    let residual = part(0).iter().zip(part(1)).zip(x).fold(0.0_f64, |sum, ((first, second), [u, v])| {
+        sum.hypot((first - re * u + im * v).hypot(second - re * v - im * u))
+    });
+    residual <= least * x.iter().fold(0.0_f64, |sum, [u, v]| sum.hypot(u.hypot(*v)))
+}
+
+/// Puts in the place of wrong vectors those of the nearest eigenvalues of another list, each once; conjugates stay conjugate.
+fn replace(
+    vectors: &mut [Vec<[f64; 2]>],
+    values: &[[f64; 2]],
+    wrong: &[usize],
+    near: &[[f64; 2]],
+    found: &[Vec<[f64; 2]>],
+) {
+    let mut left: Vec<usize> = (0..near.len()).collect();
+    let off = |k: usize, other: usize| (near[other][0] - values[k][0]).hypot(near[other][1] - values[k][1]);
+    for k in (0..values.len()).filter(|k| values[*k][1] >= 0.0) {
+        let nearest = (0..left.len()).min_by(|a, b| off(k, left[*a]).total_cmp(&off(k, left[*b])));
+        let Some(nearest) = nearest.map(|at| left.swap_remove(at)) else { continue };
+        if wrong.contains(&k) {
+            vectors[k].clone_from(&found[nearest]);
+        }
+    }
+    for k in wrong.iter().filter(|k| values[**k][1] < 0.0) {
+        let twin = |other: &usize| values[*other] == [values[*k][0], -values[*k][1]];
+        let copies = (0..*k).filter(|other| values[*other] == values[*k]).count();
+        if let Some(twin) = (0..values.len()).filter(twin).nth(copies) {
+            vectors[*k] = vectors[twin].iter().map(|[re, im]| [*re, -im]).collect();
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Copies of an oscillator in turned axes.
+    #[test]
+    fn eigenvectors_of_equal_eigenvalues_solve_their_equation_and_are_independent() {
+        for copies in 2..6 {
+            let size = 2 * copies + 4;
+            let basis = Mat::from_fn(size, size, |i, j| ((i * 7 + j * 3 + 1) as f64).sin()).qr().compute_Q();
+            let mut system = Mat::<f64>::zeros(size, size);
+            for k in 0..size / 2 {
+                let (rate, frequency) =
+                    if k < copies { (0.2, 0.9) } else { (0.1 + 0.3 * k as f64, 1.0 + k as f64) };
+                system[(2 * k, 2 * k)] = -rate;
+                system[(2 * k + 1, 2 * k + 1)] = -rate;
+                system[(2 * k, 2 * k + 1)] = frequency;
+                system[(2 * k + 1, 2 * k)] = -frequency * 0.5;
+            }
+            let turned = &basis * &system * basis.transpose();
+            let mut matrix = Dense::zero(size);
+            (0..size * size).for_each(|k| matrix.add(k / size, k % size, turned[(k / size, k % size)]));
+            let (values, vectors) = eigenvectors(&matrix).unwrap();
+            assert!(
+                values.iter().zip(&vectors).all(|(value, x)| solves(&matrix, *value, x, 1e-12)),
+                "{copies} copies"
+            );
+            assert_eq!(values.iter().filter(|[_, im]| *im > 0.0).count(), size / 2);
+            let unit = |k: usize| vectors[k].iter().fold(0.0_f64, |sum, [u, v]| sum.hypot(u.hypot(*v)));
+            let together = Mat::from_fn(size, size, |i, j| {
+                faer::c64::new(vectors[j][i][0], vectors[j][i][1]) * unit(j).recip()
+            });
+            let singular = together.singular_values().unwrap();
+            assert!(singular[size - 1] > 1e-3, "{copies} copies: {singular:?}");
+        }
+    }
+
+    #[test]
+    fn squares_give_back_a_matrix_of_any_scales_and_rank() {
+        let forms = [[1e8, -3e8, 0.0, 0.0], [0.0, 1e-6, 2e-6, 0.0]];
+        let entry = |i: usize, j: usize| forms.iter().map(|form| form[i] * form[j]).sum::<f64>();
+        let mut matrix = Dense::zero(4);
+        (0..16).for_each(|k| matrix.add(k / 4, k % 4, entry(k / 4, k % 4)));
+        let found = squares(&matrix).unwrap();
+        let back = |i: usize, j: usize| (0..4).map(|form| found.at(form, i) * found.at(form, j)).sum::<f64>();
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let scale = (entry(i, i) * entry(j, j)).sqrt();
+            assert!(
+                (back(i, j) - entry(i, j)).abs() <= 1e-14 * scale,
+                "{i} {j}: {} for {}",
+                back(i, j),
+                entry(i, j)
+            );
+        }
+        assert_eq!((0..4).filter(|form| (0..4).any(|row| found.at(*form, row) != 0.0)).count(), 2);
+    }
 
     #[test]
     fn two_masses_on_a_line_have_their_textbook_modes() {

@@ -1,6 +1,7 @@
 //! From a flexible body to its reduced equations, and how far they hold.
 
 mod criterion;
+mod decay;
 mod degrees;
 mod energetics;
 mod manifold;

@@ -1,5 +1,6 @@
+use super::decay::decay_rates;
 use super::projection::Projection;
-use crate::math::eigen::{Dense, Modes, NoConvergence, eigenvectors, modes};
+use crate::math::eigen::{NoConvergence, modes};
 use crate::model::FlexibleBody;
 
 /// Free vibrations of a body that does not turn: all of them, or for a body of many coordinates the slow ones.
@@ -53,108 +54,4 @@ fn slow(mut ascending: Vec<f64>, trusted: usize) -> Vec<f64> {
     ascending.truncate(trusted);
     ascending.retain(|value| value.is_finite());
     ascending
-}
-
-/// Decay rates of `λ²A + λB + C` but for those that are infinite. (V3)
-///
-/// From `μ = 1/λ`, whose first-order form in the undamped modes, `z` and `v = z/Ω`, has bounded entries however fast some vibrations are:
-/// `μ u = −B u − Ω⁻¹v`, `μ v = Ω⁻¹u` with `u = μz`. A motion that oscillates has the rate of its balance of energy,
-/// `uᴴBu / (2 vᴴv)`, which keeps the sign of the damping.
-fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
-    let size = modes.frequencies.len();
-    let damping = between(modes, B);
-    let mut system = Dense::zero(2 * size);
-    for (k, frequency) in modes.frequencies.iter().enumerate() {
-        system.add(k, size + k, -frequency.recip());
-        system.add(size + k, k, frequency.recip());
-        (0..size).for_each(|row| system.add(row, k, -damping.at(row, k)));
-    }
-    let (values, vectors) = eigenvectors(&system)?;
-    let largest = values.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
-    let rounding = 2.0 * size as f64 * f64::EPSILON * largest;
-    let rate = |([re, im], x): (&[f64; 2], &Vec<[f64; 2]>)| {
-        let square = re * re + im * im;
-        if im.abs() <= re.abs() {
-            return (-re > rounding).then(|| -re / square);
-        }
-        let (u, v) = x.split_at(size);
-        let (lost, kinetic) = (form(&damping, u), v.iter().map(|[re, im]| re * re + im * im).sum::<f64>());
-        (im.abs() > rounding).then(|| 0.5 * lost / (kinetic * square))
-    };
-    let mut rates: Vec<f64> = values.iter().zip(&vectors).filter_map(rate).collect();
-    rates.sort_by(f64::total_cmp);
-    Ok(rates)
-}
-
-/// The damping between the undamped modes, each with a unit of elastic energy.
-fn between(modes: &Modes, B: &Dense) -> Dense {
-    let size = modes.frequencies.len();
-    let unit = |k: usize| if modes.frequencies[k].is_finite() { modes.frequencies[k].recip() } else { 1.0 };
-    let mut between = Dense::zero(size);
-    for column in 0..size {
-        let shape: Vec<f64> = (0..size).map(|j| unit(column) * modes.shapes.at(j, column)).collect();
-        let force = B.times(&shape);
-        for row in 0..size {
-            between.add(row, column, (0..size).map(|j| unit(row) * modes.shapes.at(j, row) * force[j]).sum());
-        }
-    }
-    between
-}
-
-/// `xᴴAx` of a real symmetric matrix, positive semi-definite; zero where it is rounding of its terms.
-fn form(A: &Dense, x: &[[f64; 2]]) -> f64 {
-    let (mut sum, mut size) = (0.0, 0.0);
-    for (i, [re, im]) in x.iter().enumerate() {
-        for (j, other) in x.iter().enumerate() {
-            let term = A.at(i, j) * (re * other[0] + im * other[1]);
-            sum += term;
-            size += term.abs();
-        }
-    }
-    if sum.abs() > x.len() as f64 * f64::EPSILON * size { sum } else { 0.0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn dense(rows: &[&[f64]]) -> Dense {
-        let mut matrix = Dense::zero(rows.len());
-        for (i, row) in rows.iter().enumerate() {
-            row.iter().enumerate().for_each(|(j, entry)| matrix.add(i, j, *entry));
-        }
-        matrix
-    }
-
-    /// An oscillator, one 10⁹ times faster that loses nothing, and a coordinate without mass on a spring and a dashpot; turned, so that
-    /// no matrix is diagonal.
-    #[test]
-    fn decay_rates_are_those_of_their_parts_however_fast_some_are() {
-        let (sine, cosine) = 0.7_f64.sin_cos();
-        let turn = [[cosine, -sine, 0.0], [0.8 * sine, 0.8 * cosine, 0.6], [-0.6 * sine, -0.6 * cosine, 0.8]];
-        let turned = |diagonal: [f64; 3]| {
-            let entry = |i: usize, j: usize| (0..3).map(|k| turn[i][k] * diagonal[k] * turn[j][k]).sum();
-            let rows: Vec<Vec<f64>> = (0..3).map(|i| (0..3).map(|j| entry(i, j)).collect()).collect();
-            dense(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>())
-        };
-        let (A, B, C) = (turned([2.0, 2e-8, 0.0]), turned([0.4, 0.0, 5.0]), turned([18.0, 18e10, 3.0]));
-        let rates = decay_rates(&modes(&A, &C).unwrap(), &B).unwrap();
-        let slow: Vec<f64> = rates.iter().copied().filter(|rate| *rate > 1e-3 && *rate < 1e3).collect();
-        for (found, expected) in slow.iter().zip([0.1, 0.1, 0.6]) {
-            assert!((found / expected - 1.0).abs() < 1e-6, "{rates:?}");
-        }
-        assert_eq!(slow.len(), 3, "{rates:?}");
-        assert!(rates.iter().all(|rate| *rate >= 0.0), "{rates:?}");
-    }
-
-    /// Beside a very fast dashpot a slow decay keeps its digits.
-    #[test]
-    fn a_slow_decay_is_not_lost_beside_a_fast_one() {
-        let A = dense(&[&[1.0, 0.3], &[0.3, 1.0]]);
-        let B = dense(&[&[1e-3, 0.0], &[0.0, 1e14]]);
-        let C = dense(&[&[4.0, 0.0], &[0.0, 1e14]]);
-        let rates = decay_rates(&modes(&A, &C).unwrap(), &B).unwrap();
-        // The second coordinate creeps at 1/s, the first oscillates at 2 rad/s and loses 1e-3/2 beside it.
-        assert!((rates[0] / 5e-4 - 1.0).abs() < 1e-6 && (rates[2] - 1.0).abs() < 1e-6, "{rates:?}");
-    }
 }

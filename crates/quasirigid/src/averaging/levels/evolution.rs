@@ -48,7 +48,7 @@ pub enum LevelError {
     Open,
     /// A wobble so small that its energy is lost in rounding.
     #[error(
-        "a wobble of {angle} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
+        "a wobble of {angle:.3e} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
     )]
     TooSmall {
         /// The wobble (rad).

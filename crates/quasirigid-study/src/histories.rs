@@ -8,13 +8,13 @@ use quasirigid::math::memory;
 use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies, reduce};
-use quasirigid_io::model::{Stop, System};
+use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::Column;
 use serde_json::{Value, json};
 
 use crate::error::{Setting, StudyError};
 use crate::motion::Motion;
-use crate::record::{columns, coordinate_columns, displacement_columns, name, status};
+use crate::record::{columns, coordinate_columns, displacement_columns, status};
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{drift_note, shares, verdict};
@@ -194,7 +194,7 @@ impl History {
     pub fn json(&self) -> Value {
         let Run { last, work, .. } = &self.run;
         json!({
-            "system": name(self.system),
+            "system": self.system.name(),
             "status": self.status,
             "message": self.message,
             "t": last.t,
@@ -258,7 +258,7 @@ pub fn simulate(
         let reduced = reduce(body, study.order)?;
         let validity = Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
         if validity.verdict() != Verdict::Holds {
-            watch.remark(&format!("{} See `quasirigid check`.", verdict(&validity)));
+            watch.remark(&format!("{} The check says why.", verdict(&validity)));
         }
     }
     let mut collector = Collector::new(watch, "propagating", &times);
@@ -276,7 +276,7 @@ pub fn simulate(
     }
     let (forced, last) = (motion.system().acts(), run.last);
     let energies = [last.energy_drift, last.dissipated];
-    let notes = drift_note(name(table.system), forced, last.energy, energies).into_iter().collect();
+    let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
     let (status, message) = status(body, run.outcome, last.t);
     Ok(History { system: table.system, status, message, columns, run, budget, notes })
 }

@@ -3,6 +3,7 @@
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::{Given, acts};
+use quasirigid_io::model::Named;
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
@@ -25,16 +26,11 @@ pub enum PrincipalAxis {
 impl PrincipalAxis {
     /// All of them, by ascending inertia.
     pub const ALL: [Self; 3] = [Self::Least, Self::Middle, Self::Greatest];
+}
 
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Least => "least",
-            Self::Middle => "middle",
-            Self::Greatest => "greatest",
-        }
-    }
+impl Named for PrincipalAxis {
+    const VALUES: &'static [(&'static str, Self, &'static str)] =
+        &[("least", Self::Least, ""), ("middle", Self::Middle, ""), ("greatest", Self::Greatest, "")];
 }
 
 /// Which steady spins are asked for; both poles with the angular momentum of the start, if nothing is said.

@@ -1,12 +1,12 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Event, Form, Nutation, Nutations, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
-use quasirigid_io::model::Model;
+use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
     AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
@@ -16,7 +16,6 @@ use crate::study::Study;
 use crate::verification::Proof;
 use crate::visible::one_line;
 use crate::{resolution, words};
-use quasirigid_io::model::System;
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -112,7 +111,7 @@ pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> Ver
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
             p: row.p,
-            form: if row.form == Form::Paper { "paper".into() } else { "momentum".into() },
+            form: row.form.name().into(),
             order: row.order,
             expected: row.p + 1,
             reached: row.reached(),
@@ -150,7 +149,7 @@ pub fn history(
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
-        system: name(system).into(),
+        system: system.name().into(),
         form: equations.into(),
         method: method(system, run.work),
         status: status.into(),
@@ -166,15 +165,6 @@ pub fn history(
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
         columns: columns(body.support(), samples, Some(nutating)),
-    }
-}
-
-/// The name of a system.
-pub fn name(system: System) -> &'static str {
-    match system {
-        System::Full => "full",
-        System::Reduced => "reduced",
-        System::Rigid => "rigid",
     }
 }
 

@@ -7,7 +7,7 @@ use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
 use quasirigid::math::sym::norm;
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
-use quasirigid_io::model::{System, Verify};
+use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 
 use crate::derive;
@@ -167,8 +167,8 @@ impl<'a> Plan<'a> {
     ) -> Result<Vec<HistoryRecord>, StudyError> {
         let mut histories = Vec::new();
         for system in &self.systems {
-            if watch.at(record::name(*system), 0.0).is_break() {
-                notes.push(INTERRUPTED.replace("{system}", record::name(*system)));
+            if watch.at(system.name(), 0.0).is_break() {
+                notes.push(INTERRUPTED.replace("{system}", system.name()));
                 continue;
             }
             match self.history(*system, watch) {
@@ -230,7 +230,7 @@ impl<'a> Plan<'a> {
     }
 
     fn history(&self, system: System, watch: &mut dyn Watch) -> Result<HistoryRecord, StudyError> {
-        let name = record::name(system);
+        let name = system.name();
         let mut collector = Collector::new(watch, name, &self.times);
         let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
         let Collector { samples, budget, .. } = collector;

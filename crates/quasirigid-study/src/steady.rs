@@ -61,7 +61,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
     format!(
-        "\nSteady spins at this momentum, with the modes about them (quasirigid modes)\n{}",
+        "\nSteady spins at this momentum, with the modes about them\n{}",
         spins.iter().map(line).collect::<String>()
     )
 }
@@ -204,7 +204,7 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord) -> fmt::Result
         row(out, mode)?;
     }
     if record.modes.len() > LISTED {
-        writeln!(out, "  and {} more (--json has all)", record.modes.len() - LISTED)?;
+        writeln!(out, "  and {} more (all in JSON)", record.modes.len() - LISTED)?;
     }
     Ok(())
 }

@@ -26,8 +26,8 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         until: target("--to", arguments.to.as_deref())?.or(file.until),
         duration: arguments.duration.as_deref().map(seconds).transpose()?.or(file.duration),
         samples: arguments.samples.map_or(file.samples, |samples| samples as usize),
-        power: arguments.power.map(Into::into).or(file.power),
-        method: arguments.method.map(Into::into).or(file.method),
+        power: arguments.power.or(file.power),
+        method: arguments.method.or(file.method),
     };
     let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);

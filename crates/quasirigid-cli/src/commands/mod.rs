@@ -57,8 +57,8 @@ fn propagation(arguments: &Propagation) -> Result<histories::Propagation, Failur
         duration: duration.as_deref().map(seconds).transpose()?,
         tolerance: *tolerance,
         samples: *samples,
-        form: form.map(Into::into),
-        method: method.map(Into::into),
+        form: *form,
+        method: *method,
     })
 }
 

@@ -10,7 +10,7 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found = find(&study, AskedSpin { omega, axis: arguments.axis.map(Into::into) })?;
+    let found = find(&study, AskedSpin { omega, axis: arguments.axis })?;
     let name = &study.model.name;
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;

@@ -16,7 +16,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
     notes(&study, common);
-    let system = System::from(arguments.system);
+    let system = arguments.system;
     let omega = study.initial()?.omega;
     let wrong = system != System::Rigid && note_left_out(&study, omega, common);
     let asked = propagation(&arguments.propagation)?;

@@ -113,9 +113,9 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
-    let form = optional(table.get("form"), |value| form(&value));
+    let form = optional(table.get("form"), |value| value.named());
     let systems = optional(table.get("systems"), |value| systems(&value));
-    let method = optional(table.get("method"), |value| method(&value));
+    let method = optional(table.get("method"), |value| value.named());
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
@@ -153,23 +153,9 @@ fn tolerance(value: &Value<'_>) -> Option<f64> {
     value.refuse(message, "out of range", Some("write for example tolerance = 1e-9".to_owned()))
 }
 
-fn form(value: &Value<'_>) -> Option<Form> {
-    value.choice(&[("momentum", Some(Form::Momentum)), ("paper", Some(Form::Paper))])
-}
-
 fn systems(value: &Value<'_>) -> Option<Vec<System>> {
-    let choices =
-        [("reduced", Some(System::Reduced)), ("rigid", Some(System::Rigid)), ("full", Some(System::Full))];
     let help = "write for example [\"reduced\", \"rigid\", \"full\"]";
-    distinct(value, "a list of systems", help, |item| item.choice(&choices))
-}
-
-fn method(value: &Value<'_>) -> Option<Method> {
-    value.choice(&[
-        ("automatic", Some(Method::Automatic)),
-        ("explicit", Some(Method::Explicit)),
-        ("implicit", Some(Method::Implicit)),
-    ])
+    distinct(value, "a list of systems", help, |item| item.named())
 }
 
 fn stop(value: &Value<'_>) -> Option<Stop> {

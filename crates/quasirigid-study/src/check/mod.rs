@@ -77,7 +77,7 @@ fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
         return Ok(None);
     }
     Ok(Some(if body.coordinates().len() > FEW {
-        "The modes of its steady state are left out: quasirigid modes finds them.".to_owned()
+        "The modes of its steady state are left out here; asked for, they are found.".to_owned()
     } else {
         steady_state::told(study, steady_state::near(study, None)?).record.sentence
     }))

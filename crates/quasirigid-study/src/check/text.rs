@@ -33,7 +33,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     report.start.iter().for_each(|start| text.push_str(&settled(*start, omega)));
     text.push_str(&steady::lines(spins));
     if let Some(words) = &report.under_forces {
-        let heading = "Steady state under the forces (quasirigid modes)";
+        let heading = "Steady state under the forces";
         text.push_str(&format!("\n{heading}\n{}\n", paragraph(words, "  ", "    ")));
     }
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));

@@ -110,15 +110,15 @@ impl Choice<'_> {
         Ok(match &run.ending {
             DirectEnding::Reached if end.turns < ONE_TURN => Err(format!(
                 "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
-                 balance, not a wobble that dies out; see quasirigid simulate --system full",
+                 balance, not a wobble that dies out; its history in the full system shows it",
                 time(end.t)
             )),
             DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
             DirectEnding::Interrupted => return Err(StudyError::Interrupted),
             DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
-            DirectEnding::StepLimit => {
-                Err(told("the steps allowed were used up; --method direct allows more of them"))
-            }
+            DirectEnding::StepLimit => Err(told(
+                "the steps allowed were used up; asked for, the direct integration has more of them",
+            )),
             DirectEnding::Failed { reason } => Err(told(reason)),
         })
     }

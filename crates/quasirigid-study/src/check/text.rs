@@ -164,7 +164,8 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, w
     if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
         return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
     }
-    writeln!(out, "\nSteady spins at this momentum, after the reduced equations{without}")?;
+    let heading = format!("Steady spins at this momentum, after the reduced equations{without}");
+    writeln!(out, "\n{}", paragraph(&heading, "", "  "))?;
     let names = ["least", "middle", "greatest"];
     let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));
     for (place, name) in names.into_iter().enumerate() {

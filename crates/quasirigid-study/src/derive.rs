@@ -53,19 +53,21 @@ impl Equations<'_> {
     }
 }
 
-/// Derives the reduced equations.
-///
-/// # Errors
-/// [`StudyError::Reduction`] and [`StudyError::Vibration`].
-pub fn derive(study: &Study) -> Result<Equations<'_>, StudyError> {
-    let Study { body, order, .. } = study;
-    Ok(Equations {
-        study,
-        reduced: Cow::Owned(reduce(body, *order)?),
-        frequencies: Cow::Owned(frequencies(body)?),
-        mechanisms: mechanisms(body, *order)?,
-        forces: acting(study, study.initial().ok()),
-    })
+impl Study {
+    /// Derives the reduced equations.
+    ///
+    /// # Errors
+    /// [`StudyError::Reduction`] and [`StudyError::Vibration`].
+    pub fn derive(&self) -> Result<Equations<'_>, StudyError> {
+        let Study { body, order, .. } = self;
+        Ok(Equations {
+            study: self,
+            reduced: Cow::Owned(reduce(body, *order)?),
+            frequencies: Cow::Owned(frequencies(body)?),
+            mechanisms: mechanisms(body, *order)?,
+            forces: acting(self, self.initial().ok()),
+        })
+    }
 }
 
 /// Those that are known already, without what moves inside and outside each by itself.

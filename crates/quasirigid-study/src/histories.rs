@@ -223,62 +223,64 @@ impl History {
 /// Rows of a table when nothing says how many.
 const TABLE_ROWS: usize = 1001;
 
-/// Follows one system of equations. What is suspect before the work is a remark to the watch.
-///
-/// # Errors
-/// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.
-pub fn simulate(
-    study: &Study,
-    propagation: &Propagation,
-    table: &Table,
-    watch: &mut dyn Watch,
-) -> Result<History, StudyError> {
-    let body = &study.body;
-    let spin = study.initial()?;
-    let options = propagation.options(study, stop_axis(study, spin.omega)?)?;
-    let times = match &table.times {
-        Some(times) => times.clone(),
-        None => {
-            let rows = propagation.samples(study, TABLE_ROWS);
-            even_times(rows, propagation.duration(study, spin.omega)?)?
+impl Study {
+    /// Follows one system of equations. What is suspect before the work is a remark to the watch.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.
+    pub fn simulate(
+        &self,
+        propagation: &Propagation,
+        table: &Table,
+        watch: &mut dyn Watch,
+    ) -> Result<History, StudyError> {
+        let body = &self.body;
+        let spin = self.initial()?;
+        let options = propagation.options(self, stop_axis(self, spin.omega)?)?;
+        let times = match &table.times {
+            Some(times) => times.clone(),
+            None => {
+                let rows = propagation.samples(self, TABLE_ROWS);
+                even_times(rows, propagation.duration(self, spin.omega)?)?
+            }
+        };
+        let kept = table.coordinates || table.displacements;
+        room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
+        for (asked, setting) in
+            [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
+        {
+            if asked && table.system == System::Rigid {
+                return Err(StudyError::NoCoordinates { setting });
+            }
         }
-    };
-    let kept = table.coordinates || table.displacements;
-    room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
-    for (asked, setting) in
-        [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
-    {
-        if asked && table.system == System::Rigid {
-            return Err(StudyError::NoCoordinates { setting });
+        let motion = Motion::new(self, spin);
+        let judged = spin.omega != [0.0; 3] || !motion.system().acts();
+        if table.system == System::Reduced && judged {
+            let reduced = reduce(body, self.order)?;
+            let validity = Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
+            if validity.verdict() != Verdict::Holds {
+                watch.remark(&format!("{} The check says why.", verdict(&validity)));
+            }
         }
-    }
-    let motion = Motion::new(study, spin);
-    let judged = spin.omega != [0.0; 3] || !motion.system().acts();
-    if table.system == System::Reduced && judged {
-        let reduced = reduce(body, study.order)?;
-        let validity = Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
-        if validity.verdict() != Verdict::Holds {
-            watch.remark(&format!("{} The check says why.", verdict(&validity)));
+        let mut collector = Collector::new(watch, "propagating", &times);
+        collector.coordinates = kept.then(Vec::new);
+        let run = motion.follow(table.system, &times, options, &mut collector)?;
+        let Collector { samples, budget, coordinates, .. } = collector;
+        let rows = coordinates.unwrap_or_default();
+        let mut columns = columns(body.support(), &samples, None);
+        if table.displacements {
+            columns.extend(displacement_columns(body.markers(), &rows));
         }
+        if table.coordinates {
+            let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
+            columns.extend(coordinate_columns(body.coordinates(), valued, &rows));
+        }
+        let (forced, last) = (motion.system().acts(), run.last);
+        let energies = [last.energy_drift, last.dissipated];
+        let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
+        let (status, message) = status(body, run.outcome, last.t);
+        Ok(History { system: table.system, status, message, columns, run, budget, notes })
     }
-    let mut collector = Collector::new(watch, "propagating", &times);
-    collector.coordinates = kept.then(Vec::new);
-    let run = motion.follow(table.system, &times, options, &mut collector)?;
-    let Collector { samples, budget, coordinates, .. } = collector;
-    let rows = coordinates.unwrap_or_default();
-    let mut columns = columns(body.support(), &samples, None);
-    if table.displacements {
-        columns.extend(displacement_columns(body.markers(), &rows));
-    }
-    if table.coordinates {
-        let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
-        columns.extend(coordinate_columns(body.coordinates(), valued, &rows));
-    }
-    let (forced, last) = (motion.system().acts(), run.last);
-    let energies = [last.energy_drift, last.dissipated];
-    let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
-    let (status, message) = status(body, run.outcome, last.t);
-    Ok(History { system: table.system, status, message, columns, run, budget, notes })
 }
 
 /// The axis from which the nutation that ends a history is counted. (P8)

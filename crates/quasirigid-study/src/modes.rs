@@ -79,33 +79,35 @@ impl Modes {
     }
 }
 
-/// Finds steady spins, or the steady state under the forces, and the small motions about them.
-///
-/// # Errors
-/// [`StudyError::AxisUnderForces`], and those of a start that is none.
-pub fn modes(study: &Study, asked: AskedSpin) -> Result<Modes, StudyError> {
-    let Study { body, forces, .. } = study;
-    if acts(body, forces) {
-        if asked.axis.is_some() {
-            return Err(StudyError::AxisUnderForces);
+impl Study {
+    /// Finds steady spins, or the steady state under the forces, and the small motions about them.
+    ///
+    /// # Errors
+    /// [`StudyError::AxisUnderForces`], and those of a start that is none.
+    pub fn modes(&self, asked: AskedSpin) -> Result<Modes, StudyError> {
+        let Study { body, forces, .. } = self;
+        if acts(body, forces) {
+            if asked.axis.is_some() {
+                return Err(StudyError::AxisUnderForces);
+            }
+            let near = steady_state::near(self, asked.omega)?;
+            let steady_state::Told { record, state } = steady_state::told(self, near);
+            return Ok(Modes { spins: vec![record], state, under_forces: true });
         }
-        let near = steady_state::near(study, asked.omega)?;
-        let steady_state::Told { record, state } = steady_state::told(study, near);
-        return Ok(Modes { spins: vec![record], state, under_forces: true });
+        let (omega, given) = match asked.omega {
+            Some(omega) => (omega, Given::Rate(norm(omega))),
+            None => of_start(self)?,
+        };
+        let spins = match (asked.axis, asked.omega) {
+            (Some(axis), _) => {
+                let direction = Principal::of(body.invariants().J).axes[axis as usize];
+                vec![steady::spin(self, axis.name(), direction, given)]
+            }
+            (None, Some(_)) => vec![steady::spin(self, "asked", nearest(body, omega), given)],
+            (None, None) => steady::poles(self, omega, given).records,
+        };
+        Ok(Modes { spins, state: None, under_forces: false })
     }
-    let (omega, given) = match asked.omega {
-        Some(omega) => (omega, Given::Rate(norm(omega))),
-        None => of_start(study)?,
-    };
-    let spins = match (asked.axis, asked.omega) {
-        (Some(axis), _) => {
-            let direction = Principal::of(body.invariants().J).axes[axis as usize];
-            vec![steady::spin(study, axis.name(), direction, given)]
-        }
-        (None, Some(_)) => vec![steady::spin(study, "asked", nearest(body, omega), given)],
-        (None, None) => steady::poles(study, omega, given).records,
-    };
-    Ok(Modes { spins, state: None, under_forces: false })
 }
 
 /// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if what turns inside takes that up.

@@ -12,6 +12,7 @@ use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, Verificat
 
 use crate::derive;
 use crate::error::StudyError;
+use crate::evolution::Evolved;
 use crate::histories::{Collector, Propagation, circled_axis, even_times, room};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -71,51 +72,53 @@ impl RunOutcome {
     }
 }
 
-/// Does all that the model asks for in `[run]`.
-///
-/// # Errors
-/// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
-pub fn run(
-    study: &Study,
-    propagation: &Propagation,
-    watch: &mut dyn Watch,
-) -> Result<RunOutcome, StudyError> {
-    let Study { model, body, order, .. } = study;
-    let start = study.initial()?;
-    let motion = Motion::new(study, start);
-    let reduced = reduce(body, *order)?;
-    let judged = match motion.settled_spin(&reduced) {
-        Err(StudyError::Propagate(PropagateError::NoMomentum)) => start.omega,
-        other => other?,
-    };
-    let validity = Validity::of_reduced(body, &reduced, judged)?;
-    let rigid = reduce(body, 0)?;
-    let holds = validity.verdict() != Verdict::Fails;
-    let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
-    let mut notes = model.notes.clone();
-    let poles = steady::at_start(&motion, study)?;
-    let left_out = LeftOut::at(study, start.omega, poles.nearest);
-    notes.extend(left_out.notes());
-    let plan = Plan::new(study, propagation, &motion, nutating)?;
-    let evolution = plan.evolution(start, &mut notes, watch)?;
-    let histories = plan.histories(&mut notes, watch)?;
-    let verification = plan.verification(&mut notes, watch)?;
-    let record = RunRecord {
-        version: env!("CARGO_PKG_VERSION").into(),
-        model: record::model(model),
-        notes,
-        body: record::body(study),
-        liquids: liquids(study, norm(start.omega)).iter().map(Liquid::record).collect(),
-        validity: record::validity(&validity),
-        steady_spins: poles.records,
-        reduction: record::reduction(body, &reduced, &validity, start.omega),
-        histories,
-        verification,
-        evolution,
-    };
-    let done = plan.is_done(&record);
-    let equations = derive::of_reduced(study, &reduced, &validity.vibrations.frequencies, Some(start));
-    Ok(RunOutcome { record, reduced: equations.json(), holds: done && holds && left_out.liquids.is_none() })
+impl Study {
+    /// Does all that the model asks for in `[run]`.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
+    pub fn run(&self, propagation: &Propagation, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
+        let Study { model, body, order, .. } = self;
+        let start = self.initial()?;
+        let motion = Motion::new(self, start);
+        let reduced = reduce(body, *order)?;
+        let judged = match motion.settled_spin(&reduced) {
+            Err(StudyError::Propagate(PropagateError::NoMomentum)) => start.omega,
+            other => other?,
+        };
+        let validity = Validity::of_reduced(body, &reduced, judged)?;
+        let rigid = reduce(body, 0)?;
+        let holds = validity.verdict() != Verdict::Fails;
+        let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
+        let mut notes = model.notes.clone();
+        let poles = steady::at_start(&motion, self)?;
+        let left_out = LeftOut::at(self, start.omega, poles.nearest);
+        notes.extend(left_out.notes());
+        let plan = Plan::new(self, propagation, &motion, nutating)?;
+        let evolution = plan.evolution(start, &mut notes, watch)?;
+        let histories = plan.histories(&mut notes, watch)?;
+        let verification = plan.verification(&mut notes, watch)?;
+        let record = RunRecord {
+            version: env!("CARGO_PKG_VERSION").into(),
+            model: record::model(model),
+            notes,
+            body: record::body(self),
+            liquids: liquids(self, norm(start.omega)).iter().map(Liquid::record).collect(),
+            validity: record::validity(&validity),
+            steady_spins: poles.records,
+            reduction: record::reduction(body, &reduced, &validity, start.omega),
+            histories,
+            verification,
+            evolution,
+        };
+        let done = plan.is_done(&record);
+        let equations = derive::of_reduced(self, &reduced, &validity.vibrations.frequencies, Some(start));
+        Ok(RunOutcome {
+            record,
+            reduced: equations.json(),
+            holds: done && holds && left_out.liquids.is_none(),
+        })
+    }
 }
 
 /// What the histories of a run have in common.
@@ -202,7 +205,7 @@ impl<'a> Plan<'a> {
         if self.study.model.run.verify.is_none() {
             return Ok(None);
         }
-        let plan = verification::plan(self.study, Verify::default());
+        let plan = self.study.verification_plan(Verify::default());
         let found = verification::follow(self.motion, &plan, watch)?;
         if found.is_none() {
             notes.push(UNPROVED.into());
@@ -220,8 +223,8 @@ impl<'a> Plan<'a> {
         if self.study.model.run.evolve.is_none() {
             return Ok(None);
         }
-        let asked = evolution::asked(&self.study.model);
-        let (record, remarks) = evolution::follow(self.study, start, &asked, watch)?;
+        let Evolved { record, notes: remarks } =
+            evolution::follow(self.study, start, &self.study.evolution_asked(), watch)?;
         notes.extend(remarks);
         if record.status != "finished" {
             notes.push(format!("Over many turns: {}", record.message));

@@ -40,8 +40,8 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError::Model`] for a file that cannot be read, and for a body that cannot be.
-    pub fn open(path: &Path, order: Option<usize>) -> Result<Self, StudyError> {
-        Self::new(Model::read(path)?, order)
+    pub fn open(path: impl AsRef<Path>, order: Option<usize>) -> Result<Self, StudyError> {
+        Self::new(Model::read(path.as_ref())?, order)
     }
 
     /// The same of the text of a model file; `name` stands for the file in messages.

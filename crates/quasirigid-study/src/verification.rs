@@ -17,32 +17,36 @@ use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
 
-/// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
-/// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
-#[must_use]
-pub fn plan(study: &Study, asked: Verify) -> Plan {
-    let lowest = usize::from(study.body.cyclic().is_empty());
-    let file = study.model.run.verify.clone().unwrap_or_default();
-    let usual = Plan::default();
-    Plan {
-        orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=study.order).collect()),
-        rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
-        halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
-        ..usual
+impl Study {
+    /// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
+    /// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
+    #[must_use]
+    pub fn verification_plan(&self, asked: Verify) -> Plan {
+        let lowest = usize::from(self.body.cyclic().is_empty());
+        let file = self.model.run.verify.clone().unwrap_or_default();
+        let usual = Plan::default();
+        Plan {
+            orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=self.order).collect()),
+            rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
+            halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
+            ..usual
+        }
     }
 }
 
-/// Verifies the reduced equations of a study; none if the watch ended it.
-///
-/// # Errors
-/// [`StudyError`] for a start that is none, and for a plan that means nothing.
-pub fn verify(
-    study: &Study,
-    plan: &Plan,
-    watch: &mut dyn Watch,
-) -> Result<Option<VerificationRecord>, StudyError> {
-    let motion = Motion::new(study, study.initial()?);
-    Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
+impl Study {
+    /// Verifies the reduced equations of a study; none if the watch ended it.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and for a plan that means nothing.
+    pub fn verify(
+        &self,
+        plan: &Plan,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<VerificationRecord>, StudyError> {
+        let motion = Motion::new(self, self.initial()?);
+        Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
+    }
 }
 
 /// What was found of the reduced equations and of the average.

@@ -1,5 +1,3 @@
-use quasirigid_study::check;
-
 use super::{notes, open};
 use crate::args::Check;
 use crate::failure::Failure;
@@ -9,7 +7,7 @@ use crate::{Ending, output};
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let report = check::check(&study)?;
+    let report = study.check()?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", report.json()))?;
     } else {

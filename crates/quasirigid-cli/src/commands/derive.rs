@@ -1,5 +1,3 @@
-use quasirigid_study::derive;
-
 use super::{notes, open};
 use crate::args::{Derive, DeriveFormat};
 use crate::failure::Failure;
@@ -9,7 +7,7 @@ use crate::{Ending, output};
 pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let equations = derive::derive(&study)?;
+    let equations = study.derive()?;
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => equations.text(),

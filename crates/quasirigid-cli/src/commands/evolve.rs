@@ -1,6 +1,6 @@
 use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
-use quasirigid_study::evolution::{self, Asked};
+use quasirigid_study::evolution::{self, Asked, Evolved};
 use serde_json::json;
 
 use super::{notes, open, seconds};
@@ -16,11 +16,11 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     let Evolve { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
     notes(&study, common);
-    let start = study.initial()?;
+    study.initial()?;
     if let Some(path) = out {
         output::check_file(path, *overwrite)?;
     }
-    let file = evolution::asked(&study.model);
+    let file = study.evolution_asked();
     let asked = Asked {
         from: target("--from", arguments.from.as_deref())?,
         until: target("--to", arguments.to.as_deref())?.or(file.until),
@@ -31,7 +31,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     };
     let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);
-    let (record, remarks) = evolution::follow(&study, start, &asked, watch)?;
+    let Evolved { record, notes: remarks } = study.evolve(&asked, watch)?;
     interrupt.forget();
     if !common.quiet {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));

@@ -1,4 +1,4 @@
-use quasirigid_study::modes::{AskedSpin, modes as find};
+use quasirigid_study::modes::AskedSpin;
 
 use super::{notes, open};
 use crate::args::Modes;
@@ -10,7 +10,7 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found = find(&study, AskedSpin { omega, axis: arguments.axis })?;
+    let found = study.modes(AskedSpin { omega, axis: arguments.axis })?;
     let name = &study.model.name;
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;

@@ -1,7 +1,7 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
-use quasirigid_study::{run, summary};
+use quasirigid_study::summary;
 
 use super::{is_standard_input, open, propagation};
 use crate::args::Run;
@@ -23,7 +23,7 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     Folder::check(&path, *overwrite)?;
     let asked = propagation(&arguments.propagation)?;
     let interrupt = Interrupt::listen()?;
-    let found = run::run(&study, &asked, &mut Terminal::new(&interrupt, common.quiet))?;
+    let found = study.run(&asked, &mut Terminal::new(&interrupt, common.quiet))?;
     let folder = Folder::new(&path, *overwrite)?;
     found.record.write(&folder.building())?;
     found.files().iter().try_for_each(|(name, text)| folder.write(name, text))?;

@@ -1,7 +1,7 @@
 use quasirigid::dynamics::{Event, Outcome};
 use quasirigid_io::model::System;
 use quasirigid_io::record::{Column, history_csv};
-use quasirigid_study::histories::{self, Table};
+use quasirigid_study::histories::Table;
 
 use super::{note_left_out, notes, open, propagation};
 use crate::args::{Simulate, TableFormat};
@@ -30,7 +30,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         times: arguments.times.clone(),
     };
     let interrupt = Interrupt::listen()?;
-    let history = histories::simulate(&study, &asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
+    let history = study.simulate(&asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
     interrupt.forget();
     history.notes.iter().for_each(|note| remark(note));
     let in_place = print_table(arguments, &history.columns, &interrupt)?;

@@ -1,7 +1,7 @@
 use quasirigid_io::model::Verify as Asked;
+use quasirigid_study::beyond;
 use quasirigid_study::layout::paragraph;
-use quasirigid_study::verification::{text, verify as prove};
-use quasirigid_study::{beyond, verification};
+use quasirigid_study::verification::text;
 use serde_json::json;
 
 use super::{note_left_out, notes, open};
@@ -23,14 +23,14 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
         rotations: arguments.rotations,
         halvings: arguments.halvings,
     };
-    let plan = verification::plan(&study, asked);
+    let plan = study.verification_plan(asked);
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
     let beyond = beyond(&study.model.assembly, highest);
     if let Some(note) = beyond.as_ref().filter(|_| highest > study.order && !quiet) {
         remark(&format!("note: {note}"));
     }
     let interrupt = Interrupt::listen()?;
-    let Some(record) = prove(&study, &plan, &mut Terminal::new(&interrupt, quiet))? else {
+    let Some(record) = study.verify(&plan, &mut Terminal::new(&interrupt, quiet))? else {
         remark("the verification was interrupted; nothing was measured");
         return Ok(Ending::CheckFailed);
     };

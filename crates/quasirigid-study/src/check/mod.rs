@@ -43,31 +43,33 @@ pub struct CheckReport<'a> {
 /// Coordinates of a body whose modes under forces are found in a moment.
 const FEW: usize = 60;
 
-/// Judges the reduced equations at the spin of the start.
-///
-/// # Errors
-/// [`StudyError`] for a start that is none, and where the reduction fails.
-pub fn check(study: &Study) -> Result<CheckReport<'_>, StudyError> {
-    let Study { body, order, .. } = study;
-    let start = study.initial()?;
-    let motion = Motion::new(study, start);
-    let reduced = reduce(body, *order)?;
-    let omega = motion.settled_spin(&reduced)?;
-    let validity = Validity::of_reduced(body, &reduced, omega)?;
-    let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
-    let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
-    let steady::Poles { records: spins, nearest } = steady::at_start(&motion, study)?;
-    Ok(CheckReport {
-        study,
-        reduced,
-        omega,
-        start: motion.starts_displaced().then_some(start.omega),
-        validity,
-        budget,
-        spins,
-        left_out: LeftOut::at(study, omega, nearest),
-        under_forces: under_forces(study)?,
-    })
+impl Study {
+    /// Judges the reduced equations at the spin of the start.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and where the reduction fails.
+    pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
+        let Study { body, order, .. } = self;
+        let start = self.initial()?;
+        let motion = Motion::new(self, start);
+        let reduced = reduce(body, *order)?;
+        let omega = motion.settled_spin(&reduced)?;
+        let validity = Validity::of_reduced(body, &reduced, omega)?;
+        let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
+        let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
+        let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;
+        Ok(CheckReport {
+            study: self,
+            reduced,
+            omega,
+            start: motion.starts_displaced().then_some(start.omega),
+            validity,
+            budget,
+            spins,
+            left_out: LeftOut::at(self, omega, nearest),
+            under_forces: under_forces(self)?,
+        })
+    }
 }
 
 /// What the steady state under the forces comes to; nothing of a body that no moment acts on.

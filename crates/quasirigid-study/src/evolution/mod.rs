@@ -14,7 +14,7 @@ use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
-use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
+use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 
 use crate::error::StudyError;
@@ -29,7 +29,7 @@ use rows::Rows;
 pub use words::text;
 
 /// What is asked for, by the file or on the command line.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Asked {
     /// Where to start; the initial state if it is not said.
     pub from: Option<Target>,
@@ -55,26 +55,46 @@ impl Asked {
 /// Rows of the history unless somebody says how many.
 const SAMPLES: usize = 201;
 
-/// What the file asks for.
-pub fn asked(model: &Model) -> Asked {
-    let evolve = model.run.evolve.unwrap_or_default();
-    Asked {
-        from: None,
-        until: evolve.until,
-        duration: evolve.duration,
-        samples: evolve.samples.unwrap_or(SAMPLES),
-        power: evolve.power,
-        method: evolve.method,
+/// An evolution that was followed.
+#[derive(Clone, Debug)]
+pub struct Evolved {
+    /// The record; its status and message say whether it holds.
+    pub record: EvolutionRecord,
+    /// What the reader should know before the numbers.
+    pub notes: Vec<String>,
+}
+
+impl Study {
+    /// What the file asks for of an evolution.
+    #[must_use]
+    pub fn evolution_asked(&self) -> Asked {
+        let evolve = self.model.run.evolve.unwrap_or_default();
+        Asked {
+            from: None,
+            until: evolve.until,
+            duration: evolve.duration,
+            samples: evolve.samples.unwrap_or(SAMPLES),
+            power: evolve.power,
+            method: evolve.method,
+        }
+    }
+
+    /// Follows the averaged rotation from the start of the model.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
+    pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
+        follow(self, self.initial()?, asked, watch)
     }
 }
 
-/// Follows the averaged rotation; the record, and what the reader should know before the numbers.
-pub fn follow(
+/// Follows the averaged rotation from a start.
+pub(crate) fn follow(
     study: &Study,
     start: SpinState,
     asked: &Asked,
     observer: &mut dyn Watch,
-) -> Result<(EvolutionRecord, Vec<String>), StudyError> {
+) -> Result<Evolved, StudyError> {
     let Study { model, body, forces, order, .. } = study;
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
@@ -91,10 +111,10 @@ pub fn follow(
     let run = if torque.is_none() {
         match road::choose(study, start, asked, &mut ageing, &mut watch)? {
             Ok(history) => history,
-            Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
+            Err(refusal) => return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() }),
         }
     } else if let Some(refusal) = road::under_torque(study, start, asked, &mut ageing)? {
-        return Ok((ageing.refused(refusal), Vec::new()));
+        return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() });
     } else {
         History::None
     };
@@ -132,7 +152,7 @@ pub fn follow(
     notes.extend(words::uncertain(&rows));
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.momentum / ageing.principal.moments[2]);
-    Ok((EvolutionRecord { estimates, ..record }, notes))
+    Ok(Evolved { record: EvolutionRecord { estimates, ..record }, notes })
 }
 
 /// What of a body is approximated so that a reader must know, with its error: a solid, or the flow of liquids.

@@ -7,20 +7,27 @@
 pub trait Arithmetic: Copy + Default {
     /// `a·b + c`.
     fn mul_add(a: f64, b: f64, c: f64) -> f64;
+
+    /// Does the work by this arithmetic in a function of its own, which is compiled once however often it is called.
+    fn call<T: Task>(task: T) -> T::Output;
 }
 
 /// Two roundings.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Plain;
 
-/// One rounding, in one instruction.
+/// One rounding, in one instruction. Private, because only [`dispatch`] knows that the processor has it.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Fused;
+pub(crate) struct Fused;
 
 impl Arithmetic for Plain {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a * b + c
+    }
+
+    fn call<T: Task>(task: T) -> T::Output {
+        plain(task)
     }
 }
 
@@ -28,6 +35,14 @@ impl Arithmetic for Fused {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
+    }
+
+    fn call<T: Task>(task: T) -> T::Output {
+        // SAFETY: only `dispatch` starts work by this arithmetic, after it has asked the processor.
+        #[cfg(target_arch = "x86_64")]
+        return unsafe { fused(task) };
+        #[cfg(not(target_arch = "x86_64"))]
+        unreachable!("no processor but x86-64 is asked for it")
     }
 }
 
@@ -47,10 +62,16 @@ pub fn dispatch<T: Task>(task: T) -> T::Output {
         // SAFETY: the processor has the features that the function is compiled for.
         return unsafe { fused(task) };
     }
+    plain(task)
+}
+
+#[inline(never)]
+fn plain<T: Task>(task: T) -> T::Output {
     task.run::<Plain>()
 }
 
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx2,fma")]
 fn fused<T: Task>(task: T) -> T::Output {
     task.run::<Fused>()
@@ -60,5 +81,12 @@ fn fused<T: Task>(task: T) -> T::Output {
 #[inline(always)]
 #[must_use]
 pub fn scaled_sum<A: Arithmetic, const N: usize>(a: [f64; N], b: f64, c: [f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| A::mul_add(a[i], b, c[i]))
+    let mut sum = c;
+    let mut i = 0;
+    // A closure or an iterator would be a call where little is optimised, and `mul_add` in it no instruction.
+    while i < N {
+        sum[i] = A::mul_add(a[i], b, c[i]);
+        i += 1;
+    }
+    sum
 }

@@ -1,7 +1,7 @@
 use std::marker::PhantomData;
 
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
-use super::system::{Dense, Solver, State, StepError, System, Work, accumulate, towards};
+use super::system::{Dense, Rate, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::math::simd::Arithmetic;
 
 /// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) `[@hairer1993]`.
@@ -48,7 +48,7 @@ fn stage_rates<S: System<Y>, Y: State, R: Arithmetic>(
 ) {
     for stage in 1..STAGES {
         place.combine::<R>(y, h, &A[stage], &stages[..stage]);
-        system.rate::<R>(t + C[stage] * h, place, &mut stages[stage]);
+        R::call(Rate { system, t: t + C[stage] * h, y: place, rate: &mut stages[stage] });
     }
     work.evaluations += STAGES as u64 - 1;
 }
@@ -83,7 +83,8 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
     /// Rate of the state reached.
     #[inline(always)]
     fn evaluate_end(&mut self) {
-        self.system.rate::<R>(self.t, &self.y, &mut self.stages[STAGES]);
+        let Self { system, t, y, stages, .. } = self;
+        R::call(Rate { system, t: *t, y, rate: &mut stages[STAGES] });
         self.work.evaluations += 1;
     }
 
@@ -152,7 +153,8 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         let (state, rate) = (size(self.y.as_ref()), size(self.stages[STAGES].as_ref()));
         let guess = if state > 1e-10 && rate > 1e-10 { 0.01 * state / rate } else { 1e-6 };
         self.place.combine::<R>(&self.y, guess, &[1.0], &self.stages[STAGES..=STAGES]);
-        self.system.rate::<R>(self.t + guess, &self.place, &mut self.stages[0]);
+        let Self { system, t, place, stages, .. } = self;
+        R::call(Rate { system, t: *t + guess, y: place, rate: &mut stages[0] });
         self.work.evaluations += 1;
         let mut change = self.stages[0].clone();
         for (change, rate) in change.as_mut().iter_mut().zip(self.stages[STAGES].as_ref()) {
@@ -227,8 +229,9 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
     fn dense(&mut self) -> Dense<Y> {
         let (t, h) = self.last;
         for stage in STAGES + 1..=STAGES + EXTRA {
-            self.place.combine::<R>(&self.start, h, &A[stage], &self.stages[..stage]);
-            self.system.rate::<R>(t + C[stage] * h, &self.place, &mut self.stages[stage]);
+            let Self { system, place, start, stages, .. } = self;
+            place.combine::<R>(start, h, &A[stage], &stages[..stage]);
+            R::call(Rate { system, t: t + C[stage] * h, y: place, rate: &mut stages[stage] });
         }
         self.work.evaluations += EXTRA as u64;
         let zero = self.y.zeroed();

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::math::simd::{Arithmetic, scaled_sum};
+use crate::math::simd::{Arithmetic, Task, scaled_sum};
 
 /// State of a system: a list of numbers, of a length known to the compiler or not.
 pub trait State: Clone + AsRef<[f64]> + AsMut<[f64]> {
@@ -46,6 +46,25 @@ impl State for Vec<f64> {
 pub trait System<Y> {
     /// Writes the rate of the state into `rate`.
     fn rate<R: Arithmetic>(&mut self, t: f64, y: &Y, rate: &mut Y);
+}
+
+/// The rate of a system where a method asks for it.
+///
+/// A method asks at half a dozen places; [`Arithmetic::call`] compiles a rate once for all of them, as it may be long.
+pub(super) struct Rate<'a, S, Y> {
+    pub system: &'a mut S,
+    pub t: f64,
+    pub y: &'a Y,
+    pub rate: &'a mut Y,
+}
+
+impl<S: System<Y>, Y> Task for Rate<'_, S, Y> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) {
+        self.system.rate::<A>(self.t, self.y, self.rate);
+    }
 }
 
 /// A method that follows a system step by step.

@@ -1,6 +1,7 @@
 //! Writes reports of made-up runs into a folder, to be looked at: `cargo run --example sample -- FOLDER`.
 #![allow(clippy::unwrap_used)]
 
+#[allow(dead_code)]
 #[path = "../tests/support/mod.rs"]
 mod support;
 

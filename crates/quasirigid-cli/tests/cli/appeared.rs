@@ -8,7 +8,7 @@ use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
 use super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::support::{Ran, folder_of, names, one_line, ran_in};
+use crate::support::{Ran, folder_of, names, one_line, ran_in};
 
 const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o out -q";
 const SHORT: &str = "run model.toml --duration 5 --samples 6 -q -o out";

@@ -1,6 +1,6 @@
 use insta::assert_snapshot;
 
-use super::support::{EXAMPLES, MODEL, numbers, one_line, ran, ran_with};
+use crate::support::{EXAMPLES, MODEL, numbers, one_line, ran, ran_with};
 
 #[test]
 fn explorer_1_fails_and_says_why_in_order_of_the_theory() {

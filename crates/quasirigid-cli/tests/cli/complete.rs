@@ -1,6 +1,6 @@
 //! Orders beyond what the parts of a body support are said so.
 
-use super::support::{MODEL, ran_with};
+use crate::support::{MODEL, ran_with};
 
 const ELLIPSOID: &str = r#"
 [material.rubble]

@@ -4,7 +4,7 @@ use insta::assert_snapshot;
 use quasirigid_io::model::Model;
 use serde_json::Value;
 
-use super::support::{EXAMPLES, MODEL, ROOT, numbers, ran, ran_with};
+use crate::support::{EXAMPLES, MODEL, ROOT, numbers, ran, ran_with};
 
 fn derived(example: &str, order: usize) -> Value {
     let ran = ran(&format!("derive examples/{example}/model.toml --format json --order {order}"));

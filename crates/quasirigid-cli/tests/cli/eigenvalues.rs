@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::support::ran_with;
+use crate::support::ran_with;
 
 /// Panels with a lossy core on hinges: their rotations in the plane have stiffness and loss and no mass.
 const ARRAY: &str = r#"

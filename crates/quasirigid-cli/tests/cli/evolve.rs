@@ -5,7 +5,7 @@ use std::fs;
 use insta::assert_snapshot;
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, Table, folder_of, folder_with, ran, ran_in, ran_with};
+use crate::support::{MODEL, ROOT, Table, folder_of, folder_with, ran, ran_in, ran_with};
 
 /// The ellipsoid of `data/published/ellipsoid`, with |K| = I3 * 1e-4.
 const ASTEROID: &str = "\

@@ -4,7 +4,7 @@ use std::fs;
 
 use insta::assert_snapshot;
 
-use super::support::{Ran, folder_of, names, ran_in};
+use crate::support::{Ran, folder_of, names, ran_in};
 
 const SHORT: &str = "simulate model.toml --duration 10 --samples 5";
 
@@ -82,7 +82,7 @@ fn full_disk_is_a_clear_error() {
     assert_snapshot!(file.refusal(), @"quasirigid: cannot write /dev/full: No space left on device (os error 28)");
     for line in [SHORT, "check model.toml", "derive model.toml"] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-        let mut command = super::support::program(folder.path());
+        let mut command = crate::support::program(folder.path());
         let ran: Ran = command.args(line.split(' ')).stdout(full).output().unwrap().into();
         assert_snapshot_of_full_output(&ran);
     }

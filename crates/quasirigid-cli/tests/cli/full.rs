@@ -2,7 +2,7 @@
 
 use quasirigid_io::record::RunRecord;
 
-use super::support::{MODEL, Table, folder_with, numbers, one_line, ran, ran_in, ran_with};
+use crate::support::{MODEL, Table, folder_with, numbers, one_line, ran, ran_in, ran_with};
 
 /// The model with further lines before `[initial]`, in it, and in `[run]`.
 fn model(before: &str, initial: &str, run: &str) -> String {
@@ -86,7 +86,7 @@ displacements = \"rest\"
 /// Panels on soft hinges, thrown far by the spin: their paths hold no further, and an angle of 12 degrees is told as such.
 #[test]
 fn panels_thrown_far_end_the_full_system_in_words() {
-    let path = format!("{}/examples/solar-panels/model.toml", super::support::ROOT);
+    let path = format!("{}/examples/solar-panels/model.toml", crate::support::ROOT);
     let panels = std::fs::read_to_string(path).unwrap();
     let soft = panels
         .replace("stiffness = 900.0", "stiffness = 5.0")

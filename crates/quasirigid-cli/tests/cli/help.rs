@@ -1,4 +1,4 @@
-use super::support::{EXAMPLES, ran};
+use crate::support::{EXAMPLES, ran};
 
 const COMMANDS: [&str; 6] = ["run", "check", "derive", "simulate", "evolve", "verify"];
 

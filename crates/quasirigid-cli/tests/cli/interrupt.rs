@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
-use super::support::{Ran, Table, folder_of, names, one_line, program};
+use crate::support::{Ran, Table, folder_of, names, one_line, program};
 
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, ran, ran_with};
+use crate::support::{MODEL, ROOT, ran, ran_with};
 
 type Keys = BTreeSet<String>;
 

@@ -1,6 +1,6 @@
 //! What the equations of motion leave out is said first, and the exit code tells it.
 
-use super::support::{Ran, folder_with, one_line, ran_in};
+use crate::support::{Ran, folder_with, one_line, ran_in};
 
 /// A ball of liquid, Reynolds number 9000 over the viscosity in units of 10⁻⁵ m²/s.
 fn ball(viscosity: &str) -> String {

@@ -2,7 +2,7 @@ use std::fs;
 
 use insta::assert_snapshot;
 
-use super::support::{MODEL, folder_with, names, ran_in, ran_with};
+use crate::support::{MODEL, folder_with, names, ran_in, ran_with};
 
 /// How `check` refuses the model with one part replaced.
 fn refusal(part: &str, by: &str) -> String {

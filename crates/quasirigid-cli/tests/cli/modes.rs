@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, Ran, one_line, ran_with};
+use crate::support::{MODEL, ROOT, Ran, one_line, ran_with};
 
 /// A body that hangs from a point, 0.5 m below it; its moments about that point are 10.25, 14 and 16 kg m2.
 const PENDULUM: &str = "\

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 
-use super::support::{MODEL, Ran, folder_with, one_line, program, ran_in, ran_with};
+use crate::support::{MODEL, Ran, folder_with, one_line, program, ran_in, ran_with};
 
 fn steers(text: &str) -> bool {
     text.chars().any(|letter| letter.is_control() && letter != '\n')
@@ -70,7 +70,7 @@ fn on_a_small_machine(folder: &std::path::Path, kibi: usize, line: &str) -> Ran 
 #[test]
 fn panel_too_fine_for_the_memory_is_refused_with_an_estimate() {
     let text =
-        fs::read_to_string(format!("{}/examples/solar-panels/model.toml", super::support::ROOT)).unwrap();
+        fs::read_to_string(format!("{}/examples/solar-panels/model.toml", crate::support::ROOT)).unwrap();
     let at = text.find("cells = [").unwrap();
     let end = at + text[at..].find(']').unwrap();
     for (cells, words) in [

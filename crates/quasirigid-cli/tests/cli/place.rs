@@ -1,6 +1,6 @@
 //! Where the body is, in tables and objects: paper, (1.15).
 
-use super::support::{MODEL, Table, difference, folder_with, numbers, ran_in, ran_with};
+use crate::support::{MODEL, Table, difference, folder_with, numbers, ran_in, ran_with};
 
 const PLACE: [&str; 3] = ["x", "y", "z"];
 const RATE: [&str; 3] = ["vx", "vy", "vz"];

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use serde_json::Value;
 
-use super::support::{ROOT, Ran, folder_with, one_line, ran, ran_in, ran_with};
+use crate::support::{ROOT, Ran, folder_with, one_line, ran, ran_in, ran_with};
 
 /// Two pendulums that centrifugal force holds out, nearly without springs.
 const SLOSH: &str = "\

@@ -3,7 +3,7 @@ use std::fs;
 use insta::assert_snapshot;
 use quasirigid_io::record::RunRecord;
 
-use super::support::{folder_of, names, ran_in};
+use crate::support::{folder_of, names, ran_in};
 
 const RECORD: [&str; 6] =
     ["history-reduced.csv", "history-rigid.csv", "record.json", "reduced.json", "report.html", "sphere.svg"];

@@ -5,7 +5,7 @@ use std::fs;
 use insta::assert_snapshot;
 use quasirigid_io::record::RunRecord;
 
-use super::support::{folder_of, names, ran_in};
+use crate::support::{folder_of, names, ran_in};
 
 const SHORT: &str = "run model.toml --duration 5 --samples 6 -o spin";
 /// Many seconds of work, which a refusal must not wait for; at its end the message would be another.
@@ -30,7 +30,7 @@ fn nothing_of_an_older_record_stays_in_a_newer_one() {
     let folder = folder_of("axial-mass");
     ran_in(folder.path(), SHORT);
     fs::copy(
-        format!("{}/examples/explorer1/model.toml", super::support::ROOT),
+        format!("{}/examples/explorer1/model.toml", crate::support::ROOT),
         folder.path().join("model.toml"),
     )
     .unwrap();

@@ -1,4 +1,4 @@
-use super::support::{EXAMPLES, Table, difference, folder_with, numbers, ran, ran_in, ran_with};
+use crate::support::{EXAMPLES, Table, difference, folder_with, numbers, ran, ran_in, ran_with};
 
 const HEADER: &str = "t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,energy_drift,momentum_drift,\
                       x,y,z,vx,vy,vz,R0x,R0y,R0z";
@@ -47,7 +47,7 @@ fn duration_takes_units_and_the_file_gives_it_otherwise() {
 
 #[test]
 fn samples_of_the_file_hold_unless_the_command_gives_some() {
-    let model = super::support::MODEL.replace("[run]", "[run]\nsamples = 4");
+    let model = crate::support::MODEL.replace("[run]", "[run]\nsamples = 4");
     let rows = |option: &str| {
         Table::of(&ran_with(&model, &format!("simulate model.toml{option}")).stdout).rows.len()
     };
@@ -116,7 +116,7 @@ fn form_of_the_paper_is_another_integration_of_the_same_motion() {
         .map(|form| table(&format!("{AXIAL} --form {form} --times 0,20")).vector(SPIN, 1));
     let gap = difference(paper, momentum);
     assert!(gap > 1e-14 && gap < 1e-4, "{gap:e}");
-    let model = super::support::MODEL.replace("[run]", "[run]\nform = \"paper\"");
+    let model = crate::support::MODEL.replace("[run]", "[run]\nform = \"paper\"");
     let [file, command] = ["", " --form paper"]
         .map(|option| ran_with(&model, &format!("simulate model.toml --samples 3{option}")).stdout);
     assert_eq!(file, command);
@@ -177,7 +177,7 @@ fn theory_that_does_not_hold_is_said_before_the_refusal() {
 
 #[test]
 fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
-    let model = super::support::MODEL.replace("[0.12, 0.035, 0.02]", "[4.8, 1.4, 0.8]");
+    let model = crate::support::MODEL.replace("[0.12, 0.035, 0.02]", "[4.8, 1.4, 0.8]");
     let line = "simulate model.toml --duration 5 --samples 3";
     let [said, quiet] = ["", " --quiet"].map(|option| ran_with(&model, &format!("{line}{option}")));
     assert_eq!(

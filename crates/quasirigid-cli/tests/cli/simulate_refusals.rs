@@ -1,6 +1,6 @@
 use insta::assert_snapshot;
 
-use super::support::{folder_of, names, ran, ran_in};
+use crate::support::{folder_of, names, ran, ran_in};
 
 const AXIAL: &str = "simulate examples/axial-mass/model.toml";
 

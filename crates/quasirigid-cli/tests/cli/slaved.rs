@@ -1,6 +1,6 @@
 //! What the reduced equations say of the internal coordinates, paper (2.14), and of forces, paper (3.1) to (3.4).
 
-use super::support::{MODEL, ROOT, Table, difference, folder_with, numbers, ran_in, ran_with};
+use crate::support::{MODEL, ROOT, Table, difference, folder_with, numbers, ran_in, ran_with};
 
 const SPIN: [&str; 3] = ["wx", "wy", "wz"];
 

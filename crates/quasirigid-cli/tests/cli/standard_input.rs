@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Stdio;
 
-use super::support::{MODEL, ROOT, Ran, folder_with, names, one_line, program, ran_in};
+use crate::support::{MODEL, ROOT, Ran, folder_with, names, one_line, program, ran_in};
 
 /// Runs a command line in a folder with this text on its standard input.
 fn fed(folder: &Path, line: &str, text: &[u8]) -> Ran {

@@ -1,6 +1,6 @@
 //! Starts at which something does not hold: what is judged is what runs, and words name what is wrong.
 
-use super::support::{MODEL, Ran, Table, difference, folder_with, one_line, ran_in, ran_with};
+use crate::support::{MODEL, Ran, Table, difference, folder_with, one_line, ran_in, ran_with};
 
 /// The reduced body starts from the spin on which a displaced point settles; `check` judges that one.
 #[test]
@@ -99,12 +99,12 @@ fn crowded_frequencies_are_found() {
 /// Names a body of the guide whose answers to the spin are so nearly dependent that a mass among them is lost in rounding.
 #[test]
 fn mass_lost_in_rounding_leaves_the_other_frequencies() {
-    let guide = std::fs::read_dir(format!("{}/docs/guide", super::support::ROOT)).unwrap();
+    let guide = std::fs::read_dir(format!("{}/docs/guide", crate::support::ROOT)).unwrap();
     let pages = guide.map(|page| std::fs::read_to_string(page.unwrap().path()).unwrap());
     let page = pages.into_iter().find(|text| text.contains("# complete: array.toml")).unwrap();
     let model = page.split("# complete: array.toml").nth(1).unwrap().split("```").next().unwrap();
     let checked: Ran = ran_with(model, "check model.toml --order 5 --json");
-    let frequencies = super::support::numbers(&checked.json()["frequencies"]);
+    let frequencies = crate::support::numbers(&checked.json()["frequencies"]);
     assert!(frequencies.len() > 100 && frequencies.iter().all(|each| each.is_finite()), "{frequencies:?}");
     assert!(difference([frequencies[0]], [4.233169]) < 1e-5, "{}", frequencies[0]);
 }

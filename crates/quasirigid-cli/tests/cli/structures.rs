@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 #[cfg(unix)]
 use std::process::Command;
 
-use super::support::{ROOT, Table, folder_of, ran, ran_in};
+use crate::support::{ROOT, Table, folder_of, ran, ran_in};
 
 /// What the README of an example shows after a command, up to its first line of dots.
 fn shown(example: &str, command: &str) -> String {

@@ -6,7 +6,7 @@ use std::fs;
 use quasirigid_io::record::RunRecord;
 use tempfile::{TempDir, tempdir};
 
-use super::support::{one_line, ran_in};
+use crate::support::{one_line, ran_in};
 
 const MODEL: &str = r#"
 [body]

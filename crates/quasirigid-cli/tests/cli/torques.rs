@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::support::{MODEL, ROOT, Ran, Table, folder_with, one_line, ran_in, ran_with};
+use crate::support::{MODEL, ROOT, Ran, Table, folder_with, one_line, ran_in, ran_with};
 
 /// An ellipsoid like Apophis, with a torque fixed in the body.
 fn asteroid(torque: &str) -> String {

@@ -1,5 +1,4 @@
 //! A record as a run would leave it: a free body whose energy falls while its angular momentum stays.
-#![allow(dead_code, reason = "every test file uses its own part")]
 
 pub mod ageing;
 

@@ -2,20 +2,10 @@
 
 use quasirigid::averaging::{FreeRotation, HillResponse};
 use quasirigid::dynamics::FullState;
-use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Rotor, RotorKind, Spring,
-};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Spring};
 use quasirigid::math::rotation::ALIGNED;
 use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal, Rheology};
-
-pub fn flywheel(axis: [f64; 3], inertia: f64, friction: f64) -> Rotor {
-    Rotor { name: "flywheel".into(), kind: RotorKind::Flywheel { axis }, inertia, friction, speed: None }
-}
-
-pub fn ball(inertia: f64, friction: f64) -> Rotor {
-    Rotor { name: "ball".into(), kind: RotorKind::Sphere, inertia, friction, speed: None }
-}
 
 /// A motion with a mean spin of about `spin` (rad/s).
 pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {

@@ -8,7 +8,7 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample
 use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal};
 
-use crate::bodies::{full_start, lines, motion, skew};
+use super::bodies::{full_start, lines, motion, skew};
 
 /// Samples and coordinates at the end of a run.
 #[derive(Default)]

@@ -8,9 +8,10 @@ use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{Mode, Principal, Rheology};
 use quasirigid::problems::ring_of_points;
 
-use crate::bodies::{ball, flywheel, motion, skew};
+use super::bodies::{motion, skew};
+use crate::support::rotors::{ball, flywheel};
+use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, direction, rotation, units};
-use crate::transform::{rescaled, rotated};
 
 /// Far below the elastic frequencies the couplings add the square of spin over frequency.
 #[test]

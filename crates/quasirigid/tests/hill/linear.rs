@@ -5,8 +5,9 @@ use quasirigid::averaging::{HillResponse, MeanPower};
 use quasirigid::elements::Assembly;
 use quasirigid::model::{FlexibleBody, Mode};
 
-use crate::bodies::{ball, flywheel, motion};
-use crate::oracle::{Linear, periodic};
+use super::bodies::motion;
+use super::oracle::{Linear, periodic};
+use crate::support::rotors::{ball, flywheel};
 use crate::support::{assemblies, cases};
 
 /// Power, states and multipliers of a body along a polhode, by both roads.

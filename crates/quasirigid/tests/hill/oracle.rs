@@ -5,6 +5,8 @@ use quasirigid::averaging::FreeRotation;
 use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Motion, Principal};
 
+use crate::support::matrices::dense;
+
 /// The full equations of the internal coordinates at a given angular momentum `K`, linear about no displacement.
 pub struct Linear<'a> {
     body: &'a FlexibleBody,
@@ -25,12 +27,6 @@ pub struct Parts {
 impl<'a> Linear<'a> {
     /// `steps` in units of the coordinates and of their rates.
     pub fn new(body: &'a FlexibleBody, steps: [f64; 2]) -> Self {
-        let n = body.coordinates().len();
-        let dense = |matrix: &quasirigid::math::sparse::SparseRows<f64>| {
-            let mut dense = DMatrix::zeros(n, n);
-            matrix.iter().for_each(|(row, column, entry)| dense[(row, column)] += entry);
-            dense
-        };
         Self { body, elastic: body.elastic(), B: dense(body.damping()), C: dense(body.stiffness()), steps }
     }
 

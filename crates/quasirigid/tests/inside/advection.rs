@@ -10,7 +10,7 @@ use quasirigid::math::sym::{add, dot, norm, scale};
 use quasirigid::model::{FlexibleBody, Kinetics, Motion};
 use quasirigid::reduction::{reduce, residual};
 
-use crate::bodies::{bare, cavity};
+use super::bodies::{bare, cavity};
 
 const SEMI_AXES: [f64; 3] = [0.25, 0.2, 0.15];
 const DENSITY: f64 = 900.0;

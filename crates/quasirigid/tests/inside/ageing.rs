@@ -10,7 +10,7 @@ use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{ball, flywheel};
+use crate::support::rotors::{ball, flywheel};
 
 const DENSITY: f64 = 1261.0;
 const VISCOSITY: f64 = 12.0;

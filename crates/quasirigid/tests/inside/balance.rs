@@ -4,7 +4,7 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample
 use quasirigid::math::rotation::{to_inertial, turned};
 use quasirigid::math::sym::{add, norm, scale};
 
-use crate::bodies::everything;
+use super::bodies::everything;
 
 /// Samples, and the whole state at each.
 #[derive(Default)]

@@ -4,11 +4,13 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Rotor, RotorKind,
-    Spring, Wheel, WheelSpeed,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Spring, Wheel,
+    WheelSpeed,
 };
 use quasirigid::model::Rheology;
 use quasirigid::verification::{Plan, Start, verify};
+
+use crate::support::rotors::{ball, flywheel};
 
 /// A carrier alone.
 pub fn bare() -> Assembly {
@@ -39,16 +41,8 @@ pub fn sprung() -> (Point, Spring) {
     (point, spring)
 }
 
-pub fn flywheel(axis: [f64; 3], inertia: f64, friction: f64) -> Rotor {
-    Rotor { name: "flywheel".into(), kind: RotorKind::Flywheel { axis }, inertia, friction, speed: None }
-}
-
 pub fn wheel(axis: [f64; 3], speed: WheelSpeed) -> Wheel {
     Wheel { name: "wheel".into(), axis, speed }
-}
-
-pub fn ball(inertia: f64, friction: f64) -> Rotor {
-    Rotor { name: "ball".into(), kind: RotorKind::Sphere, inertia, friction, speed: None }
 }
 
 pub fn start(omega: [f64; 3]) -> Start {

@@ -5,7 +5,7 @@ use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::everything;
+use super::bodies::everything;
 
 fn names(assembly: &Assembly) -> Vec<String> {
     assembly.body().unwrap().dissipators().iter().map(|part| part.name.clone()).collect()

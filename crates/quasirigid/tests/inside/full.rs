@@ -6,8 +6,9 @@ use quasirigid::elements::{Assembly, WheelSpeed};
 use quasirigid::math::expression::Expression;
 use quasirigid::math::sym::{add, norm, scale};
 
-use crate::bodies::{ball, bare, flywheel, wheel};
-use crate::oracle::Gyrostat;
+use super::bodies::{bare, wheel};
+use super::oracle::Gyrostat;
+use crate::support::rotors::{ball, flywheel};
 
 const OMEGA: [f64; 3] = [1.2, 0.35, 0.2];
 const AXIS: [f64; 3] = [0.3, 1.0, -0.5];

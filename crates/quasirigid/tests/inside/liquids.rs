@@ -7,7 +7,7 @@ use quasirigid::math::meshing;
 use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{bare, cavity};
+use super::bodies::{bare, cavity};
 
 const DENSITY: f64 = 1260.0;
 const VISCOSITY: f64 = 0.03;

@@ -7,7 +7,8 @@ use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{ball, bare, cavity, everything, flywheel, orders, sprung, wheel};
+use super::bodies::{bare, cavity, everything, orders, sprung, wheel};
+use crate::support::rotors::{ball, flywheel};
 
 const OMEGA: [f64; 3] = [1.2, 0.35, 0.2];
 

@@ -8,8 +8,8 @@ use quasirigid::math::rotation::to_inertial;
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{everything, wheel};
-use crate::description::SAME;
+use super::bodies::{everything, wheel};
+use super::description::SAME;
 
 const ORDER: usize = 3;
 /// Rounding of some hundred operations, grown by the condition of the chains of liquids.

@@ -3,8 +3,8 @@
 use quasirigid::elements::Assembly;
 use quasirigid::reduction::{Relaxation, Validity, reduce};
 
-use crate::bodies::everything;
-use crate::description::{Description, SAME};
+use super::bodies::everything;
+use super::description::{Description, SAME};
 
 /// Order kept, and the order that the liquids are prepared for.
 const ORDER: usize = 4;

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use quasirigid::elements::{Assembly, Cavity, CavityShape, SlowLiquid};
 use quasirigid::math::meshing;
 
-use crate::bodies::{bare, tank};
+use super::bodies::{bare, tank};
 
 fn slow(shape: CavityShape, resolution: usize) -> SlowLiquid {
     let cavity = Cavity { shape, resolution, ..tank([0.3, -0.2, 0.1], 1.0, 900.0, 0.02) };

@@ -6,7 +6,7 @@ use quasirigid::math::rotation::turned;
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 
-use crate::bodies::tank;
+use super::bodies::tank;
 
 const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 const SPIN: f64 = 0.8;

@@ -9,7 +9,8 @@ use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{ball, bare, cavity, flywheel, sprung};
+use super::bodies::{bare, cavity, sprung};
+use crate::support::rotors::{ball, flywheel};
 
 const OMEGA: [f64; 3] = [0.5, 0.7, 0.9];
 const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];

@@ -16,8 +16,9 @@ use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::reduction::{Validity, Verdict, reduce, residual};
 use quasirigid::verification::{Plan, verify};
 
-use crate::bodies::{ball, bare, cavity, flywheel, start, wheel};
-use crate::oracle::Gyrostat;
+use super::bodies::{bare, cavity, start, wheel};
+use super::oracle::Gyrostat;
+use crate::support::rotors::{ball, flywheel};
 
 /// Body with rotors and a liquid, and a wheel that takes up the momentum of this spin.
 fn taken_up(bare: Assembly, omega: [f64; 3], cavities: Vec<Cavity>) -> Assembly {

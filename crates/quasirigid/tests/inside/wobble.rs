@@ -7,7 +7,8 @@ use quasirigid::math::rotation::turned;
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 
-use crate::bodies::{ball, tank};
+use super::bodies::tank;
+use crate::support::rotors::ball;
 
 type C = Complex<f64>;
 

@@ -8,10 +8,10 @@ use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::{Validity, Vibrations, reduce};
 
-use crate::compare::{angles, difference, displacements, list_gap, scaled_gap, value};
+use super::compare::{angles, difference, displacements, list_gap, scaled_gap, value};
+use super::wobbler;
+use crate::support::transform::{Units, rescaled, rotated};
 use crate::support::{assemblies, bodies, cases, direction, rotation, units};
-use crate::transform::{Units, rescaled, rotated};
-use crate::wobbler;
 
 /// Rounding of some hundred operations per coefficient, grown by the condition of `C` and `J`.
 const ROUNDING: f64 = 1e-11;

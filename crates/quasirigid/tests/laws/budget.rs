@@ -12,9 +12,9 @@ use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 
-use crate::evolution::tumbler;
+use super::evolution::tumbler;
+use crate::support::transform::{hinge_times, rotated, strengthened};
 use crate::support::{assemblies, bodies, cases, rotation};
-use crate::transform::{hinge_times, rotated, strengthened};
 
 type Budget = Vec<(String, f64)>;
 

@@ -5,9 +5,9 @@ use quasirigid::elements::{Assembly, HingeCoefficient, Law, Motion};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
 
-use crate::compare::{gap, list_gap, motion_gap};
+use super::compare::{gap, list_gap, motion_gap};
+use crate::support::transform::{hinge_times, strengthened, with_hinged_cut, with_point_cut};
 use crate::support::{bodies, cases};
-use crate::transform::{hinge_times, strengthened, with_hinged_cut, with_point_cut};
 
 /// Rounding of some hundred operations per coefficient, grown by the condition of `C` and `J`.
 const ROUNDING: f64 = 1e-11;

@@ -7,9 +7,9 @@ use quasirigid::math::sphere;
 use quasirigid::model::{ReducedBody, Support};
 use quasirigid::reduction::{Comparison, MAX_ORDER, Validity, degree_sizes, reduce};
 
-use crate::compare::{difference, directions, scaled_gap, size, value};
+use super::compare::{difference, directions, scaled_gap, size, value};
+use crate::support::transform::stiffened;
 use crate::support::{assemblies, bodies, cases, direction};
-use crate::transform::stiffened;
 
 /// Rounding of some hundred operations per coefficient, grown by the condition of `C` and `J`.
 const ROUNDING: f64 = 1e-11;

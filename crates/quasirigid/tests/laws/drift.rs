@@ -13,7 +13,7 @@ use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 
-use crate::evolution::tumbler;
+use super::evolution::tumbler;
 
 /// To the last of some times, with nothing to interrupt it.
 fn followed(drift: &Drift, start: DriftState, times: &[f64]) -> DriftHistory {

@@ -9,8 +9,8 @@ use quasirigid::math::expression::Expression;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Situation, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Motion};
 
+use crate::support::transform::Units;
 use crate::support::{direction, vector};
-use crate::transform::Units;
 
 type V = Vector3<f64>;
 

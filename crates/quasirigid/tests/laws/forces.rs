@@ -9,9 +9,9 @@ use quasirigid::math::taylor::Taylor;
 use quasirigid::model::force::{Axes, Force, Law, Loads, MagneticField, Situation};
 use quasirigid::model::{FlexibleBody, Marker, Motion};
 
-use crate::forced::{BASE, State, forced, formula, numbers, orbit, states};
+use super::forced::{BASE, State, forced, formula, numbers, orbit, states};
+use crate::support::transform::{Units, rescaled};
 use crate::support::{assemblies, cases, rotation, units, vector};
-use crate::transform::{Units, rescaled};
 
 type V = Vector3<f64>;
 

@@ -4,8 +4,8 @@ use quasirigid::dynamics::{Form, Options, spin_path};
 use quasirigid::math::sym::norm;
 use quasirigid::reduction::reduce;
 
-use crate::transform::stiffened;
-use crate::wobbler::{assembly, times_to};
+use super::wobbler::{assembly, times_to};
+use crate::support::transform::stiffened;
 
 /// Spin whose share of the lowest frequency is about a seventh before the body is stiffened.
 const START: [f64; 3] = [1.0, -0.6, 1.6];

@@ -6,8 +6,8 @@ use quasirigid::math::expression::Expression;
 use quasirigid::model::force::{Force, Law, Loads, Orbit};
 use quasirigid::model::{FlexibleBody, Marker, Support};
 
-use crate::forced::{Loose, State, orbit, states};
-use crate::invariants::Cloud;
+use super::forced::{Loose, State, orbit, states};
+use super::invariants::Cloud;
 use crate::support::{Mass, Massive, assemblies, bodies, cases, massive, massive_points, vector};
 
 type V = Vector3<f64>;

@@ -11,9 +11,9 @@ use quasirigid::math::sym::dot;
 use quasirigid::model::{Measured, Mode, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::evolution::tumbler;
+use super::evolution::tumbler;
+use crate::support::transform::{rotated, stiffened};
 use crate::support::{bodies, cases, rotation};
-use crate::transform::{rotated, stiffened};
 
 const MOMENTS: [f64; 3] = [0.61, 0.965, 1.0];
 

@@ -6,9 +6,9 @@ use proptest::prelude::*;
 use quasirigid::math::scalar::Jet;
 use quasirigid::model::{FlexibleBody, Motion};
 
-use crate::invariants::Cloud;
+use super::invariants::Cloud;
+use crate::support::transform::rescaled;
 use crate::support::{assemblies, cases, massive, massive_points, moments, units, vector};
-use crate::transform::rescaled;
 
 type V = Vector3<f64>;
 

@@ -7,8 +7,8 @@ use quasirigid::elements::{
 };
 use quasirigid::model::Rheology;
 
+use super::wobbler;
 use crate::support::{bodies, cases};
-use crate::wobbler;
 
 fn point(name: &str, position: [f64; 3], motion: Motion) -> Point {
     Point { name: name.into(), mass: 0.2, position, motion }

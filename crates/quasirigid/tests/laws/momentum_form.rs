@@ -5,10 +5,10 @@ use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
 
-use crate::compare::{directions, size};
-use crate::ray::{Ray, along};
+use super::compare::{directions, size};
+use super::ray::{Ray, along};
+use crate::support::transform::stiffened;
 use crate::support::{bodies, cases, vector};
-use crate::transform::stiffened;
 
 /// Rounding of some hundred operations per coefficient, grown by the condition of `C` and `J`.
 const ROUNDING: f64 = 1e-11;
@@ -132,7 +132,7 @@ proptest! {
             for u in directions() {
                 let K = along(u);
                 let power = body.power.scalar(body.Omega.vector(K)).0[degree];
-                let gap = (crate::compare::value(&along_field, u)[0] + power).abs();
+                let gap = (super::compare::value(&along_field, u)[0] + power).abs();
                 prop_assert!(gap <= ROUNDING * parts.max(power.abs()), "p = {p}, degree {degree}: {gap:e} of {parts:e}");
             }
         }

@@ -7,8 +7,8 @@ use quasirigid::math::taylor::Taylor;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::reduce;
 
+use crate::support::transform::rescaled;
 use crate::support::{assemblies, cases, direction, units};
-use crate::transform::rescaled;
 
 /// Newton's method ends at rounding of the spin.
 const STEADY: f64 = 1e-12;

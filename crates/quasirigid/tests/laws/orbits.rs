@@ -6,7 +6,7 @@ use quasirigid::math::scalar::Smooth;
 use quasirigid::math::taylor::Taylor;
 use quasirigid::model::force::{Orbit, Passage};
 
-use crate::forced::orbit;
+use super::forced::orbit;
 use crate::support::cases;
 
 type V = Vector3<f64>;

@@ -8,9 +8,9 @@ use quasirigid::math::sym::{add, norm};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{Vibrations, reduce, residual};
 
-use crate::compare::directions;
+use super::compare::directions;
+use crate::support::transform::stiffened;
 use crate::support::{bodies, cases, direction};
-use crate::transform::stiffened;
 
 /// Spins tried, as shares of the lowest frequency: each half of the one before.
 const SHARES: [f64; 8] = [0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625, 0.003_125, 0.001_562_5];

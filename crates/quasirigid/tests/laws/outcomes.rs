@@ -8,7 +8,7 @@ use quasirigid::dynamics::{
 };
 use quasirigid::model::ReducedBody;
 
-use crate::wobbler::{attitude, reduced, times_to};
+use super::wobbler::{attitude, reduced, times_to};
 
 const START: [f64; 3] = [0.5, -0.3, 0.9];
 
@@ -158,7 +158,7 @@ fn a_spin_without_momentum_is_refused() {
 /// A state of another body: other coordinates, or other rates.
 #[test]
 fn a_state_of_another_body_is_refused() {
-    let body = crate::wobbler::assembly().body().unwrap();
+    let body = super::wobbler::assembly().body().unwrap();
     let needed = body.coordinates().len();
     let good = FullState::at_rest(&body, START, attitude());
     for (coordinates, rates) in [(0, needed), (needed, needed + 1), (0, 0)] {

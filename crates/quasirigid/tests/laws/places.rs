@@ -13,7 +13,7 @@ use quasirigid::model::{Motion as Moving, Rheology};
 use quasirigid::reduction::frequencies;
 use quasirigid::verification::{Plan, Start, verify};
 
-use crate::wobbler::{assembly, attitude};
+use super::wobbler::{assembly, attitude};
 
 type V = Vector3<f64>;
 

@@ -13,8 +13,8 @@ use quasirigid::model::force::{Force, Law};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 
+use super::wobbler::{assembly, attitude, inertial, times_to};
 use crate::support::{Sprung, sprung_body};
-use crate::wobbler::{assembly, attitude, inertial, times_to};
 
 type V = Vector3<f64>;
 

@@ -10,8 +10,8 @@ use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::{Vibrations, reduce};
 
+use super::wobbler::{attitude, inertial, reduced, times_to};
 use crate::support::{bodies, cases, direction};
-use crate::wobbler::{attitude, inertial, reduced, times_to};
 
 /// Where every deterministic run starts (rad/s).
 const START: [f64; 3] = [0.5, -0.3, 0.9];

@@ -7,7 +7,7 @@ use quasirigid::elements::{
 use quasirigid::model::{InertiaError, Rheology, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
 
-use crate::wobbler;
+use super::wobbler;
 
 /// The error of the body with one change; [`Assembly::check`] finds the same one.
 fn error(change: impl Fn(&mut Assembly)) -> Option<ElementError> {

@@ -6,7 +6,7 @@ use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 
-use crate::wobbler;
+use super::wobbler;
 
 const NAN: f64 = f64::NAN;
 const GOOD: [f64; 3] = [0.1, -0.2, 0.3];

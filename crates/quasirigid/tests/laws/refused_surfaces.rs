@@ -4,7 +4,7 @@ use proptest::array::uniform3;
 use proptest::prelude::*;
 use quasirigid::math::surface::{ClosedSurface, SurfaceError};
 
-use crate::shapes::{
+use super::shapes::{
     Mesh, UNIT_CUBE, block, both, closed, icosphere, inside_out, mapped, refusal, split_in_four, star,
     tetrahedron,
 };

@@ -8,8 +8,8 @@ use quasirigid::math::sym::{norm, rows, times};
 use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 
+use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, units, vector};
-use crate::transform::{rescaled, rotated};
 
 /// Size of the motion beside the steady spin: its square is left out.
 const SMALL: f64 = 1e-5;

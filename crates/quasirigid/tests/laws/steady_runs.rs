@@ -11,9 +11,9 @@ use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
 
-use crate::forced::formula;
-use crate::spin_modes::Last;
-use crate::steady_states::{quaternion, turned_orbit};
+use super::forced::formula;
+use super::spin_modes::Last;
+use super::steady_states::{quaternion, turned_orbit};
 use crate::support::{assemblies, cases, direction, rotation};
 
 type V = Vector3<f64>;

@@ -8,9 +8,9 @@ use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
 
-use crate::forced::formula;
+use super::forced::formula;
+use crate::support::transform::rescaled;
 use crate::support::{cases, rotation, units};
-use crate::transform::rescaled;
 
 type V = Vector3<f64>;
 type C = Complex<f64>;

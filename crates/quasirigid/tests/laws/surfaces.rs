@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use quasirigid::math::polynomial::monomial::exponents;
 use quasirigid::math::surface::Moments;
 
-use crate::shapes::{
+use super::shapes::{
     Mesh, block, both, closed, det, icosphere, inside_out, mapped, split_in_four, star, tetrahedron,
 };
 use crate::support::cases;

@@ -7,7 +7,7 @@ use quasirigid::math::sym::{add, cross, norm, scale};
 use quasirigid::model::{FlexibleBody, Kinetics, Mode, Principal};
 use quasirigid::reduction::reduce;
 
-use crate::evolution::tumbler;
+use super::evolution::tumbler;
 
 /// Rates of the full state: momentum, momenta of the coordinates, coordinates.
 fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {

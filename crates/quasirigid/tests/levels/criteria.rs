@@ -1,6 +1,6 @@
 use quasirigid::reduction::{Comparison, Validity, Verdict};
 
-use crate::bodies::{SPIN, near_sphere, nearly_equal};
+use super::bodies::{SPIN, near_sphere, nearly_equal};
 
 fn value(validity: &Validity, comparison: Comparison) -> f64 {
     validity.criteria.iter().find(|criterion| criterion.comparison == comparison).unwrap().value

@@ -10,9 +10,9 @@ use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 
-use crate::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
+use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 use crate::support::sprung_body;
-use crate::transform::{Units, rescaled, rotated};
+use crate::support::transform::{Units, rescaled, rotated};
 
 /// Energy (J) that the reduced equations dissipate in a time (s).
 fn dissipated(reduced: &ReducedBody, omega: [f64; 3], time: f64) -> f64 {

@@ -9,8 +9,8 @@ use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::with_tensor;
-use crate::transform::stiffened;
+use super::bodies::with_tensor;
+use crate::support::transform::stiffened;
 
 fn body(epsilon: f64) -> Assembly {
     let distinct = with_tensor(Matrix3::from_diagonal(&Vector3::new(1.5, 2.0, 2.5)));

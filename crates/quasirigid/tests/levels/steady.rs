@@ -5,7 +5,7 @@ use quasirigid::math::sphere::Kind;
 use quasirigid::math::sym::{cross, norm};
 use quasirigid::reduction::reduce;
 
-use crate::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
+use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 
 /// Moments 2, 2, 1 kg m²: the mass off the axis breaks the symmetry, and leaves four steady spins of the equator. Azimuths found
 /// by an independent search for the zeros of `K × Ω(K)`.

@@ -1,7 +1,7 @@
 //! Wobble damping of N-body mass-spring bodies, simulated by other people, against the Kelvin–Voigt ellipsoid: no
 //! parameter is adjusted.
 
-use crate::quillen_runs::{SteadyRun, ellipsoid, power, steady_runs, summary};
+use super::quillen_runs::{SteadyRun, ellipsoid, power, steady_runs, summary};
 
 #[test]
 fn dissipation_of_every_steady_run_is_predicted() {

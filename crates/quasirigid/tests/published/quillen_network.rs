@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use quasirigid::elements::{Assembly, Network};
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::quillen_runs::{SteadyRun, ellipsoid, power, semi_axes, steady_runs, summary};
+use super::quillen_runs::{SteadyRun, ellipsoid, power, semi_axes, steady_runs, summary};
 
 /// Stiffness of every spring of the runs.
 const STIFFNESS: f64 = 0.08;

@@ -8,7 +8,7 @@ use quasirigid::math::sparse::SparseRows;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Invariants, Pair, Parts};
 
-use crate::common::turned_axes;
+use super::common::turned_axes;
 
 /// A beam from the centre of a hub outwards, along the first of the turned axes.
 #[derive(Clone)]

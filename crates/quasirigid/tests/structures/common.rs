@@ -1,6 +1,6 @@
 //! What the tests of structures share: turned axes, the compliance of a body, and the error beside another matrix.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3};
+use nalgebra::{Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3};
 use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
 
@@ -46,13 +46,6 @@ pub fn error<const N: usize>(
 /// Largest difference of two vectors over the largest entry of the second.
 pub fn vector_error(found: [f64; 3], expected: [f64; 3]) -> f64 {
     (Vector3::from(found) - Vector3::from(expected)).amax() / Vector3::from(expected).amax()
-}
-
-/// A matrix over the coordinates of a body, written out.
-pub fn dense(matrix: &quasirigid::math::sparse::SparseRows<f64>) -> DMatrix<f64> {
-    let mut dense = DMatrix::zeros(matrix.size(), matrix.size());
-    matrix.iter().for_each(|(row, column, entry)| dense[(row, column)] += entry);
-    dense
 }
 
 /// Numbers between −1 and 1 that are the same on every machine.

@@ -7,7 +7,7 @@ use quasirigid::elements::{
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::common::dense;
+use crate::support::matrices::dense;
 
 /// Relative to the largest entry of the whole.
 const ROUNDING: f64 = 1e-12;

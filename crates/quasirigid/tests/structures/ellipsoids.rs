@@ -7,8 +7,8 @@ use quasirigid::elements::{Assembly, Ellipsoid, Material};
 use quasirigid::math::mesh::Shape;
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::common::{compliance, error, inertia, turned_axes};
-use crate::meshes::{Hexahedra, solid, throughout};
+use super::common::{compliance, error, inertia, turned_axes};
+use super::meshes::{Hexahedra, solid, throughout};
 
 const COMPLIANCE: &str = include_str!("../../../../data/published/ellipsoid/compliance.csv");
 

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::elements::{Kind, Matrices, NodalMass};
 use quasirigid::model::Rheology;
 
-use crate::common::Numbers;
+use super::common::Numbers;
 
 /// Matrices of a body with rotations at its nodes.
 pub struct Body {

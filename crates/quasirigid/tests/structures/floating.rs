@@ -7,8 +7,8 @@ use quasirigid::elements::{
 use quasirigid::math::eigen::eigenvectors;
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::common::turned_axes;
-use crate::spinning::{linearised, steady};
+use super::common::turned_axes;
+use super::spinning::{linearised, steady};
 
 const MASS: f64 = 30.0;
 const MIDDLE: [f64; 3] = [0.4, -0.7, 0.2];

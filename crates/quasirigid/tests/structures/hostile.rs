@@ -7,8 +7,8 @@ use quasirigid::elements::{Approximation, Problem};
 use quasirigid::math::mesh::{Cell, Mesh, Shape};
 use quasirigid::math::surface::ClosedSurface;
 
-use crate::meshes::outer;
-use crate::necks::{apart, element, of, truth};
+use super::meshes::outer;
+use super::necks::{apart, element, of, truth};
 
 type Place = Vector3<f64>;
 

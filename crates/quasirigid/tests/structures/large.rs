@@ -10,7 +10,7 @@ use quasirigid::math::sym;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE, Rheology, Support};
 
-use crate::common::turned_axes;
+use super::common::turned_axes;
 
 /// A 6 m boom of a tube of 15 mm on an upper stage: a torsional inertia of 2e-4 kg·m² beside a tip mass of 3 kg.
 struct Boom {

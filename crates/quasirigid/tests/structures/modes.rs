@@ -8,8 +8,8 @@ use quasirigid::elements::{
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::common::vector_error;
-use crate::exported::{Body, Found, NODES, RATIO, entries};
+use super::common::vector_error;
+use super::exported::{Body, Found, NODES, RATIO, entries};
 
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()

@@ -3,7 +3,7 @@
 use quasirigid::math::sym::dot;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 
-use crate::whirl::booms;
+use super::whirl::booms;
 
 /// Two unlike booms on one hub: each bends at frequencies of its own, the longer one at the lower.
 #[test]

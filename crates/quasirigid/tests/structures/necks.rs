@@ -6,9 +6,9 @@ use quasirigid::math::mesh::Mesh;
 use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::common::compliance;
-use crate::meshes::{outer, refined, solid, throughout, with_middles};
-use crate::necked::{Necked, family};
+use super::common::compliance;
+use super::meshes::{outer, refined, solid, throughout, with_middles};
+use super::necked::{Necked, family};
 
 fn rock() -> Material {
     Material { density: 2600.0, young: 4e6, poisson: 0.27, rheology: Rheology::Elastic }
@@ -72,14 +72,23 @@ fn told_bounds_true(body: &Necked) -> bool {
     errors.iter().all(|error| *error <= resolution.error)
 }
 
-#[test]
-fn the_error_told_bounds_the_true_one_on_six_necks() {
-    assert_eq!(family().iter().step_by(2).filter(|body| !told_bounds_true(body)).count(), 0);
+/// Of the family: a small one, one that touches in a crack, one off every axis, and the thinnest rod.
+const FOUR: [usize; 4] = [2, 6, 7, 9];
+
+fn lies(chosen: impl Fn(usize) -> bool) -> Vec<&'static str> {
+    let bodies = family().into_iter().enumerate().filter(|(number, _)| chosen(*number));
+    bodies.filter(|(_, body)| !told_bounds_true(body)).map(|(_, body)| body.name).collect()
 }
 
 #[test]
-fn the_error_told_bounds_the_true_one_on_six_other_necks() {
-    assert_eq!(family().iter().skip(1).step_by(2).filter(|body| !told_bounds_true(body)).count(), 0);
+fn the_error_told_bounds_the_true_one_on_four_necks() {
+    assert_eq!(lies(|number| FOUR.contains(&number)), [""; 0]);
+}
+
+#[test]
+#[ignore = "a minute; nightly"]
+fn the_error_told_bounds_the_true_one_on_eight_other_necks() {
+    assert_eq!(lies(|number| !FOUR.contains(&number)), [""; 0]);
 }
 
 /// Polynomials that were asked for on a body with a neck are judged all the same.

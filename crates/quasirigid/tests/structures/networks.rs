@@ -5,7 +5,7 @@ use quasirigid::elements::{Assembly, End, Law, Motion, Point, Prestress, Spring}
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::common::{Numbers, compliance, error, loads, turned_axes};
+use super::common::{Numbers, compliance, error, loads, turned_axes};
 
 const SEMI_AXES: [f64; 3] = [1300.0, 1050.0, 800.0];
 const CENTER: [f64; 3] = [4100.0, -900.0, 2300.0];

@@ -10,7 +10,7 @@ use quasirigid::math::eigen::{Dense, modes};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::common::{Numbers, turned_axes};
+use super::common::{Numbers, turned_axes};
 
 const POINTS: usize = 12;
 /// What its points leave to a body that floats.

@@ -9,8 +9,8 @@ use quasirigid::math::mesh::{Mesh, Shape};
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
 
-use crate::common::{compliance, error, turned_axes, vector_error};
-use crate::meshes::{Hexahedra, outer, refined, solid, throughout, with_middles};
+use super::common::{compliance, error, turned_axes, vector_error};
+use super::meshes::{Hexahedra, outer, refined, solid, throughout, with_middles};
 
 fn rock(rheology: Rheology) -> Material {
     Material { density: 2600.0, young: 4e6, poisson: 0.27, rheology }

@@ -9,8 +9,8 @@ use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{FlexibleBody, Rheology};
 
-use crate::beams::Cantilever;
-use crate::common::turned_axes;
+use super::beams::Cantilever;
+use super::common::turned_axes;
 
 const REFERENCE: &str = include_str!("../../../../data/published/simo_vuquoc_1988/spin_up.csv");
 

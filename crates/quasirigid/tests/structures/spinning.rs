@@ -6,8 +6,9 @@ use quasirigid::math::eigen::{Dense, eigenvectors};
 use quasirigid::math::sym::cross;
 use quasirigid::model::{FlexibleBody, Kinetics, Motion, Rheology};
 
-use crate::beams::Cantilever;
-use crate::common::{dense, turned_axes};
+use super::beams::Cantilever;
+use super::common::turned_axes;
+use crate::support::matrices::dense;
 
 const LENGTH: f64 = 1.7;
 /// Radius of gyration of the section over the length: rotary inertia and stretch by the spin are its square.

@@ -8,7 +8,7 @@ use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::modes::SpinModes;
 use quasirigid::secular::{EnergyRange, Pole, Poles};
 
-use crate::common::turned_axes;
+use super::common::turned_axes;
 
 /// A hub with two unlike booms whose material alone dissipates, and, if wanted, a dashpot between mass and speed of one.
 pub fn booms(braked: f64) -> FlexibleBody {

@@ -16,7 +16,7 @@ use std::process::Command;
 use quasirigid_io::model::Model;
 use tempfile::TempDir;
 
-use super::support::{ROOT, copy, names};
+use crate::support::{ROOT, copy, names};
 use page::{Block, Shown, blocks, commands, matches};
 
 /// Everything wrong on the pages of a repository.

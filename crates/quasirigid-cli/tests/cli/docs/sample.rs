@@ -5,8 +5,8 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::super::support::{MODEL, names};
 use super::problems;
+use crate::support::{MODEL, names};
 
 /// A repository with one example, one chapter and a README.
 fn found(readme: &str) -> Vec<String> {

@@ -1,5 +1,4 @@
 //! The same matrix in every format is the same, and a damaged file is refused by line or byte.
-#![allow(clippy::unwrap_used)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -295,7 +294,7 @@ fn errors_have_their_line_or_byte() {
         op4(36, 0),
         op4(50, 7),
     ];
-    let expected = include_str!("data/matrix/errors.txt");
+    let expected = include_str!("../data/matrix/errors.txt");
     assert_eq!(messages.join("\n"), expected.trim_end());
 }
 
@@ -322,7 +321,7 @@ fn errors_in_nodes_and_freedoms_have_their_line() {
         freedoms("1.x\n"),
         freedoms("\n"),
     ];
-    assert_eq!(messages.join("\n"), include_str!("data/matrix/errors_in_nodes.txt").trim_end());
+    assert_eq!(messages.join("\n"), include_str!("../data/matrix/errors_in_nodes.txt").trim_end());
 }
 
 /// A header costs nothing: memory and time follow the bytes that are there.

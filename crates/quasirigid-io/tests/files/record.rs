@@ -1,5 +1,4 @@
 //! A record written is the record read, and a damaged folder is refused by file and line.
-#![allow(non_snake_case, clippy::unwrap_used)]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,7 +1,4 @@
 //! What every report page keeps, whatever the record holds.
-#![allow(non_snake_case, clippy::unwrap_used)]
-
-mod support;
 
 use quasirigid_io::record::*;
 use quasirigid_report::page;
@@ -55,7 +52,7 @@ fn column<'a>(record: &'a mut RunRecord, name: &str) -> &'a mut Vec<f64> {
 
 #[test]
 fn page_answers_from_the_top() {
-    let page = page(&support::record(400, 600.0, 1e-4));
+    let page = page(&crate::support::record(400, 600.0, 1e-4));
     assert_in_order(
         &page,
         &[
@@ -129,7 +126,7 @@ fn page_answers_from_the_top() {
 /// A record of a version that did not know the shares, and a body with one dissipator, show no bars.
 #[test]
 fn shares_of_one_are_not_drawn() {
-    let mut record = support::record(40, 600.0, 1e-4);
+    let mut record = crate::support::record(40, 600.0, 1e-4);
     let evolution = record.evolution.as_mut().unwrap();
     evolution.dissipation.clear();
     record.reduction.dissipation = [("tank".to_owned(), 1.0)].into();
@@ -144,7 +141,7 @@ fn shares_of_one_are_not_drawn() {
 /// 0.2 J lost of the 0.5·(1/2 − 1/4)·2² J between the spin about axis 1 and that about axis 3, at |K| = 2 N m s.
 #[test]
 fn proof_tells_each_order_and_what_was_not_reached() {
-    let mut record = support::record(40, 600.0, 1e-4);
+    let mut record = crate::support::record(40, 600.0, 1e-4);
     let page = page(&record);
     assert_in_order(
         &page,
@@ -158,7 +155,7 @@ fn proof_tells_each_order_and_what_was_not_reached() {
 /// Times that are infinite are told as never, and an evolution without events claims none.
 #[test]
 fn evolution_without_end_is_told_in_words() {
-    let mut record = support::record(40, 600.0, 1e-4);
+    let mut record = crate::support::record(40, 600.0, 1e-4);
     let evolution = record.evolution.as_mut().unwrap();
     evolution.time = f64::INFINITY;
     evolution.time_range = Some([3e15, f64::INFINITY]);
@@ -194,7 +191,7 @@ fn evolution_without_end_is_told_in_words() {
 /// The curve ends where the momentum leaves one axis, and begins anew where it circles the other.
 #[test]
 fn curve_is_broken_where_the_circled_axis_changes() {
-    let mut record = support::record(40, 600.0, 1e-4);
+    let mut record = crate::support::record(40, 600.0, 1e-4);
     let pieces = |record: &RunRecord| {
         let page = page(record);
         let (_, curve) = page.split_once("data-label=\"max\" d=\"").unwrap();
@@ -208,7 +205,7 @@ fn curve_is_broken_where_the_circled_axis_changes() {
 
 #[test]
 fn loss_is_told_as_part_of_what_can_be_lost() {
-    let mut record = support::record(2, 1.0, 0.0);
+    let mut record = crate::support::record(2, 1.0, 0.0);
     record.body.principal_moments = [2.0, 3.0, 4.0];
     record.histories[0].energy = 1.0;
     record.histories[0].dissipated = 0.2;
@@ -223,7 +220,7 @@ fn loss_is_told_as_part_of_what_can_be_lost() {
 
 #[test]
 fn drift_is_called_small_up_to_one_percent_and_no_further() {
-    let mut record = support::record(2, 1.0, 0.0);
+    let mut record = crate::support::record(2, 1.0, 0.0);
     record.histories[0].dissipated = 1.0;
     record.histories[0].energy_drift = -0.0099;
     assert!(page(&record).contains("0.99\u{a0}% of the dissipation: small"));
@@ -233,7 +230,7 @@ fn drift_is_called_small_up_to_one_percent_and_no_further() {
 
 #[test]
 fn every_column_and_every_axis_has_its_unit() {
-    let record = support::record(50, 60.0, 1e-4);
+    let record = crate::support::record(50, 60.0, 1e-4);
     let page = page(&record);
     for column in record.histories[0].columns.iter().chain(&record.evolution.as_ref().unwrap().columns) {
         let row = format!("<th scope=\"row\">{}</th><td class=\"word\">[{}]</td>", column.name, column.unit);
@@ -251,7 +248,7 @@ fn every_column_and_every_axis_has_its_unit() {
 
 #[test]
 fn text_of_the_record_is_only_text() {
-    let mut record = support::record(3, 1.0, 0.0);
+    let mut record = crate::support::record(3, 1.0, 0.0);
     let evil = "<b a=\"'&\"></script><script>x()</script>";
     record.model = ModelRecord { name: evil.into(), file: evil.into(), sha256: evil.into() };
     record.notes = vec![evil.into()];
@@ -275,7 +272,7 @@ fn text_of_the_record_is_only_text() {
 
 #[test]
 fn page_needs_nothing_from_elsewhere() {
-    let page = page(&support::record(30, 60.0, 1e-4));
+    let page = page(&crate::support::record(30, 60.0, 1e-4));
     for address in ["http://", "https://", "src=", "href=", "url(", "@import"] {
         assert!(!page.contains(address), "{address}");
     }
@@ -283,7 +280,7 @@ fn page_needs_nothing_from_elsewhere() {
 
 #[test]
 fn verdict_is_told_in_words_and_shape() {
-    let mut record = support::without_histories();
+    let mut record = crate::support::without_histories();
     for (verdict, words) in [("holds", "Valid"), ("marginal", "Marginal"), ("fails", "Not valid")] {
         record.validity.overall = verdict.into();
         let page = page(&record);
@@ -293,7 +290,7 @@ fn verdict_is_told_in_words_and_shape() {
 
 #[test]
 fn early_end_is_told_before_the_numbers() {
-    let mut record = support::record(3, 1.0, 0.0);
+    let mut record = crate::support::record(3, 1.0, 0.0);
     record.histories[0].status = "left validity".into();
     record.histories[0].message = "It spun too fast at 0.5 s.".into();
     assert_in_order(&page(&record), &["Ended early", "It spun too fast at 0.5 s.", "Spin, start"]);
@@ -301,7 +298,7 @@ fn early_end_is_told_before_the_numbers() {
 
 #[test]
 fn million_rows_stay_below_a_megabyte() {
-    let page = page(&support::record(1_000_000, 2e5, 2e-7));
+    let page = page(&crate::support::record(1_000_000, 2e5, 2e-7));
     assert!(page.len() < 1_000_000, "{} bytes", page.len());
     assert!(page.contains("The history is long"));
     assert_drawable(&page);
@@ -309,11 +306,11 @@ fn million_rows_stay_below_a_megabyte() {
 
 #[test]
 fn bodies_with_many_modes_stay_below_a_megabyte() {
-    let mut record = support::without_histories();
+    let mut record = crate::support::without_histories();
     record.validity.frequencies = (1..=100_000).map(f64::from).collect();
     record.validity.decay_rates = record.validity.frequencies.clone();
     record.body.coordinates = (1..=100_000).map(|i| format!("node {i}")).collect();
-    let mut evolution = support::ageing::evolution(0.75);
+    let mut evolution = crate::support::ageing::evolution(0.75);
     evolution.harmonics = vec![evolution.harmonics[0].clone(); 100_000];
     evolution.resonances = vec![evolution.resonances[0].clone(); 100_000];
     record.evolution = Some(evolution);
@@ -323,12 +320,12 @@ fn bodies_with_many_modes_stay_below_a_megabyte() {
 
 #[test]
 fn what_is_missing_is_said() {
-    let mut record = support::without_histories();
+    let mut record = crate::support::without_histories();
     record.validity.T2 = None;
     record.validity.decay_rates.clear();
     let text = page(&record);
     assert!(text.contains("nothing was propagated") && text.contains("none: it does not decay"));
-    let mut empty = support::record(1, 1.0, 0.0);
+    let mut empty = crate::support::record(1, 1.0, 0.0);
     column(&mut empty, "t").clear();
     for columns in [empty.histories[0].columns.clone(), vec![]] {
         empty.histories[0].columns = columns;
@@ -339,7 +336,7 @@ fn what_is_missing_is_said() {
 
 #[test]
 fn gaps_and_extremes_are_drawn_without_nonsense() {
-    let mut record = support::record(200, 60.0, 1e-4);
+    let mut record = crate::support::record(200, 60.0, 1e-4);
     column(&mut record, "wx")[50..60].fill(f64::NAN);
     column(&mut record, "wy").fill(1e300);
     column(&mut record, "wz")[3] = f64::INFINITY;

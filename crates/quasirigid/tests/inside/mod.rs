@@ -1,5 +1,4 @@
 //! What turns inside a body: rotors, momentum wheels, liquids.
-#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod bodies;
 mod budget;

@@ -1,5 +1,4 @@
 //! The same surface in every format is the same mesh, and a damaged file is refused by line or byte.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 use std::fmt::Write;
 use std::fs;

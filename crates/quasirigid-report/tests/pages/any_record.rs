@@ -1,7 +1,4 @@
 //! Any record makes a page.
-#![allow(non_snake_case)]
-
-mod support;
 
 use std::collections::BTreeMap;
 
@@ -26,7 +23,7 @@ fn numbers() -> impl Strategy<Value = Vec<f64>> {
 
 fn record() -> impl Strategy<Value = RunRecord> {
     (vec(numbers(), 25), vec(ANY, 60), any::<bool>()).prop_map(|(columns, numbers, keep_axes)| {
-        let mut record = support::record(2, 1.0, 0.1);
+        let mut record = crate::support::record(2, 1.0, 0.1);
         let evolution = record.evolution.iter_mut().flat_map(|evolution| &mut evolution.columns);
         for (column, values) in record.histories[0].columns.iter_mut().chain(evolution).zip(columns) {
             column.values = values;

@@ -1,5 +1,4 @@
 //! The command line as its users meet it: what each command prints and writes, and how it ends.
-#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 #[cfg(unix)]
 mod appeared;
@@ -30,7 +29,6 @@ mod slaved;
 mod standard_input;
 mod starts;
 mod structures;
-mod support;
 mod surfaces;
 mod torques;
 mod width;

@@ -1,7 +1,6 @@
 //! Laws that hold for every body: random carriers, points, springs and hinges, in random units.
 //!
 //! `PROPTEST_CASES` and `PROPTEST_RNG_SEED` widen the search; without them every run tries the same bodies.
-#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod compare;
 mod envelope;
@@ -9,8 +8,6 @@ mod evolution;
 mod forced;
 mod ray;
 mod shapes;
-mod support;
-mod transform;
 mod wobbler;
 
 mod axes_and_units;

@@ -1,6 +1,10 @@
+//! What the tests share: the program, models, answers.
+
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 use serde_json::Value;
 use tempfile::TempDir;
@@ -54,7 +58,7 @@ pub fn one_line(text: &str) -> String {
 }
 
 /// How a command ended and what it printed.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Ran {
     pub code: Option<i32>,
     pub stdout: String,
@@ -93,9 +97,19 @@ pub fn ran_in(folder: &Path, line: &str) -> Ran {
     program(folder).args(line.split_whitespace()).output().unwrap().into()
 }
 
-/// Runs a command line in the root of the repository; for commands that write nothing.
+/// Answers by model and command line.
+type Answers = Mutex<HashMap<[String; 2], Arc<OnceLock<Ran>>>>;
+
+/// The answer to a command line, which is run once however many tests ask.
+fn shared(model: &str, line: &str, run: impl FnOnce() -> Ran) -> Ran {
+    static ANSWERS: LazyLock<Answers> = LazyLock::new(Answers::default);
+    let answer = Arc::clone(ANSWERS.lock().unwrap().entry([model, line].map(str::to_owned)).or_default());
+    answer.get_or_init(run).clone()
+}
+
+/// The answer to a command line in the root of the repository; for commands that write nothing.
 pub fn ran(line: &str) -> Ran {
-    ran_in(Path::new(ROOT), line)
+    shared("", line, || ran_in(Path::new(ROOT), line))
 }
 
 /// A folder with a `model.toml`.
@@ -111,9 +125,9 @@ pub fn folder_of(example: &str) -> TempDir {
     folder_with(&text)
 }
 
-/// Runs a command line in a new folder with this `model.toml`.
+/// The answer to a command line in a new folder with this `model.toml`.
 pub fn ran_with(model: &str, line: &str) -> Ran {
-    ran_in(folder_with(model).path(), line)
+    shared(model, line, || ran_in(folder_with(model).path(), line))
 }
 
 /// Names of what a folder holds, hidden files too.

@@ -1,5 +1,4 @@
 //! The same cells in every format are the same mesh, and a damaged file is refused by line or byte.
-#![allow(clippy::unwrap_used)]
 
 mod abaqus;
 mod gmsh;

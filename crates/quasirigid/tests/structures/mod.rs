@@ -1,5 +1,4 @@
 //! Structures of finite elements: what they become on a carrier or floating, against other roads to the same body.
-#![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod beams;
 mod common;

@@ -1,0 +1,5 @@
+//! Every test of the report in one program, which is linked once.
+#![allow(non_snake_case, clippy::unwrap_used)]
+
+mod pages;
+mod support;

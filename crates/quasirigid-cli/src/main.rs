@@ -47,7 +47,7 @@ fn main() -> ExitCode {
         Ok(Ending::Done) => ExitCode::SUCCESS,
         Ok(Ending::CheckFailed) => ExitCode::from(1),
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
-        Err(failure @ Failure::Interrupted) => {
+        Err(failure @ (Failure::Interrupted | Failure::Abandoned)) => {
             message::print(&failure);
             ExitCode::from(1)
         }

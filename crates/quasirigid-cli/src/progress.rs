@@ -12,6 +12,8 @@ use crate::message::remark;
 pub struct Terminal<'i> {
     interrupt: &'i Interrupt,
     quiet: bool,
+    /// Whether the work ends with nothing when it is interrupted, however far it is from seeing it.
+    all_or_nothing: bool,
     bar: Option<(String, ProgressBar)>,
 }
 
@@ -22,7 +24,12 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl<'i> Terminal<'i> {
     pub fn new(interrupt: &'i Interrupt, quiet: bool) -> Self {
-        Self { interrupt, quiet, bar: None }
+        Self { interrupt, quiet, all_or_nothing: false, bar: None }
+    }
+
+    /// The watch of work that has no partial result.
+    pub fn all_or_nothing(interrupt: &'i Interrupt, quiet: bool) -> Self {
+        Self { interrupt, quiet, all_or_nothing: true, bar: None }
     }
 
     fn bar(&self, stage: &str) -> ProgressBar {
@@ -58,7 +65,8 @@ impl Watch for Terminal<'_> {
         {
             bar.set_position((MARKS as f64 * share) as u64);
         }
-        if self.interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let pressed = if self.all_or_nothing { self.interrupt.waits() } else { self.interrupt.pressed() };
+        if pressed { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn remark(&mut self, sentence: &str) {

@@ -73,4 +73,4 @@ pub use incomplete::beyond;
 pub use left_out::LeftOut;
 pub use start::NoWobble;
 pub use study::Study;
-pub use watch::Watch;
+pub use watch::{Watch, watched};

@@ -2,6 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use quasirigid::math::watch;
+
+use crate::error::StudyError;
+
 /// Watches long work: shows how far it is, and may end it.
 pub trait Watch {
     /// Told from time to time how far a stage of the work is, from 0 to 1. Work that is told to break ends with what it has.
@@ -9,6 +13,31 @@ pub trait Watch {
 
     /// Told what cannot wait for the end of the work.
     fn remark(&mut self, _sentence: &str) {}
+}
+
+/// Does work that has no partial result, such as opening a study, checking it or finding its modes, under a watch.
+///
+/// The watch is asked ten times a second on this thread, the work runs on another. A factorisation of a matrix is one step of it.
+///
+/// ```
+/// use quasirigid_study::{Study, watched};
+///
+/// # fn main() -> Result<(), quasirigid_study::StudyError> {
+/// # let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/axial-mass/model.toml");
+/// let study = watched(&mut (), || Study::open(model, None))?;
+/// # assert!(study.order > 0);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// Those of the work, and [`StudyError::Interrupted`] where the watch ended it.
+pub fn watched<T: Send>(
+    watch: &mut dyn Watch,
+    work: impl FnOnce() -> Result<T, StudyError> + Send,
+) -> Result<T, StudyError> {
+    let mut at = |stage: &str, share: f64| watch.at(stage, share);
+    watch::watched(&mut at, work).unwrap_or(Err(StudyError::Interrupted))
 }
 
 /// Nobody watches: the work goes on to its end.

@@ -1,13 +1,13 @@
-use super::{notes, open};
+use super::{notes, open, whole};
 use crate::args::Check;
 use crate::failure::Failure;
 use crate::{Ending, output};
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
-    let study = open(&arguments.common)?;
+    let (study, interrupt) = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let report = study.check()?;
+    let report = whole(&arguments.common, &interrupt, || study.check())?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", report.json()))?;
     } else {

@@ -11,11 +11,13 @@ pub mod verify;
 use std::path::Path;
 
 use quasirigid_io::units::{Dimension, quantity};
-use quasirigid_study::{LeftOut, Study, histories};
+use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
 
 use crate::args::{Common, Propagation};
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::message::remark;
+use crate::progress::Terminal;
 
 /// Where a model comes from that has no file: its name in messages, in the current folder.
 const STANDARD_INPUT: &str = "standard input";
@@ -25,11 +27,29 @@ fn is_standard_input(common: &Common) -> bool {
     common.model == Path::new("-")
 }
 
-fn open(common: &Common) -> Result<Study, Failure> {
-    Ok(if is_standard_input(common) {
-        Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)?
-    } else {
-        Study::open(&common.model, common.order)?
+/// The study of the model; Ctrl-C is listened to from now on.
+fn open(common: &Common) -> Result<(Study, Interrupt), Failure> {
+    let interrupt = Interrupt::listen()?;
+    let study = whole(common, &interrupt, || {
+        if is_standard_input(common) {
+            Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)
+        } else {
+            Study::open(&common.model, common.order)
+        }
+    })?;
+    Ok((study, interrupt))
+}
+
+/// Does work that has no partial result.
+fn whole<T: Send>(
+    common: &Common,
+    interrupt: &Interrupt,
+    work: impl FnOnce() -> Result<T, StudyError> + Send,
+) -> Result<T, Failure> {
+    let watch = &mut Terminal::all_or_nothing(interrupt, common.quiet);
+    watched(watch, work).map_err(|failure| match failure {
+        StudyError::Interrupted => Failure::Abandoned,
+        other => other.into(),
     })
 }
 

@@ -49,11 +49,6 @@ impl Interrupt {
         pressed
     }
 
-    /// Whether it was pressed, for work that may not come to see it in time.
-    pub fn waits(&self) -> bool {
-        self.0.pressed.load(Ordering::SeqCst)
-    }
-
     /// Waits for it to be pressed again.
     pub fn forget(&self) {
         self.0.pressed.store(false, Ordering::SeqCst);

@@ -47,7 +47,7 @@ fn main() -> ExitCode {
         Ok(Ending::Done) => ExitCode::SUCCESS,
         Ok(Ending::CheckFailed) => ExitCode::from(1),
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
-        Err(failure @ (Failure::Interrupted | Failure::Abandoned)) => {
+        Err(failure @ Failure::Interrupted) => {
             message::print(&failure);
             ExitCode::from(1)
         }

@@ -10,10 +10,9 @@ use crate::message::remark;
 
 /// The watch of a terminal: a progress bar for each stage once a second has passed, and Ctrl-C.
 pub struct Terminal<'i> {
-    interrupt: &'i Interrupt,
+    /// None while Ctrl-C ends the program at once, since nothing is half done.
+    interrupt: Option<&'i Interrupt>,
     quiet: bool,
-    /// Whether the work ends with nothing when it is interrupted, however far it is from seeing it.
-    all_or_nothing: bool,
     bar: Option<(String, ProgressBar)>,
 }
 
@@ -24,12 +23,12 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl<'i> Terminal<'i> {
     pub fn new(interrupt: &'i Interrupt, quiet: bool) -> Self {
-        Self { interrupt, quiet, all_or_nothing: false, bar: None }
+        Self { interrupt: Some(interrupt), quiet, bar: None }
     }
 
     /// The watch of work that has no partial result.
-    pub fn all_or_nothing(interrupt: &'i Interrupt, quiet: bool) -> Self {
-        Self { interrupt, quiet, all_or_nothing: true, bar: None }
+    pub fn of_whole(quiet: bool) -> Self {
+        Self { interrupt: None, quiet, bar: None }
     }
 
     fn bar(&self, stage: &str) -> ProgressBar {
@@ -65,7 +64,7 @@ impl Watch for Terminal<'_> {
         {
             bar.set_position((MARKS as f64 * share) as u64);
         }
-        let pressed = if self.all_or_nothing { self.interrupt.waits() } else { self.interrupt.pressed() };
+        let pressed = self.interrupt.is_some_and(Interrupt::pressed);
         if pressed { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 

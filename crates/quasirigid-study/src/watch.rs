@@ -46,3 +46,34 @@ impl Watch for () {
         ControlFlow::Continue(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::Study;
+
+    /// Panels that take seconds to assemble and factor.
+    const PANEL: &str = include_str!("../../../examples/solar-panels/model.toml");
+
+    struct Stopped(Vec<String>);
+
+    impl Watch for Stopped {
+        fn at(&mut self, stage: &str, _: f64) -> ControlFlow<()> {
+            self.0.push(stage.to_owned());
+            if stage == "assembling the elements" { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn a_study_that_takes_long_to_open_is_cancelled() {
+        let at = PANEL.find("cells = [").unwrap();
+        let end = at + PANEL[at..].find(']').unwrap();
+        let text = format!("{}cells = [90, 90{}", &PANEL[..at], &PANEL[end..]);
+        let mut watch = Stopped(Vec::new());
+        let opened = watched(&mut watch, || Study::read_from(Path::new("panels"), text.as_bytes(), None));
+        assert!(matches!(opened, Err(StudyError::Interrupted)), "{:?}", watch.0);
+        assert_eq!(watch.0.last().map(String::as_str), Some("assembling the elements"));
+    }
+}

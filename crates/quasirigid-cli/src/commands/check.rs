@@ -5,9 +5,9 @@ use crate::{Ending, output};
 
 /// Says how far the reduced equations hold.
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
-    let (study, interrupt) = open(&arguments.common)?;
+    let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let report = whole(&arguments.common, &interrupt, || study.check())?;
+    let report = whole(&arguments.common, || study.check())?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", report.json()))?;
     } else {

@@ -5,9 +5,9 @@ use crate::{Ending, output};
 
 /// Prints the reduced equations.
 pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
-    let (study, interrupt) = open(&arguments.common)?;
+    let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let equations = whole(&arguments.common, &interrupt, || study.derive())?;
+    let equations = whole(&arguments.common, || study.derive())?;
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => equations.text(),

@@ -6,6 +6,7 @@ use serde_json::json;
 use super::{notes, open, seconds};
 use crate::args::{Evolve, EvolveFormat};
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
 use crate::{Ending, output};
@@ -13,7 +14,7 @@ use crate::{Ending, output};
 /// Follows the averaged rotation over any number of turns.
 pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
     let Evolve { common, out, overwrite, .. } = arguments;
-    let (study, interrupt) = open(common)?;
+    let study = open(common)?;
     notes(&study, common);
     study.initial()?;
     if let Some(path) = out {
@@ -28,6 +29,7 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         power: arguments.power.or(file.power),
         method: arguments.method.or(file.method),
     };
+    let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);
     let Evolved { record, notes: remarks } = study.evolve(&asked, watch)?;
     interrupt.forget();

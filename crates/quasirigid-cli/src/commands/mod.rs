@@ -15,7 +15,6 @@ use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
 
 use crate::args::{Common, Propagation};
 use crate::failure::Failure;
-use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
 
@@ -27,30 +26,22 @@ fn is_standard_input(common: &Common) -> bool {
     common.model == Path::new("-")
 }
 
-/// The study of the model; Ctrl-C is listened to from now on.
-fn open(common: &Common) -> Result<(Study, Interrupt), Failure> {
-    let interrupt = Interrupt::listen()?;
-    let study = whole(common, &interrupt, || {
+fn open(common: &Common) -> Result<Study, Failure> {
+    whole(common, || {
         if is_standard_input(common) {
             Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)
         } else {
             Study::open(&common.model, common.order)
         }
-    })?;
-    Ok((study, interrupt))
+    })
 }
 
 /// Does work that has no partial result.
 fn whole<T: Send>(
     common: &Common,
-    interrupt: &Interrupt,
     work: impl FnOnce() -> Result<T, StudyError> + Send,
 ) -> Result<T, Failure> {
-    let watch = &mut Terminal::all_or_nothing(interrupt, common.quiet);
-    watched(watch, work).map_err(|failure| match failure {
-        StudyError::Interrupted => Failure::Abandoned,
-        other => other.into(),
-    })
+    Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
 }
 
 /// Says what is suspect in the model, on standard error.

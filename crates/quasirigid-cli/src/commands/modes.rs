@@ -7,11 +7,10 @@ use crate::{Ending, output};
 
 /// Finds the steady spin and the small motions about it.
 pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
-    let (study, interrupt) = open(&arguments.common)?;
+    let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found =
-        whole(&arguments.common, &interrupt, || study.modes(AskedSpin { omega, axis: arguments.axis }))?;
+    let found = whole(&arguments.common, || study.modes(AskedSpin { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;

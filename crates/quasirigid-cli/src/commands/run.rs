@@ -6,6 +6,7 @@ use quasirigid_study::summary;
 use super::{is_standard_input, open, propagation};
 use crate::args::Run;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::output::Folder;
 use crate::progress::Terminal;
 use crate::{Ending, output};
@@ -16,11 +17,12 @@ pub fn run(arguments: &Run) -> Result<Ending, Failure> {
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
     }
-    let (study, interrupt) = open(common)?;
+    let study = open(common)?;
     study.initial()?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
     Folder::check(&path, *overwrite)?;
     let asked = propagation(&arguments.propagation)?;
+    let interrupt = Interrupt::listen()?;
     let found = study.run(&asked, &mut Terminal::new(&interrupt, common.quiet))?;
     let folder = Folder::new(&path, *overwrite)?;
     found.record.write(&folder.building())?;

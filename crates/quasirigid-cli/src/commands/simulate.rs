@@ -14,7 +14,7 @@ use crate::{Ending, output};
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
-    let (study, interrupt) = open(common)?;
+    let study = open(common)?;
     notes(&study, common);
     let system = arguments.system;
     let omega = study.initial()?.omega;
@@ -29,6 +29,7 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
         displacements: arguments.displacements,
         times: arguments.times.clone(),
     };
+    let interrupt = Interrupt::listen()?;
     let history = study.simulate(&asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
     interrupt.forget();
     history.notes.iter().for_each(|note| remark(note));

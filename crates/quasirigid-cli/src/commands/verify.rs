@@ -7,6 +7,7 @@ use serde_json::json;
 use super::{note_left_out, notes, open};
 use crate::args::Verify;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
 use crate::{Ending, output};
@@ -14,7 +15,7 @@ use crate::{Ending, output};
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let quiet = arguments.common.quiet;
-    let (study, interrupt) = open(&arguments.common)?;
+    let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     note_left_out(&study, study.initial()?.omega, &arguments.common);
     let asked = Asked {
@@ -28,6 +29,7 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     if let Some(note) = beyond.as_ref().filter(|_| highest > study.order && !quiet) {
         remark(&format!("note: {note}"));
     }
+    let interrupt = Interrupt::listen()?;
     let Some(record) = study.verify(&plan, &mut Terminal::new(&interrupt, quiet))? else {
         remark("the verification was interrupted; nothing was measured");
         return Ok(Ending::CheckFailed);

@@ -1,6 +1,10 @@
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use quasirigid::dynamics::{Form, Method};
+use quasirigid_io::model::{EvolveMethod, Named, Power, System};
+use quasirigid_study::modes::PrincipalAxis;
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -75,25 +79,11 @@ pub struct Propagation {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<usize>,
     /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = named::<Form>())]
     pub form: Option<Form>,
     /// How the full system is integrated [default: automatic]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = named::<Method>())]
     pub method: Option<Method>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Method {
-    /// Explicit while vibrations have to be followed, implicit once they have died out
-    Automatic,
-    Explicit,
-    Implicit,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Form {
-    Momentum,
-    Paper,
 }
 
 #[derive(Args, Debug)]
@@ -125,8 +115,8 @@ pub struct Modes {
     #[arg(long, value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
     pub spin: Option<Vec<f64>>,
     /// Principal axis to spin about
-    #[arg(long, value_parser = ["least", "middle", "greatest"])]
-    pub axis: Option<String>,
+    #[arg(long, value_parser = named::<PrincipalAxis>())]
+    pub axis: Option<PrincipalAxis>,
 }
 
 #[derive(Args, Debug)]
@@ -155,7 +145,7 @@ pub struct Simulate {
     #[command(flatten)]
     pub propagation: Propagation,
     /// Which equations to integrate
-    #[arg(long, value_enum, default_value_t = System::Reduced)]
+    #[arg(long, value_parser = named::<System>(), default_value = System::Reduced.name())]
     pub system: System,
     /// Add the internal coordinates and their rates to the table of the full system
     #[arg(long)]
@@ -176,16 +166,6 @@ pub struct Simulate {
     /// Replace the file if it is there
     #[arg(long)]
     pub overwrite: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum System {
-    /// The stiff equations with every internal coordinate
-    Full,
-    /// The reduced equations of the nearly rigid body
-    Reduced,
-    /// The body frozen in its equilibrium shape
-    Rigid,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -226,10 +206,10 @@ pub struct Evolve {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub samples: Option<u32>,
     /// Where the mean power comes from [default: the file's, or harmonics where a material needs them]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = named::<Power>())]
     pub power: Option<Power>,
     /// By which road [default: the file's, or the one that holds]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
     /// Form of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
@@ -250,22 +230,12 @@ pub enum EvolveFormat {
     Csv,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum EvolveMethod {
-    /// The mean power along the polhode of the frozen body
-    Average,
-    /// The mean power measured by short runs of the full system
-    MicroRuns,
-    /// The full system from start to end
-    Direct,
-    /// The average at the rates of the modes about the steady spins
-    Modes,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Power {
-    /// The reduced equations, along the polhode
-    Polynomial,
-    /// Every elastic mode and material, harmonic by harmonic: any law of loss, resonance too
-    Harmonics,
+/// Reads a setting that is one of a few.
+fn named<T: Named>() -> impl TypedValueParser<Value = T> {
+    let value = |(name, _, help): &(&'static str, T, &'static str)| match *help {
+        "" => PossibleValue::new(*name),
+        help => PossibleValue::new(*name).help(help),
+    };
+    PossibleValuesParser::new(T::VALUES.iter().map(value))
+        .try_map(|name| T::of(&name).ok_or("no such setting"))
 }

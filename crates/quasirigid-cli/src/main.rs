@@ -1,27 +1,13 @@
 //! The `quasirigid` program: reads its arguments, calls the library, prints.
-#![allow(clippy::print_stdout, clippy::print_stderr, non_snake_case)]
+#![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod args;
 mod commands;
-mod complete;
-mod describe;
-mod evolution;
 mod failure;
 mod interrupt;
-mod layout;
-mod left_out;
-mod liquids;
 mod message;
-mod motion;
 mod output;
 mod progress;
-mod record;
-mod resolution;
-mod rotation;
-mod steady;
-mod steady_state;
-mod verification;
-mod visible;
 
 use std::process::ExitCode;
 

@@ -4,8 +4,8 @@ use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use quasirigid_io::model::{Diagnostic, ModelError};
 
 use crate::failure::Failure;
-use crate::layout;
-use crate::visible::{masked, visible};
+use quasirigid_study::layout;
+use quasirigid_study::visible::{masked, visible};
 
 /// Columns before a message, `Error: `.
 const ERROR: usize = 7;
@@ -14,7 +14,7 @@ const MARGIN: usize = 15;
 
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
 pub fn print(failure: &Failure) {
-    if let Failure::Model(ModelError::Invalid { model, diagnostics }) = failure {
+    if let Some(ModelError::Invalid { model, diagnostics }) = failure.model() {
         let file = masked(&model.file.display().to_string());
         let text = masked(&model.text);
         for diagnostic in diagnostics {

@@ -15,7 +15,7 @@ pub use leftover::abandon;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
-use crate::visible::visible;
+use quasirigid_study::visible::visible;
 
 /// Where a result stands.
 pub struct Placed {

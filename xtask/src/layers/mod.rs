@@ -27,12 +27,22 @@ const MODULES: [(&str, &[&str]); 11] = [
 ];
 
 /// What each crate may use of the others.
-const CRATES: [(&str, &[&str]); 5] = [
+const CRATES: [(&str, &[&str]); 6] = [
     ("quasirigid-linear", &[]),
     ("quasirigid", &["quasirigid_linear"]),
-    ("quasirigid-io", &["quasirigid::math", "quasirigid::model", "quasirigid::elements"]),
+    (
+        "quasirigid-io",
+        &[
+            "quasirigid::math",
+            "quasirigid::model",
+            "quasirigid::elements",
+            "quasirigid::dynamics::Form",
+            "quasirigid::dynamics::Method",
+        ],
+    ),
     ("quasirigid-report", &["quasirigid_io::record"]),
-    ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_report"]),
+    ("quasirigid-study", &["quasirigid", "quasirigid_io", "quasirigid_report"]),
+    ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
 ];
 
 /// Libraries that only one folder may name.

@@ -1,48 +1,44 @@
-use quasirigid::verification::Plan;
+use quasirigid_io::model::Verify as Asked;
+use quasirigid_study::beyond;
+use quasirigid_study::layout::paragraph;
+use quasirigid_study::verification::text;
 use serde_json::json;
 
-use super::{Loaded, initial, load, note_left_out, notes};
+use super::{note_left_out, notes, open};
 use crate::args::Verify;
-use crate::complete::beyond;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::layout::paragraph;
 use crate::message::remark;
-use crate::motion::Motion;
-use crate::{Ending, output, record, verification};
+use crate::progress::Terminal;
+use crate::{Ending, output};
 
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
-    let loaded = load(&arguments.common)?;
-    let Loaded { model, body, order, .. } = &loaded;
-    notes(model, &arguments.common);
-    let start = initial(model, body, *order)?;
-    note_left_out(&loaded, start.omega, &arguments.common);
-    let motion = Motion::new(&loaded, start);
-    let file = verification::plan(model, body, *order);
-    let plan = Plan {
-        orders: arguments.orders.clone().unwrap_or(file.orders),
-        rotations: arguments.rotations.unwrap_or(file.rotations),
-        halvings: arguments.halvings.unwrap_or(file.halvings),
-        ..file
+    let quiet = arguments.common.quiet;
+    let study = open(&arguments.common)?;
+    notes(&study, &arguments.common);
+    note_left_out(&study, study.initial()?.omega, &arguments.common);
+    let asked = Asked {
+        orders: arguments.orders.clone(),
+        rotations: arguments.rotations,
+        halvings: arguments.halvings,
     };
+    let plan = study.verification_plan(asked);
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
-    if let Some(note) =
-        beyond(&model.assembly, highest).filter(|_| highest > *order && !arguments.common.quiet)
-    {
+    let beyond = beyond(&study.model.assembly, highest);
+    if let Some(note) = beyond.as_ref().filter(|_| highest > study.order && !quiet) {
         remark(&format!("note: {note}"));
     }
     let interrupt = Interrupt::listen()?;
-    let Some(found) = verification::follow(&motion, &plan, &interrupt, arguments.common.quiet)? else {
+    let Some(record) = study.verify(&plan, &mut Terminal::new(&interrupt, quiet))? else {
         remark("the verification was interrupted; nothing was measured");
         return Ok(Ending::CheckFailed);
     };
-    let record = record::verification(&plan, &found);
     if arguments.common.json {
         output::print(&format!("{:#}\n", json!(record)))?;
     } else {
-        output::print(&verification::text(&model.name, &record))?;
-        if let Some(note) = beyond(&model.assembly, highest) {
+        output::print(&text(&study.model.name, &record))?;
+        if let Some(note) = beyond {
             output::print(&format!("{}\n", paragraph(&note, "", "  ")))?;
         }
     }

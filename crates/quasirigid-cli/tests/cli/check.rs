@@ -75,7 +75,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       about the axis of greatest inertia, 1.5000 kg m^2:  decays e-fold in 9.564 d
       now 14.93 degrees from the axis of greatest inertia
 
-    Steady spins at this momentum, with the modes about them (quasirigid modes)
+    Steady spins at this momentum, with the modes about them
       About the axis of greatest inertia the nutation, 0.5172 rad/s in the body,
         decays e-fold in 9.464 d.
       About the axis of least inertia the nutation, 20.30 rad/s in the body, decays
@@ -200,7 +200,7 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
         the other way round:                              decays e-fold in 13.33 h
       now 0 degrees from the axis of greatest inertia
 
-    Steady spins at this momentum, with the modes about them (quasirigid modes)
+    Steady spins at this momentum, with the modes about them
       About the axis of greatest inertia the nutation, 0.2449 rad/s in the body,
         decays e-fold in 8.889 h.
       About the axis of least inertia the spin is UNSTABLE: the nutation, 0.2828

@@ -298,7 +298,7 @@ fn an_integrator_that_imitates_the_dashpots_is_called_out() {
     let loose = ran_with(&weak, "simulate model.toml --system full --duration 600 --tolerance 1e-4 --json");
     let note = one_line(&loose.stderr);
     assert!(
-        note.contains("The integrator changed the energy") && note.contains("smaller --tolerance"),
+        note.contains("The integrator changed the energy") && note.contains("smaller tolerance"),
         "{note}"
     );
     let tight = ran_with(MODEL, "simulate model.toml --system full --duration 600 --json");

@@ -169,8 +169,7 @@ fn same_input_prints_the_same_bytes() {
 fn theory_that_does_not_hold_is_said_before_the_refusal() {
     let refused = ran("simulate examples/explorer1/model.toml");
     insta::assert_snapshot!(refused.refusal(), @r"
-    quasirigid: The reduced equations DO NOT HOLD at this spin. See `quasirigid
-    check`.
+    quasirigid: The reduced equations DO NOT HOLD at this spin. The check says why.
     quasirigid: the truncated series has no momentum for this spin; the theory does
     not hold here: lower the spin, stiffen the springs, or use order 1
     ");
@@ -183,7 +182,7 @@ fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
     let [said, quiet] = ["", " --quiet"].map(|option| ran_with(&model, &format!("{line}{option}")));
     assert_eq!(
         said.stderr,
-        "quasirigid: The reduced equations are at the edge of their range at this spin.\nSee `quasirigid check`.\n"
+        "quasirigid: The reduced equations are at the edge of their range at this spin.\nThe check says why.\n"
     );
     assert_eq!((quiet.code, &*quiet.stderr), (Some(0), ""));
     assert_eq!(said.stdout, quiet.stdout);

@@ -68,8 +68,8 @@ const RESOLUTION: usize = 8;
 const RESOLUTION_INSIDE: usize = 16;
 
 /// Words for how a liquid moves.
-const REGIMES: [(&str, Option<Regime>); 2] =
-    [("viscous", Some(Regime::Viscous)), ("boundary-layer", Some(Regime::BoundaryLayer))];
+const REGIMES: [(&str, Regime); 2] =
+    [("viscous", Regime::Viscous), ("boundary-layer", Regime::BoundaryLayer)];
 /// Most cells across.
 const MOST_CELLS: usize = 1000;
 

@@ -146,17 +146,8 @@ pub(super) fn evolve(value: &Value<'_>) -> Option<Evolve> {
     let until = optional(table.get("until"), |value| target(&value));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
-    let power = optional(table.get("power"), |value| {
-        value.choice(&[("polynomial", Some(Power::Polynomial)), ("harmonics", Some(Power::Harmonics))])
-    });
-    let method = optional(table.get("method"), |value| {
-        value.choice(&[
-            ("average", Some(EvolveMethod::Average)),
-            ("micro-runs", Some(EvolveMethod::MicroRuns)),
-            ("direct", Some(EvolveMethod::Direct)),
-            ("modes", Some(EvolveMethod::Modes)),
-        ])
-    });
+    let power = optional(table.get("power"), |value| value.named());
+    let method = optional(table.get("method"), |value| value.named());
     Some(Evolve { until: until?, duration: duration?, samples: samples?, power: power?, method: method? })
 }
 

@@ -196,7 +196,7 @@ fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
 }
 
 fn axes(table: &Table<'_>) -> Option<Axes> {
-    let choices = [("body", Some(Axes::Body)), ("inertial", Some(Axes::Inertial))];
+    let choices = [("body", Axes::Body), ("inertial", Axes::Inertial)];
     table.get("axes").map_or(Some(Axes::Body), |value| value.choice(&choices))
 }
 

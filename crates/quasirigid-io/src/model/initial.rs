@@ -139,7 +139,7 @@ fn said<'a>(value: Option<Value<'a>>) -> Option<Said<'a>> {
         let help = "write \"slow-manifold\", \"rest\", or a table such as { tip = [0.01, 0, 0] }";
         return value.mismatch("\"slow-manifold\", \"rest\" or a table of names", help);
     }
-    let slow = value.choice(&[("slow-manifold", Some(true)), ("rest", Some(false))])?;
+    let slow = value.choice(&[("slow-manifold", true), ("rest", false)])?;
     Some(if slow { Said::SlowManifold } else { Said::Rest })
 }
 

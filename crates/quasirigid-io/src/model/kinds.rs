@@ -42,7 +42,7 @@ pub(super) fn opened<'a, R>(
         value.table(title, any)?.required(key, &format!("{key} = {}", alternatives(&words)));
         return None;
     };
-    let choices: Vec<_> = kinds.iter().map(|kind| (kind.word, Some(kind))).collect();
+    let choices: Vec<_> = kinds.iter().map(|kind| (kind.word, kind)).collect();
     let kind = word.choice(&choices)?;
     let others = |unknown: &str| {
         let with = kinds.iter().filter(|kind| kind.keys.known.contains(&unknown));

@@ -16,6 +16,7 @@ mod initial;
 mod kinds;
 mod literal;
 mod material;
+mod named;
 mod names;
 mod orbit;
 mod part;
@@ -44,8 +45,9 @@ pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
 pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
 pub use initial::{Displacements, Initial};
+pub use named::Named;
 pub use rotation::Rotation;
-pub use settings::{Form, Method, Run, Stop, System, Verify};
+pub use settings::{Run, Stop, System, Verify};
 pub use source::Source;
 
 use body::Parts;

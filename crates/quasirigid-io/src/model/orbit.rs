@@ -19,11 +19,11 @@ pub(super) const ORBIT: Keys = Keys {
 
 /// Gravitational parameters (m³/s²): of the Earth as recommended by the IAU (2009), in TCG; of the others as in the
 /// ephemeris DE440, in TDB.
-const BODIES: [(&str, Option<f64>); 4] = [
-    ("Earth", Some(3.986_004_418e14)),
-    ("Moon", Some(4.902_800_118e12)),
-    ("Mars", Some(4.282_837_362e13)),
-    ("Sun", Some(1.327_124_400_41e20)),
+const BODIES: [(&str, f64); 4] = [
+    ("Earth", 3.986_004_418e14),
+    ("Moon", 4.902_800_118e12),
+    ("Mars", 4.282_837_362e13),
+    ("Sun", 1.327_124_400_41e20),
 ];
 
 /// Reads an orbit.

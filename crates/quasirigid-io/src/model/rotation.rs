@@ -81,6 +81,6 @@ fn acute(value: &Value<'_>) -> Option<f64> {
 }
 
 fn mode(table: &Table<'_>) -> Option<Mode> {
-    let choices = [("short-axis", Some(Mode::ShortAxis)), ("long-axis", Some(Mode::LongAxis))];
+    let choices = [("short-axis", Mode::ShortAxis), ("long-axis", Mode::LongAxis)];
     table.required("mode", "mode = \"short-axis\", or mode = \"long-axis\"")?.choice(&choices)
 }

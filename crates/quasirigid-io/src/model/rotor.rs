@@ -23,7 +23,7 @@ pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {
 
 fn kind(table: &Table<'_>) -> Option<RotorKind> {
     let ball = match table.get("shape") {
-        Some(shape) => shape.choice(&[("flywheel", Some(false)), ("sphere", Some(true))])?,
+        Some(shape) => shape.choice(&[("flywheel", false), ("sphere", true)])?,
         None => false,
     };
     match (ball, table.get("axis")) {

@@ -1,5 +1,7 @@
 use std::f64::consts::PI;
 
+use quasirigid::dynamics::{Form, Method};
+
 use super::evolve::{Evolve, evolve};
 use super::table::{Keys, Table};
 use super::value::Value;
@@ -72,15 +74,6 @@ impl Default for Run {
     }
 }
 
-/// Form in which the reduced equations are integrated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// For the angular momentum, which keeps its length without torque.
-    Momentum,
-    /// For the angular velocity, as the paper writes them.
-    Paper,
-}
-
 /// A system of equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum System {
@@ -90,17 +83,6 @@ pub enum System {
     Rigid,
     /// The body with all its coordinates, which is stiff.
     Full,
-}
-
-/// Method for the full system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Both, in turns, as the stiffness asks.
-    Automatic,
-    /// Explicit steps, which follow every vibration.
-    Explicit,
-    /// Implicit steps, which may pass over vibrations that have died out.
-    Implicit,
 }
 
 /// What ends a run before its time.
@@ -131,9 +113,9 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
     let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
-    let form = optional(table.get("form"), |value| form(&value));
+    let form = optional(table.get("form"), |value| value.named());
     let systems = optional(table.get("systems"), |value| systems(&value));
-    let method = optional(table.get("method"), |value| method(&value));
+    let method = optional(table.get("method"), |value| value.named());
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
@@ -171,23 +153,9 @@ fn tolerance(value: &Value<'_>) -> Option<f64> {
     value.refuse(message, "out of range", Some("write for example tolerance = 1e-9".to_owned()))
 }
 
-fn form(value: &Value<'_>) -> Option<Form> {
-    value.choice(&[("momentum", Some(Form::Momentum)), ("paper", Some(Form::Paper))])
-}
-
 fn systems(value: &Value<'_>) -> Option<Vec<System>> {
-    let choices =
-        [("reduced", Some(System::Reduced)), ("rigid", Some(System::Rigid)), ("full", Some(System::Full))];
     let help = "write for example [\"reduced\", \"rigid\", \"full\"]";
-    distinct(value, "a list of systems", help, |item| item.choice(&choices))
-}
-
-fn method(value: &Value<'_>) -> Option<Method> {
-    value.choice(&[
-        ("automatic", Some(Method::Automatic)),
-        ("explicit", Some(Method::Explicit)),
-        ("implicit", Some(Method::Implicit)),
-    ])
+    distinct(value, "a list of systems", help, |item| item.named())
 }
 
 fn stop(value: &Value<'_>) -> Option<Stop> {

@@ -7,6 +7,7 @@ use toml::de::{DeInteger, DeValue};
 use super::Diagnostic;
 use super::diagnostic::Problems;
 use super::literal;
+use super::named::Named;
 use super::spans::ElementSpans;
 use super::table::{Keys, Table};
 use crate::nearest::nearest;
@@ -123,26 +124,24 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// One of several words; a word without a value is part of the format but not of this version.
-    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, Option<T>)]) -> Option<T> {
+    /// One of several words.
+    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Option<T> {
         let text = self.text()?;
-        let available = || choices.iter().filter(|(_, value)| value.is_some()).map(|(word, _)| *word);
-        let list = alternatives(&available().map(|word| format!("{word:?}")).collect::<Vec<_>>());
-        let help = Some(match nearest(text, available()) {
+        if let Some((_, value)) = choices.iter().find(|(word, _)| *word == text) {
+            return Some(*value);
+        }
+        let words = choices.iter().map(|(word, _)| *word);
+        let list = alternatives(&words.clone().map(|word| format!("{word:?}")).collect::<Vec<_>>());
+        let help = match nearest(text, words) {
             Some(meant) => format!("did you mean {meant:?}? write {list}"),
             None => format!("write {list}"),
-        });
-        match choices.iter().find(|(word, _)| *word == text) {
-            Some((_, Some(value))) => Some(*value),
-            Some((_, None)) => {
-                let message = format!(
-                    "`{}` = {text:?} is part of the model format, but this version of quasirigid does not support it yet",
-                    self.key
-                );
-                self.refuse(message, "not supported yet", help)
-            }
-            None => self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", help),
-        }
+        };
+        self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", Some(help))
+    }
+
+    /// A setting that is one of a few.
+    pub(super) fn named<T: Named>(&self) -> Option<T> {
+        self.choice(&T::VALUES.iter().map(|(word, value, _)| (*word, *value)).collect::<Vec<_>>())
     }
 
     /// `true` or `false`.

@@ -1,9 +1,10 @@
 use std::fmt::Write as _;
 
 use insta::assert_snapshot;
+use quasirigid::dynamics::Form;
 use quasirigid::elements::{Coefficient, End, HingeCoefficient, Law, Motion};
 use quasirigid::model::Support;
-use quasirigid_io::model::{Form, Rotation};
+use quasirigid_io::model::Rotation;
 
 use super::{CARRIER, carrier, read};
 

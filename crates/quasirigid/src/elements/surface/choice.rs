@@ -6,6 +6,7 @@ use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
 use crate::elements::error::{ElementError, Field, Place, Problem, at};
 use crate::elements::ritz::Ritz;
 use crate::math::meshing::{Neck, graded, necks};
+use crate::math::watch;
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
@@ -140,7 +141,9 @@ impl Road<'_> {
     fn converged(&self, convex: bool) -> Result<(usize, Ritz), ElementError> {
         let offered = if convex { &DEGREES[..] } else { &DEGREES[..DEGREES.len() - 1] };
         let mut best = (offered[0], self.polynomials(offered[0])?);
+        watch::stage("raising the degree of the polynomials");
         for degree in &offered[1..] {
+            watch::progress((degree - offered[0]) as f64 / offered[offered.len() - 1] as f64);
             if best.1.growth < CONVERGED {
                 break;
             }

@@ -1,4 +1,5 @@
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
     DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, InterpolatedPower, LevelRow, MeanPower,
@@ -15,10 +16,8 @@ use super::approach::approach;
 use super::road::{Refusal, Verdict};
 use super::rows::Rows;
 use super::{Asked, words};
-use crate::describe::shares;
-use crate::failure::Failure;
-use crate::interrupt::Interrupt;
-use crate::progress::Bar;
+use crate::error::StudyError;
+use crate::words::shares;
 
 /// Share of the wobble's energy that is left where nothing says how far to go.
 const LEFT: f64 = 0.01;
@@ -66,7 +65,7 @@ impl Ageing {
         [reduced, slaved]: [&ReducedBody; 2],
         start: SpinState,
         power: Option<Power>,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, StudyError> {
         let lossy = !body.lossy().is_empty();
         let principal = Principal::of(reduced.J);
         let K = principal.components(slaved.momentum(start.omega));
@@ -177,44 +176,51 @@ impl Ageing {
     }
 
     /// Where the evolution starts: at a target, or at the initial state.
-    pub fn start(&self, evolution: &Evolution, from: Option<Target>, free: bool) -> Result<Stage, Failure> {
+    pub fn start(
+        &self,
+        evolution: &Evolution,
+        from: Option<Target>,
+        free: bool,
+    ) -> Result<Stage, StudyError> {
         let energy = self.initial.energy();
         if energy == 0.0 {
-            return Err(Failure::AtRest);
+            return Err(StudyError::AtRest);
         }
         if !energy.is_finite() {
-            return Err(Failure::BoundlessSpin);
+            return Err(StudyError::BoundlessSpin);
         }
         match from {
             Some(target) => self.stage(evolution, target),
-            None if free => Stage::of(&self.initial).ok_or(Failure::Steady),
+            None if free => Stage::of(&self.initial).ok_or(StudyError::Steady),
             None => Ok(Stage::of(&self.initial).unwrap_or(Stage::steady(self.initial.mode()))),
         }
     }
 
-    pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, Failure> {
+    pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, StudyError> {
         let [I1, _, I3] = self.principal.moments;
         match target {
-            Target::Ratio(ratio) => evolution.stage(ratio).ok_or(Failure::NoStage { ratio, least: I1 / I3 }),
+            Target::Ratio(ratio) => {
+                evolution.stage(ratio).ok_or(StudyError::NoStage { ratio, least: I1 / I3 })
+            }
             Target::Wobble(angle) => {
-                evolution.wobbling(angle).ok_or(Failure::NoShortAxis { moments: self.principal.moments })
+                evolution.wobbling(angle).ok_or(StudyError::NoShortAxis { moments: self.principal.moments })
             }
         }
     }
 
     /// Where the evolution ends: the target, the time, or what is left of the wobble, whichever comes first.
-    pub fn end(&self, evolution: &Evolution, from: Stage, asked: &Asked) -> Result<Stage, Failure> {
+    pub fn end(&self, evolution: &Evolution, from: Stage, asked: &Asked) -> Result<Stage, StudyError> {
         let target = match asked.until {
             Some(target) => self.stage(evolution, target)?,
-            None => evolution.faded(from, LEFT).ok_or(Failure::Steady)?,
+            None => evolution.faded(from, LEFT).ok_or(StudyError::Steady)?,
         };
         let [start, end] = [from, target].map(|stage| evolution.ratio(stage));
         if end < start {
             return Err(match asked.until {
                 Some(Target::Wobble(to)) => {
-                    Failure::Calmer { from: evolution.motion(from).nutation()[1], to }
+                    StudyError::Calmer { from: evolution.motion(from).nutation()[1], to }
                 }
-                _ => Failure::Backwards { from: start, to: end },
+                _ => StudyError::Backwards { from: start, to: end },
             });
         }
         match asked.duration {
@@ -226,8 +232,8 @@ impl Ageing {
     }
 
     /// How far a drift is followed: not beyond the slowest elastic frequency.
-    pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, Failure> {
-        let duration = asked.duration.ok_or(Failure::NoEvolutionDuration)?;
+    pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, StudyError> {
+        let duration = asked.duration.ok_or(StudyError::NoEvolutionDuration)?;
         let target = asked.until.map(|target| self.stage(evolution, target)).transpose()?;
         let fastest = self.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
         Ok(DriftLimits { target, fastest, ..DriftLimits::until(duration) })
@@ -239,19 +245,18 @@ impl Ageing {
         DriftState { t: 0.0, stage, momentum: self.initial.momentum(), side, turns: 0.0 }
     }
 
-    /// The table of the rows; fewer of them if Ctrl-C ends the work.
-    pub fn columns(&self, rows: &mut Rows, interrupt: &Interrupt, bar: &Bar) -> Vec<Column> {
+    /// The table of the rows; fewer of them if the watch ends the work.
+    pub fn columns(&self, rows: &mut Rows, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Vec<Column> {
         let mut columns: Vec<Column> = COLUMNS
             .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
             .into();
         let ended = rows.status == "interrupted"; // what a drift has reached is still told
         for i in 0..rows.states.len() {
-            if interrupt.pressed() && !ended {
+            if watch(i as f64 / rows.states.len() as f64).is_break() && !ended {
                 rows.states.truncate(i);
                 rows.status = "interrupted";
                 break;
             }
-            bar.show(i as f64 / rows.states.len() as f64);
             let mut values = self.row(rows.advance(i));
             if let Some(powers) = &rows.powers {
                 values[POWER] = powers[i];

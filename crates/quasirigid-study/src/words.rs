@@ -157,9 +157,9 @@ pub fn drift_note(system: &str, forced: bool, energy: f64, [drift, dissipated]: 
         return None;
     }
     let (culprit, remedy) = if forced && system == "reduced" {
-        ("The series that was cut off, or the integrator,", "use a higher --order or a smaller --tolerance")
+        ("The series that was cut off, or the integrator,", "use a higher order or a smaller tolerance")
     } else {
-        ("The integrator", "use a smaller --tolerance")
+        ("The integrator", "use a smaller tolerance")
     };
     let [drift, taken] = [drift, dissipated].map(|energy| significant(energy, 2));
     Some(format!(

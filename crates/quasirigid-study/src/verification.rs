@@ -1,39 +1,56 @@
 //! The proof of the reduced equations: how it is asked for, followed and told.
 
 use std::fmt::{self, Write};
-use std::ops::ControlFlow;
 
-use quasirigid::model::FlexibleBody;
 use quasirigid::secular::MeasureError;
 use quasirigid::verification::{
-    AverageError, AverageRow, Plan, Verification, VerificationError, verify, verify_average,
+    self, AverageError, AverageRow, Plan, Verification, VerificationError, verify_average,
 };
-use quasirigid_io::model::Model;
+use quasirigid_io::model::Verify;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
-use crate::describe::{significant, time};
-use crate::failure::Failure;
-use crate::interrupt::Interrupt;
+use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::motion::Motion;
-use crate::progress::Bar;
+use crate::record;
+use crate::study::Study;
+use crate::watch::Watch;
+use crate::words::{significant, time};
 
-/// What the file asks for; where it does not say, every order up to the model's from the highest one that is the rigid
-/// body: 0 with rotors and liquids, 1 with springs alone.
-pub fn plan(model: &Model, body: &FlexibleBody, order: usize) -> Plan {
-    let lowest = usize::from(body.cyclic().is_empty());
-    let asked = model.run.verify.clone().unwrap_or_default();
-    let defaults = Plan::default();
-    Plan {
-        orders: asked.orders.unwrap_or_else(|| (lowest..=order).collect()),
-        rotations: asked.rotations.unwrap_or(defaults.rotations),
-        halvings: asked.halvings.unwrap_or(defaults.halvings),
-        ..defaults
+impl Study {
+    /// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
+    /// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
+    #[must_use]
+    pub fn verification_plan(&self, asked: Verify) -> Plan {
+        let lowest = usize::from(self.body.cyclic().is_empty());
+        let file = self.model.run.verify.clone().unwrap_or_default();
+        let usual = Plan::default();
+        Plan {
+            orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=self.order).collect()),
+            rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
+            halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
+            ..usual
+        }
+    }
+}
+
+impl Study {
+    /// Verifies the reduced equations of a study; none if the watch ended it.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and for a plan that means nothing.
+    pub fn verify(
+        &self,
+        plan: &Plan,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<VerificationRecord>, StudyError> {
+        let motion = Motion::new(self, self.initial()?);
+        Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
     }
 }
 
 /// What was found of the reduced equations and of the average.
-pub struct Proof {
+pub(crate) struct Proof {
     pub verification: Verification,
     pub average: Result<AverageRow, AverageError>,
 }
@@ -42,28 +59,22 @@ pub struct Proof {
 const HALVINGS: usize = 3;
 const STEPS: u64 = 40;
 
-/// Runs the verification, with progress shown; none if Ctrl-C ended it.
-pub fn follow(
+const STAGE: &str = "verifying";
+
+/// Runs the verification; none if the watch ended it.
+pub(crate) fn follow(
     motion: &Motion,
     plan: &Plan,
-    interrupt: &Interrupt,
-    quiet: bool,
-) -> Result<Option<Proof>, Failure> {
-    let bar = Bar::new("verifying", quiet);
-    let ended = || if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let mut watch = |share: f64| {
-        bar.show(share);
-        ended()
-    };
+    watch: &mut dyn Watch,
+) -> Result<Option<Proof>, StudyError> {
     let (system, start) = (motion.system(), &motion.start);
-    let verification = match verify(system, start, plan, &mut watch) {
+    let verification = match verification::verify(system, start, plan, &mut |share| watch.at(STAGE, share)) {
         Err(VerificationError::Interrupted) => return Ok(None),
         other => other?,
     };
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
     let (halvings, steps) = (plan.halvings.min(HALVINGS), STEPS * verification.steps);
-    let average = verify_average(system, start, highest, halvings, steps, &mut || ended());
-    bar.clear();
+    let average = verify_average(system, start, highest, halvings, steps, &mut || watch.at(STAGE, 1.0));
     match average {
         Err(AverageError::Measure(MeasureError::Interrupted)) => Ok(None),
         average => Ok(Some(Proof { verification, average })),

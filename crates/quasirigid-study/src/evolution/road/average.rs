@@ -11,9 +11,9 @@ use super::choice::Choice;
 use super::full::REFUSED;
 use super::ground::Ground;
 use super::verdict::Road;
-use crate::describe::{significant, time};
+use crate::error::StudyError;
 use crate::evolution::ageing::Ageing;
-use crate::failure::Failure;
+use crate::words::{significant, time};
 
 /// Places of the way at which parametric resonance is looked for.
 const LOOKS: usize = 4;
@@ -36,7 +36,7 @@ impl Choice<'_> {
         &self,
         ageing: &mut Ageing,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Option<Road>, Failure> {
+    ) -> Result<Option<Road>, StudyError> {
         let hill = self.spinning_frame();
         ageing.verdict.parametric = hill.as_ref().and_then(|hill| self.parametric(hill));
         if ageing.verdict.parametric.is_some() {
@@ -70,7 +70,7 @@ impl Choice<'_> {
         criteria: AverageCriteria,
         power: &dyn MeanPower,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Option<Road>, Failure> {
+    ) -> Result<Option<Road>, StudyError> {
         if !criteria.hold() {
             return Ok(None);
         }
@@ -80,7 +80,10 @@ impl Choice<'_> {
     }
 
     /// Short runs of the full system on the way; none of a body that is stiff, or has no equations of motion for what it loses.
-    pub fn probes(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Option<&Probes>, Failure> {
+    pub fn probes(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<&Probes>, StudyError> {
         if let Some(probes) = self.probes.get() {
             return Ok(probes.as_ref());
         }
@@ -93,7 +96,7 @@ impl Choice<'_> {
             let probes = Probes::between(body, range, poles, self.way.ends, options, &mut || watch(0.0));
             match probes {
                 Ok(probes) => found = Some(probes),
-                Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
+                Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
                 Err(_) => {}
             }
         }

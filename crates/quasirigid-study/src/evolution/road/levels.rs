@@ -8,9 +8,9 @@ use quasirigid_io::model::Target;
 
 use super::choice::Choice;
 use super::verdict::Road;
-use crate::commands::Loaded;
-use crate::describe::time;
 use crate::evolution::Asked;
+use crate::study::Study;
+use crate::words::time;
 
 /// Relative change of a difference of moments by elasticity from which levels are followed, largest ratio of spin to frequency, and
 /// least order of the power there.
@@ -20,7 +20,7 @@ const LEVEL_ORDER: usize = 5;
 
 impl Choice<'_> {
     /// Averaged along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
-    pub fn levels(&self, loaded: &Loaded, asked: &Asked) -> Option<Result<Road, String>> {
+    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<Road, String>> {
         let rigid = Principal::of(self.body.invariants().J).moments;
         let bent = self.ground.range.moments();
         let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
@@ -36,7 +36,7 @@ impl Choice<'_> {
         {
             return None;
         }
-        let reduced = reduce(self.body, loaded.order.max(LEVEL_ORDER)).ok()?;
+        let reduced = reduce(self.body, study.order.max(LEVEL_ORDER)).ok()?;
         let until = match (asked.until, self.duration) {
             (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
             (Some(Target::Ratio(_)), None) => {

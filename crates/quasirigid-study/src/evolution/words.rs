@@ -8,8 +8,8 @@ use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRec
 use super::Asked;
 use super::ageing::Ageing;
 use super::rows::Rows;
-use crate::describe::{count, dissipation, significant, time};
 use crate::layout::paragraph;
+use crate::words::{count, dissipation, significant, time};
 
 /// Rows of the table for people.
 const ROWS: usize = 11;
@@ -44,7 +44,7 @@ pub fn message(rows: &Rows, asked: &Asked, ages: bool) -> String {
 pub fn lossless(order: usize) -> String {
     format!(
         "Nothing is dissipated by the reduced equations of order {order}, though the body loses energy in the harmonics of its \
-         wobble: take a higher --order, or --power harmonics."
+         wobble: take a higher order, or the power by harmonics."
     )
 }
 
@@ -128,7 +128,7 @@ pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
             "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
              resonance is near, and the harmonics are right{}.",
             significant(ratio, 3),
-            if ageing.by_polynomial { " (--power harmonics)" } else { "" }
+            if ageing.by_polynomial { "; this answer takes the polynomial" } else { "" }
         ));
     }
     let first = |motion: &quasirigid::averaging::FreeRotation| motion.harmonics().next();
@@ -204,7 +204,7 @@ fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Resul
     }
     writeln!(out)?;
     small_wobbles(out, record)?;
-    writeln!(out, "  (from the modes about the steady spins: quasirigid modes)")
+    writeln!(out, "  (from the modes about the steady spins)")
 }
 
 /// What published estimates say of the small wobble about the axis of greatest inertia.

@@ -3,7 +3,7 @@
 use quasirigid::elements::{Approximation, Resolution};
 use quasirigid_io::record::ResolutionRecord;
 
-use crate::describe::significant;
+use crate::words::significant;
 
 /// Error of the dissipation from which a reader is told before the numbers.
 const NOTABLE: f64 = 0.05;

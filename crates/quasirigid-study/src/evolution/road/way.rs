@@ -2,9 +2,9 @@ use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
 use quasirigid::dynamics::FullState;
 
 use super::ground::Ground;
+use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::evolution::ageing::Ageing;
-use crate::failure::Failure;
 
 /// Effective moments alone: what places a stage, without a power.
 pub struct Levels(pub [f64; 3]);
@@ -33,7 +33,7 @@ pub struct Way {
 
 impl Way {
     /// The way that is asked for, by the energies of the deformed body.
-    pub fn of(ground: &Ground, full: FullState, asked: &Asked, ageing: &Ageing) -> Result<Self, Failure> {
+    pub fn of(ground: &Ground, full: FullState, asked: &Asked, ageing: &Ageing) -> Result<Self, StudyError> {
         let body = ground.body;
         let range = &ground.range;
         let levels = Levels(range.moments());
@@ -42,9 +42,9 @@ impl Way {
         let (start, from) = match asked.from {
             Some(target) => {
                 let stage = ageing.stage(&evolution, target)?;
-                (range.state(body, stage).ok_or(Failure::Steady)?, stage)
+                (range.state(body, stage).ok_or(StudyError::Steady)?, stage)
             }
-            None => (full, range.stage(energy).ok_or(Failure::Steady)?),
+            None => (full, range.stage(energy).ok_or(StudyError::Steady)?),
         };
         let asked = Asked { duration: None, ..asked.clone() };
         let to = ageing.end(&evolution, from, &asked)?;

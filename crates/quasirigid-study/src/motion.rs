@@ -12,10 +12,10 @@ use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
 
-use crate::args::System;
-use crate::commands::Loaded;
-use crate::failure::Failure;
-use crate::rotation::{follows_its_spin, slaved_order};
+use crate::error::StudyError;
+use crate::start::{follows_its_spin, slaved_order};
+use crate::study::Study;
+use quasirigid_io::model::System;
 
 /// Difference between an angular momentum and that of the spin which the series finds for it, relative to itself, from which the
 /// series means nothing there.
@@ -37,7 +37,7 @@ pub struct Motion<'a> {
 }
 
 /// Where the body starts, and how fast (m, m/s): the centre of mass of a free one, the pole of any other.
-pub fn placed(Loaded { model, body, .. }: &Loaded) -> ([f64; 3], [f64; 3]) {
+pub fn placed(Study { model, body, .. }: &Study) -> ([f64; 3], [f64; 3]) {
     match body.support() {
         Support::Free => (model.initial.position, model.initial.velocity),
         Support::FixedPoint { .. } => ([0.0; 3], [0.0; 3]),
@@ -46,9 +46,9 @@ pub fn placed(Loaded { model, body, .. }: &Loaded) -> ([f64; 3], [f64; 3]) {
 }
 
 impl<'a> Motion<'a> {
-    pub fn new(loaded: &'a Loaded, spin: SpinState) -> Self {
-        let Loaded { model, body, forces, speeds, order, .. } = loaded;
-        let (place, velocity) = placed(loaded);
+    pub fn new(study: &'a Study, spin: SpinState) -> Self {
+        let Study { model, body, forces, speeds, order, .. } = study;
+        let (place, velocity) = placed(study);
         let displaced = match &model.initial.displacements {
             Displacements::SlowManifold => None,
             Displacements::Given { q, rate } => {
@@ -78,7 +78,7 @@ impl<'a> Motion<'a> {
         times: &[f64],
         options: Options,
         observer: &mut dyn Observer,
-    ) -> Result<Run, Failure> {
+    ) -> Result<Run, StudyError> {
         let order = if system == System::Rigid { 0 } else { self.order };
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
@@ -104,7 +104,7 @@ impl<'a> Motion<'a> {
 
     /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series
     /// there, and beyond it means nothing.
-    fn bounded(&self, mut options: Options) -> Result<Options, Failure> {
+    fn bounded(&self, mut options: Options) -> Result<Options, StudyError> {
         let bounded = options.events.iter().any(|event| matches!(event, Event::Validity { .. }));
         if !bounded && let Some(slowest) = frequencies(self.body)?.first() {
             options.events.push(Event::Validity { slowest: *slowest, limit: 1.0 });
@@ -113,7 +113,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The full state at the start.
-    pub fn full(&self) -> Result<FullState, Failure> {
+    pub fn full(&self) -> Result<FullState, StudyError> {
         let Start { omega, attitude, place, velocity } = self.start;
         let mut state = match &self.displaced {
             Some((q, rate)) => {
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
                 FullState { place, velocity, ..FullState::at_rest(self.body, omega, attitude) }
             }
             None if self.is_soft()? => {
-                let q = spun_displacements(self.body, omega).map_err(Failure::NoStart)?;
+                let q = spun_displacements(self.body, omega).map_err(StudyError::NoStart)?;
                 FullState { place, velocity, q, ..FullState::at_rest(self.body, omega, attitude) }
             }
             None => self.start.settled(self.system(), self.order)?,
@@ -138,12 +138,12 @@ impl<'a> Motion<'a> {
     }
 
     /// Size of the angular momentum at the start (N·m·s), that of what moves and turns inside included.
-    pub fn momentum(&self) -> Result<f64, Failure> {
+    pub fn momentum(&self) -> Result<f64, StudyError> {
         Ok(norm(self.full()?.momentum(self.body)))
     }
 
     /// Whether the slow manifold says nothing of the displacements at the start, so that these are those of a steady spin.
-    pub fn is_soft(&self) -> Result<bool, Failure> {
+    pub fn is_soft(&self) -> Result<bool, StudyError> {
         let omega = self.start.omega;
         let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
         Ok(asked && !follows_its_spin(self.body, &reduce(self.body, self.order)?, omega))
@@ -151,14 +151,14 @@ impl<'a> Motion<'a> {
 
     /// Spin (rad/s) at which the reduced equations start: the one given, or the one on which displacements and rotors off the slow
     /// manifold settle.
-    pub fn settled_spin(&self, reduced: &ReducedBody) -> Result<[f64; 3], Failure> {
+    pub fn settled_spin(&self, reduced: &ReducedBody) -> Result<[f64; 3], StudyError> {
         if !self.starts_displaced() || self.order == 0 {
             return Ok(self.start.omega);
         }
         self.settled_on(reduced, &self.matched(self.order.min(MAX_FORCED_ORDER))?)
     }
 
-    fn settled_on(&self, reduced: &ReducedBody, slow: &SlowState) -> Result<[f64; 3], Failure> {
+    fn settled_on(&self, reduced: &ReducedBody, slow: &SlowState) -> Result<[f64; 3], StudyError> {
         if self.order == 0 {
             return Ok(self.start.omega);
         }
@@ -167,11 +167,11 @@ impl<'a> Motion<'a> {
         if gap <= CLOSED * norm(slow.momentum) { Ok(omega) } else { Err(PropagateError::NoMomentum.into()) }
     }
 
-    fn matched(&self, order: usize) -> Result<SlowState, Failure> {
+    fn matched(&self, order: usize) -> Result<SlowState, StudyError> {
         Ok(matched_start(self.system(), order, &self.full()?)?)
     }
 
-    fn slow(&self, order: usize) -> Result<SlowState, Failure> {
+    fn slow(&self, order: usize) -> Result<SlowState, StudyError> {
         if self.starts_displaced() && order > 0 {
             return self.matched(order);
         }

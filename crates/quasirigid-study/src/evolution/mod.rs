@@ -6,8 +6,6 @@ mod road;
 mod rows;
 mod words;
 
-use std::ops::ControlFlow;
-
 use quasirigid::averaging::{
     DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
     SmallBody, Stage,
@@ -16,15 +14,14 @@ use quasirigid::dynamics::SpinState;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
-use quasirigid_io::model::{EvolveMethod, Model, Power, Target};
+use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
 
-use crate::commands::Loaded;
-use crate::failure::Failure;
-use crate::interrupt::Interrupt;
+use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
-use crate::progress::Bar;
-use crate::rotation::slaved_order;
+use crate::start::slaved_order;
+use crate::study::Study;
+use crate::watch::Watch;
 use ageing::Ageing;
 use road::History;
 use rows::Rows;
@@ -32,7 +29,7 @@ use rows::Rows;
 pub use words::text;
 
 /// What is asked for, by the file or on the command line.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Asked {
     /// Where to start; the initial state if it is not said.
     pub from: Option<Target>,
@@ -58,55 +55,70 @@ impl Asked {
 /// Rows of the history unless somebody says how many.
 const SAMPLES: usize = 201;
 
-/// What the file asks for.
-pub fn asked(model: &Model) -> Asked {
-    let evolve = model.run.evolve.unwrap_or_default();
-    Asked {
-        from: None,
-        until: evolve.until,
-        duration: evolve.duration,
-        samples: evolve.samples.unwrap_or(SAMPLES),
-        power: evolve.power,
-        method: evolve.method,
+/// An evolution that was followed.
+#[derive(Clone, Debug)]
+pub struct Evolved {
+    /// The record; its status and message say whether it holds.
+    pub record: EvolutionRecord,
+    /// What the reader should know before the numbers.
+    pub notes: Vec<String>,
+}
+
+impl Study {
+    /// What the file asks for of an evolution.
+    #[must_use]
+    pub fn evolution_asked(&self) -> Asked {
+        let evolve = self.model.run.evolve.unwrap_or_default();
+        Asked {
+            from: None,
+            until: evolve.until,
+            duration: evolve.duration,
+            samples: evolve.samples.unwrap_or(SAMPLES),
+            power: evolve.power,
+            method: evolve.method,
+        }
+    }
+
+    /// Follows the averaged rotation from the start of the model.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
+    pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
+        follow(self, self.initial()?, asked, watch)
     }
 }
 
-/// Follows the averaged rotation; the record, and what the reader should know before the numbers.
-pub fn follow(
-    loaded: &Loaded,
+/// Follows the averaged rotation from a start.
+pub(crate) fn follow(
+    study: &Study,
     start: SpinState,
     asked: &Asked,
-    interrupt: &Interrupt,
-    quiet: bool,
-) -> Result<(EvolutionRecord, Vec<String>), Failure> {
-    let Loaded { model, body, forces, order, .. } = loaded;
+    observer: &mut dyn Watch,
+) -> Result<Evolved, StudyError> {
+    let Study { model, body, forces, order, .. } = study;
     if matches!(body.support(), Support::Prescribed { .. }) {
-        return Err(Failure::DrivenPole);
+        return Err(StudyError::DrivenPole);
     }
     if !body.wheels().is_none() {
-        return Err(Failure::Wheels);
+        return Err(StudyError::Wheels);
     }
     let torque = SlowTorque::of(forces)?;
     let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
     let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
-    let bar = Bar::new("following", quiet);
-    let mut watch = |share: f64| {
-        bar.show(share);
-        if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
+    let mut watch = |share: f64| observer.at("following", share);
     let run = if torque.is_none() {
-        match road::choose(loaded, start, asked, &mut ageing, &mut watch)? {
+        match road::choose(study, start, asked, &mut ageing, &mut watch)? {
             Ok(history) => history,
-            Err(refusal) => return Ok((ageing.refused(refusal), Vec::new())),
+            Err(refusal) => return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() }),
         }
-    } else if let Some(refusal) = road::under_torque(loaded, start, asked, &mut ageing)? {
-        return Ok((ageing.refused(refusal), Vec::new()));
+    } else if let Some(refusal) = road::under_torque(study, start, asked, &mut ageing)? {
+        return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() });
     } else {
         History::None
     };
-    ageing.verdict.close(approximated(loaded));
+    ageing.verdict.close(approximated(study));
     let evolution = ageing.evolution();
     let from = match &run {
         History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,
@@ -128,8 +140,7 @@ pub fn follow(
             Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, &mut watch)
         }
     };
-    let columns = ageing.columns(&mut rows, interrupt, &bar);
-    bar.clear();
+    let columns = ageing.columns(&mut rows, &mut watch);
     let time_range = match &model.extremes {
         Some(extremes) if rows.steady() && ageing.verdict.road == "average" => {
             Some(range(extremes, &ageing, from, rows.last().stage)?)
@@ -140,19 +151,19 @@ pub fn follow(
     let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
     let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
-    let estimates = estimates(loaded, record.momentum / ageing.principal.moments[2]);
-    Ok((EvolutionRecord { estimates, ..record }, notes))
+    let estimates = estimates(study, record.momentum / ageing.principal.moments[2]);
+    Ok(Evolved { record: EvolutionRecord { estimates, ..record }, notes })
 }
 
 /// What of a body is approximated so that a reader must know, with its error: a solid, or the flow of liquids.
-fn approximated(loaded: &Loaded) -> Option<(&'static str, f64)> {
-    let solid = loaded.resolution.as_ref().map(|resolution| ("the solid", resolution.error));
-    let liquids = loaded.liquids.iter().map(unresolved).fold(0.0, f64::max);
+fn approximated(study: &Study) -> Option<(&'static str, f64)> {
+    let solid = study.resolution.as_ref().map(|resolution| ("the solid", resolution.error));
+    let liquids = study.liquids.iter().map(unresolved).fold(0.0, f64::max);
     solid.or((liquids > NOTABLE).then_some(("the flow", liquids)))
 }
 
 /// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.
-fn estimates(Loaded { model, body, .. }: &Loaded, spin: f64) -> Vec<EstimateRecord> {
+fn estimates(Study { model, body, .. }: &Study, spin: f64) -> Vec<EstimateRecord> {
     let Some(material) = model.assembly.homogeneous() else { return Vec::new() };
     let Rheology::QualityFactor { factor } = material.rheology else { return Vec::new() };
     let mass = body.invariants().mass;
@@ -167,9 +178,9 @@ fn estimates(Loaded { model, body, .. }: &Loaded, spin: f64) -> Vec<EstimateReco
 }
 
 /// Times (s) of the same way at both ends of what is known of the materials.
-fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], Failure> {
-    let time = |assembly: &Assembly| -> Result<f64, Failure> {
-        let body = assembly.body().map_err(|cause| Failure::Extreme { cause: Box::new(cause) })?;
+fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], StudyError> {
+    let time = |assembly: &Assembly| -> Result<f64, StudyError> {
+        let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
         let power: Box<dyn MeanPower> = if ageing.by_polynomial {
             Box::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
         } else {

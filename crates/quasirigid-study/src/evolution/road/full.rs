@@ -9,8 +9,8 @@ use quasirigid::secular::{
 use super::choice::{Choice, MANY};
 use super::ground::Ground;
 use super::verdict::Road;
-use crate::describe::{significant, time};
-use crate::failure::Failure;
+use crate::error::StudyError;
+use crate::words::{significant, time};
 
 /// Steps of a history.
 const STEPS: u64 = 30_000_000;
@@ -70,7 +70,7 @@ impl Choice<'_> {
     pub fn direct(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, Failure> {
+    ) -> Result<Result<Road, String>, StudyError> {
         self.followed([f64::INFINITY, f64::INFINITY], watch)
     }
 
@@ -78,7 +78,7 @@ impl Choice<'_> {
     pub fn short_history(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, Failure> {
+    ) -> Result<Result<Road, String>, StudyError> {
         let power = if self.body.paths().is_some() { 3 } else { 2 };
         let per_step = (self.body.coordinates().len().max(1) as f64).powi(power);
         self.followed([MANY, WORK / per_step], watch)
@@ -88,7 +88,7 @@ impl Choice<'_> {
         &self,
         [most_turns, most_steps]: [f64; 2],
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, Failure> {
+    ) -> Result<Result<Road, String>, StudyError> {
         let options = DirectOptions {
             until: Some(self.way.energies[1]),
             duration: self.duration.unwrap_or(f64::MAX),
@@ -110,15 +110,15 @@ impl Choice<'_> {
         Ok(match &run.ending {
             DirectEnding::Reached if end.turns < ONE_TURN => Err(format!(
                 "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
-                 balance, not a wobble that dies out; see quasirigid simulate --system full",
+                 balance, not a wobble that dies out; its history in the full system shows it",
                 time(end.t)
             )),
             DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
-            DirectEnding::Interrupted => return Err(Failure::Interrupted),
+            DirectEnding::Interrupted => return Err(StudyError::Interrupted),
             DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
-            DirectEnding::StepLimit => {
-                Err(told("the steps allowed were used up; --method direct allows more of them"))
-            }
+            DirectEnding::StepLimit => Err(told(
+                "the steps allowed were used up; asked for, the direct integration has more of them",
+            )),
             DirectEnding::Failed { reason } => Err(told(reason)),
         })
     }

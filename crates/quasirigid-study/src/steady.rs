@@ -7,12 +7,12 @@ use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 
-use crate::commands::Loaded;
-use crate::describe::{significant, time};
-use crate::failure::Failure;
+use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
 use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::{significant, time};
 
 /// Coordinates of a body whose modes take longer than a moment.
 const MANY: usize = 700;
@@ -31,26 +31,26 @@ pub struct Poles {
 }
 
 /// The steady spins about the axes of greatest and of least inertia, that next to an angular velocity first.
-pub fn poles(loaded: &Loaded, omega: [f64; 3], given: Given) -> Poles {
-    let body = &loaded.body;
+pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
+    let body = &study.body;
     let nearest = Principal::of(body.invariants().J).nearest(omega);
     let [(first, modes), (second, _)] = nearest.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
-        told(loaded, name, RelativeEquilibrium::extreme(body, mode, given))
+        told(study, name, RelativeEquilibrium::extreme(body, mode, given))
     });
     Poles { records: vec![first, second], nearest: modes }
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without any, and of bodies of more
 /// coordinates than are looked at without being asked.
-pub fn at_start(motion: &Motion, loaded: &Loaded) -> Result<Poles, Failure> {
-    let Loaded { body, forces, .. } = loaded;
+pub fn at_start(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
+    let Study { body, forces, .. } = study;
     if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MANY {
         return Ok(Poles::default());
     }
     Ok(match motion.momentum()? {
         0.0 => Poles::default(),
-        momentum => poles(loaded, motion.start.omega, Given::Momentum(momentum)),
+        momentum => poles(study, motion.start.omega, Given::Momentum(momentum)),
     })
 }
 
@@ -61,23 +61,23 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
     format!(
-        "\nSteady spins at this momentum, with the modes about them (quasirigid modes)\n{}",
+        "\nSteady spins at this momentum, with the modes about them\n{}",
         spins.iter().map(line).collect::<String>()
     )
 }
 
 /// The steady spin near an axis, on the side of it, with its modes.
-pub fn spin(loaded: &Loaded, name: &str, axis: [f64; 3], given: Given) -> SteadySpinRecord {
-    told(loaded, name, RelativeEquilibrium::near(&loaded.body, axis, given)).0
+pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: Given) -> SteadySpinRecord {
+    told(study, name, RelativeEquilibrium::near(&study.body, axis, given)).0
 }
 
 /// A steady spin with its modes, or why there is none, and the modes themselves.
 fn told(
-    loaded: &Loaded,
+    study: &Study,
     name: &str,
     found: Result<RelativeEquilibrium, EquilibriumError>,
 ) -> (SteadySpinRecord, Option<SpinModes>) {
-    let body = &loaded.body;
+    let body = &study.body;
     let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
@@ -91,7 +91,7 @@ fn told(
         Err(error) => return (unfound(error.to_string()), None),
     };
     let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
-    if let Some(message) = unanswered(loaded, modes.equilibrium.omega, frequency) {
+    if let Some(message) = unanswered(study, modes.equilibrium.omega, frequency) {
         return (unfound(format!("no answer, since {message}")), Some(modes));
     }
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
@@ -204,7 +204,7 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord) -> fmt::Result
         row(out, mode)?;
     }
     if record.modes.len() > LISTED {
-        writeln!(out, "  and {} more (--json has all)", record.modes.len() - LISTED)?;
+        writeln!(out, "  and {} more (all in JSON)", record.modes.len() - LISTED)?;
     }
     Ok(())
 }

@@ -19,10 +19,10 @@ use quasirigid_io::model::EvolveMethod;
 
 use super::Asked;
 use super::ageing::Ageing;
-use crate::commands::Loaded;
-use crate::describe::significant;
-use crate::failure::Failure;
+use crate::error::StudyError;
 use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::significant;
 use choice::Choice;
 use ground::Ground;
 pub use verdict::Verdict;
@@ -56,22 +56,22 @@ const DISTINCT: f64 = 1e-3;
 
 /// Chooses the road for a body on which no torque acts: the power that is followed from then on, or the history.
 pub fn choose(
-    loaded: &Loaded,
+    study: &Study,
     start: SpinState,
     asked: &Asked,
     ageing: &mut Ageing,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Result<Result<History, Refusal>, Failure> {
-    let body = &loaded.body;
+) -> Result<Result<History, Refusal>, StudyError> {
+    let body = &study.body;
     if asked.method.is_none() && plain(body, ageing, norm(start.omega)) {
         return Ok(Ok(History::None));
     }
-    let full = Motion::new(loaded, start).full()?;
+    let full = Motion::new(study, start).full()?;
     let momentum = norm(full.momentum(body));
     if !(momentum.is_finite() && momentum > 0.0) {
         return Ok(Ok(History::None));
     }
-    let ground = match Ground::of(loaded, momentum)? {
+    let ground = match Ground::of(study, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
     };
@@ -92,13 +92,13 @@ pub fn choose(
             Err(without_equations(ground.left_out(way.ends)))
         }
         Some(EvolveMethod::MicroRuns) => match choice.measured(watch) {
-            Err(MeasureError::Interrupted) => return Err(Failure::Interrupted),
+            Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
             found => found.map_err(|error| error.to_string()),
         },
         Some(EvolveMethod::Direct) => choice.direct(watch)?,
         None => match choice.average(ageing, watch)? {
             Some(road) => Ok(road),
-            None => match choice.levels(loaded, asked) {
+            None => match choice.levels(study, asked) {
                 Some(found) => found,
                 None => choice.other(ageing, watch)?,
             },
@@ -125,21 +125,21 @@ fn without_equations(left_out: f64) -> String {
 
 /// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.
 pub fn under_torque(
-    loaded: &Loaded,
+    study: &Study,
     start: SpinState,
     asked: &Asked,
     ageing: &mut Ageing,
-) -> Result<Option<Refusal>, Failure> {
-    let body = &loaded.body;
+) -> Result<Option<Refusal>, StudyError> {
+    let body = &study.body;
     if plain(body, ageing, norm(start.omega)) {
         return Ok(None);
     }
-    let full = Motion::new(loaded, start).full()?;
+    let full = Motion::new(study, start).full()?;
     let momentum = norm(full.momentum(body));
     if !(momentum.is_finite() && momentum > 0.0) {
         return Ok(None);
     }
-    let ground = match Ground::of(loaded, momentum)? {
+    let ground = match Ground::of(study, momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),
     };

@@ -11,13 +11,13 @@ use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, 
 use quasirigid::secular::{manifold_has_meaning, spun_state};
 use quasirigid_io::model::{Displacements, Model, Rotation};
 
-use crate::describe::significant;
-use crate::failure::Failure;
+use crate::error::StudyError;
+use crate::words::significant;
 
 /// The state the file starts from.
-pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinState, Failure> {
+pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinState, StudyError> {
     let file = &model.source.file;
-    let rotation = model.initial.rotation.ok_or_else(|| Failure::NoSpin { file: file.into() })?;
+    let rotation = model.initial.rotation.ok_or_else(|| StudyError::NoSpin { file: file.into() })?;
     let principal = Principal::of(body.invariants().J);
     let attitude = model.initial.attitude;
     let (K, rigid) = match rotation {
@@ -25,16 +25,16 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinS
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
             let motion = observed.motion(principal.moments);
-            momentum(&principal, &motion.map_err(|cause| Failure::Observed { file: file.into(), cause })?)
+            momentum(&principal, &motion.map_err(|cause| StudyError::Observed { file: file.into(), cause })?)
         }
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(principal.moments) {
                 let cause = NoWobble { moments: principal.moments, mode };
-                return Err(Failure::NoWobble { file: file.into(), cause });
+                return Err(StudyError::NoWobble { file: file.into(), cause });
             }
             let size = rate * principal.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
-            momentum(&principal, &motion.ok_or(Failure::Nutation { angle })?)
+            momentum(&principal, &motion.ok_or(StudyError::Nutation { angle })?)
         }
     };
     if let Displacements::Given { q, .. } = &model.initial.displacements {
@@ -52,7 +52,7 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinS
         Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,
         _ => K,
     };
-    let (omega, _) = spun_state(body, K).map_err(Failure::NoStart)?;
+    let (omega, _) = spun_state(body, K).map_err(StudyError::NoStart)?;
     Ok(SpinState::new(omega, attitude))
 }
 
@@ -67,12 +67,12 @@ fn momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]
 }
 
 /// Angular momentum (N·m·s) of a wobble of the body as its steady spin at this rate (rad/s) deforms it. (Q8)
-fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], Failure> {
+fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], StudyError> {
     let axis = Principal::of(body.invariants().J).axes[mode.circled()];
-    let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(Failure::NoStart)?;
+    let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
     let principal = Principal::of(body.inertia_at(&steady.q));
     let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)
-        .ok_or(Failure::Nutation { angle })?;
+        .ok_or(StudyError::Nutation { angle })?;
     Ok(momentum(&principal, &motion).0)
 }
 
@@ -121,7 +121,7 @@ impl Display for NoWobble {
 
 /// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where something turns inside so
 /// freely that the spin does not slave it. It then turns with the body at the start.
-pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, Failure> {
+pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
     let value = Relaxation::of(body)?.longest() * norm(spin);
     let criterion = Criterion { comparison: Comparison::Relaxation, value };
     Ok(if criterion.verdict() == Verdict::Fails { 0 } else { order })

@@ -7,8 +7,8 @@ use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 use super::ground::Ground;
 use super::verdict::Road;
 use super::way::Way;
+use crate::error::StudyError;
 use crate::evolution::ageing::Ageing;
-use crate::failure::Failure;
 
 /// Revolutions of a history of the full system that is chosen at once, and that is tried where nothing else holds.
 const FEW: f64 = 3_000.0;
@@ -47,7 +47,7 @@ impl<'a> Choice<'a> {
         &self,
         ageing: &mut Ageing,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, Failure> {
+    ) -> Result<Result<Road, String>, StudyError> {
         if !self.ground.complete(self.way.ends) {
             return Ok(self.calibrated(ageing));
         }
@@ -58,7 +58,7 @@ impl<'a> Choice<'a> {
         }
         match self.measured(watch) {
             Ok(road) => Ok(Ok(road)),
-            Err(MeasureError::Interrupted) => Err(Failure::Interrupted),
+            Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
             Err(_) if revolutions.is_some_and(|turns| turns <= MANY) => self.short_history(watch),
             Err(error) => Ok(Err(error.to_string())),
         }

@@ -5,9 +5,9 @@ use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
 use super::History;
 use super::ground::Ground;
 use super::way::{Levels, Way};
-use crate::describe::significant;
 use crate::evolution::ageing::Ageing;
 use crate::resolution::{NOTHING, known};
+use crate::words::significant;
 
 /// Least error of a time that is told.
 const LEAST: f64 = 1e-6;

@@ -1,22 +1,21 @@
 //! What the library computed, as a run record.
 
-use quasirigid::dynamics::{Event, Form, Nutation, Nutations, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::math::ode::Work;
 use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
-use quasirigid_io::model::Model;
+use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
     AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 
-use crate::args::System;
-use crate::commands::Loaded;
+use crate::study::Study;
 use crate::verification::Proof;
 use crate::visible::one_line;
-use crate::{describe, resolution};
+use crate::{resolution, words};
 
 /// The model a record is made from.
 pub fn model(model: &Model) -> ModelRecord {
@@ -29,8 +28,8 @@ pub fn model(model: &Model) -> ModelRecord {
 }
 
 /// The frozen body.
-pub fn body(loaded: &Loaded) -> BodyRecord {
-    let body = &loaded.body;
+pub fn body(study: &Study) -> BodyRecord {
+    let body = &study.body;
     let principal = Principal::of(body.invariants().J);
     BodyRecord {
         mass: body.invariants().mass,
@@ -45,33 +44,33 @@ pub fn body(loaded: &Loaded) -> BodyRecord {
         principal_moments: principal.moments,
         principal_axes: principal.axes,
         coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.clone()).collect(),
-        resolution: resolution(loaded).next(),
+        resolution: resolution(study).next(),
     }
 }
 
 /// How well the shape of a solid inside a surface is resolved.
-pub fn resolution(loaded: &Loaded) -> impl Iterator<Item = ResolutionRecord> + '_ {
-    let solids = loaded.model.assembly.surfaces.iter().zip(&loaded.resolution);
+pub fn resolution(study: &Study) -> impl Iterator<Item = ResolutionRecord> + '_ {
+    let solids = study.model.assembly.surfaces.iter().zip(&study.resolution);
     solids.map(|(solid, found)| resolution::record(&solid.name, found))
 }
 
 /// How far the reduced equations hold.
 pub fn validity(validity: &Validity) -> ValidityRecord {
     let criteria = validity.criteria.iter().map(|criterion| {
-        let words = describe::criterion(criterion, validity);
+        let words = words::criterion(criterion, validity);
         CriterionRecord {
             name: words.name.into(),
             symbol: words.symbol.into(),
             value: criterion.value,
             limit: criterion.limit(),
-            verdict: describe::word(criterion.verdict()).into(),
+            verdict: words::word(criterion.verdict()).into(),
             sentence: words.sentence,
         }
     });
     ValidityRecord {
         valid: validity.verdict() != Verdict::Fails,
-        verdict: describe::verdict(validity),
-        overall: describe::word(validity.verdict()).into(),
+        verdict: words::verdict(validity),
+        overall: words::word(validity.verdict()).into(),
         T1: validity.T1,
         T2: validity.T2.is_finite().then_some(validity.T2),
         T3: validity.T3,
@@ -102,7 +101,7 @@ pub fn reduction(
         residual: residual.elastic.max(residual.cyclic),
         degrees: degrees.collect(),
         power: reduced.dissipated_power(omega),
-        dissipation: describe::shares(&reduced.power_budget(omega)),
+        dissipation: words::shares(&reduced.power_budget(omega)),
     }
 }
 
@@ -112,7 +111,7 @@ pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> Ver
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
             p: row.p,
-            form: if row.form == Form::Paper { "paper".into() } else { "momentum".into() },
+            form: row.form.name().into(),
             order: row.order,
             expected: row.p + 1,
             reached: row.reached(),
@@ -150,7 +149,7 @@ pub fn history(
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
-        system: name(system).into(),
+        system: system.name().into(),
         form: equations.into(),
         method: method(system, run.work),
         status: status.into(),
@@ -161,20 +160,11 @@ pub fn history(
         turns: run.last.turns,
         energy: samples.first().map_or(f64::NAN, |first| first.energy),
         dissipated: run.last.dissipated,
-        dissipation: describe::shares(budget),
+        dissipation: words::shares(budget),
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
         columns: columns(body.support(), samples, Some(nutating)),
-    }
-}
-
-/// The name of a system.
-pub fn name(system: System) -> &'static str {
-    match system {
-        System::Full => "full",
-        System::Reduced => "reduced",
-        System::Rigid => "rigid",
     }
 }
 
@@ -201,7 +191,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
             ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
         }
         Outcome::LeftRange(left) => {
-            ("left-validity", format!("{} at t = {t} s", describe::displaced(body, left)))
+            ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))
         }
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {

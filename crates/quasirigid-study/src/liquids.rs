@@ -4,9 +4,9 @@ use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPH
 use quasirigid::math::sym::norm;
 use quasirigid_io::record::LiquidRecord;
 
-use crate::commands::Loaded;
-use crate::describe::significant;
 use crate::layout::paragraph;
+use crate::study::Study;
+use crate::words::significant;
 
 /// A liquid of a model at a spin.
 pub struct Liquid<'a> {
@@ -16,17 +16,17 @@ pub struct Liquid<'a> {
 }
 
 /// The liquids of a model at a spin (rad/s).
-pub fn liquids(loaded: &Loaded, spin: f64) -> Vec<Liquid<'_>> {
-    let cavities = loaded.model.assembly.cavities.iter().zip(&loaded.liquids);
+pub fn liquids(study: &Study, spin: f64) -> Vec<Liquid<'_>> {
+    let cavities = study.model.assembly.cavities.iter().zip(&study.liquids);
     cavities
         .map(|(cavity, slow)| Liquid { name: &cavity.name, reynolds: slow.reynolds(spin), slow })
         .collect()
 }
 
 /// Liquids whose answer to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s) is not known, in words; none if all are.
-pub fn unanswered(loaded: &Loaded, spin: [f64; 3], frequency: f64) -> Option<String> {
-    let cavities = loaded.model.assembly.cavities.iter().zip(&loaded.liquids);
-    let silent = cavities.filter(|(cavity, slow)| !cavity.answers(slow, loaded.order, spin, frequency));
+pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<String> {
+    let cavities = study.model.assembly.cavities.iter().zip(&study.liquids);
+    let silent = cavities.filter(|(cavity, slow)| !cavity.answers(slow, study.order, spin, frequency));
     let names: Vec<String> = silent
         .map(|(cavity, slow)| {
             format!("{:?} (Reynolds number {})", cavity.name, significant(slow.reynolds(norm(spin)), 2))

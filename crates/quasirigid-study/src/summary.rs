@@ -1,11 +1,13 @@
+//! The answer of a run in words.
+
 use std::fmt::{self, Write};
 use std::path::Path;
 
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use crate::describe::{dissipation, significant, time};
 use crate::layout::paragraph;
 use crate::verification;
+use crate::words::{dissipation, significant, time};
 
 /// The answer of a run for a terminal of 80 columns.
 pub fn text(record: &RunRecord, path: &Path) -> String {

@@ -5,11 +5,11 @@ use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
 use quasirigid::modes::SpinMode;
 use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
 
-use crate::commands::Loaded;
-use crate::describe::time;
-use crate::failure::Failure;
+use crate::error::StudyError;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
+use crate::study::Study;
+use crate::words::time;
 
 /// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {
@@ -22,8 +22,8 @@ pub struct Ground<'a> {
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
-    pub fn of(loaded: &'a Loaded, momentum: f64) -> Result<Result<Self, String>, Failure> {
-        let body = &loaded.body;
+    pub fn of(study: &'a Study, momentum: f64) -> Result<Result<Self, String>, StudyError> {
+        let body = &study.body;
         match EnergyRange::of(body, momentum) {
             Ok(range) => {
                 let poles = Poles::of(body, &range).map_err(|error| format!("the steady spins: {error}"));
@@ -31,7 +31,7 @@ impl<'a> Ground<'a> {
                     let silent = [Mode::LongAxis, Mode::ShortAxis].map(|mode| {
                         let modes = &poles.of_mode(mode)?.modes;
                         let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
-                        unanswered(loaded, modes.equilibrium.omega, frequency)
+                        unanswered(study, modes.equilibrium.omega, frequency)
                     });
                     Self { body, range, poles, silent }
                 }))

@@ -6,13 +6,13 @@ use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
-use crate::commands::Loaded;
-use crate::describe::significant;
-use crate::failure::Failure;
+use crate::error::StudyError;
 use crate::liquids::unanswered;
 use crate::motion::placed;
-use crate::rotation::initial;
+use crate::start::initial;
 use crate::steady::{fate, missing, recorded};
+use crate::study::Study;
+use crate::words::significant;
 
 /// What the record of such a state has for the axis that it was looked for near.
 pub const UNDER_FORCES: &str = "under forces";
@@ -27,43 +27,43 @@ pub struct Told {
 }
 
 /// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
-pub fn near(loaded: &Loaded, asked: Option<[f64; 3]>) -> Result<Near, Failure> {
-    let Loaded { model, body, order, .. } = loaded;
+pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> {
+    let Study { model, body, order, .. } = study;
     let omega = match (asked, model.initial.rotation) {
         (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
         (None, Some(_)) => initial(model, body, *order)?.omega,
         (None, None) => [0.0; 3],
     };
-    let (place, velocity) = placed(loaded);
+    let (place, velocity) = placed(study);
     Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
 /// The steady state next to a start with the modes about it, or why there is none.
-pub fn told(loaded: &Loaded, near: Near) -> Told {
-    let found = SteadyState::near(&loaded.body, &loaded.forces, near)
-        .and_then(|state| SteadyModes::about(&loaded.body, &loaded.forces, state));
+pub fn told(study: &Study, near: Near) -> Told {
+    let found = SteadyState::near(&study.body, &study.forces, near)
+        .and_then(|state| SteadyModes::about(&study.body, &study.forces, state));
     let refused = |why: String| Told {
         record: missing(UNDER_FORCES, format!("Under the forces: {why}.")),
         state: None,
     };
     match found {
-        Ok(modes) => match silent(loaded, &modes) {
+        Ok(modes) => match silent(study, &modes) {
             Some(message) => refused(format!("no answer, since {message}")),
-            None => Told { record: record(loaded, &modes, near), state: Some(described(&modes)) },
+            None => Told { record: record(study, &modes, near), state: Some(described(&modes)) },
         },
         Err(error) => refused(error.to_string()),
     }
 }
 
 /// Liquids whose answer to the slowest of the modes that swing is not known, in words.
-fn silent(loaded: &Loaded, modes: &SteadyModes) -> Option<String> {
+fn silent(study: &Study, modes: &SteadyModes) -> Option<String> {
     let swinging = modes.modes.iter().map(|mode| mode.frequency).filter(|frequency| *frequency > 0.0);
-    unanswered(loaded, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
+    unanswered(study, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
 }
 
-fn record(loaded: &Loaded, modes: &SteadyModes, near: Near) -> SteadySpinRecord {
+fn record(study: &Study, modes: &SteadyModes, near: Near) -> SteadySpinRecord {
     let state = &modes.state;
-    let coordinates = loaded.body.coordinates().iter().zip(&state.q).take(loaded.body.elastic());
+    let coordinates = study.body.coordinates().iter().zip(&state.q).take(study.body.elastic());
     SteadySpinRecord {
         sentence: sentence(modes, near),
         axis: UNDER_FORCES.into(),

@@ -1,0 +1,145 @@
+//! How far the reduced equations hold.
+
+mod text;
+
+use std::collections::BTreeMap;
+
+use quasirigid::model::ReducedBody;
+use quasirigid::modes::acts;
+use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid_io::record::SteadySpinRecord;
+use serde_json::{Value, json};
+
+use crate::error::StudyError;
+use crate::left_out::LeftOut;
+use crate::liquids::{Liquid, liquids};
+use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::{criterion, reasons, shares, word};
+use crate::{record, steady, steady_state};
+
+/// How far the reduced equations of a study hold at its spin.
+#[derive(Debug)]
+pub struct CheckReport<'a> {
+    study: &'a Study,
+    /// The reduced equations.
+    pub reduced: ReducedBody,
+    /// The spin that is judged (rad/s): that of the start, or the one on which what moves inside settles.
+    pub omega: [f64; 3],
+    /// The spin of the start (rad/s), where another one is judged.
+    pub start: Option<[f64; 3]>,
+    /// The criteria.
+    pub validity: Validity,
+    /// Share of the power that each dissipator takes, where it is known.
+    pub budget: BTreeMap<String, f64>,
+    /// Steady spins with the modes about them, that next to the start first.
+    pub spins: Vec<SteadySpinRecord>,
+    /// What the equations of motion leave out.
+    pub left_out: LeftOut,
+    /// What the steady state under the forces comes to, where moments act.
+    pub under_forces: Option<String>,
+}
+
+/// Coordinates of a body whose modes under forces are found in a moment.
+const FEW: usize = 60;
+
+impl Study {
+    /// Judges the reduced equations at the spin of the start.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and where the reduction fails.
+    pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
+        let Study { body, order, .. } = self;
+        let start = self.initial()?;
+        let motion = Motion::new(self, start);
+        let reduced = reduce(body, *order)?;
+        let omega = motion.settled_spin(&reduced)?;
+        let validity = Validity::of_reduced(body, &reduced, omega)?;
+        let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
+        let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
+        let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;
+        Ok(CheckReport {
+            study: self,
+            reduced,
+            omega,
+            start: motion.starts_displaced().then_some(start.omega),
+            validity,
+            budget,
+            spins,
+            left_out: LeftOut::at(self, omega, nearest),
+            under_forces: under_forces(self)?,
+        })
+    }
+}
+
+/// What the steady state under the forces comes to; nothing of a body that no moment acts on.
+fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
+    let Study { body, forces, .. } = study;
+    if !acts(body, forces) {
+        return Ok(None);
+    }
+    Ok(Some(if body.coordinates().len() > FEW {
+        "The modes of its steady state are left out here; asked for, they are found.".to_owned()
+    } else {
+        steady_state::told(study, steady_state::near(study, None)?).record.sentence
+    }))
+}
+
+impl CheckReport<'_> {
+    /// Whether nothing fails of what was judged.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);
+        !fails && self.left_out.liquids.is_none()
+    }
+
+    /// For a terminal of 80 columns.
+    #[must_use]
+    pub fn text(&self) -> String {
+        text::text(self)
+    }
+
+    /// For machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let Self { study, validity, budget, spins, left_out, .. } = self;
+        let criteria: Vec<_> = validity
+            .criteria
+            .iter()
+            .map(|each| {
+                let words = criterion(each, validity);
+                json!({
+                    "name": words.name, "symbol": words.symbol, "value": each.value, "limit": each.limit(),
+                    "verdict": word(each.verdict()), "sentence": words.sentence,
+                })
+            })
+            .collect();
+        let finite = |value: f64| value.is_finite().then_some(value);
+        json!({
+            "name": study.model.name,
+            "order": study.order,
+            "valid": validity.verdict() != Verdict::Fails,
+            "verdict": word(validity.verdict()),
+            "dissipation_verdict": word(validity.dissipation()),
+            "averages": word(validity.averages()),
+            "reasons": reasons(validity),
+            "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,
+            "frequencies": validity.vibrations.frequencies,
+            "free_frequencies": validity.vibrations.free_frequencies,
+            "decay_rates": validity.vibrations.decay_rates,
+            "relaxation_times": validity.relaxation.times,
+            "criteria": criteria,
+            "degrees": validity.degrees.iter()
+                .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
+            "optimal_order": validity.optimal_order,
+            "dissipation": budget,
+            "steady_spins": spins,
+            "left_out": left_out.notes(),
+            "liquids": liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
+            "resolution": record::resolution(study).next(),
+            "condensation": study.condensation.map(|known| json!({
+                "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
+            })),
+        })
+    }
+}

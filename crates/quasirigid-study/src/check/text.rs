@@ -1,0 +1,270 @@
+//! How far the reduced equations hold, for a terminal of 80 columns.
+
+use std::fmt::{self, Write};
+
+use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
+use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
+use quasirigid::math::rotation::angle;
+use quasirigid::math::sphere::Kind as Stationary;
+use quasirigid::math::sym::{self, dot, norm, scale};
+use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::reduction::{Validity, Verdict};
+
+use super::CheckReport;
+use crate::derive::acting;
+use crate::layout::paragraph;
+use crate::liquids::liquids;
+use crate::motion::DISPLACED;
+use crate::study::Study;
+use crate::words::{criterion, dissipation, range, reasons, significant, time, verdict, word};
+use crate::{record, steady};
+
+/// Frequencies printed one by one.
+const LISTED: usize = 9;
+
+/// The whole answer.
+pub(super) fn text(report: &CheckReport) -> String {
+    let CheckReport { study, reduced, validity, budget, spins, left_out, .. } = report;
+    let Study { model, body, condensation, .. } = study;
+    let omega = report.omega;
+    let mut text = String::new();
+    write(&mut text, &model.name, reduced, (omega, without(study)), validity)
+        .expect("a string takes any text");
+    report.start.iter().for_each(|start| text.push_str(&settled(*start, omega)));
+    text.push_str(&steady::lines(spins));
+    if let Some(words) = &report.under_forces {
+        let heading = "Steady state under the forces";
+        text.push_str(&format!("\n{heading}\n{}\n", paragraph(words, "  ", "    ")));
+    }
+    let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
+    if let Some(words) = dissipation(budget) {
+        let power = significant(reduced.dissipated_power(omega), 3);
+        told(&format!("At this spin {power} W are dissipated; {words}."));
+    }
+    left_out.notes().iter().for_each(|note| told(note));
+    liquids(study, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
+    model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
+    let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
+    record::resolution(study).for_each(|found| told(&found.sentence));
+    condensation.iter().for_each(|known| text.push_str(&condensed(known)));
+    let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
+    range(body).iter().for_each(|words| told(words));
+    model.assembly.parts.iter().for_each(|part| text.push_str(&truncation(part, body.pole())));
+    text
+}
+
+/// What the steady spins of the reduced equations leave out.
+fn without(study: &Study) -> &'static str {
+    match (acting(study, None).is_some(), !study.body.lossy().is_empty()) {
+        (true, true) => " WITHOUT the forces and the losses of materials",
+        (true, false) => " WITHOUT the forces",
+        (false, true) => " WITHOUT the losses of materials",
+        (false, false) => "",
+    }
+}
+
+/// Which spin was judged, where what moves inside does not start on the slow manifold.
+fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
+    let words = format!(
+        "{DISPLACED}. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
+        significant(norm(omega), 4),
+        significant(norm(start), 4)
+    );
+    format!("\n{}\n", paragraph(&words, "", "  "))
+}
+
+fn write(
+    out: &mut String,
+    name: &str,
+    reduced: &ReducedBody,
+    (omega, without): ([f64; 3], &str),
+    validity: &Validity,
+) -> fmt::Result {
+    writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
+    for reason in reasons(validity) {
+        writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
+    }
+    times(out, validity)?;
+    writeln!(out, "\nCriteria                          symbol                 value  limit  verdict")?;
+    for each in &validity.criteria {
+        let words = criterion(each, validity);
+        let (value, limit) = (significant(each.value, 3), each.limit());
+        let verdict = word(each.verdict());
+        let shown = if each.verdict() == Verdict::Fails { verdict.to_uppercase() } else { verdict.into() };
+        writeln!(out, "  {:<31} {:<18} {value:>9}  {limit:>5}  {shown}", words.name, words.symbol)?;
+    }
+    vibrations(out, validity)?;
+    series(out, reduced.order, validity)?;
+    if validity.verdict() == Verdict::Fails {
+        return writeln!(
+            out,
+            "\nWhat the reduced equations say of steady spins is left out: they do not hold."
+        );
+    }
+    spin(out, reduced, omega, validity.dissipation() != Verdict::Fails, without)
+}
+
+fn times(out: &mut String, validity: &Validity) -> fmt::Result {
+    writeln!(out, "\nTimes")?;
+    let slowest = if validity.relaxation.longest() < validity.T2 {
+        "decay of the slowest vibration"
+    } else {
+        "decay of the slowest relaxation"
+    };
+    let rows = [
+        ("T1", validity.T1, "period of the slowest vibration"),
+        ("T2", validity.T2, slowest),
+        ("T3", validity.T3, "the spin, 1/|w|"),
+    ];
+    rows.iter().try_for_each(|(symbol, seconds, meaning)| {
+        writeln!(out, "  {symbol}  {:<16} {meaning}", time(*seconds))
+    })
+}
+
+fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
+    let (vibrations, relaxations) = (&validity.vibrations, &validity.relaxation.times);
+    if vibrations.frequencies.is_empty() && relaxations.is_empty() {
+        return writeln!(out, "\nNo vibrations: the body is rigid.");
+    }
+    if !vibrations.frequencies.is_empty() {
+        writeln!(out, "\nVibrations")?;
+        list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
+        list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
+        list(out, "decay rates", &vibrations.decay_rates, "1/s")?;
+    }
+    if !relaxations.is_empty() {
+        writeln!(out, "\nRelaxations of what turns inside")?;
+        list(out, "times, attitude held", relaxations, "s")?;
+    }
+    Ok(())
+}
+
+fn list(out: &mut String, title: &str, values: &[f64], unit: &str) -> fmt::Result {
+    let shown: Vec<_> = values.iter().take(LISTED).map(|value| significant(*value, 4)).collect();
+    let more =
+        if values.len() > LISTED { format!(" and {} more", values.len() - LISTED) } else { String::new() };
+    let text = format!("{title} ({unit}): {}{more}", shown.join(" "));
+    writeln!(out, "{}", paragraph(&text, "  ", "      "))
+}
+
+fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
+    writeln!(out, "\nSize of the terms of w' at this spin (rad/s^2)")?;
+    let sizes = validity.degrees.iter().map(|d| format!("f{}={:.1e}", d.degree, d.size));
+    let text = sizes.collect::<Vec<_>>().join("   ");
+    writeln!(out, "{}", paragraph(&text, "  ", "  "))?;
+    let highest = validity.degrees.last().map_or(0, |d| d.degree).saturating_sub(4);
+    let best = validity.optimal_order;
+    let beyond = if best == highest { " or above" } else { "" };
+    writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
+}
+
+fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
+    let principal = Principal::of(reduced.J);
+    let K = reduced.momentum(omega);
+    if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
+        return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
+    }
+    let heading = format!("Steady spins at this momentum, after the reduced equations{without}");
+    writeln!(out, "\n{}", paragraph(&heading, "", "  "))?;
+    let names = ["least", "middle", "greatest"];
+    let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));
+    for (place, name) in names.into_iter().enumerate() {
+        let moment = principal.moments[place];
+        let about = format!("about the axis of {name} inertia, {} kg m^2:", significant(moment, 5));
+        let word = |spin: Option<SteadySpin>| match spin {
+            Some(spin) => fate(&spin, rates),
+            None if principal.determined()[place] => "none is near it".into(),
+            None => "two moments are equal".into(),
+        };
+        let senses = if dot(K, principal.axes[place]) < 0.0 { [1, 0] } else { [0, 1] };
+        let [this, other] = senses.map(|sense| word(steady[sense][place]));
+        writeln!(out, "  {about:<51} {this}")?;
+        if reduced.has_wheels() {
+            writeln!(out, "  {:<51} {other}", "  the other way round:")?;
+        }
+    }
+    let all = all_steady_spins(reduced, norm(K));
+    let expected = 2 * principal.determined().iter().filter(|determined| **determined).count();
+    if all.isolated.len() != expected || !(all.complete || all.families) {
+        isolated(out, &all, rates)?;
+    }
+    let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
+        let off = angle(K, *axis);
+        (off.min(std::f64::consts::PI - off).to_degrees(), name)
+    });
+    let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+    writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
+}
+
+/// Every steady spin by its direction, where they do not lie near the principal axes one by one.
+fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
+    let SteadySpins { isolated, families, complete } = all;
+    let others = match (families, complete) {
+        (true, _) => "others form a family",
+        (false, true) => "these are all",
+        (false, false) => "more may exist",
+    };
+    writeln!(out, "  isolated ones by the direction of the momentum, {} in all; {others}", isolated.len())?;
+    for IsolatedSpin { spin, momentum, kind } in isolated {
+        let [x, y, z] = scale(norm(*momentum).recip(), *momentum);
+        let energy = match kind {
+            Stationary::Minimum => "least energy",
+            Stationary::Maximum => "greatest energy",
+            Stationary::Saddle => "saddle",
+        };
+        let direction = format!("({x:+.4} {y:+.4} {z:+.4}), {energy}:");
+        writeln!(out, "    {direction:<45} {}", fate(spin, rates))?;
+    }
+    Ok(())
+}
+
+/// A momentum below this share of that of the frozen body is zero.
+const ROUNDING: f64 = 1e-12;
+
+/// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
+fn self_gravity(ellipsoid: &Ellipsoid) -> String {
+    let pressure = ellipsoid.central_pressure();
+    let [pressure, share] =
+        [pressure, pressure / ellipsoid.material.young].map(|value| significant(value, 2));
+    let text = format!(
+        "Self-gravity, which is not in the model, presses the centre of {:?} with {pressure} Pa, {share} of Young's modulus.",
+        ellipsoid.name
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// How few coordinates hold the slow motion of the parts.
+fn condensed(known: &Condensation) -> String {
+    let Condensation { unknowns, coordinates, left_out } = known;
+    let text = format!(
+        "Of the parts' {unknowns} unknowns {coordinates} coordinates are left. They hold the answers to the spin but for {} of their energy.",
+        significant(left_out.max(f64::EPSILON), 1)
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// What modes that another program did not export could add.
+fn truncation(part: &Part, pole: [f64; 3]) -> String {
+    let Kind::Modes(modes) = &part.kind else { return String::new() };
+    let Some(missing) = modes.missing(pole) else { return String::new() };
+    let text = format!(
+        "{:?}: modes beyond the last could add {} % to the energy of its answer to the spin, or less.",
+        part.name,
+        significant(100.0 * missing, 2)
+    );
+    format!("\n{}\n", paragraph(&text, "", "  "))
+}
+
+/// What becomes of a small nutation about a steady spin. Without valid `rates` of dissipation, a rate that follows from it is
+/// left out.
+fn fate(spin: &SteadySpin, rates: bool) -> String {
+    if !rates && spin.frequency > 0.0 {
+        if spin.growth > 0.0 { "grows".into() } else { "decays".into() }
+    } else if spin.growth == 0.0 {
+        "stays".into()
+    } else if spin.growth > 0.0 {
+        format!("grows e-fold in {}", time(spin.growth.recip()))
+    } else {
+        format!("decays e-fold in {}", time(-spin.growth.recip()))
+    }
+}

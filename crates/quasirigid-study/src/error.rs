@@ -1,0 +1,323 @@
+//! Why a study gives no answer.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+use std::path::PathBuf;
+
+use quasirigid::averaging::{ObservedError, Unaveraged};
+use quasirigid::dynamics::PropagateError;
+use quasirigid::elements::ElementError;
+use quasirigid::math::eigen::NoConvergence;
+use quasirigid::math::memory::TooMuchMemory;
+use quasirigid::modes::EquilibriumError;
+use quasirigid::reduction::{ReductionError, ValidityError};
+use quasirigid::verification::VerificationError;
+use quasirigid_io::model::ModelError;
+use quasirigid_io::record::RecordError;
+
+use crate::start::NoWobble;
+use crate::words::significant;
+
+/// A setting that a user may change; each door to the study has its own name for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Setting {
+    /// Length of a history.
+    Duration,
+    /// Number of its rows.
+    Samples,
+    /// System of equations.
+    System,
+    /// Internal coordinates in the table.
+    Coordinates,
+    /// Displacements in the table.
+    Displacements,
+    /// Principal axis of a steady spin.
+    Axis,
+    /// Angular velocity of a steady spin.
+    Spin,
+    /// Start of an evolution.
+    From,
+    /// End of an evolution.
+    Until,
+    /// Longest time of an evolution.
+    EvolutionDuration,
+}
+
+impl Setting {
+    /// The key of the model file, or of the library where the file has none.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Duration => "[run] duration",
+            Self::Samples => "[run] samples",
+            Self::System => "[run] systems",
+            Self::Coordinates => "coordinates",
+            Self::Displacements => "displacements",
+            Self::Axis => "axis",
+            Self::Spin => "spin",
+            Self::From => "from",
+            Self::Until => "evolve.until",
+            Self::EvolutionDuration => "evolve = { duration = \"10 yr\" } in [run]",
+        }
+    }
+}
+
+/// Why a study gives no answer. Its text names settings by their keys; [`told`](Self::told) has other names for them.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// The model file.
+    Model(ModelError),
+    /// The reduction.
+    Reduction(ReductionError),
+    /// The range of the reduced equations.
+    Validity(ValidityError),
+    /// The vibrations.
+    Vibration(NoConvergence),
+    /// A history.
+    Propagate(PropagateError),
+    /// The verification.
+    Verification(VerificationError),
+    /// The record.
+    Record(RecordError),
+    /// A torque over which no average is taken.
+    Unaveraged(Unaveraged),
+    /// A duration (s) that is none.
+    NoDuration {
+        /// The duration.
+        seconds: f64,
+    },
+    /// No start is found.
+    NoStart(EquilibriumError),
+    /// A number of rows that no table has.
+    Samples {
+        /// The number.
+        samples: usize,
+    },
+    /// A history that has no room.
+    History {
+        /// Its rows.
+        samples: usize,
+        /// What it would take.
+        cause: TooMuchMemory,
+    },
+    /// The rigid body has none.
+    NoCoordinates {
+        /// What was asked for.
+        setting: Setting,
+    },
+    /// The model has no initial rotation.
+    NoSpin {
+        /// Its file.
+        file: PathBuf,
+    },
+    /// Observed periods that no rotation has.
+    Observed {
+        /// File of the model.
+        file: PathBuf,
+        /// Why.
+        cause: ObservedError,
+    },
+    /// No stage of the evolution has this ratio.
+    NoStage {
+        /// `D/I₃`.
+        ratio: f64,
+        /// The least.
+        least: f64,
+    },
+    /// Nothing ages about a principal axis.
+    Steady,
+    /// The body does not turn.
+    AtRest,
+    /// The energy is no number.
+    BoundlessSpin,
+    /// No axis of greatest inertia.
+    NoShortAxis {
+        /// Principal moments (kg·m²), ascending.
+        moments: [f64; 3],
+    },
+    /// A wobble that the body does not have.
+    NoWobble {
+        /// File of the model.
+        file: PathBuf,
+        /// Why.
+        cause: NoWobble,
+    },
+    /// A wobble that is none.
+    Nutation {
+        /// Its angle (rad).
+        angle: f64,
+    },
+    /// A target behind the start.
+    Backwards {
+        /// Start, `D/I₃`.
+        from: f64,
+        /// Target.
+        to: f64,
+    },
+    /// No end of an evolution under a torque.
+    NoEvolutionDuration,
+    /// A target of more wobble than the start has.
+    Calmer {
+        /// Wobble at the start (rad).
+        from: f64,
+        /// Target (rad).
+        to: f64,
+    },
+    /// The pole is driven.
+    DrivenPole,
+    /// Momentum wheels.
+    Wheels,
+    /// A body at one end of the ranges of the materials.
+    Extreme {
+        /// What is wrong.
+        cause: Box<ElementError>,
+    },
+    /// A principal axis of a body that moments act on.
+    AxisUnderForces,
+    /// A file that cannot be written.
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        cause: std::io::Error,
+    },
+    /// The work was told to end.
+    Interrupted,
+}
+
+impl StudyError {
+    /// The text, with the names that a door has for settings.
+    #[must_use]
+    pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+        match self {
+            Self::Model(cause) => cause.to_string(),
+            Self::Reduction(cause) => cause.to_string(),
+            Self::Validity(cause) => cause.to_string(),
+            Self::Vibration(cause) => cause.to_string(),
+            Self::Propagate(cause) => cause.to_string(),
+            Self::Verification(cause) => cause.to_string(),
+            Self::Record(cause) => cause.to_string(),
+            Self::Unaveraged(cause) => format!("{cause} (kinds \"spin-drag\" and \"torque\")"),
+            Self::NoSpin { file } => format!(
+                "{}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n",
+                file.display()
+            ),
+            Self::Observed { file, cause } => format!("{}: [initial] periods: {cause}", file.display()),
+            Self::NoWobble { file, cause } => format!("{}: [initial] wobble: {cause}", file.display()),
+            Self::NoStart(cause) => format!(
+                "the start: {cause}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers"
+            ),
+            Self::Nutation { angle } => format!(
+                "a wobble of {} degrees is none; give an angle above 0 and below 90 degrees",
+                significant(angle.to_degrees(), 6)
+            ),
+            Self::Extreme { cause } => format!("at one end of the ranges of the materials: {cause}"),
+            Self::AxisUnderForces => format!(
+                "{} names a principal axis of a body that no moment acts on; under forces give {}, or nothing",
+                name(Setting::Axis),
+                name(Setting::Spin)
+            ),
+            Self::Write { path, cause } => format!("cannot write {}: {cause}", path.display()),
+            Self::Interrupted => "interrupted; the table breaks off here".into(),
+            Self::NoDuration { .. }
+            | Self::Samples { .. }
+            | Self::History { .. }
+            | Self::NoCoordinates { .. } => self.of_histories(name),
+            _ => self.of_evolutions(name),
+        }
+    }
+
+    fn of_histories(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+        let (duration, samples) = (name(Setting::Duration), name(Setting::Samples));
+        match self {
+            Self::NoDuration { seconds } => {
+                format!("{duration} {seconds} s is not a duration; give one above zero, such as \"2 h\"")
+            }
+            Self::Samples { samples: rows } => {
+                format!("{samples} {rows} is out of range; give 2 to 10000000")
+            }
+            Self::History { samples: rows, cause } => {
+                format!("{rows} rows: {cause}; ask for fewer with {samples}")
+            }
+            Self::NoCoordinates { setting } => {
+                let (asked, system) = (name(*setting), name(Setting::System));
+                format!(
+                    "{asked}: the rigid body has no internal coordinates; take {system} reduced or {system} full"
+                )
+            }
+            _ => String::new(),
+        }
+    }
+
+    fn of_evolutions(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+        let (from, until) = (name(Setting::From), name(Setting::Until));
+        match self {
+            Self::NoStage { ratio, least } => format!(
+                "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end ages"
+            ),
+            Self::Steady => format!(
+                "the body spins about a principal axis, so nothing ages; give [initial] a wobble, or choose another start with {from}"
+            ),
+            Self::AtRest => {
+                "the body does not turn, so there is no rotation to follow; give [initial] an angular velocity".into()
+            }
+            Self::BoundlessSpin => {
+                "the energy of the rotation is beyond the range of numbers; give [initial] a slower spin".into()
+            }
+            Self::NoShortAxis { moments: [_, middle, greatest] } => format!(
+                "this body has no axis of greatest inertia that a wobble could be counted from: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as {until} 0.9",
+                significant(*middle, 6),
+                significant(*greatest, 6)
+            ),
+            Self::Backwards { from: start, to } => format!(
+                "dissipation only raises D/I3, and the target {to} lies below the start, {start}; choose a higher one with {until}, or an earlier start with {from}"
+            ),
+            Self::Calmer { from: start, to } => format!(
+                "dissipation only lowers the wobble, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with {until}, or an earlier start with {from}",
+                significant(start.to_degrees(), 3),
+                significant(to.to_degrees(), 3)
+            ),
+            Self::NoEvolutionDuration => format!(
+                "under a torque the rotation need not reach any target; say how long to follow it, with {}",
+                name(Setting::EvolutionDuration)
+            ),
+            Self::DrivenPole => {
+                "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points".into()
+            }
+            Self::Wheels => {
+                "this body has momentum wheels, and the average over free rotations knows none; follow it with `simulate`, or see in `modes` how fast its nutation grows or decays".into()
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+impl Display for StudyError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.told(&Setting::key))
+    }
+}
+
+impl Error for StudyError {}
+
+macro_rules! causes {
+    ($($variant:ident: $cause:ty),+ $(,)?) => {
+        $(impl From<$cause> for StudyError {
+            fn from(cause: $cause) -> Self {
+                Self::$variant(cause)
+            }
+        })+
+    };
+}
+
+causes! {
+    Model: ModelError,
+    Reduction: ReductionError,
+    Validity: ValidityError,
+    Vibration: NoConvergence,
+    Propagate: PropagateError,
+    Verification: VerificationError,
+    Record: RecordError,
+    Unaveraged: Unaveraged,
+}

@@ -1,0 +1,295 @@
+//! Histories of the spin: how long, how finely, by which equations.
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Run, Sample};
+use quasirigid::math::memory;
+use quasirigid::math::sym::norm;
+use quasirigid::model::{Principal, ReducedBody};
+use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies, reduce};
+use quasirigid_io::model::{Named, Stop, System};
+use quasirigid_io::record::Column;
+use serde_json::{Value, json};
+
+use crate::error::{Setting, StudyError};
+use crate::motion::Motion;
+use crate::record::{columns, coordinate_columns, displacement_columns, status};
+use crate::study::Study;
+use crate::watch::Watch;
+use crate::words::{drift_note, shares, verdict};
+
+/// What a user says of a propagation; what is not said is the file's, or the usual.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Propagation {
+    /// Duration (s); a hundred turns if nobody says.
+    pub duration: Option<f64>,
+    /// Error allowed per step, relative.
+    pub tolerance: Option<f64>,
+    /// Number of rows.
+    pub samples: Option<usize>,
+    /// Variable that is integrated.
+    pub form: Option<Form>,
+    /// How the full system is integrated.
+    pub method: Option<Method>,
+}
+
+/// Turns that a propagation makes when nothing says how long it lasts.
+const TURNS: f64 = 100.0;
+/// Numbers of a row, in the history and in its table.
+const ROW: usize = 40;
+/// Rows that a table has.
+const ROWS: std::ops::RangeInclusive<usize> = 2..=10_000_000;
+
+impl Propagation {
+    /// Duration (s) of a motion that starts with an angular velocity (rad/s).
+    ///
+    /// # Errors
+    /// [`StudyError::NoDuration`].
+    pub fn duration(&self, study: &Study, omega: [f64; 3]) -> Result<f64, StudyError> {
+        let Some(seconds) = self.duration else {
+            return Ok(study.model.run.duration.unwrap_or(TURNS * TAU / norm(omega)));
+        };
+        if seconds > 0.0 && seconds.is_finite() {
+            Ok(seconds)
+        } else {
+            Err(StudyError::NoDuration { seconds })
+        }
+    }
+
+    /// Number of rows, or `usual`.
+    #[must_use]
+    pub fn samples(&self, study: &Study, usual: usize) -> usize {
+        self.samples.or(study.model.run.samples).unwrap_or(usual)
+    }
+
+    /// Options of the integrator. Nutation is counted from the `axis`.
+    ///
+    /// # Errors
+    /// [`StudyError::Vibration`].
+    pub fn options(&self, study: &Study, axis: [f64; 3]) -> Result<Options, StudyError> {
+        let run = &study.model.run;
+        let usual = Options::default();
+        Ok(Options {
+            events: events(study, axis)?,
+            method: self.method.or(run.method).unwrap_or(usual.method),
+            tolerance: self.tolerance.or(run.tolerance).unwrap_or(usual.tolerance),
+            form: self.form.or(run.form).unwrap_or(Form::Momentum),
+            ..usual
+        })
+    }
+}
+
+/// What ends a propagation, as the file asks.
+fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
+    let Stop { energy, nutation, validity } = study.model.run.stop;
+    let mut events: Vec<Event> = energy.map(Event::Energy).into_iter().collect();
+    events.extend(nutation.map(|angle| Event::Nutation { axis, angle }));
+    if validity && let Some(slowest) = frequencies(&study.body)?.first() {
+        let limit = Criterion { comparison: Comparison::Spin, value: 0.0 }.failure();
+        events.push(Event::Validity { slowest: *slowest, limit });
+    }
+    Ok(events)
+}
+
+/// The axis from which nutation is counted, of a body at an angular velocity; that of greatest inertia where the momentum circles none. (P8)
+pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
+    let nutation = Nutations::of(body).at(body.momentum(omega));
+    nutation.map_or_else(|| Principal::of(body.J).axes[2], |nutation| nutation.axis)
+}
+
+/// Refuses histories that have no room in memory, with so many internal coordinates kept in each row.
+pub(crate) fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), StudyError> {
+    let numbers = (ROW + 4 * coordinates) as f64 * samples as f64 * histories as f64;
+    memory::ask(numbers * size_of::<f64>() as f64).map_err(|cause| StudyError::History { samples, cause })
+}
+
+/// Output times from zero to `duration`.
+pub(crate) fn even_times(samples: usize, duration: f64) -> Result<Vec<f64>, StudyError> {
+    if !ROWS.contains(&samples) {
+        return Err(StudyError::Samples { samples });
+    }
+    let last = samples - 1;
+    Ok((0..samples).map(|i| if i == last { duration } else { duration * i as f64 / last as f64 }).collect())
+}
+
+/// Samples of a propagation, with its internal coordinates if they are wanted.
+pub(crate) struct Collector<'w> {
+    pub samples: Vec<Sample>,
+    /// Energy (J) that each dissipator took, by name, once a propagation has ended.
+    pub budget: Vec<(String, f64)>,
+    /// Internal coordinates and their rates, one list per sample, if they are kept.
+    pub coordinates: Option<Vec<Vec<f64>>>,
+    watch: &'w mut dyn Watch,
+    stage: &'w str,
+    duration: f64,
+}
+
+impl<'w> Collector<'w> {
+    pub fn new(watch: &'w mut dyn Watch, stage: &'w str, times: &[f64]) -> Self {
+        let duration = times.last().copied().unwrap_or(0.0);
+        Self { samples: Vec::new(), budget: Vec::new(), coordinates: None, watch, stage, duration }
+    }
+}
+
+impl Observer for Collector<'_> {
+    fn sample(&mut self, sample: &Sample) {
+        self.samples.push(*sample);
+    }
+
+    fn keeps_coordinates(&self) -> bool {
+        self.coordinates.is_some()
+    }
+
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        if let Some(kept) = &mut self.coordinates {
+            kept.push([q, rate].concat());
+        }
+    }
+
+    fn budget(&mut self, energies: &[(String, f64)]) {
+        self.budget = energies.to_vec();
+    }
+
+    fn progress(&mut self, t: f64) -> ControlFlow<()> {
+        self.watch.at(self.stage, t / self.duration)
+    }
+}
+
+/// What a table of a history holds.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Which equations are integrated.
+    pub system: System,
+    /// Internal coordinates and their rates, too.
+    pub coordinates: bool,
+    /// Displacements of points, appendages and nodes, too.
+    pub displacements: bool,
+    /// Output times (s), in the place of even ones.
+    pub times: Option<Vec<f64>>,
+}
+
+/// A history of the spin.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// The equations integrated.
+    pub system: System,
+    /// How it ended, in a word and in a sentence.
+    pub status: &'static str,
+    /// The sentence.
+    pub message: String,
+    /// The table.
+    pub columns: Vec<Column>,
+    /// How it ended.
+    pub run: Run,
+    /// Energy (J) that each dissipator took, by name.
+    pub budget: Vec<(String, f64)>,
+    /// What a reader should know: that the numerics may imitate the physics.
+    pub notes: Vec<String>,
+}
+
+impl History {
+    /// The last state and how it was reached, for machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let Run { last, work, .. } = &self.run;
+        json!({
+            "system": self.system.name(),
+            "status": self.status,
+            "message": self.message,
+            "t": last.t,
+            "omega": last.omega,
+            "attitude": last.attitude,
+            "momentum": last.momentum,
+            "energy": last.energy,
+            "dissipated": last.dissipated,
+            "dissipation": shares(&self.budget),
+            "work": last.work,
+            "energy_drift": last.energy_drift,
+            "momentum_drift": last.momentum_drift,
+            "turns": last.turns,
+            "position": last.place,
+            "velocity": last.velocity,
+            "pole": last.pole,
+            "steps": work.steps,
+            "rejected": work.rejected,
+            "implicit_steps": work.implicit_steps,
+            "evaluations": work.evaluations,
+            "factorizations": work.factorizations,
+        })
+    }
+}
+
+/// Rows of a table when nothing says how many.
+const TABLE_ROWS: usize = 1001;
+
+impl Study {
+    /// Follows one system of equations. What is suspect before the work is a remark to the watch.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.
+    pub fn simulate(
+        &self,
+        propagation: &Propagation,
+        table: &Table,
+        watch: &mut dyn Watch,
+    ) -> Result<History, StudyError> {
+        let body = &self.body;
+        let spin = self.initial()?;
+        let options = propagation.options(self, stop_axis(self, spin.omega)?)?;
+        let times = match &table.times {
+            Some(times) => times.clone(),
+            None => {
+                let rows = propagation.samples(self, TABLE_ROWS);
+                even_times(rows, propagation.duration(self, spin.omega)?)?
+            }
+        };
+        let kept = table.coordinates || table.displacements;
+        room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
+        for (asked, setting) in
+            [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
+        {
+            if asked && table.system == System::Rigid {
+                return Err(StudyError::NoCoordinates { setting });
+            }
+        }
+        let motion = Motion::new(self, spin);
+        let judged = spin.omega != [0.0; 3] || !motion.system().acts();
+        if table.system == System::Reduced && judged {
+            let reduced = reduce(body, self.order)?;
+            let validity = Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
+            if validity.verdict() != Verdict::Holds {
+                watch.remark(&format!("{} The check says why.", verdict(&validity)));
+            }
+        }
+        let mut collector = Collector::new(watch, "propagating", &times);
+        collector.coordinates = kept.then(Vec::new);
+        let run = motion.follow(table.system, &times, options, &mut collector)?;
+        let Collector { samples, budget, coordinates, .. } = collector;
+        let rows = coordinates.unwrap_or_default();
+        let mut columns = columns(body.support(), &samples, None);
+        if table.displacements {
+            columns.extend(displacement_columns(body.markers(), &rows));
+        }
+        if table.coordinates {
+            let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
+            columns.extend(coordinate_columns(body.coordinates(), valued, &rows));
+        }
+        let (forced, last) = (motion.system().acts(), run.last);
+        let energies = [last.energy_drift, last.dissipated];
+        let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
+        let (status, message) = status(body, run.outcome, last.t);
+        Ok(History { system: table.system, status, message, columns, run, budget, notes })
+    }
+}
+
+/// The axis from which the nutation that ends a history is counted. (P8)
+fn stop_axis(study: &Study, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
+    if study.model.run.stop.nutation.is_none() {
+        return Ok(omega);
+    }
+    let reduced = reduce(&study.body, study.order)?;
+    let validity = Validity::of_reduced(&study.body, &reduced, omega);
+    let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);
+    Ok(circled_axis(&if holds { reduced } else { reduce(&study.body, 0)? }, omega))
+}

@@ -1,0 +1,76 @@
+//! What a user asks of a body that is almost rigid, as a library: from a model to a record.
+//!
+//! A [`Study`] is a model with its body. What is asked of it (how far the reduced equations hold, its modes, its histories, its
+//! evolution, the proof against the full system, the record of all) is answered here, with the verdicts and notes in words; nothing is
+//! printed, and no flag is known. The command line, Python and the report are doors to it.
+//!
+//! The record and the report of `quasirigid run`:
+//!
+//! ```
+//! use quasirigid_study::Study;
+//! use quasirigid_study::histories::Propagation;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let folder = tempfile::tempdir()?;
+//! # let (model, folder) = (concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/three-masses/model.toml"), folder.path());
+//! let study = Study::open(model, None)?;
+//! let found = study.run(&Propagation::default(), &mut ())?;
+//! for note in &found.record.notes {
+//!     println!("note: {note}");
+//! }
+//! found.write(folder)?;
+//! assert!(found.holds && folder.join("report.html").is_file());
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! How far the reduced equations hold, the modes about the steady spins, and the fate of the wobble:
+//!
+//! ```
+//! use quasirigid_study::Study;
+//! use quasirigid_study::modes::AskedSpin;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/boom-satellite/model.toml");
+//! let study = Study::open(model, None)?;
+//! assert!(study.check()?.holds());
+//! for spin in study.modes(AskedSpin::default())?.spins {
+//!     println!("about the axis of {} inertia: {}", spin.axis, spin.sentence);
+//! }
+//! let evolved = study.evolve(&study.evolution_asked(), &mut ())?;
+//! println!("{} after {} s", evolved.record.message, evolved.record.time);
+//! # Ok(())
+//! # }
+//! ```
+#![allow(non_snake_case)]
+
+pub mod check;
+pub mod derive;
+mod error;
+pub mod evolution;
+pub mod histories;
+mod incomplete;
+pub mod layout;
+mod left_out;
+mod liquids;
+pub mod modes;
+mod motion;
+mod record;
+mod resolution;
+pub mod run;
+mod start;
+mod steady;
+mod steady_state;
+mod study;
+pub mod summary;
+pub mod verification;
+pub mod visible;
+mod watch;
+mod words;
+
+pub use error::{Setting, StudyError};
+pub use incomplete::beyond;
+pub use left_out::LeftOut;
+pub use start::NoWobble;
+pub use study::Study;
+pub use watch::{Watch, watched};

@@ -1,0 +1,127 @@
+//! Steady spins that a user asks for, with the modes about them.
+
+use quasirigid::math::sym::{dot, norm};
+use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::modes::{Given, acts};
+use quasirigid_io::model::Named;
+use quasirigid_io::record::SteadySpinRecord;
+use serde_json::{Value, json};
+
+use crate::error::StudyError;
+use crate::motion::Motion;
+use crate::study::Study;
+use crate::{steady, steady_state};
+
+/// A principal axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrincipalAxis {
+    /// That of least inertia.
+    Least,
+    /// That between.
+    Middle,
+    /// That of greatest inertia.
+    Greatest,
+}
+
+impl PrincipalAxis {
+    /// All of them, by ascending inertia.
+    pub const ALL: [Self; 3] = [Self::Least, Self::Middle, Self::Greatest];
+}
+
+impl Named for PrincipalAxis {
+    const VALUES: &'static [(&'static str, Self, &'static str)] =
+        &[("least", Self::Least, ""), ("middle", Self::Middle, ""), ("greatest", Self::Greatest, "")];
+}
+
+/// Which steady spins are asked for; both poles with the angular momentum of the start, if nothing is said.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct AskedSpin {
+    /// An angular velocity (rad/s): the steady spin nearest to its direction, with its size.
+    pub omega: Option<[f64; 3]>,
+    /// The principal axis to spin about.
+    pub axis: Option<PrincipalAxis>,
+}
+
+/// Steady spins with their modes.
+#[derive(Clone, Debug)]
+pub struct Modes {
+    /// One record for each.
+    pub spins: Vec<SteadySpinRecord>,
+    /// What the steady state under forces has beside.
+    pub state: Option<Value>,
+    /// Whether it is a steady state under forces.
+    pub under_forces: bool,
+}
+
+impl Modes {
+    /// For a terminal of 80 columns.
+    #[must_use]
+    pub fn text(&self, name: &str) -> String {
+        steady::text(name, &self.spins)
+    }
+
+    /// For machines.
+    #[must_use]
+    pub fn json(&self, name: &str) -> Value {
+        let mut object = json!(self.spins.first());
+        object["name"] = json!(name);
+        object["steady_spins"] = json!(self.spins);
+        if self.under_forces {
+            object["steady_state"] = json!(self.state);
+        }
+        object
+    }
+
+    /// Whether each was found.
+    #[must_use]
+    pub fn found(&self) -> bool {
+        self.spins.iter().all(|spin| spin.spin.is_some())
+    }
+}
+
+impl Study {
+    /// Finds steady spins, or the steady state under the forces, and the small motions about them.
+    ///
+    /// # Errors
+    /// [`StudyError::AxisUnderForces`], and those of a start that is none.
+    pub fn modes(&self, asked: AskedSpin) -> Result<Modes, StudyError> {
+        let Study { body, forces, .. } = self;
+        if acts(body, forces) {
+            if asked.axis.is_some() {
+                return Err(StudyError::AxisUnderForces);
+            }
+            let near = steady_state::near(self, asked.omega)?;
+            let steady_state::Told { record, state } = steady_state::told(self, near);
+            return Ok(Modes { spins: vec![record], state, under_forces: true });
+        }
+        let (omega, given) = match asked.omega {
+            Some(omega) => (omega, Given::Rate(norm(omega))),
+            None => of_start(self)?,
+        };
+        let spins = match (asked.axis, asked.omega) {
+            (Some(axis), _) => {
+                let direction = Principal::of(body.invariants().J).axes[axis as usize];
+                vec![steady::spin(self, axis.name(), direction, given)]
+            }
+            (None, Some(_)) => vec![steady::spin(self, "asked", nearest(body, omega), given)],
+            (None, None) => steady::poles(self, omega, given).records,
+        };
+        Ok(Modes { spins, state: None, under_forces: false })
+    }
+}
+
+/// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if what turns inside takes that up.
+fn of_start(study: &Study) -> Result<([f64; 3], Given), StudyError> {
+    let spin = study.initial()?;
+    let momentum = Motion::new(study, spin).momentum()?;
+    let given = if momentum > 0.0 { Given::Momentum(momentum) } else { Given::Rate(norm(spin.omega)) };
+    Ok((spin.omega, given))
+}
+
+/// The principal axis next to an angular velocity, on its side.
+fn nearest(body: &FlexibleBody, omega: [f64; 3]) -> [f64; 3] {
+    let along = |axis: &[f64; 3]| dot(*axis, omega);
+    let Principal { axes, .. } = Principal::of(body.invariants().J);
+    let axis = axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(omega);
+    axis.map(|entry| entry * along(&axis).signum())
+}

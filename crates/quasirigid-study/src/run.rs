@@ -1,0 +1,258 @@
+//! The main job: check, reduce, propagate, follow over many revolutions, prove; and the record of it all.
+
+use std::fs;
+use std::path::Path;
+
+use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
+use quasirigid::math::sym::norm;
+use quasirigid::model::ReducedBody;
+use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid_io::model::{Named, System, Verify};
+use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
+
+use crate::derive;
+use crate::error::StudyError;
+use crate::evolution::Evolved;
+use crate::histories::{Collector, Propagation, circled_axis, even_times, room};
+use crate::left_out::LeftOut;
+use crate::liquids::{Liquid, liquids};
+use crate::motion::{DISPLACED, Motion};
+use crate::study::Study;
+use crate::watch::Watch;
+use crate::words::drift_note;
+use crate::{evolution, record, steady, verification};
+
+/// Rows of a history when nothing says how many: enough for smooth curves, within limits.
+const ROWS_PER_TURN: f64 = 24.0;
+const ROWS: [f64; 2] = [2_001.0, 50_001.0];
+
+/// Note on a spin outside the range of the series.
+const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the full system was followed \
+                           in the place of the reduced equations.";
+/// Note on a run that was told to end.
+const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
+const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
+/// What a start off the slow manifold means for the histories.
+const SETTLES: &str = "the full system moves until its friction has stilled it, and the reduced body starts from the state that it \
+                       settles on";
+
+/// What a run found.
+#[derive(Clone, Debug)]
+pub struct RunOutcome {
+    /// The record.
+    pub record: RunRecord,
+    /// The reduced equations, as JSON.
+    pub reduced: String,
+    /// Whether all that was asked for is done and holds.
+    pub holds: bool,
+}
+
+impl RunOutcome {
+    /// Writes the record, the reduced equations, the report and its picture into a folder that is there.
+    ///
+    /// # Errors
+    /// [`StudyError::Record`] and [`StudyError::Write`].
+    pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
+        self.record.write(folder)?;
+        self.files().into_iter().try_for_each(|(name, text)| {
+            let path = folder.join(name);
+            fs::write(&path, text).map_err(|cause| StudyError::Write { path, cause })
+        })
+    }
+
+    /// Names and texts of the files beside the record: the reduced equations, the report and its picture.
+    #[must_use]
+    pub fn files(&self) -> Vec<(&'static str, String)> {
+        let mut files = vec![
+            ("reduced.json", self.reduced.clone()),
+            ("report.html", quasirigid_report::page(&self.record)),
+        ];
+        files.extend(quasirigid_report::sphere_picture(&self.record).map(|picture| ("sphere.svg", picture)));
+        files
+    }
+}
+
+impl Study {
+    /// Does all that the model asks for in `[run]`.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
+    pub fn run(&self, propagation: &Propagation, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
+        let Study { model, body, order, .. } = self;
+        let start = self.initial()?;
+        let motion = Motion::new(self, start);
+        let reduced = reduce(body, *order)?;
+        let judged = match motion.settled_spin(&reduced) {
+            Err(StudyError::Propagate(PropagateError::NoMomentum)) => start.omega,
+            other => other?,
+        };
+        let validity = Validity::of_reduced(body, &reduced, judged)?;
+        let rigid = reduce(body, 0)?;
+        let holds = validity.verdict() != Verdict::Fails;
+        let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
+        let mut notes = model.notes.clone();
+        let poles = steady::at_start(&motion, self)?;
+        let left_out = LeftOut::at(self, start.omega, poles.nearest);
+        notes.extend(left_out.notes());
+        let plan = Plan::new(self, propagation, &motion, nutating)?;
+        let evolution = plan.evolution(start, &mut notes, watch)?;
+        let histories = plan.histories(&mut notes, watch)?;
+        let verification = plan.verification(&mut notes, watch)?;
+        let record = RunRecord {
+            version: env!("CARGO_PKG_VERSION").into(),
+            model: record::model(model),
+            notes,
+            body: record::body(self),
+            liquids: liquids(self, norm(start.omega)).iter().map(Liquid::record).collect(),
+            validity: record::validity(&validity),
+            steady_spins: poles.records,
+            reduction: record::reduction(body, &reduced, &validity, start.omega),
+            histories,
+            verification,
+            evolution,
+        };
+        let done = plan.is_done(&record);
+        let equations = derive::of_reduced(self, &reduced, &validity.vibrations.frequencies, Some(start));
+        Ok(RunOutcome {
+            record,
+            reduced: equations.json(),
+            holds: done && holds && left_out.liquids.is_none(),
+        })
+    }
+}
+
+/// What the histories of a run have in common.
+struct Plan<'a> {
+    study: &'a Study,
+    motion: &'a Motion<'a>,
+    systems: Vec<System>,
+    times: Vec<f64>,
+    options: Options,
+    nutating: Nutating<'a>,
+}
+
+/// The bodies by which nutation is counted. (P8)
+struct Nutating<'a> {
+    rigid: &'a ReducedBody,
+    /// The reduced body where it holds, else the rigid one.
+    nearly_rigid: &'a ReducedBody,
+}
+
+impl Nutating<'_> {
+    fn of(&self, system: System) -> &ReducedBody {
+        if system == System::Rigid { self.rigid } else { self.nearly_rigid }
+    }
+}
+
+impl<'a> Plan<'a> {
+    fn new(
+        study: &'a Study,
+        propagation: &Propagation,
+        motion: &'a Motion<'a>,
+        nutating: Nutating<'a>,
+    ) -> Result<Self, StudyError> {
+        let omega = motion.start.omega;
+        let duration = propagation.duration(study, omega)?;
+        let turns = duration * norm(omega) / std::f64::consts::TAU;
+        let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
+        let rows = propagation.samples(study, rows);
+        let systems = study.model.run.systems.clone().unwrap_or_else(|| vec![System::Reduced, System::Rigid]);
+        room(rows, systems.len() + 1, 0)?;
+        let options = propagation.options(study, circled_axis(nutating.nearly_rigid, omega))?;
+        Ok(Self { study, motion, systems, times: even_times(rows, duration)?, options, nutating })
+    }
+
+    /// The histories, in the order asked for; `notes` says why one is missing.
+    fn histories(
+        &self,
+        notes: &mut Vec<String>,
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<HistoryRecord>, StudyError> {
+        let mut histories = Vec::new();
+        for system in &self.systems {
+            if watch.at(system.name(), 0.0).is_break() {
+                notes.push(INTERRUPTED.replace("{system}", system.name()));
+                continue;
+            }
+            match self.history(*system, watch) {
+                Ok(history) => histories.push(history),
+                Err(StudyError::Propagate(PropagateError::NoMomentum)) if *system == System::Reduced => {
+                    notes.push(NO_MOMENTUM.into());
+                    if !self.systems.contains(&System::Full) {
+                        histories.push(self.history(System::Full, watch)?);
+                    }
+                }
+                Err(failure) => return Err(failure),
+            }
+        }
+        if self.motion.starts_displaced() {
+            notes.push(format!("{DISPLACED}: {SETTLES}."));
+        }
+        let forced = self.motion.system().acts();
+        let note = |each: &HistoryRecord| {
+            drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
+        };
+        notes.extend(histories.iter().filter_map(note));
+        Ok(histories)
+    }
+
+    /// The proof against the full system, where the file asks for it.
+    fn verification(
+        &self,
+        notes: &mut Vec<String>,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<VerificationRecord>, StudyError> {
+        if self.study.model.run.verify.is_none() {
+            return Ok(None);
+        }
+        let plan = self.study.verification_plan(Verify::default());
+        let found = verification::follow(self.motion, &plan, watch)?;
+        if found.is_none() {
+            notes.push(UNPROVED.into());
+        }
+        Ok(found.map(|found| record::verification(&plan, &found)))
+    }
+
+    /// The averaged rotation, where the file asks for it.
+    fn evolution(
+        &self,
+        start: SpinState,
+        notes: &mut Vec<String>,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<EvolutionRecord>, StudyError> {
+        if self.study.model.run.evolve.is_none() {
+            return Ok(None);
+        }
+        let Evolved { record, notes: remarks } =
+            evolution::follow(self.study, start, &self.study.evolution_asked(), watch)?;
+        notes.extend(remarks);
+        if record.status != "finished" {
+            notes.push(format!("Over many turns: {}", record.message));
+        }
+        Ok(Some(record))
+    }
+
+    fn history(&self, system: System, watch: &mut dyn Watch) -> Result<HistoryRecord, StudyError> {
+        let name = system.name();
+        let mut collector = Collector::new(watch, name, &self.times);
+        let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
+        let Collector { samples, budget, .. } = collector;
+        let body = self.motion.system().body;
+        if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {
+            watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
+        }
+        let equations = self.motion.equations(system, self.options.form);
+        let counted = self.nutating.of(system);
+        Ok(record::history(system, equations, &self.options, (&samples, &budget), (body, &run), counted))
+    }
+
+    /// Whether all that was asked for was followed to its end and proved.
+    fn is_done(&self, record: &RunRecord) -> bool {
+        let ended = |status: &str| matches!(status, "finished" | "event");
+        record.histories.len() == self.systems.len()
+            && record.histories.iter().all(|history| ended(&history.status))
+            && record.verification.is_some() == self.study.model.run.verify.is_some()
+            && record.verification.as_ref().is_none_or(|verification| verification.reached)
+            && record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished")
+    }
+}

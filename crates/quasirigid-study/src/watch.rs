@@ -62,7 +62,11 @@ mod tests {
     impl Watch for Stopped {
         fn at(&mut self, stage: &str, _: f64) -> ControlFlow<()> {
             self.0.push(stage.to_owned());
-            if stage == "assembling the elements" { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if stage == "assembling the elements" {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         }
     }
 

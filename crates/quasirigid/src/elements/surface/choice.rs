@@ -3,7 +3,7 @@
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::elements::ritz::Ritz;
 use crate::math::meshing::{Neck, graded, necks};
 use crate::math::watch;
@@ -49,7 +49,7 @@ struct Road<'a> {
 
 impl Road<'_> {
     fn polynomials(&self, degree: usize) -> Result<Ritz, ElementError> {
-        self.surface.ritz(degree).map_err(at(Place::Surface(self.index), Field::Degree))
+        self.surface.ritz(degree).map_err(at(ElementKind::Surface.at(self.index), Field::Degree))
     }
 
     fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
@@ -134,7 +134,7 @@ impl Road<'_> {
     }
 
     fn unsettled(&self, error: f64) -> ElementError {
-        at(Place::Surface(self.index), Field::File)(Problem::Unsettled { error })
+        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unsettled { error })
     }
 
     /// The first degree at which the compliance has converged, or the highest that rounding leaves.
@@ -179,6 +179,6 @@ impl Road<'_> {
     }
 
     fn unmeshed(&self, problem: Problem) -> ElementError {
-        at(Place::Surface(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
+        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
     }
 }

@@ -10,7 +10,8 @@ use crate::message::remark;
 
 /// The watch of a terminal: a progress bar for each stage once a second has passed, and Ctrl-C.
 pub struct Terminal<'i> {
-    interrupt: &'i Interrupt,
+    /// None while Ctrl-C ends the program at once, since nothing is half done.
+    interrupt: Option<&'i Interrupt>,
     quiet: bool,
     bar: Option<(String, ProgressBar)>,
 }
@@ -22,7 +23,12 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl<'i> Terminal<'i> {
     pub fn new(interrupt: &'i Interrupt, quiet: bool) -> Self {
-        Self { interrupt, quiet, bar: None }
+        Self { interrupt: Some(interrupt), quiet, bar: None }
+    }
+
+    /// The watch of work that has no partial result.
+    pub fn of_whole(quiet: bool) -> Self {
+        Self { interrupt: None, quiet, bar: None }
     }
 
     fn bar(&self, stage: &str) -> ProgressBar {
@@ -58,7 +64,8 @@ impl Watch for Terminal<'_> {
         {
             bar.set_position((MARKS as f64 * share) as u64);
         }
-        if self.interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let pressed = self.interrupt.is_some_and(Interrupt::pressed);
+        if pressed { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn remark(&mut self, sentence: &str) {

@@ -1,6 +1,7 @@
 //! The few largest eigenvalues of `M x = θ C x` for matrices too large for a dense solver.
 
 use super::eigen::{Dense, NoConvergence, modes};
+use super::watch;
 
 /// A pencil `M x = θ C x`, `C` symmetric positive definite, `M` symmetric positive semi-definite.
 pub struct Pencil<'a> {
@@ -54,6 +55,7 @@ impl Pencil<'_> {
         let mut basis = Basis::default();
         let mut block: Vec<Vec<f64>> = (0..width).map(|column| scattered(self.size, column)).collect();
         for restart in 0..RESTARTS {
+            watch::ask();
             self.extend(&mut basis, block, self.depth(restart, width));
             let (values, ritz) = self.ritz(&basis, width)?;
             let wanted = count.min(values.len());
@@ -101,6 +103,7 @@ impl Pencil<'_> {
             return;
         }
         x.iter_mut().chain(&mut force).for_each(|entry| *entry /= left);
+        watch::ask();
         basis.images.push(self.image(&x));
         basis.vectors.push(x);
         basis.forces.push(force);

@@ -15,3 +15,4 @@ pub mod memory;
 pub mod span;
 pub mod sparse;
 pub mod symmetric;
+pub mod watch;

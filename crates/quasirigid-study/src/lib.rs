@@ -35,7 +35,7 @@
 //! let study = Study::open(model, None)?;
 //! assert!(study.check()?.holds());
 //! for spin in study.modes(AskedSpin::default())?.spins {
-//!     println!("{}: {}", spin.name, spin.sentence);
+//!     println!("about the axis of {} inertia: {}", spin.axis, spin.sentence);
 //! }
 //! let evolved = study.evolve(&study.evolution_asked(), &mut ())?;
 //! println!("{} after {} s", evolved.record.message, evolved.record.time);
@@ -73,4 +73,4 @@ pub use incomplete::beyond;
 pub use left_out::LeftOut;
 pub use start::NoWobble;
 pub use study::Study;
-pub use watch::Watch;
+pub use watch::{Watch, watched};

@@ -2,6 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use quasirigid::math::watch;
+
+use crate::error::StudyError;
+
 /// Watches long work: shows how far it is, and may end it.
 pub trait Watch {
     /// Told from time to time how far a stage of the work is, from 0 to 1. Work that is told to break ends with what it has.
@@ -11,9 +15,69 @@ pub trait Watch {
     fn remark(&mut self, _sentence: &str) {}
 }
 
+/// Does work that has no partial result, such as opening a study, checking it or finding its modes, under a watch.
+///
+/// The watch is asked ten times a second on this thread, the work runs on another. A factorisation of a matrix is one step of it.
+///
+/// ```
+/// use quasirigid_study::{Study, watched};
+///
+/// # fn main() -> Result<(), quasirigid_study::StudyError> {
+/// # let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/axial-mass/model.toml");
+/// let study = watched(&mut (), || Study::open(model, None))?;
+/// # assert!(study.order > 0);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// Those of the work, and [`StudyError::Interrupted`] where the watch ended it.
+pub fn watched<T: Send>(
+    watch: &mut dyn Watch,
+    work: impl FnOnce() -> Result<T, StudyError> + Send,
+) -> Result<T, StudyError> {
+    let mut at = |stage: &str, share: f64| watch.at(stage, share);
+    watch::watched(&mut at, work).unwrap_or(Err(StudyError::Interrupted))
+}
+
 /// Nobody watches: the work goes on to its end.
 impl Watch for () {
     fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::Study;
+
+    /// Panels that take seconds to assemble and factor.
+    const PANEL: &str = include_str!("../../../examples/solar-panels/model.toml");
+
+    struct Stopped(Vec<String>);
+
+    impl Watch for Stopped {
+        fn at(&mut self, stage: &str, _: f64) -> ControlFlow<()> {
+            self.0.push(stage.to_owned());
+            if stage == "assembling the elements" {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        }
+    }
+
+    #[test]
+    fn a_study_that_takes_long_to_open_is_cancelled() {
+        let at = PANEL.find("cells = [").unwrap();
+        let end = at + PANEL[at..].find(']').unwrap();
+        let text = format!("{}cells = [90, 90{}", &PANEL[..at], &PANEL[end..]);
+        let mut watch = Stopped(Vec::new());
+        let opened = watched(&mut watch, || Study::read_from(Path::new("panels"), text.as_bytes(), None));
+        assert!(matches!(opened, Err(StudyError::Interrupted)), "{:?}", watch.0);
+        assert_eq!(watch.0.last().map(String::as_str), Some("assembling the elements"));
     }
 }

@@ -115,8 +115,11 @@ fn crates_keep_to_their_neighbours() {
     for text in ["use quasirigid_io::model::read;", "use quasirigid::model::Inertia;"] {
         assert_eq!(report(text).len(), 1, "{text}");
     }
-    let cli = "use quasirigid::reduction::reduce; use quasirigid_io::record::X; use quasirigid_report::page;";
+    let cli = "use quasirigid::reduction::reduce; use quasirigid_io::record::X; use quasirigid_study::Study;";
     assert_eq!(found(&[("crates/quasirigid-cli/src/main.rs", cli)]), [""; 0]);
+    let study = |text| found(&[("crates/quasirigid-study/src/run.rs", text)]);
+    assert_eq!(study("use quasirigid::reduction::reduce; use quasirigid_report::page;"), [""; 0]);
+    assert_eq!(io("use quasirigid_study::Study;").len(), 1);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-use super::{notes, open};
+use super::{notes, open, whole};
 use crate::args::Check;
 use crate::failure::Failure;
 use crate::{Ending, output};
@@ -7,7 +7,7 @@ use crate::{Ending, output};
 pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let report = study.check()?;
+    let report = whole(&arguments.common, || study.check())?;
     if arguments.common.json {
         output::print(&format!("{:#}\n", report.json()))?;
     } else {

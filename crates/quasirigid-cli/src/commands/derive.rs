@@ -1,4 +1,4 @@
-use super::{notes, open};
+use super::{notes, open, whole};
 use crate::args::{Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{Ending, output};
@@ -7,7 +7,7 @@ use crate::{Ending, output};
 pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let equations = study.derive()?;
+    let equations = whole(&arguments.common, || study.derive())?;
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => equations.text(),

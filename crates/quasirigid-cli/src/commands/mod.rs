@@ -11,11 +11,12 @@ pub mod verify;
 use std::path::Path;
 
 use quasirigid_io::units::{Dimension, quantity};
-use quasirigid_study::{LeftOut, Study, histories};
+use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
 
 use crate::args::{Common, Propagation};
 use crate::failure::Failure;
 use crate::message::remark;
+use crate::progress::Terminal;
 
 /// Where a model comes from that has no file: its name in messages, in the current folder.
 const STANDARD_INPUT: &str = "standard input";
@@ -26,11 +27,21 @@ fn is_standard_input(common: &Common) -> bool {
 }
 
 fn open(common: &Common) -> Result<Study, Failure> {
-    Ok(if is_standard_input(common) {
-        Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)?
-    } else {
-        Study::open(&common.model, common.order)?
+    whole(common, || {
+        if is_standard_input(common) {
+            Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)
+        } else {
+            Study::open(&common.model, common.order)
+        }
     })
+}
+
+/// Does work that has no partial result.
+fn whole<T: Send>(
+    common: &Common,
+    work: impl FnOnce() -> Result<T, StudyError> + Send,
+) -> Result<T, Failure> {
+    Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
 }
 
 /// Says what is suspect in the model, on standard error.

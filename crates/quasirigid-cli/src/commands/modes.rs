@@ -1,6 +1,6 @@
 use quasirigid_study::modes::AskedSpin;
 
-use super::{notes, open};
+use super::{notes, open, whole};
 use crate::args::Modes;
 use crate::failure::Failure;
 use crate::{Ending, output};
@@ -10,7 +10,7 @@ pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found = study.modes(AskedSpin { omega, axis: arguments.axis })?;
+    let found = whole(&arguments.common, || study.modes(AskedSpin { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;

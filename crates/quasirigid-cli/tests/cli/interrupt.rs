@@ -11,6 +11,8 @@ use tempfile::TempDir;
 
 use crate::support::{Ran, Table, folder_of, names, one_line, program};
 
+/// In this time what it does first has begun.
+const BEGUN: Duration = Duration::from_millis(300);
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -30,7 +32,7 @@ pub fn wait_until_it_listens(child: &Child) {
     while !listens(child) && start.elapsed() < PATIENCE {
         std::thread::sleep(Duration::from_millis(10));
     }
-    std::thread::sleep(Duration::from_millis(300));
+    std::thread::sleep(BEGUN);
 }
 
 #[cfg(target_os = "linux")]
@@ -48,10 +50,16 @@ fn listens(_: &Child) -> bool {
 
 /// Presses Ctrl-C once the program propagates, and waits for its end, which must come at once.
 fn interrupted(folder: &TempDir, line: &str) -> Ran {
+    interrupted_after(Duration::ZERO, folder, line)
+}
+
+/// The same some time later.
+fn interrupted_after(later: Duration, folder: &TempDir, line: &str) -> Ran {
     let mut child = start(folder, line);
     let (stdout, stderr) = (child.stdout.take().unwrap(), child.stderr.take().unwrap());
     let [stdout, stderr] = [reading(stdout), reading(stderr)];
     wait_until_it_listens(&child);
+    std::thread::sleep(later);
     signal(&child, "-INT");
     let status = ended(&mut child);
     Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
@@ -156,7 +164,7 @@ fn interrupted_proof_is_left_out_of_the_record() {
     let file = folder.path().join("model.toml");
     let text = fs::read_to_string(&file).unwrap();
     fs::write(&file, text + "verify = { rotations = 1e7 }\n").unwrap();
-    let ran = interrupted(&folder, "run model.toml --duration 10 -o spin");
+    let ran = interrupted_after(Duration::from_secs(2), &folder, "run model.toml --duration 10 -o spin");
     assert_eq!(ran.code, Some(1), "{ran:?}");
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert_eq!((record.histories.len(), record.verification), (2, None));

@@ -1,7 +1,7 @@
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, Carrier, Motion, Part, Point, Spring};
-use quasirigid::model::{Rheology, Support};
+use quasirigid::elements::{Assembly, Carrier, ElementKind, Motion, Point};
+use quasirigid::model::Support;
 
 use super::Diagnostic;
 use super::cavity::{self, CavityTable};
@@ -11,8 +11,8 @@ use super::force::{self, ForceTable};
 use super::hinged::{HINGED, hinged};
 use super::material::Materials;
 use super::names::Names;
-use super::part::{self, CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
-use super::rheology::Extremes;
+use super::part::{CONNECTION, NETWORK, PartTables, Sources, connection, network, reduction};
+use super::ranges::Ranges;
 use super::rotor::{ROTOR, rotor};
 use super::section::Sections;
 use super::spans::{NetworkSpans, Spans};
@@ -97,22 +97,20 @@ pub(super) fn body<'a>(
         problems,
     );
 
-    let mut spans = Spans {
-        carrier: carrier_table.as_ref().map(Table::spans).unwrap_or_default(),
-        points: point_tables.iter().map(Table::spans).collect(),
-        springs: spring_tables.iter().map(Table::spans).collect(),
-        hinged: hinged_tables.iter().map(Table::spans).collect(),
-        ellipsoids: ellipsoid_tables.iter().map(|table| materials.spans(table)).collect(),
-        surfaces: surface_tables.iter().map(|table| materials.spans(table)).collect(),
-        parts: part_tables.spans(&materials),
-        connections: connection_tables.iter().map(Table::spans).collect(),
-        rotors: rotor_tables.iter().map(Table::spans).collect(),
-        wheels: wheel_tables.iter().map(Table::spans).collect(),
-        cavities: cavity_tables.iter().map(CavityTable::spans).collect(),
-        support: support.as_ref().map(|(table, _)| table.spans()).unwrap_or_default(),
-        forces: force_tables.iter().map(ForceTable::spans).collect(),
-        networks: Vec::new(),
-    };
+    let mut spans = Spans::default();
+    spans.note(ElementKind::Carrier, carrier_table.iter().map(Table::spans));
+    spans.note(ElementKind::Point, point_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Spring, spring_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Hinged, hinged_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Ellipsoid, ellipsoid_tables.iter().map(|table| materials.spans(table)));
+    spans.note(ElementKind::Surface, surface_tables.iter().map(|table| materials.spans(table)));
+    spans.note(ElementKind::Part, part_tables.spans(&materials));
+    spans.note(ElementKind::Connection, connection_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Rotor, rotor_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Wheel, wheel_tables.iter().map(Table::spans));
+    spans.note(ElementKind::Cavity, cavity_tables.iter().map(CavityTable::spans));
+    spans.note(ElementKind::Support, support.iter().map(|(table, _)| table.spans()));
+    spans.note(ElementKind::Force, force_tables.iter().map(ForceTable::spans));
     let carrier = match &carrier_table {
         Some(table) => carrier(table).map(Some),
         None => file.get("carrier").is_none().then_some(None),
@@ -146,15 +144,15 @@ pub(super) fn body<'a>(
     };
     let forces = every(force_tables.iter().zip(&names.forces).map(|(table, name)| table.force(name, &names)));
     let parts = || {
-        let (ellipsoids, ranges_of_ellipsoids) = ellipsoids?.into_iter().unzip();
-        let (surfaces, ranges_of_surfaces) = surfaces?.into_iter().unzip();
-        let (springs, ranges_of_springs) = springs?.into_iter().unzip();
-        let (hinged, ranges_of_hinged) = hinged?.into_iter().unzip();
-        let (connections, ranges_of_connections) = connections?.into_iter().unzip();
-        let (parts, ranges_of_parts): (Vec<Part>, Vec<Vec<Extremes>>) =
-            read?.into_iter().map(|read| (read.part, read.extremes)).unzip();
+        let mut ranges = Ranges::default();
+        let ellipsoids = ranges.note(ElementKind::Ellipsoid, ellipsoids?);
+        let surfaces = ranges.note(ElementKind::Surface, surfaces?);
+        let mut springs = ranges.note(ElementKind::Spring, springs?);
+        let hinged = ranges.note(ElementKind::Hinged, hinged?);
+        let connections = ranges.note(ElementKind::Connection, connections?);
+        let parts =
+            ranges.note_several(ElementKind::Part, read?.into_iter().map(|read| (read.part, read.extremes)));
         let (carrier, mut points, support, forces) = (carrier?, points?, support?, forces?);
-        let (mut springs, mut ranges_of_springs): (Vec<Spring>, Vec<Extremes>) = (springs, ranges_of_springs);
         for ((network, extremes), table) in networks?.into_iter().zip(&network_tables) {
             let (more_points, more_springs) = network.parts(points.len());
             if more_points.len() < FEWEST_POINTS {
@@ -165,7 +163,9 @@ pub(super) fn body<'a>(
                 springs: springs.len()..springs.len() + more_springs.len(),
                 table: table.spans(),
             });
-            ranges_of_springs.extend(std::iter::repeat_n(extremes, more_springs.len()));
+            for spring in springs.len()..springs.len() + more_springs.len() {
+                ranges.set(ElementKind::Spring.at(spring), vec![extremes.clone()]);
+            }
             points.extend(more_points);
             springs.extend(more_springs);
         }
@@ -185,15 +185,7 @@ pub(super) fn body<'a>(
             support,
             forces,
         };
-        let ranges: [Vec<Extremes>; 6] = [
-            ranges_of_ellipsoids,
-            ranges_of_surfaces,
-            ranges_of_parts.concat(),
-            ranges_of_connections,
-            ranges_of_springs,
-            ranges_of_hinged,
-        ];
-        Some(Parts { extremes: extremes(&assembly, &ranges.concat()), assembly, spans })
+        Some(Parts { extremes: ranges.ends(&assembly), assembly, spans })
     };
     Body { parts: parts(), names }
 }
@@ -202,32 +194,6 @@ fn too_few<T>(network: &Table<'_>, count: usize) -> Option<T> {
     let message = format!("{count} points fit into this ellipsoid, and {FEWEST_POINTS} are needed");
     let help = "narrow the spacing: a network stands for a body by many points";
     network.get("spacing")?.refuse(message, "too few points", Some(help.to_owned()))
-}
-
-/// The body with every rheology at its least and at its greatest, if there are ranges; they are those of the
-/// ellipsoids, surfaces, parts, connections, springs and appendages, in this order.
-fn extremes(assembly: &Assembly, ranges: &[Extremes]) -> Option<Box<[Assembly; 2]>> {
-    let at = |end: usize| {
-        let mut assembly = assembly.clone();
-        for (rheology, range) in rheologies(&mut assembly).zip(ranges) {
-            if let Some(ends) = range {
-                rheology.clone_from(&ends[end]);
-            }
-        }
-        assembly
-    };
-    ranges.iter().any(Option::is_some).then(|| Box::new([at(0), at(1)]))
-}
-
-fn rheologies(assembly: &mut Assembly) -> impl Iterator<Item = &mut Rheology> {
-    let Assembly { ellipsoids, surfaces, parts, connections, springs, hinged, .. } = assembly;
-    let ellipsoids = ellipsoids.iter_mut().map(|ellipsoid| &mut ellipsoid.material.rheology);
-    let surfaces = surfaces.iter_mut().map(|surface| &mut surface.material.rheology);
-    let parts = parts.iter_mut().flat_map(part::rheologies);
-    let connections = connections.iter_mut().map(|connection| &mut connection.rheology);
-    let springs = springs.iter_mut().map(|spring| &mut spring.rheology);
-    let hinged = hinged.iter_mut().map(|hinged| &mut hinged.rheology);
-    ellipsoids.chain(surfaces).chain(parts).chain(connections).chain(springs).chain(hinged)
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.

@@ -21,6 +21,7 @@ mod names;
 mod orbit;
 mod part;
 mod physics;
+mod ranges;
 mod rheology;
 mod rotation;
 mod rotor;

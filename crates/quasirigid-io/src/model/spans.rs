@@ -1,23 +1,12 @@
+use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::{Field, Place};
+use quasirigid::elements::{ElementId, ElementKind, Field};
 
 /// Where the elements of a model stand in its file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Spans {
-    pub(super) carrier: ElementSpans,
-    pub(super) points: Vec<ElementSpans>,
-    pub(super) springs: Vec<ElementSpans>,
-    pub(super) hinged: Vec<ElementSpans>,
-    pub(super) ellipsoids: Vec<ElementSpans>,
-    pub(super) surfaces: Vec<ElementSpans>,
-    pub(super) parts: Vec<ElementSpans>,
-    pub(super) connections: Vec<ElementSpans>,
-    pub(super) rotors: Vec<ElementSpans>,
-    pub(super) wheels: Vec<ElementSpans>,
-    pub(super) cavities: Vec<ElementSpans>,
-    pub(super) support: ElementSpans,
-    pub(super) forces: Vec<ElementSpans>,
+    elements: HashMap<ElementId, ElementSpans>,
     pub(super) networks: Vec<NetworkSpans>,
 }
 
@@ -39,37 +28,30 @@ pub(super) struct ElementSpans {
 }
 
 impl Spans {
+    /// Notes where the elements of a kind stand, in their order.
+    pub(super) fn note(&mut self, kind: ElementKind, spans: impl IntoIterator<Item = ElementSpans>) {
+        let numbered = spans.into_iter().enumerate();
+        self.elements.extend(numbered.map(|(index, spans)| (kind.at(index), spans)));
+    }
+
     /// The place of a value; that of its element where the file leaves the value out; the start of the file where it
     /// leaves the element out.
-    pub(super) fn find(&self, place: Place, field: Field) -> Range<usize> {
-        let element = match place {
-            Place::Carrier => Some(&self.carrier),
-            Place::Point(index) => {
-                self.points.get(index).or_else(|| self.network(|network| network.points.contains(&index)))
-            }
-            Place::Spring(index) => {
-                self.springs.get(index).or_else(|| self.network(|network| network.springs.contains(&index)))
-            }
-            Place::Hinged(index) => self.hinged.get(index),
-            Place::Ellipsoid(index) => self.ellipsoids.get(index),
-            Place::Surface(index) => self.surfaces.get(index),
-            Place::Part(index) => self.parts.get(index),
-            Place::Connection(index) => self.connections.get(index),
-            Place::Rotor(index) => self.rotors.get(index),
-            Place::Wheel(index) => self.wheels.get(index),
-            Place::Cavity(index) => self.cavities.get(index),
-            Place::Support => Some(&self.support),
-            Place::Force(index) => self.forces.get(index),
-        };
-        let Some(element) = element else {
+    pub(super) fn find(&self, element: ElementId, field: Field) -> Range<usize> {
+        let Some(spans) = self.elements.get(&element).or_else(|| self.network(element)) else {
             return 0..0;
         };
         let key = field.to_string();
-        let value = element.values.iter().find(|(known, _)| *known == key);
-        value.map_or_else(|| element.header.clone(), |(_, span)| span.clone())
+        let value = spans.values.iter().find(|(known, _)| *known == key);
+        value.map_or_else(|| spans.header.clone(), |(_, span)| span.clone())
     }
 
-    fn network(&self, owns: impl Fn(&NetworkSpans) -> bool) -> Option<&ElementSpans> {
-        self.networks.iter().find(|network| owns(network)).map(|network| &network.table)
+    /// The network that an element was made by.
+    fn network(&self, ElementId { kind, index }: ElementId) -> Option<&ElementSpans> {
+        let made = |network: &&NetworkSpans| match kind {
+            ElementKind::Point => network.points.contains(&index),
+            ElementKind::Spring => network.springs.contains(&index),
+            _ => false,
+        };
+        self.networks.iter().find(made).map(|network| &network.table)
     }
 }

@@ -1,5 +1,7 @@
 //! Refinement of solutions by conjugate gradients, several right-hand sides at a time.
 
+use crate::watch;
+
 /// `A x = b` with an inverse that may be rough, for vectors stored row by row, `width` to a row.
 pub(super) struct System<'a> {
     pub width: usize,
@@ -40,6 +42,7 @@ impl System<'_> {
         right.fill(0.0);
         let (mut spent, mut gain) = (0, GAIN);
         loop {
+            watch::ask();
             let mut step = residual.clone();
             if self.exact {
                 (self.precondition)(&mut step);
@@ -73,6 +76,7 @@ impl System<'_> {
         let mut energy = self.dots(&residual, &direction);
         right.fill(0.0);
         for iteration in 0.. {
+            watch::ask();
             let force = (self.times)(&direction);
             let length = ratios(&energy, &self.dots(&direction, &force));
             self.step(right, &length, &direction);

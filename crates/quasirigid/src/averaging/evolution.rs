@@ -6,7 +6,7 @@ use crate::math::quadrature::{Integral, integral};
 use crate::model::Mode;
 
 /// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Evolution<'a> {
     power: &'a dyn MeanPower,
     moments: [f64; 3],

@@ -9,8 +9,9 @@ use crate::model::Mode;
 /// pieces of `ξ`, made when they are asked for. (A6)
 ///
 /// A resonance narrower than a node's distance may be passed over; the time that it takes from a way is at most its width.
+#[derive(Debug)]
 pub struct InterpolatedPower {
-    source: Box<dyn MeanPower + Send>,
+    source: Box<dyn MeanPower>,
     momentum: f64,
     pieces: Mutex<BTreeMap<Key, Piece>>,
 }
@@ -18,6 +19,7 @@ pub struct InterpolatedPower {
 /// Whether the mode is the short-axis one, how often its piece was halved, and the number of the piece.
 type Key = (bool, u32, i64);
 
+#[derive(Debug)]
 enum Piece {
     Fit(Box<Chebyshev<1>>),
     Halved,
@@ -37,7 +39,7 @@ const NEAREST: f64 = -8.0;
 impl InterpolatedPower {
     /// From a power at an angular momentum (N·m·s).
     #[must_use]
-    pub fn new(source: Box<dyn MeanPower + Send>, momentum: f64) -> Self {
+    pub fn new(source: Box<dyn MeanPower>, momentum: f64) -> Self {
         Self { source, momentum, pieces: Mutex::new(BTreeMap::new()) }
     }
 
@@ -101,6 +103,7 @@ mod tests {
     use crate::averaging::{Evolution, Response, Stage};
     use crate::problems::ring_of_points;
 
+    #[derive(Debug)]
     struct Counted(Response, Arc<AtomicUsize>);
 
     impl MeanPower for Counted {
@@ -139,6 +142,7 @@ mod tests {
     }
 
     /// Power with a resonance of a width and a height at a place of the way.
+    #[derive(Debug)]
     struct Peaked {
         width: f64,
         height: f64,

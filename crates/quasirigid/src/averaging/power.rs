@@ -1,3 +1,5 @@
+use std::fmt::Debug;
+
 use super::poinsot::FreeRotation;
 use super::response::Response;
 use crate::math::elliptic::{first_of_complement, jacobi};
@@ -5,7 +7,7 @@ use crate::math::polynomial::{Homogeneous, Series};
 use crate::model::{Principal, ReducedBody};
 
 /// Mean power that a body dissipates on a free rotation (W).
-pub trait MeanPower {
+pub trait MeanPower: Debug + Send + Sync {
     /// Principal moments of the body (kg·m²), ascending.
     fn moments(&self) -> [f64; 3];
 

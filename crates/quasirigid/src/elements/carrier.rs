@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use super::affine::Piece;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, at};
+use super::error::{ElementError, ElementId, Field, at};
 use crate::model::Inertia;
 
 /// The rigid body `G` that carries everything else (paper, §1).
@@ -18,10 +18,10 @@ pub struct Carrier {
 
 impl Carrier {
     pub(super) fn piece(&self) -> Result<Piece, ElementError> {
-        coefficient::mass(self.mass).map_err(at(Place::Carrier, Field::Mass))?;
-        coefficient::finite(&self.center_of_mass).map_err(at(Place::Carrier, Field::CenterOfMass))?;
-        let inertia =
-            Inertia::new(self.inertia).map_err(|error| at(Place::Carrier, Field::Inertia)(error.into()))?;
+        coefficient::mass(self.mass).map_err(at(ElementId::CARRIER, Field::Mass))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CenterOfMass))?;
+        let inertia = Inertia::new(self.inertia)
+            .map_err(|error| at(ElementId::CARRIER, Field::Inertia)(error.into()))?;
         Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
     }
 

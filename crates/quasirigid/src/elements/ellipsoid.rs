@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::error::{ElementError, Field, Place, at};
+use super::error::{ElementError, ElementKind, Field, at};
 use super::material::Material;
 use super::matrices::Block;
 use super::whole::Whole;
@@ -56,7 +56,7 @@ impl Ellipsoid {
         let coordinate =
             |shape: &Shape| Coordinate { name: format!("\"{}\" {}", self.name, shape.name), unit: "m" };
         let whole = Whole {
-            place: Place::Ellipsoid(index),
+            place: ElementKind::Ellipsoid.at(index),
             center: self.center,
             invariants: self.invariants(&shapes),
             block: self.block(&shapes),
@@ -68,7 +68,7 @@ impl Ellipsoid {
 
     /// Everything wrong with its values, the first of it.
     pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = Place::Ellipsoid(index);
+        let place = ElementKind::Ellipsoid.at(index);
         self.semi_axes
             .iter()
             .try_for_each(|axis| coefficient::positive(*axis))

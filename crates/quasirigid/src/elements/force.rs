@@ -1,12 +1,12 @@
 //! What the laws of external forces may say.
 
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::{Assembly, Station, coefficient};
 use crate::model::force::{Force, Law, MagneticField, Orbit, Wave};
 
 /// Accepts a force on a body.
 pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
-    let place = Place::Force(index);
+    let place = ElementKind::Force.at(index);
     let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
     if let Some(station) = force.law.place() {
         station.check(place, body)?;
@@ -39,7 +39,7 @@ pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Re
     }
 }
 
-fn on_orbit(place: Place, orbit: &Orbit) -> Result<(), ElementError> {
+fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
     coefficient::positive(orbit.parameter).map_err(at(place, Field::GravitationalParameter))?;
     coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SemiMajorAxis))?;
     elliptic(orbit.eccentricity).map_err(at(place, Field::Eccentricity))?;
@@ -52,7 +52,7 @@ fn on_orbit(place: Place, orbit: &Orbit) -> Result<(), ElementError> {
     angles.into_iter().try_for_each(|(field, angle)| coefficient::finite(&[angle]).map_err(at(place, field)))
 }
 
-fn varying(place: Place, wave: &Wave) -> Result<(), ElementError> {
+fn varying(place: ElementId, wave: &Wave) -> Result<(), ElementError> {
     coefficient::finite(&[wave.frequency]).map_err(at(place, Field::Frequency))?;
     coefficient::finite(&[wave.phase]).map_err(at(place, Field::Phase))
 }

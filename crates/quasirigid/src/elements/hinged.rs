@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementKind, Field, Problem, at};
 use super::matrices::Block;
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
 
@@ -61,7 +61,7 @@ const MASSIVE: f64 = 1e-12;
 
 impl Hinged {
     pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
-        let place = Place::Hinged(index);
+        let place = ElementKind::Hinged.at(index);
         coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
         coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CenterOfMass))?;
         coefficient::finite(&self.hinge).map_err(at(place, Field::Hinge))?;
@@ -94,7 +94,7 @@ impl Hinged {
     }
 
     pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {
-        let place = Place::Hinged(index);
+        let place = ElementKind::Hinged.at(index);
         let count = self.axes.len();
         if !(1..=3).contains(&count) {
             return Err(at(place, Field::Axes)(Problem::AxisCount { count }));
@@ -117,7 +117,7 @@ impl Hinged {
 
     /// The hinge with its axes, whose coordinates start here.
     pub(super) fn hinge(&self, index: usize, start: usize) -> Result<Hinge, ElementError> {
-        let axes = self.unit_axes().map_err(at(Place::Hinged(index), Field::Axes))?;
+        let axes = self.unit_axes().map_err(at(ElementKind::Hinged.at(index), Field::Axes))?;
         let axes = axes.into_iter().enumerate().map(|(j, axis)| (start + j, axis.into()));
         Ok(Hinge { name: self.name.clone(), axes: axes.collect() })
     }

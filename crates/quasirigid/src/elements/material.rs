@@ -1,5 +1,5 @@
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Rheology;
 
 /// What a solid is made of: homogeneous and isotropic.
@@ -29,7 +29,7 @@ impl Material {
     }
 
     /// Accepts the material of an element.
-    pub(super) fn check(&self, place: Place) -> Result<(), ElementError> {
+    pub(super) fn check(&self, place: ElementId) -> Result<(), ElementError> {
         coefficient::positive(self.density).map_err(at(place, Field::Density))?;
         coefficient::positive(self.young).map_err(at(place, Field::Young))?;
         if !(self.poisson > -1.0 && self.poisson < 0.5) {

@@ -34,7 +34,7 @@ pub use carrier::Carrier;
 pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
 pub use ellipsoid::Ellipsoid;
-pub use error::{ElementError, Field, Place, Problem};
+pub use error::{ElementError, ElementId, ElementKind, Field, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
 pub use finite::elasticity::{ElasticityError, Modulus};
 pub use finite::shell::{Constant, ShellError};

@@ -3,7 +3,7 @@ use nalgebra::Vector3;
 use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::model::Coordinate;
 
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
@@ -65,7 +65,7 @@ impl Point {
     }
 
     pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
-        let place = Place::Point(index);
+        let place = ElementKind::Point.at(index);
         coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
         coefficient::finite(&self.position).map_err(at(place, Field::Position))?;
         let directions = self.directions().map_err(at(place, Field::Motion))?;

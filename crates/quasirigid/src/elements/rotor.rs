@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementKind, Field, Problem, at};
 use super::inner::Inner;
 use crate::model::{Coordinate, Pair};
 
@@ -37,7 +37,7 @@ pub enum RotorKind {
 
 impl Rotor {
     pub(super) fn inner(&self, index: usize) -> Result<Inner, ElementError> {
-        let place = Place::Rotor(index);
+        let place = ElementKind::Rotor.at(index);
         coefficient::positive(self.inertia).map_err(at(place, Field::Inertia))?;
         coefficient::positive(self.friction).map_err(at(place, Field::Friction))?;
         let axes = self.axes().map_err(at(place, Field::Axis))?;

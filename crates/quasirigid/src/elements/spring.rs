@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::hinged::PlaceRef;
 use super::matrices::Block;
 use super::part::NodeRef;
@@ -118,7 +118,7 @@ pub(super) struct Pull {
 impl Spring {
     /// Accepts the spring of a body.
     pub(super) fn check(&self, index: usize, body: &Assembly) -> Result<(), ElementError> {
-        let place = Place::Spring(index);
+        let place = ElementKind::Spring.at(index);
         for (end, field) in [(self.from, Field::From), (self.to, Field::To)] {
             match end {
                 End::Node(node) => body.has(node).map_err(at(place, field))?,
@@ -151,7 +151,7 @@ impl Spring {
         name: String,
         ends: &Ends<'_>,
     ) -> Result<Option<Pull>, ElementError> {
-        let place = Place::Spring(index);
+        let place = ElementKind::Spring.at(index);
         let Law::Axial { stiffness, prestress, .. } = self.law else { return Ok(None) };
         if prestress == Prestress::Relaxed {
             return Ok(None);
@@ -204,7 +204,7 @@ impl Spring {
 
     /// Stiffness and damping over the coordinates of both ends, as a dissipator of this name. (I9)
     pub(super) fn block(&self, index: usize, name: String, ends: &Ends<'_>) -> Result<Block, ElementError> {
-        let place = Place::Spring(index);
+        let place = ElementKind::Spring.at(index);
         if self.from == self.to {
             return Err(at(place, Field::To)(Problem::SameEnds));
         }
@@ -229,7 +229,7 @@ impl Spring {
     /// Force for a displacement of one end relative to the other and for its rate, with the ends at these places.
     pub(super) fn matrices(
         &self,
-        place: Place,
+        place: ElementId,
         [from, to]: [Vector3<f64>; 2],
     ) -> Result<(Matrix3<f64>, Matrix3<f64>), ElementError> {
         self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
@@ -268,7 +268,7 @@ impl Ends<'_> {
             End::Carrier => Vec::new(),
             End::Point(index) => {
                 let directions = self.points[index].directions();
-                let directions = directions.map_err(at(Place::Point(index), Field::Motion))?;
+                let directions = directions.map_err(at(ElementKind::Point.at(index), Field::Motion))?;
                 let start = self.starts[index];
                 directions.iter().enumerate().map(|(j, (e, _))| (start + j, *e)).collect()
             }

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::{Assembly, End, coefficient};
 use crate::model::Marker;
 
@@ -15,7 +15,7 @@ pub struct Station {
 
 impl Station {
     /// Accepts the station of a force on a body.
-    pub(super) fn check(&self, place: Place, body: &Assembly) -> Result<(), ElementError> {
+    pub(super) fn check(&self, place: ElementId, body: &Assembly) -> Result<(), ElementError> {
         match (self.on, self.at) {
             (End::Carrier, Some(position)) => coefficient::finite(&position).map_err(at(place, Field::At)),
             (End::Carrier, None) => Err(at(place, Field::At)(Problem::NoStation)),

@@ -1,5 +1,5 @@
 use super::coefficient;
-use super::error::{ElementError, Field, Place, at};
+use super::error::{ElementError, ElementKind, Field, at};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
 
@@ -40,7 +40,7 @@ impl Wheel {
 
     /// Adds the wheel to those of a body.
     pub(super) fn added(&self, index: usize, wheels: &mut Wheels) -> Result<(), ElementError> {
-        let place = Place::Wheel(index);
+        let place = ElementKind::Wheel.at(index);
         let axis = coefficient::unit(self.axis).map_err(at(place, Field::Axis))?;
         match &self.speed {
             WheelSpeed::Constant { momentum } => {

@@ -1,10 +1,10 @@
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::matrices::{Block, Matrices};
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
 
 /// A free body that is one element, elastic throughout, in its Tisserand frame.
 pub(super) struct Whole {
-    pub place: Place,
+    pub place: ElementId,
     /// Centre of mass (m), in the file's frame.
     pub center: [f64; 3],
     pub invariants: Invariants,

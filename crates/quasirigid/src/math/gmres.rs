@@ -1,6 +1,7 @@
 //! Linear systems known by their products with vectors alone.
 
 use super::krylov::dot;
+use super::watch;
 
 /// Where an iteration ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,6 +61,7 @@ fn correction(
     let (mut triangle, mut rotations, mut sides) =
         (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new(), vec![size]);
     for column in 0..most {
+        watch::ask();
         let (mut entries, next) = extended(&basis, times(&basis[column]));
         for (row, [cosine, sine]) in rotations.iter().enumerate() {
             let [upper, lower] = [entries[row], entries[row + 1]];

@@ -20,5 +20,5 @@ pub mod sym;
 pub mod taylor;
 
 pub use quasirigid_linear::{
-    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric,
+    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, watch,
 };

@@ -43,7 +43,7 @@ pub struct ReducedBody {
 }
 
 impl ReducedBody {
-    /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations. (R7)
+    /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations; of degree 2 it is Euler's `−ω × Jω` itself. (R7)
     ///
     /// # Panics
     /// If `degree` is above `p + 2`.

@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use crate::math::lu::{ComplexDense, ComplexLu};
+use crate::math::watch;
 
 /// An eigenproblem `P(λ)x = 0`.
 pub(super) trait Nonlinear {
@@ -32,6 +33,7 @@ const ROUNDING: f64 = 1e-12;
 pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
     let mut best = f64::INFINITY;
     for step in 0..STEPS {
+        watch::ask();
         if !lambda.is_finite() {
             return None;
         }

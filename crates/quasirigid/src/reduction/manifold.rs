@@ -1,5 +1,6 @@
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym::{self, Sym};
+use crate::math::watch;
 use crate::model::{Advection, FlexibleBody};
 
 /// The slow manifold: internal coordinates and spin rate as polynomials in the spin `ω`, degree by degree. (R1)
@@ -58,7 +59,9 @@ impl Manifold {
         if order > 0 {
             recursion.p.set(Homogeneous::linear(&body.invariants().h));
         }
+        watch::stage("reducing the equations");
         for degree in 2..=order + 2 {
+            watch::progress((degree - 2) as f64 / (order + 1) as f64);
             recursion.spin_rate(degree);
             if degree <= order + 1 {
                 recursion.rates(degree);

@@ -4,6 +4,7 @@ use crate::model::Mode;
 /// Mean power of an average, times the factors by which the modes at the poles differ from it. (Q5)
 ///
 /// The factors hold where the wobble is small; between the poles they are joined in proportion to the energy.
+#[derive(Debug)]
 pub struct CalibratedPower {
     base: Box<dyn MeanPower>,
     /// Factors in the long-axis and the short-axis mode.

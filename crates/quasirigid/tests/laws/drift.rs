@@ -53,6 +53,7 @@ fn drift_without_torque_is_the_evolution() {
 }
 
 /// A power that is none.
+#[derive(Debug)]
 struct Rigid([f64; 3]);
 
 impl MeanPower for Rigid {

@@ -12,6 +12,7 @@ use quasirigid::model::{Mode, Principal};
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 
 /// A power that is none.
+#[derive(Debug)]
 struct Rigid;
 
 impl MeanPower for Rigid {

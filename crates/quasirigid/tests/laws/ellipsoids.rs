@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, Response};
-use quasirigid::elements::{Assembly, Carrier, Ellipsoid, Field, Material, Place, Problem};
+use quasirigid::elements::{Assembly, Carrier, ElementId, ElementKind, Ellipsoid, Field, Material, Problem};
 use quasirigid::model::{FlexibleBody, Mode, Rheology, Support};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 
@@ -111,7 +111,7 @@ fn what_no_ellipsoid_has_is_refused() {
         let error = assembly.body().unwrap_err();
         // as text, in which NaN is itself
         assert!(assembly.check().iter().any(|found| found.to_string() == error.to_string()), "{error}");
-        assert_eq!(error.place, Place::Ellipsoid(0));
+        assert_eq!(error.element, ElementKind::Ellipsoid.at(0));
         (error.field, error.problem)
     };
     assert!(matches!(error(|e| e.semi_axes[1] = 0.0), (Field::SemiAxes, Problem::NotPositive { .. })));
@@ -143,9 +143,9 @@ fn an_ellipsoid_is_a_whole_body() {
         ellipsoids: vec![rock(), Ellipsoid { name: "other".into(), ..rock() }],
         ..Assembly::default()
     };
-    for (assembly, place) in [(both, Place::Carrier), (two, Place::Ellipsoid(1))] {
+    for (assembly, place) in [(both, ElementId::CARRIER), (two, ElementKind::Ellipsoid.at(1))] {
         let error = assembly.body().unwrap_err();
-        assert_eq!((error.place, &error.problem), (place, &Problem::BesideWhole));
+        assert_eq!((error.element, &error.problem), (place, &Problem::BesideWhole));
         assert!(assembly.check().contains(&error));
     }
     let held = Assembly { support: Support::FixedPoint { point: [0.0; 3] }, ..alone(rock()) };

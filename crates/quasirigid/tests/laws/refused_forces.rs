@@ -1,7 +1,7 @@
 //! Forces that cannot be are refused, with the place and the value; and where the others act. Thresholds on both sides.
 
 use nalgebra::Vector3;
-use quasirigid::elements::{Assembly, ElementError, End, Field, Place, Problem, Station};
+use quasirigid::elements::{Assembly, ElementError, ElementId, ElementKind, End, Field, Problem, Station};
 use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
@@ -43,7 +43,7 @@ fn error(law: Law<Station>) -> Option<ElementError> {
 macro_rules! refused {
     ($law:expr, $field:expr, $problem:pat) => {{
         let error = error($law).unwrap();
-        assert_eq!((error.place, error.field), (Place::Force(1), $field), "{error}");
+        assert_eq!((error.element, error.field), (ElementKind::Force.at(1), $field), "{error}");
         assert!(matches!(error.problem, $problem), "{error}");
         assert!(error.to_string().starts_with("force 2: "), "{error}");
     }};
@@ -135,10 +135,10 @@ fn the_start_of_a_driven_pole_is_finite() {
         assembly.support = Support::Prescribed { point: GOOD, acceleration, velocity, position };
         let error = assembly.body().err();
         assert_eq!(assembly.check().first(), error.as_ref());
-        error.map(|error| (error.place, error.field))
+        error.map(|error| (error.element, error.field))
     };
-    assert_eq!(driven(BAD, GOOD), Some((Place::Support, Field::Velocity)));
-    assert_eq!(driven(GOOD, BAD), Some((Place::Support, Field::Position)));
+    assert_eq!(driven(BAD, GOOD), Some((ElementId::SUPPORT, Field::Velocity)));
+    assert_eq!(driven(GOOD, BAD), Some((ElementId::SUPPORT, Field::Position)));
     assert_eq!(driven(GOOD, GOOD), None);
 }
 

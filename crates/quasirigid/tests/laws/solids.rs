@@ -2,7 +2,9 @@
 
 use nalgebra::{Rotation3, Vector3};
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
-use quasirigid::elements::{Approximation, Assembly, Ellipsoid, Field, Material, Place, Problem, Surface};
+use quasirigid::elements::{
+    Approximation, Assembly, ElementKind, Ellipsoid, Field, Material, Problem, Surface,
+};
 use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
@@ -168,7 +170,7 @@ fn a_degree_that_is_not_offered_is_refused() {
             cells: None,
         };
         let error = Assembly { surfaces: vec![surface], ..Assembly::default() }.body().unwrap_err();
-        assert_eq!((error.place, error.field), (Place::Surface(0), Field::Degree));
+        assert_eq!((error.element, error.field), (ElementKind::Surface.at(0), Field::Degree));
         assert!(matches!(error.problem, Problem::Degree { .. }), "{error}");
     }
 }

@@ -101,6 +101,7 @@ fn shear_compliance_has_its_closed_form() {
 }
 
 /// A power as seen from a body whose dissipation is weaker by a factor.
+#[derive(Debug)]
 struct Stronger<'a>(&'a dyn MeanPower, f64);
 
 impl MeanPower for Stronger<'_> {

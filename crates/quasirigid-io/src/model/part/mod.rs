@@ -15,8 +15,7 @@ mod solid;
 
 use std::path::Path;
 
-use quasirigid::elements::{Kind, Part, Substance};
-use quasirigid::model::Rheology;
+use quasirigid::elements::Part;
 
 use super::material::Materials;
 use super::rheology::Extremes;
@@ -40,7 +39,7 @@ pub(super) struct PartTables<'a> {
     modes: Vec<Table<'a>>,
 }
 
-/// A part, how its nodes are named, and the ranges of its rheologies in the order of [`rheologies`].
+/// A part, how its nodes are named, and the ranges of its rheologies in the order of its regions, members or layers.
 pub(super) struct Read {
     pub(super) part: Part,
     pub(super) nodes: Nodes,
@@ -105,31 +104,8 @@ impl<'a> PartTables<'a> {
     }
 }
 
-/// The rheologies of a part, one for each region, member or layer.
-pub(super) fn rheologies(part: &mut Part) -> Vec<&mut Rheology> {
-    match &mut part.kind {
-        Kind::Frame(frame) => frame.members.iter_mut().map(|member| &mut member.material.rheology).collect(),
-        Kind::Panel(panel) => {
-            panel.layers.iter_mut().map(|layer| rheology_of(&mut layer.substance)).collect()
-        }
-        Kind::Solid(solid) => {
-            solid.regions.iter_mut().map(|region| rheology_of(&mut region.substance)).collect()
-        }
-        Kind::Matrices(given) => vec![&mut given.rheology],
-        Kind::Modes(modes) => vec![&mut modes.rheology],
-        _ => Vec::new(),
-    }
-}
-
 /// Two directions are one if the sine of the angle between them is below this.
 const PARALLEL: f64 = 1e-6;
-
-fn rheology_of(substance: &mut Substance) -> &mut Rheology {
-    match substance {
-        Substance::Isotropic(material) => &mut material.rheology,
-        Substance::Orthotropic(material) => &mut material.rheology,
-    }
-}
 
 const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"] };
 

@@ -7,6 +7,7 @@ use crate::evolution::Asked;
 use crate::evolution::ageing::Ageing;
 
 /// Effective moments alone: what places a stage, without a power.
+#[derive(Debug)]
 pub struct Levels(pub [f64; 3]);
 
 impl MeanPower for Levels {

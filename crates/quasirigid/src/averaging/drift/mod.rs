@@ -14,6 +14,7 @@ pub use ending::{DriftEnding, DriftHistory};
 pub use separatrix::SeparatrixPassage;
 
 /// Secular evolution of a rotation under a slow torque: energy and angular momentum both drift. (A8)
+#[derive(Clone, Copy, Debug)]
 pub struct Drift<'a> {
     power: &'a dyn MeanPower,
     moments: [f64; 3],

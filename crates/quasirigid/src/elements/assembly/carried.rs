@@ -6,7 +6,7 @@ use super::net::Net;
 use super::{Assembly, Built, Mover};
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::cavity::Filled;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::inner::Inner;
 use crate::elements::matrices::{Block, Matrices};
 use crate::elements::part::NodeRef;
@@ -42,7 +42,7 @@ impl Assembly {
     /// A body with a carrier.
     pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         let carrier =
-            self.carrier.as_ref().ok_or_else(|| at(Place::Carrier, Field::Mass)(Problem::NoBody))?;
+            self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::Mass)(Problem::NoBody))?;
         let movers = self.movers()?;
         let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
         let component = net.as_ref().map(|net| net.component(false)).transpose()?;
@@ -60,7 +60,7 @@ impl Assembly {
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
-        self.has_inertia(Place::Carrier, &invariants)?;
+        self.has_inertia(ElementId::CARRIER, &invariants)?;
         let start = whole.flexible();
         let paths =
             whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
@@ -69,8 +69,9 @@ impl Assembly {
         let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&pulled));
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
         let inside = whole.inner.coordinates.len();
-        memory::ask(memory::dense(inside, INSIDE_MATRICES))
-            .map_err(|cause| at(Place::Carrier, Field::Name)(Problem::Memory { unknowns: inside, cause }))?;
+        memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
+            at(ElementId::CARRIER, Field::Name)(Problem::Memory { unknowns: inside, cause })
+        })?;
         let markers = whole.markers(&pulled, pole);
         let marker = |end: End| match end {
             End::Carrier => None,
@@ -135,7 +136,7 @@ impl Assembly {
         if DMatrix::from_fn(cyclic.len(), cyclic.len(), entry).cholesky().is_some() {
             return Ok(());
         }
-        Err(at(Place::Carrier, Field::Inertia)(Problem::HeavyInside))
+        Err(at(ElementId::CARRIER, Field::Inertia)(Problem::HeavyInside))
     }
 
     fn movers(&self) -> Result<Vec<Mover>, ElementError> {
@@ -145,7 +146,7 @@ impl Assembly {
     }
 
     /// Accepts a body that resists a turn about every axis; `blamed` is the element to name otherwise.
-    pub(super) fn has_inertia(&self, blamed: Place, invariants: &Invariants) -> Result<(), ElementError> {
+    pub(super) fn has_inertia(&self, blamed: ElementId, invariants: &Invariants) -> Result<(), ElementError> {
         let [xx, yy, zz, yz, zx, xy] = invariants.J;
         let mut moments: [f64; 3] =
             Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigenvalues().into();
@@ -207,7 +208,7 @@ impl Assembly {
         for ((sum, size, last), coordinate) in sums.iter().zip(&coordinates) {
             if f64::abs(*sum) > BALANCED * size {
                 let coordinate = coordinate.name.clone();
-                return Err(at(Place::Spring(*last), Field::Tension)(Problem::Unbalanced {
+                return Err(at(ElementKind::Spring.at(*last), Field::Tension)(Problem::Unbalanced {
                     coordinate,
                     force: *sum,
                 }));
@@ -224,9 +225,14 @@ impl Assembly {
             .points
             .iter()
             .position(|point| moves(&point.name))
-            .map(Place::Point)
-            .or_else(|| self.hinged.iter().position(|hinged| moves(&hinged.name)).map(Place::Hinged))
-            .unwrap_or(Place::Carrier);
+            .map(|index| ElementKind::Point.at(index))
+            .or_else(|| {
+                self.hinged
+                    .iter()
+                    .position(|hinged| moves(&hinged.name))
+                    .map(|index| ElementKind::Hinged.at(index))
+            })
+            .unwrap_or(ElementId::CARRIER);
         at(place, Field::Stiffness)(Problem::Mechanism { coordinates })
     }
 }

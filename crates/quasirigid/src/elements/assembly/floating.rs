@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use super::net::Net;
 use super::{Assembly, Built};
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::matrices::Matrices;
 use crate::elements::part::{NodeRef, Part};
 use crate::elements::structure::Component;
@@ -20,11 +20,11 @@ impl Assembly {
         exact: Option<Exact<'_>>,
     ) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
-            return Err(at(Place::Carrier, Field::Mass)(Problem::NoBody));
+            return Err(at(ElementId::CARRIER, Field::Mass)(Problem::NoBody));
         }
         self.free()?;
         if !self.hinged.is_empty() {
-            return Err(at(Place::Hinged(0), Field::Hinge)(Problem::NoCarrier));
+            return Err(at(ElementKind::Hinged.at(0), Field::Hinge)(Problem::NoCarrier));
         }
         let net = Net::of_everything(self)?;
         let component = net.component(!self.parts.iter().any(Part::is_frame))?;
@@ -33,7 +33,7 @@ impl Assembly {
         if let Some(exact) = &exact {
             (invariants.mass, invariants.J) = (exact.mass, exact.inertia);
         }
-        let whole = if self.parts.is_empty() { Place::Point(0) } else { Place::Part(0) };
+        let whole = if self.parts.is_empty() { ElementKind::Point.at(0) } else { ElementKind::Part.at(0) };
         self.has_inertia(whole, &invariants)?;
         let paths = component.curved_paths(center, 0, &invariants);
         let size = component.size();
@@ -69,7 +69,7 @@ impl Assembly {
             },
         });
         let body = body.map_err(|error| {
-            at(Place::Carrier, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
+            at(ElementId::CARRIER, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
         });
         Ok(Built {
             body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }).made_of(parts),

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::Assembly;
 use super::net::Net;
 use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::part::{Anchor, Connection, NodeRef, Part};
 use crate::elements::structure::{Hold, Joint};
 
@@ -18,12 +18,12 @@ const SAME_PLACE: f64 = 1e-6;
 /// [`ElementError`] for an attachment or a connection that cannot be.
 pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), ElementError> {
     for (index, part) in assembly.parts.iter().enumerate() {
-        let refuse = at(Place::Part(index), Field::Attach);
+        let refuse = at(ElementKind::Part.at(index), Field::Attach);
         if assembly.carrier.is_none() && !part.attached.is_empty() {
             return Err(refuse(Problem::NoCarrier));
         }
         if let Some(node) = part.held().filter(|_| assembly.carrier.is_none()) {
-            return Err(at(Place::Part(index), Field::Stiffness)(Problem::HeldByMatrices { node }));
+            return Err(at(ElementKind::Part.at(index), Field::Stiffness)(Problem::HeldByMatrices { node }));
         }
         for node in part.attached.iter().collect::<BTreeSet<_>>() {
             let node = NodeRef { part: index, node: *node };
@@ -55,7 +55,7 @@ fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
         }
     }
     match joined.iter().position(|joined| !joined) {
-        Some(part) => Err(at(Place::Part(part), Field::Attach)(Problem::NotAttached)),
+        Some(part) => Err(at(ElementKind::Part.at(part), Field::Attach)(Problem::NotAttached)),
         None => Ok(()),
     }
 }
@@ -65,7 +65,7 @@ type Side = Option<Vec<usize>>;
 
 impl Connection {
     fn join(&self, assembly: &Assembly, index: usize, net: &mut Net<'_>) -> Result<(), ElementError> {
-        let place = Place::Connection(index);
+        let place = ElementKind::Connection.at(index);
         let from = side(&self.from, assembly, net).map_err(at(place, Field::From))?;
         let to = side(&self.to, assembly, net).map_err(at(place, Field::To))?;
         let axes = self.unit_axes(place)?;
@@ -122,7 +122,7 @@ impl Connection {
         rest.into_iter().try_for_each(|node| net.hold(node, Some(joint), Vec::new()))
     }
 
-    fn unit_axes(&self, place: Place) -> Result<Vec<Vector3<f64>>, ElementError> {
+    fn unit_axes(&self, place: ElementId) -> Result<Vec<Vector3<f64>>, ElementError> {
         let axes: Vec<Vector3<f64>> = self
             .axes
             .iter()

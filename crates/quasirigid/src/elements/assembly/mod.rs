@@ -7,13 +7,14 @@ mod homogeneous;
 mod mover;
 mod names;
 mod net;
+mod rheologies;
 
 use nalgebra::Vector3;
 
 pub(super) use floating::Exact;
 pub(super) use mover::Mover;
 
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::part::{Connection, NodeRef, Part};
 use super::{
     Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, PlaceRef, Point, Resolution, Rotor, SlowLiquid,
@@ -200,13 +201,16 @@ impl Assembly {
     }
 
     /// Ends of springs and places of forces, with what names them.
-    fn ends(&self) -> impl Iterator<Item = (Place, Field, End)> + '_ {
+    fn ends(&self) -> impl Iterator<Item = (ElementId, Field, End)> + '_ {
         let springs = self.springs.iter().enumerate().flat_map(|(i, spring)| {
-            [(Place::Spring(i), Field::From, spring.from), (Place::Spring(i), Field::To, spring.to)]
+            [
+                (ElementKind::Spring.at(i), Field::From, spring.from),
+                (ElementKind::Spring.at(i), Field::To, spring.to),
+            ]
         });
         let forces = self.forces.iter().enumerate();
-        let forces =
-            forces.filter_map(|(i, force)| Some((Place::Force(i), Field::On, force.law.place()?.on)));
+        let forces = forces
+            .filter_map(|(i, force)| Some((ElementKind::Force.at(i), Field::On, force.law.place()?.on)));
         springs.chain(forces)
     }
 
@@ -220,7 +224,7 @@ impl Assembly {
         let placed = |(i, force): (usize, &Force<Station>)| {
             force::check(i, force, self)?;
             if self.carrier.is_none() && force.law.place().is_some_and(|station| station.on == End::Carrier) {
-                return Err(at(Place::Force(i), Field::On)(Problem::NoCarrier));
+                return Err(at(ElementKind::Force.at(i), Field::On)(Problem::NoCarrier));
             }
             force.try_map(|station| Ok(station.marker(&force.name, pole, &marker)))
         };
@@ -242,14 +246,14 @@ impl Assembly {
             return Ok(None);
         };
         let beside = [
-            (self.carrier.is_some(), Place::Carrier),
-            (self.ellipsoids.len() > 1, Place::Ellipsoid(1)),
-            (!self.ellipsoids.is_empty() && !self.surfaces.is_empty(), Place::Surface(0)),
-            (self.surfaces.len() > 1, Place::Surface(1)),
-            (!self.parts.is_empty(), Place::Part(0)),
-            (!self.points.is_empty(), Place::Point(0)),
-            (!self.springs.is_empty(), Place::Spring(0)),
-            (!self.hinged.is_empty(), Place::Hinged(0)),
+            (self.carrier.is_some(), ElementId::CARRIER),
+            (self.ellipsoids.len() > 1, ElementKind::Ellipsoid.at(1)),
+            (!self.ellipsoids.is_empty() && !self.surfaces.is_empty(), ElementKind::Surface.at(0)),
+            (self.surfaces.len() > 1, ElementKind::Surface.at(1)),
+            (!self.parts.is_empty(), ElementKind::Part.at(0)),
+            (!self.points.is_empty(), ElementKind::Point.at(0)),
+            (!self.springs.is_empty(), ElementKind::Spring.at(0)),
+            (!self.hinged.is_empty(), ElementKind::Hinged.at(0)),
         ];
         if let Some((_, place)) = beside.iter().find(|(there, _)| *there) {
             return Err(at(*place, Field::Name)(Problem::BesideWhole));
@@ -260,9 +264,9 @@ impl Assembly {
 
     /// What turns inside needs a carrier.
     fn inside_nothing(&self) -> Result<(), ElementError> {
-        let rotor = (!self.rotors.is_empty()).then_some((Place::Rotor(0), Field::Axis));
-        let wheel = (!self.wheels.is_empty()).then_some((Place::Wheel(0), Field::Axis));
-        let cavity = (!self.cavities.is_empty()).then_some((Place::Cavity(0), Field::Shape));
+        let rotor = (!self.rotors.is_empty()).then_some((ElementKind::Rotor.at(0), Field::Axis));
+        let wheel = (!self.wheels.is_empty()).then_some((ElementKind::Wheel.at(0), Field::Axis));
+        let cavity = (!self.cavities.is_empty()).then_some((ElementKind::Cavity.at(0), Field::Shape));
         match rotor.or(wheel).or(cavity) {
             Some((place, field)) if self.carrier.is_none() => Err(at(place, field)(Problem::InsideNothing)),
             _ => Ok(()),
@@ -274,13 +278,14 @@ impl Assembly {
         if self.support == Support::Free {
             return Ok(());
         }
-        Err(at(Place::Support, Field::FixedPoint)(Problem::HeldWhole))
+        Err(at(ElementId::SUPPORT, Field::FixedPoint)(Problem::HeldWhole))
     }
 
     /// The point that is fixed or driven; none of a free body.
     fn held_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
-        let finite =
-            |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(Place::Support, field));
+        let finite = |field: Field, values: &[f64; 3]| {
+            coefficient::finite(values).map_err(at(ElementId::SUPPORT, field))
+        };
         let point = match &self.support {
             Support::Free => return Ok(None),
             Support::FixedPoint { point } => point,
@@ -295,12 +300,14 @@ impl Assembly {
     }
 
     fn same_names(&self) -> Vec<ElementError> {
-        let points = self.points.iter().enumerate().map(|(i, point)| (Place::Point(i), &point.name));
-        let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| (Place::Hinged(i), &hinged.name));
-        let parts = self.parts.iter().enumerate().map(|(i, part)| (Place::Part(i), &part.name));
-        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| (Place::Rotor(i), &rotor.name));
-        let wheels = self.wheels.iter().enumerate().map(|(i, wheel)| (Place::Wheel(i), &wheel.name));
-        let cavities = self.cavities.iter().enumerate().map(|(i, cavity)| (Place::Cavity(i), &cavity.name));
+        let points = self.points.iter().enumerate().map(|(i, point)| (ElementKind::Point.at(i), &point.name));
+        let hinged =
+            self.hinged.iter().enumerate().map(|(i, hinged)| (ElementKind::Hinged.at(i), &hinged.name));
+        let parts = self.parts.iter().enumerate().map(|(i, part)| (ElementKind::Part.at(i), &part.name));
+        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| (ElementKind::Rotor.at(i), &rotor.name));
+        let wheels = self.wheels.iter().enumerate().map(|(i, wheel)| (ElementKind::Wheel.at(i), &wheel.name));
+        let cavities =
+            self.cavities.iter().enumerate().map(|(i, cavity)| (ElementKind::Cavity.at(i), &cavity.name));
         let mut seen = std::collections::HashSet::new();
         let all = points.chain(hinged).chain(parts).chain(rotors).chain(wheels).chain(cavities);
         let repeated = all.filter(|(_, name)| !seen.insert(name.as_str()));

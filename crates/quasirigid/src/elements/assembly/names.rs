@@ -3,12 +3,43 @@ use std::collections::HashMap;
 use super::Assembly;
 use super::net::Net;
 use crate::elements::part::Anchor;
-use crate::elements::{End, Spring};
+use crate::elements::{ElementId, ElementKind, End, Spring};
 
 /// What the carrier is called.
 const CARRIER: &str = "carrier";
 
 impl Assembly {
+    /// The name that an element was given; none of one without a name, and of one that is not there.
+    #[must_use]
+    pub fn name(&self, ElementId { kind, index }: ElementId) -> Option<&str> {
+        let name = match kind {
+            ElementKind::Point => self.points.get(index).map(|element| &element.name),
+            ElementKind::Spring => self.springs.get(index).map(|element| &element.name),
+            ElementKind::Hinged => self.hinged.get(index).map(|element| &element.name),
+            ElementKind::Ellipsoid => self.ellipsoids.get(index).map(|element| &element.name),
+            ElementKind::Surface => self.surfaces.get(index).map(|element| &element.name),
+            ElementKind::Part => self.parts.get(index).map(|element| &element.name),
+            ElementKind::Rotor => self.rotors.get(index).map(|element| &element.name),
+            ElementKind::Wheel => self.wheels.get(index).map(|element| &element.name),
+            ElementKind::Cavity => self.cavities.get(index).map(|element| &element.name),
+            ElementKind::Force => self.forces.get(index).map(|element| &element.name),
+            ElementKind::Carrier | ElementKind::Connection | ElementKind::Support => None,
+        };
+        name.map(String::as_str).filter(|name| !name.is_empty())
+    }
+
+    /// An element as its user knows it: `beam "boom"`, by its number where it has no name, `the carrier` where there is one at most.
+    #[must_use]
+    pub fn described(&self, element: ElementId) -> String {
+        let part = if element.kind == ElementKind::Part { self.parts.get(element.index) } else { None };
+        let words = part.map_or(element.kind.words(), |part| part.kind.words());
+        match self.name(element) {
+            Some(name) => format!("{words} {name:?}"),
+            None if element.kind.is_single() => format!("the {words}"),
+            None => format!("{words} {}", element.index + 1),
+        }
+    }
+
     /// Names of the springs as dissipators: their own, or after their ends, `spring tip-carrier`.
     pub(super) fn spring_names(&self) -> Vec<String> {
         let mut numbers = Numbers::default();

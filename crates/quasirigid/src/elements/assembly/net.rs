@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::Assembly;
 use super::held::holds;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::finite::{Link, Mass};
 use crate::elements::part::{Kind, NodeRef, Part, extremes};
 use crate::elements::spring::Pulled;
@@ -50,7 +50,7 @@ impl<'a> Net<'a> {
     /// [`ElementError`] for the first element that cannot be.
     pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
         for (index, point) in assembly.points.iter().enumerate() {
-            let place = Place::Point(index);
+            let place = ElementKind::Point.at(index);
             coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
             coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
             if point.motion != Motion::Free {
@@ -142,40 +142,40 @@ impl<'a> Net<'a> {
 
     /// Name of a node of the structure.
     pub fn node_name(&self, node: usize) -> String {
-        let (place, inner) = self.owner(node);
-        match place {
-            Place::Part(part) => {
-                let owner = &self.assembly.parts[part];
+        let (element, inner) = self.owner(node);
+        match element.kind {
+            ElementKind::Part => {
+                let owner = &self.assembly.parts[element.index];
                 format!("{:?} {}", owner.name, owner.node_name(inner))
             }
-            Place::Point(point) => format!("{:?}", self.assembly.points[point].name),
-            joint => joint.to_string(),
+            ElementKind::Point => format!("{:?}", self.assembly.points[element.index].name),
+            _ => element.to_string(),
         }
     }
 
     /// Name of a generalised coordinate that a node of the structure keeps as a component.
     fn coordinate_name(&self, node: usize, component: usize) -> String {
-        let (place, inner) = self.owner(node);
+        let (element, inner) = self.owner(node);
         let modes = |part: &'a Part| match &part.kind {
             Kind::Modes(modes) => {
                 Some(format!("{:?} {}", part.name, modes.coordinate_name(inner, component)))
             }
             _ => None,
         };
-        match place {
-            Place::Part(part) => self.assembly.parts.get(part).and_then(modes).unwrap_or_default(),
-            other => other.to_string(),
+        match element.kind {
+            ElementKind::Part => self.assembly.parts.get(element.index).and_then(modes).unwrap_or_default(),
+            _ => element.to_string(),
         }
     }
 
     /// What a node belongs to, and its index there.
-    fn owner(&self, node: usize) -> (Place, usize) {
+    fn owner(&self, node: usize) -> (ElementId, usize) {
         let group = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
         let (inner, parts) = (node - self.firsts[group], self.assembly.parts.len());
         let place = match group {
-            part if part < parts => Place::Part(part),
-            points if points == parts => Place::Point(inner),
-            _ => Place::Connection(self.joints[inner]),
+            part if part < parts => ElementKind::Part.at(part),
+            points if points == parts => ElementKind::Point.at(inner),
+            _ => ElementKind::Connection.at(self.joints[inner]),
         };
         (place, inner)
     }
@@ -201,10 +201,9 @@ impl<'a> Net<'a> {
 
     /// An element blamed for what is wrong with a node.
     pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
-        match self.owner(node).0 {
-            part @ Place::Part(_) => at(part, Field::Attach)(problem),
-            other => at(other, Field::Stiffness)(problem),
-        }
+        let element = self.owner(node).0;
+        let field = if element.kind == ElementKind::Part { Field::Attach } else { Field::Stiffness };
+        at(element, field)(problem)
     }
 
     fn point(&mut self, mass: f64, place: Vector3<f64>) {
@@ -218,7 +217,7 @@ impl<'a> Net<'a> {
 
     fn spring(&mut self, index: usize) -> Result<(), ElementError> {
         let spring = &self.assembly.springs[index];
-        let place = Place::Spring(index);
+        let place = ElementKind::Spring.at(index);
         if spring.from == spring.to {
             return Err(at(place, Field::To)(Problem::SameEnds));
         }
@@ -256,7 +255,7 @@ impl<'a> Net<'a> {
                 .extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
         }
         for (place, field, end) in self.assembly.ends() {
-            let spring = matches!(place, Place::Spring(_));
+            let spring = place.kind == ElementKind::Spring;
             match end {
                 End::Node(node) => {
                     self.assembly.has(node).map_err(at(place, field))?;
@@ -277,9 +276,11 @@ impl<'a> Net<'a> {
         match fault {
             Fault::Loose(unknowns) => self.mechanism(&unknowns),
             Fault::Memory(unknowns, cause) => {
-                at(Place::Part(0), Field::Name)(Problem::Memory { unknowns, cause })
+                at(ElementKind::Part.at(0), Field::Name)(Problem::Memory { unknowns, cause })
             }
-            Fault::NoConvergence(cause) => at(Place::Part(0), Field::Modes)(Problem::NoModes { cause }),
+            Fault::NoConvergence(cause) => {
+                at(ElementKind::Part.at(0), Field::Modes)(Problem::NoModes { cause })
+            }
         }
     }
 
@@ -288,12 +289,12 @@ impl<'a> Net<'a> {
         const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
         let hinges = loose.iter().filter_map(|unknown| match *unknown {
             Unknown::Joint(node, axis) => {
-                let hinge = Place::Connection(self.hinged_by(node)?);
+                let hinge = ElementKind::Connection.at(self.hinged_by(node)?);
                 Some((hinge, format!("{hinge} about its axis {}", axis + 1)))
             }
             Unknown::Node(..) | Unknown::Coordinate(..) => None,
         });
-        let (hinges, names): (Vec<Place>, Vec<String>) = hinges.unzip();
+        let (hinges, names): (Vec<ElementId>, Vec<String>) = hinges.unzip();
         if let Some(first) = hinges.first() {
             return at(*first, Field::Stiffness)(Problem::Mechanism { coordinates: listed(names) });
         }

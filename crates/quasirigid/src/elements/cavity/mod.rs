@@ -17,7 +17,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::affine::Piece;
 use super::coefficient;
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementKind, Field, Problem, at};
 use super::inner::Inner;
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
@@ -115,7 +115,7 @@ const UNIT: f64 = 1e-9;
 
 impl Cavity {
     pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = Place::Cavity(index);
+        let place = ElementKind::Cavity.at(index);
         self.shape.check().map_err(|(field, problem)| at(place, field)(problem))?;
         coefficient::finite(&self.center).map_err(at(place, Field::Center))?;
         coefficient::positive(self.density).map_err(at(place, Field::Density))?;
@@ -161,7 +161,7 @@ impl Cavity {
     /// The liquid with its motions, to as many steps as an order of the reduction needs.
     pub(super) fn filled(&self, index: usize, order: usize) -> Result<Filled, ElementError> {
         self.check(index)?;
-        let place = Place::Cavity(index);
+        let place = ElementKind::Cavity.at(index);
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
         let flowing = match self.regime {
             Regime::Viscous => Flowing::new(&self.shape, self.resolution, memory),

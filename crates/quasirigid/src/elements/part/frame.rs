@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
 use crate::elements::Material;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
 use crate::elements::finite::{Element, Grain};
 use crate::elements::structure::Structure;
@@ -87,7 +87,7 @@ impl Frame {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let place = Place::Part(index);
+        let place = ElementKind::Part.at(index);
         let places = self.places();
         let mut inner = first + self.nodes.len();
         for member in &self.members {
@@ -109,7 +109,7 @@ impl Frame {
 }
 
 impl Member {
-    fn check(&self, place: Place, nodes: usize) -> Result<(), ElementError> {
+    fn check(&self, place: ElementId, nodes: usize) -> Result<(), ElementError> {
         self.material.check(place)?;
         let refuse = at(place, Field::Lines);
         if self.elements == 0 {
@@ -121,7 +121,7 @@ impl Member {
         }
     }
 
-    fn beam(&self, place: Place, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
+    fn beam(&self, place: ElementId, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
         let section = self.section.section(self.material.poisson);
         let section = section.map_err(|error| at(place, Field::Section)(error.into()))?;
         let Material { young, density, .. } = self.material;

@@ -1,5 +1,5 @@
 use super::nodal::{NodalMass, times};
-use crate::elements::error::{ElementError, Field, Place, at};
+use crate::elements::error::{ElementError, ElementKind, Field, at};
 use crate::elements::structure::{Hold, Structure};
 use crate::model::Rheology;
 
@@ -30,7 +30,7 @@ impl Matrices {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let place = Place::Part(index);
+        let place = ElementKind::Part.at(index);
         self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
         let matrices = [
             (Field::Mass, self.mass.entries.as_slice()),

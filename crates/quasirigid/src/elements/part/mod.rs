@@ -22,9 +22,10 @@ pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
 pub use tip::TipMass;
 
-use super::error::{ElementError, Place, Problem};
+use super::error::{ElementError, ElementKind, Problem};
 use super::structure::{Hold, Node, Structure};
 use crate::math::mesh::{Mesh, MeshNote};
+use crate::model::Rheology;
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +56,37 @@ pub enum Kind {
     Matrices(Matrices),
     /// Modes from another program.
     Modes(Modes),
+}
+
+impl Kind {
+    /// What a part of the kind is called.
+    #[must_use]
+    pub fn words(&self) -> &'static str {
+        match self {
+            Self::Solid(_) => "solid",
+            Self::Frame(_) => "beam",
+            Self::Panel(_) => "panel",
+            Self::Matrices(_) => "matrices",
+            Self::Modes(_) => "modes",
+        }
+    }
+
+    /// Its rheologies, one for each region, member or layer.
+    pub(super) fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        match self {
+            Self::Frame(frame) => {
+                frame.members.iter_mut().map(|member| &mut member.material.rheology).collect()
+            }
+            Self::Panel(panel) => {
+                panel.layers.iter_mut().map(|layer| layer.substance.rheology_mut()).collect()
+            }
+            Self::Solid(solid) => {
+                solid.regions.iter_mut().map(|region| region.substance.rheology_mut()).collect()
+            }
+            Self::Matrices(given) => vec![&mut given.rheology],
+            Self::Modes(modes) => vec![&mut modes.rheology],
+        }
+    }
 }
 
 impl Part {
@@ -134,7 +166,7 @@ impl Part {
         let name = |node| move || format!("{:?} {}", self.name, self.node_name(node));
         self.masses
             .iter()
-            .try_for_each(|mass| mass.furnish(Place::Part(index), nodes, name(mass.node), structure))
+            .try_for_each(|mass| mass.furnish(ElementKind::Part.at(index), nodes, name(mass.node), structure))
     }
 
     /// How its nodes are held before anything is attached or connected; the first of them is `first` in the structure.

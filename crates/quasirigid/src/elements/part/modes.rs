@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::nodal::{NodalMass, symmetric, times};
 use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::finite::Block;
 use crate::elements::structure::{Hold, Node, Structure};
 use crate::model::Rheology;
@@ -58,7 +58,7 @@ impl Modes {
     #[must_use]
     pub fn missing(&self, pole: [f64; 3]) -> Option<f64> {
         let Spectrum::Modes { frequencies, .. } = &self.spectrum else { return None };
-        let blocks = self.mass.blocks(Place::Part(0), [(Field::Mass, &self.mass.entries)]).ok()?;
+        let blocks = self.mass.blocks(ElementKind::Part.at(0), [(Field::Mass, &self.mass.entries)]).ok()?;
         let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass))).ok()?;
         let masses = modal_masses(&self.couplings()).ok()?;
         let highest = frequencies.iter().copied().fold(0.0, f64::max);
@@ -128,7 +128,7 @@ impl Modes {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let place = Place::Part(index);
+        let place = ElementKind::Part.at(index);
         self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
         self.check_shapes().map_err(at(place, Field::Shapes))?;
         let blocks = self.mass.blocks(place, [(Field::Mass, self.mass.entries.as_slice())])?;
@@ -238,7 +238,7 @@ impl Spectrum {
     fn matrices(
         &self,
         size: usize,
-        place: Place,
+        place: ElementId,
         couplings: impl Fn() -> DMatrix<f64>,
     ) -> Result<[DMatrix<f64>; 2], ElementError> {
         match self {

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::finite::{Block, Element, Grain, Mass, Site, rigid_points};
 use crate::elements::structure::Node;
 use crate::model::Inertia;
@@ -95,7 +95,7 @@ impl NodalMass {
     /// [`ElementError`] for a matrix that no body has.
     pub(super) fn blocks<const N: usize>(
         &self,
-        place: Place,
+        place: ElementId,
         matrices: [(Field, Entries<'_>); N],
     ) -> Result<Blocks<N>, ElementError> {
         let zero = [Matrix6::zeros(); N];

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::{Substance, sound};
 use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::elements::finite::{Element, Grain};
 use crate::elements::structure::Structure;
@@ -54,7 +54,7 @@ impl Panel {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let place = Place::Part(index);
+        let place = ElementKind::Part.at(index);
         sound(&self.mesh, 2).map_err(at(place, Field::File))?;
         coefficient::unit(self.reference).map_err(at(place, Field::Reference))?;
         let sections = self.sections(place, rayleigh, structure)?;
@@ -77,7 +77,7 @@ impl Panel {
     /// The section of the layers of each matter.
     fn sections(
         &self,
-        place: Place,
+        place: ElementId,
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<Vec<(usize, ShellSection)>, ElementError> {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 
 use super::{Substance, sound};
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::elements::finite::{Element, Grain, elasticity, solid};
 use crate::elements::structure::Structure;
 use crate::math::mesh::{Mesh, Shape};
@@ -48,7 +48,7 @@ impl Solid {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let place = Place::Part(index);
+        let place = ElementKind::Part.at(index);
         sound(&self.mesh, 3).map_err(at(place, Field::File))?;
         for region in &self.regions {
             region.substance.check(place)?;

@@ -1,4 +1,4 @@
-use crate::elements::error::{ElementError, Field, Place, at};
+use crate::elements::error::{ElementError, ElementId, Field, at};
 use crate::elements::{Material, coefficient};
 use crate::model::Rheology;
 
@@ -27,8 +27,16 @@ pub struct Orthotropic {
 }
 
 impl Substance {
+    /// Its rheology.
+    pub(super) fn rheology_mut(&mut self) -> &mut Rheology {
+        match self {
+            Self::Isotropic(material) => &mut material.rheology,
+            Self::Orthotropic(material) => &mut material.rheology,
+        }
+    }
+
     /// Accepts the substance of a part; its moduli are for the part to judge.
-    pub(super) fn check(&self, place: Place) -> Result<(), ElementError> {
+    pub(super) fn check(&self, place: ElementId) -> Result<(), ElementError> {
         match self {
             Self::Isotropic(material) => material.check(place),
             Self::Orthotropic(material) => {

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use crate::elements::coefficient;
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::finite::{Mass, rigid_points};
 use crate::elements::structure::Structure;
 use crate::model::{Inertia, Rheology};
@@ -22,7 +22,7 @@ impl TipMass {
     /// Adds it to a structure that has the nodes of its part, so many from `first` on; `name` is that of its node.
     pub(super) fn furnish(
         &self,
-        place: Place,
+        place: ElementId,
         (first, count): (usize, usize),
         name: impl Fn() -> String,
         structure: &mut Structure,

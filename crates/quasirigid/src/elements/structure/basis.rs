@@ -2,6 +2,7 @@ use nalgebra::DMatrix;
 
 use super::discrete::{Discrete, times};
 use super::solver::Solver;
+use crate::math::watch;
 
 /// Displacements of a structure that hold its slow manifold to an order, a row each. (K8)
 ///
@@ -29,7 +30,9 @@ impl Basis {
         let budget = order.max(3) - 2;
         let losses = discrete.losses();
         let mut found = vec![basis.append(discrete, statics)];
+        watch::stage("answering the loads");
         for cost in 1..=budget {
+            watch::progress((cost - 1) as f64 / budget as f64);
             let mut images = Vec::new();
             images.extend(losses.iter().map(|loss| solver.answers(times(loss, &found[cost - 1]))));
             if let Some(before) = cost.checked_sub(2) {

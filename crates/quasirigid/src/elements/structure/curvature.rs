@@ -3,6 +3,7 @@ use nalgebra::{DMatrix, Matrix3, MatrixXx3, Vector3};
 use super::discrete::Discrete;
 use super::loads::{Acceleration, moments};
 use crate::elements::finite::{Element, Grain, Turn};
+use crate::math::watch;
 
 /// `∫ G_jk dm` and `∫ s G_jkᵀ dm` of a pair of coordinates, with `s` from the reference point. (K6)
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +28,9 @@ impl Discrete<'_> {
         let count = fields.nrows();
         let mut works = vec![DMatrix::zeros(count, count); loads.len()];
         let mut curved = false;
-        for element in &self.structure.elements {
+        watch::stage("bending the paths");
+        for (number, element) in self.structure.elements.iter().enumerate() {
+            watch::progress(number as f64 / self.structure.elements.len() as f64);
             let spread =
                 |rows: &DMatrix<f64>| self.freedoms.spread(element.nodes(), element.freedoms(), rows);
             let own = spread(fields);

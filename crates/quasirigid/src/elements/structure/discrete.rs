@@ -5,6 +5,7 @@ use super::sum::{Tie, pattern};
 use crate::elements::finite::Element;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
+use crate::math::watch;
 use crate::model::Rheology;
 
 /// Finite elements between nodes, as the parts of a body give them.
@@ -115,7 +116,9 @@ impl<'a> Discrete<'a> {
         let zero = Symmetric::zero(pattern);
         let mut stiffness = vec![zero.clone(); structure.matters.len()];
         let (mut damping, mut mass) = (zero.clone(), zero.clone());
-        for (element, tie) in structure.elements.iter().zip(&ties) {
+        watch::stage("assembling the elements");
+        for (number, (element, tie)) in structure.elements.iter().zip(&ties).enumerate() {
+            watch::progress(number as f64 / ties.len() as f64);
             let matter = &structure.matters[element.matter()];
             let (K, M) = (element.stiffness(), element.mass());
             tie.add(&K, 1.0, &mut stiffness[element.matter()]);

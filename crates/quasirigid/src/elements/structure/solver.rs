@@ -7,6 +7,7 @@ use crate::math::factor::{Analysis, Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
+use crate::math::watch;
 
 /// Answers of a structure to static loads: on its carrier, or floating in the Tisserand frame.
 pub(super) struct Solver {
@@ -35,7 +36,9 @@ impl From<NotPositive> for Unsolved {
 /// The factor of a matrix, once it is known to have room.
 fn factor(matrix: &Symmetric) -> Result<Factor, Unsolved> {
     let Method { precision, ordering } = Method::default();
+    watch::stage("ordering the unknowns");
     let analysis = Analysis::new(matrix, ordering)?;
+    watch::stage("factoring the stiffness");
     memory::ask(analysis.bytes(precision)).map_err(Unsolved::Memory)?;
     Ok(analysis.factor(precision)?)
 }

@@ -3,9 +3,10 @@
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
-use crate::elements::error::{ElementError, Field, Place, Problem, at};
+use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::elements::ritz::Ritz;
 use crate::math::meshing::{Neck, graded, necks};
+use crate::math::watch;
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
@@ -48,7 +49,7 @@ struct Road<'a> {
 
 impl Road<'_> {
     fn polynomials(&self, degree: usize) -> Result<Ritz, ElementError> {
-        self.surface.ritz(degree).map_err(at(Place::Surface(self.index), Field::Degree))
+        self.surface.ritz(degree).map_err(at(ElementKind::Surface.at(self.index), Field::Degree))
     }
 
     fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
@@ -133,14 +134,16 @@ impl Road<'_> {
     }
 
     fn unsettled(&self, error: f64) -> ElementError {
-        at(Place::Surface(self.index), Field::File)(Problem::Unsettled { error })
+        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unsettled { error })
     }
 
     /// The first degree at which the compliance has converged, or the highest that rounding leaves.
     fn converged(&self, convex: bool) -> Result<(usize, Ritz), ElementError> {
         let offered = if convex { &DEGREES[..] } else { &DEGREES[..DEGREES.len() - 1] };
         let mut best = (offered[0], self.polynomials(offered[0])?);
+        watch::stage("raising the degree of the polynomials");
         for degree in &offered[1..] {
+            watch::progress((degree - offered[0]) as f64 / offered[offered.len() - 1] as f64);
             if best.1.growth < CONVERGED {
                 break;
             }
@@ -176,6 +179,6 @@ impl Road<'_> {
     }
 
     fn unmeshed(&self, problem: Problem) -> ElementError {
-        at(Place::Surface(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
+        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
     }
 }

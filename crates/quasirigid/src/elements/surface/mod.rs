@@ -6,7 +6,7 @@ mod error;
 
 use nalgebra::Matrix3;
 
-use super::error::{ElementError, Field, Place, Problem, at};
+use super::error::{ElementError, ElementKind, Field, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
 use super::structure::Condensation;
@@ -85,7 +85,7 @@ impl Surface {
 
     /// Everything wrong with its values, the first of it.
     pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = Place::Surface(index);
+        let place = ElementKind::Surface.at(index);
         self.material.check(place)?;
         let bodies = self.surface.bodies();
         if bodies > 1 {
@@ -138,7 +138,7 @@ impl Surface {
         let center = self.surface.centroid();
         let block = ritz.block(&self.name, &self.material.rheology);
         let whole = Whole {
-            place: Place::Surface(index),
+            place: ElementKind::Surface.at(index),
             center,
             markers: self.tips(&ritz, center),
             coordinates: self.coordinates(block.columns.len()),

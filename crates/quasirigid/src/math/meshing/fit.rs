@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::lattice::{LONG, Lattice};
 use crate::math::surface::Proximity;
 use crate::math::sym::{add, norm, scale};
+use crate::math::watch;
 
 /// Nearer to the surface than this, in sides of a cube, points are on it.
 const ON: f64 = 1e-9;
@@ -35,7 +36,9 @@ impl Fit {
     pub fn new(lattice: &Lattice, surface: &Proximity) -> Self {
         let mut fit = Self { places: Vec::new(), sides: Vec::new(), cuts: HashMap::new() };
         let mut distances = Vec::with_capacity(lattice.size());
+        watch::stage("meshing");
         for index in 0..lattice.size() {
+            watch::progress(index as f64 / lattice.size() as f64);
             // Indices of no point stay outside.
             let (place, distance) = lattice.point(index).map_or(([0.0; 3], f64::INFINITY), |point| {
                 let place = Lattice::place(point);

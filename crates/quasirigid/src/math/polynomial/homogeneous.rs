@@ -194,7 +194,22 @@ impl Homogeneous {
         derivative
     }
 
-    /// Value at a point, added to `value` row by row.
+    /// Value at a point, row by row.
+    ///
+    /// ```
+    /// use quasirigid::math::polynomial::Homogeneous;
+    ///
+    /// let doubled = Homogeneous::linear(&[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
+    /// assert_eq!(doubled.value([1.0, -3.0, 0.5]), [2.0, -6.0, 1.0]);
+    /// ```
+    #[must_use]
+    pub fn value<T: Scalar>(&self, x: [T; 3]) -> Vec<T> {
+        let mut value = vec![T::from(0.0); self.rows()];
+        self.add_value(x, &mut value);
+        value
+    }
+
+    /// Value at a point, added to the first rows of `value`, which may be fewer than all.
     pub fn add_value<T: Scalar>(&self, x: [T; 3], value: &mut [T]) {
         self.parts().for_each(|part| part.add_value(x, value));
     }

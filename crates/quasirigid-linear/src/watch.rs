@@ -1,0 +1,168 @@
+//! Progress and cancellation of long work that has no partial result: assembling, factoring, reducing.
+//!
+//! The work runs on a thread of its own and says now and then where it is; whoever watches is asked on the thread that waits, ten times
+//! a second, however often the work says so. A cancelled work unwinds from where it said so last, so that no function between has an
+//! error of cancellation to hand on. Work that nobody watches pays for a look at a variable of its thread.
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::io;
+use std::ops::ControlFlow;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::thread::{self, Builder};
+use std::time::Duration;
+
+use thiserror::Error;
+
+/// The work was told to end.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("interrupted")]
+pub struct Cancelled;
+
+/// How often whoever watches is asked.
+const PERIOD: Duration = Duration::from_millis(100);
+/// Stack of the thread of the work (bytes): as much as a main thread has.
+const STACK: usize = 8 << 20;
+
+/// Where a work is, as its thread and the one that waits see it.
+#[derive(Default)]
+struct Place {
+    stage: Mutex<&'static str>,
+    share: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+thread_local! {
+    static PLACE: RefCell<Option<Arc<Place>>> = const { RefCell::new(None) };
+}
+
+/// Does work that `watch` is told the stage of, and its share that is done, from 0 to 1; the work ends early where it is told to break.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Panics
+/// As the work does.
+pub fn watched<T: Send>(
+    watch: &mut dyn FnMut(&str, f64) -> ControlFlow<()>,
+    work: impl FnOnce() -> T + Send,
+) -> Result<T, Cancelled> {
+    let place = Arc::new(Place::default());
+    let (done, waiting) = mpsc::channel();
+    let given = Arc::clone(&place);
+    let watched = move || {
+        PLACE.with_borrow_mut(|place| *place = Some(given));
+        let found = panic::catch_unwind(AssertUnwindSafe(work));
+        let _ = done.send(());
+        found
+    };
+    let found = thread::scope(|scope| -> io::Result<_> {
+        let worker = Builder::new().stack_size(STACK).spawn_scoped(scope, watched)?;
+        while waiting.recv_timeout(PERIOD) == Err(mpsc::RecvTimeoutError::Timeout) {
+            let stage = *place.stage.lock().unwrap_or_else(PoisonError::into_inner);
+            let share = f64::from_bits(place.share.load(Ordering::Relaxed));
+            if watch(stage, share).is_break() {
+                place.cancelled.store(true, Ordering::Relaxed);
+            }
+        }
+        Ok(worker.join().unwrap_or_else(Err))
+    });
+    settled(found.unwrap_or_else(|cause| Err(Box::new(cause))))
+}
+
+fn settled<T>(found: Result<T, Box<dyn Any + Send>>) -> Result<T, Cancelled> {
+    found.or_else(|cause| if cause.is::<Cancelled>() { Err(Cancelled) } else { panic::resume_unwind(cause) })
+}
+
+/// Says which stage the work of this thread has come to.
+pub fn stage(name: &'static str) {
+    reached(Some(name), 0.0);
+}
+
+/// Says which share of its stage the work of this thread has done, from 0 to 1.
+pub fn progress(share: f64) {
+    reached(None, share);
+}
+
+/// Ends the work of this thread here if it is cancelled: for loops that do not know how far they are.
+pub fn ask() {
+    look(|_| {});
+}
+
+fn reached(stage: Option<&'static str>, share: f64) {
+    look(|place| {
+        if let Some(name) = stage {
+            *place.stage.lock().unwrap_or_else(PoisonError::into_inner) = name;
+        }
+        place.share.store(share.to_bits(), Ordering::Relaxed);
+    });
+}
+
+fn look(say: impl FnOnce(&Place)) {
+    let cancelled = PLACE.with_borrow(|place| {
+        place.as_ref().is_some_and(|place| {
+            say(place);
+            place.cancelled.load(Ordering::Relaxed)
+        })
+    });
+    if cancelled {
+        panic::resume_unwind(Box::new(Cancelled));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_that_nobody_watches_goes_on_to_its_end() {
+        stage("alone");
+        progress(0.5);
+        assert_eq!(watched(&mut |_, _| ControlFlow::Continue(()), || 7), Ok(7));
+    }
+
+    #[test]
+    fn the_watch_sees_stages_and_shares_by_time() {
+        let mut seen = Vec::new();
+        let work = || {
+            for step in 0..40 {
+                if step == 20 {
+                    stage("second");
+                }
+                progress(f64::from(step) / 40.0);
+                thread::sleep(Duration::from_millis(20));
+            }
+        };
+        let watch = &mut |name: &str, share: f64| {
+            seen.push((name.to_owned(), share));
+            ControlFlow::Continue(())
+        };
+        watched(watch, work).unwrap();
+        assert!(seen.len() >= 3 && seen.len() <= 9, "{seen:?}");
+        assert!(
+            seen[0].0.is_empty() && seen.iter().any(|(name, share)| name == "second" && *share > 0.4),
+            "{seen:?}"
+        );
+    }
+
+    #[test]
+    fn cancelled_work_ends_where_it_says_so_next() {
+        let work = || {
+            for step in 0.. {
+                progress(f64::from(step));
+                thread::sleep(Duration::from_millis(1));
+            }
+        };
+        assert_eq!(watched(&mut |_, _| ControlFlow::Break(()), work), Err(Cancelled));
+    }
+
+    #[test]
+    fn a_panic_of_the_work_is_one_of_the_caller() {
+        let ran = panic::catch_unwind(|| {
+            watched(&mut |_, _| ControlFlow::Continue(()), || panic::resume_unwind(Box::new("why")))
+        });
+        assert_eq!(ran.unwrap_err().downcast_ref::<&str>(), Some(&"why"));
+    }
+}

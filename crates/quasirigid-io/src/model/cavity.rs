@@ -1,16 +1,16 @@
 use std::path::Path;
 
-use quasirigid::elements::{Cavity, CavityShape, Regime};
+use quasirigid::elements::{Cavity, CavityShape, ElementKind, Regime};
 use quasirigid::math::meshing::inside;
 use quasirigid::math::rotation::{ALIGNED, angle, turned};
 use quasirigid::math::sym::{cross, norm, scale};
 
 use super::initial::unit_quaternion;
-use super::kinds::{Kind, kind, opened};
-use super::spans::ElementSpans;
+use super::kinds::{Kind, kind, of_table, opened};
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
 use super::surface::{closed, unit};
 use super::table::{Keys, Table};
-use super::value::Value;
 use crate::mesh::read_mesh;
 use crate::units::Dimension;
 
@@ -79,65 +79,51 @@ struct Source<'a> {
     resolution: usize,
 }
 
-/// A `[[cavity]]` whose keys have been checked.
-pub(super) struct CavityTable<'a> {
-    pub(super) table: Table<'a>,
-    shape: &'static Kind<Read>,
-}
+pub(super) const READER: Reader = Reader {
+    key: "cavity",
+    title: "[[cavity]]",
+    keys: Keyed::ByKind(|value| Some(opened(value, "[[cavity]]", "shape", &ANY, &SHAPES)?.0)),
+    kind: Some(ElementKind::Cavity),
+    naming: Naming::Numbered("cavity"),
+    names: |_| Part::Inside,
+    aliases: &[
+        // a radius gives the semi-axes, either viscosity the viscosity
+        ("radius", "semi_axes"),
+        ("kinematic_viscosity", "viscosity"),
+        ("dynamic_viscosity", "viscosity"),
+    ],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        draft.assembly.cavities.push(cavity(entry.table, entry.name, draft.sources.folder)?);
+        Some(())
+    },
+};
 
-/// Opens every `[[cavity]]` that says what shape it has.
-pub(super) fn tables<'a>(file: &Table<'a>) -> Vec<CavityTable<'a>> {
-    let open = |value: &Value<'a>| {
-        let (table, shape) = opened(value, "[[cavity]]", "shape", &ANY, &SHAPES)?;
-        Some(CavityTable { table, shape })
-    };
-    file.several("cavity", "[[cavity]]").iter().filter_map(open).collect()
-}
-
-impl CavityTable<'_> {
-    /// Reads it; files stand in the `folder`.
-    pub(super) fn cavity(&self, name: &str, folder: &Path) -> Option<Cavity> {
-        let table = &self.table;
-        let usual = if self.shape.word == "surface" { RESOLUTION_INSIDE } else { RESOLUTION };
-        let resolution =
-            table.get("resolution").map_or(Some(usual), |value| value.integer(1..=MOST_CELLS))?;
-        let shape = (self.shape.read)(table, &Source { folder, resolution });
-        let center = table.vector_or_zero("center", Dimension::LENGTH);
-        let attitude = attitude(table);
-        let density = table
-            .required("density", "density = 1000.0")
-            .and_then(|value| value.positive(Dimension::DENSITY));
-        let viscosity = viscosity(table, density);
-        let regime = table.get("flow").map_or(Some(Regime::Viscous), |value| value.choice(&REGIMES));
-        let modes = table.get("modes").map_or(Some(0), |value| value.integer(0..=usize::MAX));
-        Some(Cavity {
-            name: name.to_owned(),
-            shape: shape?,
-            center: center?,
-            attitude: attitude?,
-            density: density?,
-            viscosity: viscosity?,
-            resolution,
-            regime: regime?,
-            modes: modes?,
-        })
-    }
-
-    /// Where its values stand; a radius gives the semi-axes, either viscosity the viscosity.
-    pub(super) fn spans(&self) -> ElementSpans {
-        let mut spans = self.table.spans();
-        let aliases = [
-            ("radius", "semi_axes"),
-            ("kinematic_viscosity", "viscosity"),
-            ("dynamic_viscosity", "viscosity"),
-        ];
-        for (key, field) in aliases {
-            if let Some(value) = self.table.get(key) {
-                spans.values.push((field, value.span()));
-            }
-        }
-        spans
-    }
+/// Reads a `[[cavity]]`; files stand in the `folder`.
+fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
+    let shape = of_table(table, "shape", &SHAPES)?;
+    let usual = if shape.word == "surface" { RESOLUTION_INSIDE } else { RESOLUTION };
+    let resolution = table.get("resolution").map_or(Some(usual), |value| value.integer(1..=MOST_CELLS))?;
+    let shape = (shape.read)(table, &Source { folder, resolution });
+    let center = table.vector_or_zero("center", Dimension::LENGTH);
+    let attitude = attitude(table);
+    let density =
+        table.required("density", "density = 1000.0").and_then(|value| value.positive(Dimension::DENSITY));
+    let viscosity = viscosity(table, density);
+    let regime = table.get("flow").map_or(Some(Regime::Viscous), |value| value.choice(&REGIMES));
+    let modes = table.get("modes").map_or(Some(0), |value| value.integer(0..=usize::MAX));
+    Some(Cavity {
+        name: name.to_owned(),
+        shape: shape?,
+        center: center?,
+        attitude: attitude?,
+        density: density?,
+        viscosity: viscosity?,
+        resolution,
+        regime: regime?,
+        modes: modes?,
+    })
 }
 
 /// Kinematic viscosity (m²/s), from either.

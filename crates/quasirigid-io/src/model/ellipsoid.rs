@@ -1,11 +1,30 @@
-use quasirigid::elements::Ellipsoid;
+use quasirigid::elements::{ElementKind, Ellipsoid};
 
 use super::material::Materials;
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
 use super::rheology::Extremes;
 use super::table::{Keys, Table};
 use crate::units::Dimension;
 
-pub(super) const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"] };
+pub(super) const READER: Reader = Reader {
+    key: "ellipsoid",
+    title: "[[ellipsoid]]",
+    keys: Keyed::All(&ELLIPSOID),
+    kind: Some(ElementKind::Ellipsoid),
+    naming: Naming::Numbered("ellipsoid"),
+    names: |_| Part::Throughout,
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let (ellipsoid, range) = ellipsoid(entry.table, entry.name, draft.sources.materials)?;
+        draft.assembly.ellipsoids.push(ellipsoid);
+        draft.range(ElementKind::Ellipsoid, entry, range)
+    },
+};
+
+const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"] };
 
 /// Reads an `[[ellipsoid]]`, and its rheology at the ends of the range it is known to.
 pub(super) fn ellipsoid(

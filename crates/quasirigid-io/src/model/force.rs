@@ -1,13 +1,13 @@
 use std::f64::consts::TAU;
 
-use quasirigid::elements::Station;
+use quasirigid::elements::{ElementKind, Station};
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 
 use super::formula::{PLACE, formulas};
-use super::kinds::{Kind, kind, opened};
-use super::names::{Fixed, Names};
+use super::kinds::{Kind, kind, of_table, opened};
+use super::names::{Fixed, Names, Part};
 use super::orbit::{ORBIT, orbit};
-use super::spans::ElementSpans;
+use super::reader::{Keyed, Naming, Reader};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -57,40 +57,22 @@ const ANY: Keys = Keys {
     ],
 };
 
-/// A `[[force]]` whose keys have been checked.
-pub(super) struct ForceTable<'a> {
-    pub(super) table: Table<'a>,
-    kind: &'static Kind<Read>,
-}
-
-/// Opens every `[[force]]` that says what it is.
-pub(super) fn tables<'a>(file: &Table<'a>) -> Vec<ForceTable<'a>> {
-    let open = |value: &Value<'a>| {
-        let (table, kind) = opened(value, "[[force]]", "kind", &ANY, &KINDS)?;
-        Some(ForceTable { table, kind })
-    };
-    file.several("force", "[[force]]").iter().filter_map(open).collect()
-}
-
-impl ForceTable<'_> {
-    /// Reads it.
-    pub(super) fn force(&self, name: &str, names: &Names<'_>) -> Option<Force<Station>> {
-        let law = (self.kind.read)(&self.table, names)?;
-        Some(Force { name: name.to_owned(), law })
-    }
-
-    /// Where its values stand, also those of its orbit; a period gives the frequency.
-    pub(super) fn spans(&self) -> ElementSpans {
-        let mut spans = self.table.spans();
-        if let Some(period) = self.table.get("period") {
-            spans.values.push(("frequency", period.span()));
-        }
-        if let Some(orbit) = self.table.get("orbit") {
-            spans.values.extend(orbit.spans(&ORBIT).values);
-        }
-        spans
-    }
-}
+pub(super) const READER: Reader = Reader {
+    key: "force",
+    title: "[[force]]",
+    keys: Keyed::ByKind(|value| Some(opened(value, "[[force]]", "kind", &ANY, &KINDS)?.0)),
+    kind: Some(ElementKind::Force),
+    naming: Naming::Apart("force"),
+    names: |_| Part::Throughout,
+    aliases: &[("period", "frequency")],
+    nested: &[("orbit", &ORBIT)],
+    is_body: false,
+    read: |entry, draft| {
+        let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &draft.names)?;
+        draft.assembly.forces.push(Force { name: entry.name.to_owned(), law });
+        Some(())
+    },
+};
 
 fn uniform_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
     let acceleration =

@@ -1,12 +1,33 @@
-use quasirigid::elements::{HingeCoefficient, Hinged};
+use quasirigid::elements::{ElementKind, HingeCoefficient, Hinged};
 
 use super::body::inertia;
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
 use super::rheology::{Extremes, Scale, rheology};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const HINGED: Keys = Keys {
+pub(super) const READER: Reader = Reader {
+    key: "hinged",
+    title: "[[hinged]]",
+    keys: Keyed::All(&HINGED),
+    kind: Some(ElementKind::Hinged),
+    naming: Naming::Numbered("appendage"),
+    names: |index| Part::Hinged(index),
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        let (hinged, range) = hinged(entry.table, entry.name)?;
+        let places = hinged.places.iter().map(|(name, _)| name.clone()).collect();
+        draft.names.places.insert(entry.index, places);
+        draft.assembly.hinged.push(hinged);
+        draft.range(ElementKind::Hinged, entry, range)
+    },
+};
+
+const HINGED: Keys = Keys {
     known: &[
         "name",
         "mass",

@@ -192,7 +192,8 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             ),
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
-                of_hinge(&value, body, index, about).map(|q| (body.names.points.len() + index, q))
+                let points = body.assembly().map_or(0, |assembly| assembly.points.len());
+                of_hinge(&value, body, index, about).map(|q| (points + index, q))
             }
             Some(Part::Throughout | Part::Flexible(_)) => value.refuse_at(
                 key,

@@ -51,3 +51,13 @@ pub(super) fn opened<'a, R>(
     };
     Some((value.table_among(kind.title, &kind.keys, &others)?, kind))
 }
+
+/// The kind that an opened table says it is.
+pub(super) fn of_table<R>(
+    table: &Table<'_>,
+    key: &'static str,
+    kinds: &'static [Kind<R>],
+) -> Option<&'static Kind<R>> {
+    let word = table.get(key)?.words()?;
+    kinds.iter().find(|kind| kind.word == word)
+}

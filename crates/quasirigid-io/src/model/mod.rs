@@ -21,7 +21,9 @@ mod names;
 mod orbit;
 mod part;
 mod physics;
+mod point;
 mod ranges;
+mod reader;
 mod rheology;
 mod rotation;
 mod rotor;
@@ -53,36 +55,43 @@ pub use source::Source;
 
 use body::Parts;
 use diagnostic::Problems;
+use reader::Reader;
 use spans::Spans;
 use table::{Keys, Table};
 
-const FILE: Keys = Keys {
-    known: &[
-        "body",
-        "carrier",
-        "material",
-        "section",
-        "ellipsoid",
-        "surface",
-        "beam",
-        "panel",
-        "solid",
-        "matrices",
-        "modes",
-        "connection",
-        "network",
-        "reduction",
-        "point",
-        "spring",
-        "hinged",
-        "rotor",
-        "wheel",
-        "cavity",
-        "support",
-        "force",
-        "initial",
-        "run",
-    ],
+/// Readers of elements, in the order in which they read: those with nodes and places before those that refer to them.
+const READERS: &[&Reader] = &[
+    &ellipsoid::READER,
+    &surface::READER,
+    &part::beam::READER,
+    &part::panel::READER,
+    &part::solid::READER,
+    &part::matrices::READER,
+    &part::modes::READER,
+    &part::connection::READER,
+    &point::READER,
+    &hinged::READER,
+    &spring::READER,
+    &part::network::READER,
+    &rotor::READER,
+    &wheel::READER,
+    &cavity::READER,
+    &force::READER,
+];
+
+/// Keys of a file that are no tables of elements.
+const OTHERS: [&str; 8] =
+    ["body", "carrier", "material", "section", "reduction", "support", "initial", "run"];
+
+const FILE: Keys = Keys { known: &KEYS };
+const KEYS: [&str; OTHERS.len() + READERS.len()] = {
+    let mut keys = [""; OTHERS.len() + READERS.len()];
+    let mut i = 0;
+    while i < keys.len() {
+        keys[i] = if i < OTHERS.len() { OTHERS[i] } else { READERS[i - OTHERS.len()].key };
+        i += 1;
+    }
+    keys
 };
 
 /// A model file, read.

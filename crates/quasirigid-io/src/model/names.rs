@@ -1,14 +1,13 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::{End, Hinged, NodeRef, PlaceRef};
+use quasirigid::elements::{ElementKind, End, NodeRef, PlaceRef};
 
 use super::Diagnostic;
-use super::cavity::CavityTable;
 use super::diagnostic::Problems;
-use super::force::ForceTable;
-use super::part::{Nodes, PartTables};
-use super::table::{Keys, Table};
+use super::part::Nodes;
+use super::reader::{Naming, Opened};
+use super::table::Keys;
 use super::value::Value;
 use crate::nearest::nearest;
 
@@ -17,34 +16,16 @@ const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
-/// Names of the points, springs, appendages, ellipsoids, surfaces, networks, rotors, wheels, cavities, parts and forces of a file.
+/// Names in a file.
 pub(super) struct Names<'a> {
-    /// Names of the points, in the order of the file.
-    pub(super) points: Vec<String>,
-    /// Names of the springs, in the order of the file; empty for those without.
-    pub(super) springs: Vec<String>,
-    /// Names of the hinged appendages, in the order of the file.
-    pub(super) hinged: Vec<String>,
-    /// Names of the ellipsoids, in the order of the file.
-    pub(super) ellipsoids: Vec<String>,
-    /// Names of the surfaces, in the order of the file.
-    pub(super) surfaces: Vec<String>,
-    /// Names of the networks, which begin those of their points, in the order of the file.
-    pub(super) networks: Vec<String>,
-    /// Names of the rotors, in the order of the file.
-    pub(super) rotors: Vec<String>,
-    /// Names of the momentum wheels, in the order of the file.
-    pub(super) wheels: Vec<String>,
-    /// Names of the cavities, in the order of the file.
-    pub(super) cavities: Vec<String>,
-    /// Names of the parts of finite elements, in their order.
-    pub(super) flexible: Vec<String>,
-    /// How their nodes are named, once they have been read.
-    pub(super) nodes: Vec<Nodes>,
-    /// Names of the places on each appendage, once they have been read.
-    pub(super) places: Vec<Vec<String>>,
-    /// Names of the forces, in the order of the file.
-    pub(super) forces: Vec<String>,
+    /// Names of the elements, in the order of their tables; empty for those without.
+    given: Vec<String>,
+    /// The same by kind.
+    of: HashMap<ElementKind, Vec<String>>,
+    /// Names of the nodes of parts, by index of the part, once they have been read.
+    pub(super) nodes: HashMap<usize, Nodes>,
+    /// Names of the places on appendages, by index of the appendage, once they have been read.
+    pub(super) places: HashMap<usize, Vec<String>>,
     parts: Register<'a, Part>,
 }
 
@@ -81,61 +62,38 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names, and makes one from its number for an element without: `point 1`, `appendage 1`,
-    /// `ellipsoid 1`, `surface 1`, `network 1`, `beam 1`, `panel 1`, `solid 1`, `force 1`.
-    pub(super) fn new(
-        [points, springs, hinged]: [&[Table<'_>]; 3],
-        [ellipsoids, surfaces, networks]: [&[Table<'_>]; 3],
-        (rotors, wheels, cavities): (&[Table<'_>], &[Table<'_>], &[CavityTable<'_>]),
-        flexible: &PartTables<'_>,
-        forces: &[ForceTable<'_>],
-        problems: &'a Problems<'a>,
-    ) -> Self {
-        let mut parts = Register { owners: HashMap::new(), problems };
-        let mut named = |tables: &[&Table<'_>], word: &str, part: fn(usize) -> Part| -> Vec<String> {
-            let tables = tables.iter().enumerate();
-            let enter =
-                |(i, table): (usize, &&Table<'_>)| parts.enter(table, format!("{word} {}", i + 1), part(i));
-            tables.map(enter).collect()
-        };
-        let points = named(&every(points), "point", Part::Point);
-        let hinged = named(&every(hinged), "appendage", Part::Hinged);
-        let ellipsoids = named(&every(ellipsoids), "ellipsoid", |_| Part::Throughout);
-        let surfaces = named(&every(surfaces), "surface", |_| Part::Throughout);
-        let networks = named(&every(networks), "network", |_| Part::Throughout);
-        let rotors = named(&every(rotors), "rotor", |_| Part::Inside);
-        let wheels = named(&every(wheels), "wheel", |_| Part::Inside);
-        let liquids: Vec<&Table<'_>> = cavities.iter().map(|cavity| &cavity.table).collect();
-        let cavities = named(&liquids, "cavity", |_| Part::Inside);
-        let flexible = flexible.iter().enumerate();
-        let flexible = flexible
-            .map(|(index, (word, number, table))| {
-                parts.enter(table, format!("{word} {number}"), Part::Flexible(index))
-            })
-            .collect();
-        let springs = springs.iter().map(|table| parts.enter_named(table, Part::Spring).unwrap_or_default());
-        let springs = springs.collect();
-        let mut register = Register { owners: HashMap::new(), problems };
-        let forces = forces.iter().enumerate();
-        let forces = forces
-            .map(|(index, force)| register.enter(&force.table, format!("force {}", index + 1), ()))
-            .collect();
-        Self {
-            points,
-            springs,
-            hinged,
-            ellipsoids,
-            surfaces,
-            networks,
-            rotors,
-            wheels,
-            cavities,
-            flexible,
-            nodes: Vec::new(),
-            places: Vec::new(),
-            forces,
-            parts,
+    /// Reads the names of elements; one without gets a name from its number, such as `point 1`, where its kind needs names.
+    pub(super) fn new(opened: &[Opened<'_>], problems: &'a Problems<'a>) -> Self {
+        let given: Vec<String> = opened.iter().map(name).collect();
+        let mut of: HashMap<ElementKind, Vec<String>> = HashMap::new();
+        for (opened, name) in opened.iter().zip(&given) {
+            opened.reader.kind.into_iter().for_each(|kind| of.entry(kind).or_default().push(name.clone()));
         }
+        let mut parts = Register { owners: HashMap::new(), problems };
+        let mut apart: HashMap<&str, Register<'_, ()>> = HashMap::new();
+        let mut in_order: Vec<_> = opened.iter().zip(&given).filter(|(_, name)| !name.is_empty()).collect();
+        in_order.sort_by_key(|(opened, _)| opened.table.header().start);
+        for (Opened { reader, index, table, .. }, name) in in_order {
+            let span = table.get("name").map_or_else(|| table.header(), |value| value.span());
+            match reader.naming {
+                Naming::Apart(word) => {
+                    let register = || Register { owners: HashMap::new(), problems };
+                    apart.entry(word).or_insert_with(register).claim(name, span, ());
+                }
+                _ => parts.claim(name, span, (reader.names)(*index)),
+            }
+        }
+        Self { given, of, nodes: HashMap::new(), places: HashMap::new(), parts }
+    }
+
+    /// Name of the element of a table, by number of the table.
+    pub(super) fn given(&self, table: usize) -> &str {
+        &self.given[table]
+    }
+
+    /// Names of the elements of a kind.
+    fn all(&self, kind: ElementKind) -> &[String] {
+        self.of.get(&kind).map_or(&[], Vec::as_slice)
     }
 
     /// What a spring or force is fixed to.
@@ -188,14 +146,15 @@ impl<'a> Names<'a> {
                 Some(format!("write {CARRIER:?}")),
             ),
             None if self.parts.problems.full() => None,
-            None if self.points.is_empty() => value.refuse(
+            None if self.all(ElementKind::Point).is_empty() => value.refuse(
                 format!("there is no point {name:?}"),
                 "unknown point",
                 Some(format!("the file has no [[point]]; {}", what.rule())),
             ),
             None => {
-                let names = || [CARRIER].into_iter().chain(self.points.iter().map(String::as_str));
-                let count = self.points.len() + 1;
+                let names =
+                    || [CARRIER].into_iter().chain(self.all(ElementKind::Point).iter().map(String::as_str));
+                let count = self.all(ElementKind::Point).len() + 1;
                 let help = suggestion(name, names, count);
                 value.refuse(format!("there is no point {name:?}"), "unknown point", Some(help))
             }
@@ -210,7 +169,7 @@ impl<'a> Names<'a> {
             let table = value.table("the place on an appendage", &NODES)?;
             let node = table.required("node", "node = \"tip\"")?;
             let name = node.text()?;
-            let places = self.places.get(hinged)?;
+            let places = self.places.get(&hinged)?;
             if let Some(place) = places.iter().position(|place| place == name) {
                 return Some(End::Hinged(PlaceRef { hinged, place }));
             }
@@ -219,16 +178,11 @@ impl<'a> Names<'a> {
                 0 => format!("add places = {{ {name} = [...] }} to its [[hinged]]"),
                 count => suggestion(name, names, count),
             };
-            let message = format!("there is no place {name:?} on {:?}", self.hinged[hinged]);
+            let message =
+                format!("there is no place {name:?} on {:?}", self.all(ElementKind::Hinged)[hinged]);
             node.refuse(message, "unknown place", Some(help))
         };
         Some(read())
-    }
-
-    /// Notes the places on appendages.
-    pub(super) fn note_places<'h>(&mut self, hinged: impl Iterator<Item = Option<&'h Hinged>>) {
-        let names = |hinged: &Hinged| hinged.places.iter().map(|(name, _)| name.clone()).collect();
-        self.places = hinged.map(|hinged| hinged.map(names).unwrap_or_default()).collect();
     }
 
     /// The nodes that a table such as `{ part = "boom", node = "tip" }` names, with the index of their part.
@@ -238,8 +192,8 @@ impl<'a> Names<'a> {
         let part = match self.parts.owner(name.text()?) {
             Some(Part::Flexible(index)) => index,
             _ => {
-                let names = || self.flexible.iter().map(String::as_str);
-                let help = match self.flexible.len() {
+                let names = || self.all(ElementKind::Part).iter().map(String::as_str);
+                let help = match self.all(ElementKind::Part).len() {
                     0 => "the file has no [[beam]], [[panel]] or [[solid]]".to_owned(),
                     count => suggestion(name.text()?, names, count),
                 };
@@ -247,7 +201,7 @@ impl<'a> Names<'a> {
                 return name.refuse(message, "unknown part", Some(help));
             }
         };
-        let nodes = self.nodes.get(part)?;
+        let nodes = self.nodes.get(&part)?;
         match (table.get("node"), table.get("set")) {
             (Some(node), None) => nodes.single(&node).map(|node| (part, vec![node])),
             (None, Some(set)) => nodes.named(&set).map(|nodes| (part, nodes)),
@@ -268,8 +222,9 @@ impl<'a> Names<'a> {
         if self.parts.problems.full() {
             return None;
         }
-        let names = || self.points.iter().chain(&self.hinged).map(String::as_str);
-        let help = match self.points.len() + self.hinged.len() {
+        let (points, hinged) = (self.all(ElementKind::Point), self.all(ElementKind::Hinged));
+        let names = || points.iter().chain(hinged).map(String::as_str);
+        let help = match points.len() + hinged.len() {
             0 => "the file has no [[point]] and no [[hinged]]".to_owned(),
             _ if name == CARRIER => "the rest of the body is displaced from the carrier".to_owned(),
             count => suggestion(name, names, count),
@@ -278,8 +233,14 @@ impl<'a> Names<'a> {
     }
 }
 
-fn every<'t, 'f>(tables: &'t [Table<'f>]) -> Vec<&'t Table<'f>> {
-    tables.iter().collect()
+/// The name that a table gives, or the one made of its number; empty if the kind does without.
+fn name(Opened { reader, number, table, .. }: &Opened<'_>) -> String {
+    let made = match reader.naming {
+        Naming::Numbered(word) | Naming::Apart(word) => format!("{word} {number}"),
+        Naming::Optional => String::new(),
+        Naming::Nameless => return String::new(),
+    };
+    table.get("name").and_then(|value| value.text()).map_or(made, str::to_owned)
 }
 
 /// Names that must differ, each with its owner and place.
@@ -291,23 +252,6 @@ struct Register<'a, T> {
 impl<T: Copy> Register<'_, T> {
     fn owner(&self, name: &str) -> Option<T> {
         self.owners.get(name).map(|(owner, _)| *owner)
-    }
-
-    /// The name that a table gives, or else the one made from its number.
-    fn enter(&mut self, table: &Table<'_>, number: String, owner: T) -> String {
-        let given = table.get("name");
-        let span = given.map_or_else(|| table.header(), |value| value.span());
-        let name = given.and_then(|value| value.text()).map_or(number, str::to_owned);
-        self.claim(&name, span, owner);
-        name
-    }
-
-    /// The name that a table gives, if it gives one.
-    fn enter_named(&mut self, table: &Table<'_>, owner: T) -> Option<String> {
-        let given = table.get("name")?;
-        let name = given.text()?.to_owned();
-        self.claim(&name, given.span(), owner);
-        Some(name)
     }
 
     /// Gives a name, which stands in a place, to its owner.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use quasirigid::elements::{Assembly, ElementId, ElementKind};
+use quasirigid::elements::{Assembly, ElementId};
 
 use super::rheology::Extremes;
 
@@ -13,24 +13,6 @@ pub(super) struct Ranges {
 }
 
 impl Ranges {
-    /// The elements of a kind, which have a rheology each, without their ranges, which are noted.
-    pub(super) fn note<T>(&mut self, kind: ElementKind, elements: Vec<(T, Extremes)>) -> Vec<T> {
-        self.note_several(kind, elements.into_iter().map(|(element, range)| (element, vec![range])))
-    }
-
-    /// The same of elements that may have several.
-    pub(super) fn note_several<T>(
-        &mut self,
-        kind: ElementKind,
-        elements: impl Iterator<Item = (T, Vec<Extremes>)>,
-    ) -> Vec<T> {
-        let noted = elements.enumerate().map(|(index, (element, ranges))| {
-            self.set(kind.at(index), ranges);
-            element
-        });
-        noted.collect()
-    }
-
     /// Notes the ranges of an element.
     pub(super) fn set(&mut self, element: ElementId, ranges: Vec<Extremes>) {
         self.of.insert(element, ranges);

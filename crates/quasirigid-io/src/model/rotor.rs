@@ -1,10 +1,28 @@
-use quasirigid::elements::{Rotor, RotorKind};
+use quasirigid::elements::{ElementKind, Rotor, RotorKind};
 
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const ROTOR: Keys = Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"] };
+pub(super) const READER: Reader = Reader {
+    key: "rotor",
+    title: "[[rotor]]",
+    keys: Keyed::All(&ROTOR),
+    kind: Some(ElementKind::Rotor),
+    naming: Naming::Numbered("rotor"),
+    names: |_| Part::Inside,
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        draft.assembly.rotors.push(rotor(entry.table, entry.name)?);
+        Some(())
+    },
+};
+
+const ROTOR: Keys = Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"] };
 
 /// Reads a `[[rotor]]`.
 pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {

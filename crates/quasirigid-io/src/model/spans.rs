@@ -28,10 +28,9 @@ pub(super) struct ElementSpans {
 }
 
 impl Spans {
-    /// Notes where the elements of a kind stand, in their order.
-    pub(super) fn note(&mut self, kind: ElementKind, spans: impl IntoIterator<Item = ElementSpans>) {
-        let numbered = spans.into_iter().enumerate();
-        self.elements.extend(numbered.map(|(index, spans)| (kind.at(index), spans)));
+    /// Notes where elements stand.
+    pub(super) fn note(&mut self, spans: impl IntoIterator<Item = (ElementId, ElementSpans)>) {
+        self.elements.extend(spans);
     }
 
     /// The place of a value; that of its element where the file leaves the value out; the start of the file where it
@@ -40,7 +39,7 @@ impl Spans {
         let Some(spans) = self.elements.get(&element).or_else(|| self.network(element)) else {
             return 0..0;
         };
-        let key = field.to_string();
+        let key = field.key();
         let value = spans.values.iter().find(|(known, _)| *known == key);
         value.map_or_else(|| spans.header.clone(), |(_, span)| span.clone())
     }

@@ -1,12 +1,30 @@
-use quasirigid::elements::{Coefficient, End, Law, Prestress, Spring};
+use quasirigid::elements::{Coefficient, ElementKind, End, Law, Prestress, Spring};
 
-use super::names::{Fixed, Names};
+use super::names::{Fixed, Names, Part};
+use super::reader::{Keyed, Naming, Reader};
 use super::rheology::{Extremes, Scale, rheology};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const SPRING: Keys = Keys {
+pub(super) const READER: Reader = Reader {
+    key: "spring",
+    title: "[[spring]]",
+    keys: Keyed::All(&SPRING),
+    kind: Some(ElementKind::Spring),
+    naming: Naming::Optional,
+    names: |_| Part::Spring,
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        let (spring, range) = spring(entry.table, entry.name, &draft.names)?;
+        draft.assembly.springs.push(spring);
+        draft.range(ElementKind::Spring, entry, range)
+    },
+};
+
+const SPRING: Keys = Keys {
     known: &[
         "name",
         "from",

@@ -1,9 +1,11 @@
 use std::path::Path;
 
-use quasirigid::elements::Surface;
+use quasirigid::elements::{ElementKind, Surface};
 use quasirigid::math::surface::ClosedSurface;
 
 use super::material::Materials;
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader, Sources};
 use super::rheology::Extremes;
 use super::settings::optional;
 use super::table::{Keys, Table};
@@ -11,7 +13,25 @@ use super::value::Value;
 use crate::mesh::read_triangles;
 use crate::units::Dimension;
 
-pub(super) const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree", "cells"] };
+pub(super) const READER: Reader = Reader {
+    key: "surface",
+    title: "[[surface]]",
+    keys: Keyed::All(&SURFACE),
+    kind: Some(ElementKind::Surface),
+    naming: Naming::Numbered("surface"),
+    names: |_| Part::Throughout,
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let Sources { materials, folder, .. } = draft.sources;
+        let (surface, range) = surface(entry.table, entry.name, materials, folder)?;
+        draft.assembly.surfaces.push(surface);
+        draft.range(ElementKind::Surface, entry, range)
+    },
+};
+
+const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree", "cells"] };
 
 /// Reads a `[[surface]]` with its file, which is looked for beside the model, and its rheology at the ends of the range it is
 /// known to.

@@ -108,16 +108,6 @@ impl<'a> Table<'a> {
         Some(value)
     }
 
-    /// The tables under a key that can stand any number of times, as in `[[point]]`.
-    pub(super) fn tables(
-        &self,
-        key: &'static str,
-        title: &'static str,
-        keys: &'static Keys,
-    ) -> Vec<Table<'a>> {
-        self.several(key, title).iter().filter_map(|item| item.table(title, keys)).collect()
-    }
-
     /// What stands under a key that can stand any number of times.
     pub(super) fn several(&self, key: &'static str, title: &'static str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else {

@@ -1,11 +1,29 @@
-use quasirigid::elements::{Wheel, WheelSpeed};
+use quasirigid::elements::{ElementKind, Wheel, WheelSpeed};
 
 use super::formula::{TIME, formula};
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"] };
+pub(super) const READER: Reader = Reader {
+    key: "wheel",
+    title: "[[wheel]]",
+    keys: Keyed::All(&WHEEL),
+    kind: Some(ElementKind::Wheel),
+    naming: Naming::Numbered("wheel"),
+    names: |_| Part::Inside,
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        draft.assembly.wheels.push(wheel(entry.table, entry.name)?);
+        Some(())
+    },
+};
+
+const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"] };
 const PRESCRIBED: Keys = Keys { known: &["formula"] };
 
 /// Reads a `[[wheel]]`.

@@ -82,7 +82,7 @@ fn block(lines: &str) -> String {
 #[test]
 fn a_node_of_a_solid_carries_no_hinge_and_no_arm() {
     let tip = "from = { part = \"boom\", node = \"tip\" }\n";
-    assert_snapshot!(block(&format!("{tip}to = {{ part = \"block\", node = 1 }}\nhinge = [0, 0, 1]\nstiffness = 1\n")), @r#"model.toml:26:6: `to` of connection 1: "block" node 1 has no rotations, so it can have no hinge; name a face, or three nodes or more"#);
+    assert_snapshot!(block(&format!("{tip}to = {{ part = \"block\", node = 1 }}\nhinge = [0, 0, 1]\nstiffness = 1\n")), @r#"model.toml:26:6: `to` of connection 1: "block" node 1 has no rotations, so no moment acts there; name a face, or three nodes or more"#);
     let other = BOOM
         .replace("\"boom\"", "\"other\"")
         .replace("[1, 0, 0]", "[5, 0, 0]")

@@ -154,24 +154,24 @@ fn what_mechanics_says_of_forces_and_driven_points_is_located() {
     let support = "[support]\nkind = \"prescribed\"\npoint = [0, 0, 0]\nacceleration = [0, 0, 0]\nvelocity = [0, 0, 1]\n";
     let model = read(&format!("{CARRIER}{pull}{push}{support}"));
     let not_positive = || Problem::NotPositive { value: -1.0 };
-    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(0), Field::SemiMajorAxis, not_positive()), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(0), Field::SEMI_MAJOR_AXIS, not_positive()), @r#"
     model.toml:7:58: `semi_major_axis` of force "force 1": -1 is not positive
       write a positive number
     "#);
-    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(0), Field::Node, not_positive()), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(0), Field::NODE, not_positive()), @r#"
     model.toml:5:1: `node` of force "force 1": -1 is not positive
       write a positive number
     "#);
-    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(1), Field::Coefficient, Problem::Driving { value: -1.0 }), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Force.at(1), Field::COEFFICIENT, Problem::Driving { value: -1.0 }), @r#"
     model.toml:10:15: `coefficient` of force "force 2": the coefficient -1 is negative; a drag must not give energy
       write a positive coefficient; the force is opposite to the velocity
     "#);
     let infinite = || Problem::NotFinite { value: f64::INFINITY };
-    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::Velocity, infinite()), @"
+    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::VELOCITY, infinite()), @"
     model.toml:15:12: `velocity` of the support: inf is not a finite number
       write a finite number
     ");
-    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::Position, infinite()), @"
+    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::POSITION, infinite()), @"
     model.toml:11:1: `position` of the support: inf is not a finite number
       write a finite number
     ");
@@ -181,22 +181,22 @@ fn what_mechanics_says_of_forces_and_driven_points_is_located() {
 fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
     let model = model();
     let impossible = Problem::Inertia(InertiaError::Impossible { moments: [1.0, 2.0, 4.0] });
-    assert_snapshot!(diagnosis(&model, ElementId::CARRIER, Field::Inertia, impossible), @r#"
+    assert_snapshot!(diagnosis(&model, ElementId::CARRIER, Field::INERTIA, impossible), @r#"
     model.toml:4:11: `inertia` of the carrier: no body has the principal moments of inertia [1.0, 2.0, 4.0] kg m^2: none may be negative, or exceed the sum of the other two
       check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass
     "#);
     let indefinite = Problem::Indefinite { eigenvalue: -2.5 };
-    assert_snapshot!(diagnosis(&model, ElementKind::Spring.at(0), Field::Stiffness, indefinite), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Spring.at(0), Field::STIFFNESS, indefinite), @r#"
     model.toml:12:13: `stiffness` of spring 1: the smallest eigenvalue is -2.5e0; a spring or dashpot must not give energy
       check the signs; the eigenvalues of the matrix must be zero or positive
     "#);
     let mechanism = Problem::Mechanism { coordinates: "tip.x, tip.y".to_owned() };
-    assert_snapshot!(diagnosis(&model, ElementKind::Point.at(0), Field::Position, mechanism), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Point.at(0), Field::POSITION, mechanism), @r#"
     model.toml:8:12: a mechanism: no spring resists some motion of tip.x, tip.y
       add a spring that resists it, or leave the point less freedom: motion = { line = [x, y, z] }
     "#);
     let massless = Problem::MasslessAxis { axis: 1 };
-    assert_snapshot!(diagnosis(&model, ElementKind::Hinged.at(0), Field::Axes, massless), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Hinged.at(0), Field::AXES, massless), @r#"
     model.toml:19:8: `axes` of appendage "boom": turning about axis 1 moves no mass; leave that axis out
       or give the appendage an inertia about it
     "#);
@@ -205,13 +205,13 @@ fn a_law_of_mechanics_is_cited_at_the_value_that_breaks_it() {
 #[test]
 fn a_value_the_file_leaves_out_is_diagnosed_at_its_table() {
     let model = model();
-    assert_snapshot!(diagnosis(&model, ElementKind::Point.at(0), Field::Motion, Problem::ZeroDirection), @r#"
+    assert_snapshot!(diagnosis(&model, ElementKind::Point.at(0), Field::MOTION, Problem::ZeroDirection), @r#"
     model.toml:5:1: `motion` of point "tip": a direction of zero length
       write a direction such as [0, 0, 1]; its length does not matter
     "#);
     let moments = [0.0, 0.0, 1.0];
     let no_inertia = Problem::NoInertia { moments, held: false };
-    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::FixedPoint, no_inertia), @r#"
+    assert_snapshot!(diagnosis(&model, ElementId::SUPPORT, Field::FIXED_POINT, no_inertia), @r#"
     model.toml:1:1: the whole body has no inertia about some axis (principal moments [0.0, 0.0, 1.0] kg m^2)
       check the masses and the inertia of the carrier
     "#);
@@ -221,7 +221,7 @@ fn a_value_the_file_leaves_out_is_diagnosed_at_its_table() {
 fn several_errors_stand_in_the_order_of_the_file() {
     let error =
         |element, field| ElementError { element, field, problem: Problem::NotFinite { value: f64::NAN } };
-    let errors = [error(ElementKind::Hinged.at(0), Field::Mass), error(ElementId::CARRIER, Field::Mass)];
+    let errors = [error(ElementKind::Hinged.at(0), Field::MASS), error(ElementId::CARRIER, Field::MASS)];
     let ModelError::Invalid { diagnostics, model } = model().diagnose_all(&errors) else {
         panic!("a listing");
     };

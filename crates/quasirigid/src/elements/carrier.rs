@@ -18,10 +18,10 @@ pub struct Carrier {
 
 impl Carrier {
     pub(super) fn piece(&self) -> Result<Piece, ElementError> {
-        coefficient::mass(self.mass).map_err(at(ElementId::CARRIER, Field::Mass))?;
-        coefficient::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CenterOfMass))?;
+        coefficient::mass(self.mass).map_err(at(ElementId::CARRIER, Field::MASS))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CENTER_OF_MASS))?;
         let inertia = Inertia::new(self.inertia)
-            .map_err(|error| at(ElementId::CARRIER, Field::Inertia)(error.into()))?;
+            .map_err(|error| at(ElementId::CARRIER, Field::INERTIA)(error.into()))?;
         Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
     }
 

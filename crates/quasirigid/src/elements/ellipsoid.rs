@@ -2,14 +2,15 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::error::{ElementError, ElementKind, Field, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, at};
 use super::material::Material;
 use super::matrices::Block;
-use super::whole::Whole;
-use super::{coefficient, moment};
+use super::whole::{Whole, WholeBody};
+use super::{Assembly, Incomplete, Reduction, coefficient, moment};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology};
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///
@@ -47,16 +48,13 @@ const ODD: [f64; 6] = [1.0, 1.0, 3.0, 15.0, 105.0, 945.0];
 
 impl Ellipsoid {
     /// The body.
-    ///
-    /// # Errors
-    /// [`ElementError`] for a value that no ellipsoid has.
-    pub fn body(&self, index: usize) -> Result<FlexibleBody, ElementError> {
-        self.check(index)?;
+    fn body(&self, place: ElementId) -> Result<FlexibleBody, ElementError> {
+        self.check_values(place)?;
         let shapes = self.shapes();
         let coordinate =
             |shape: &Shape| Coordinate { name: format!("\"{}\" {}", self.name, shape.name), unit: "m" };
         let whole = Whole {
-            place: ElementKind::Ellipsoid.at(index),
+            place,
             center: self.center,
             invariants: self.invariants(&shapes),
             block: self.block(&shapes),
@@ -67,13 +65,12 @@ impl Ellipsoid {
     }
 
     /// Everything wrong with its values, the first of it.
-    pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = ElementKind::Ellipsoid.at(index);
+    fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.semi_axes
             .iter()
             .try_for_each(|axis| coefficient::positive(*axis))
-            .map_err(at(place, Field::SemiAxes))?;
-        coefficient::finite(&self.center).map_err(at(place, Field::Center))?;
+            .map_err(at(place, Field::SEMI_AXES))?;
+        coefficient::finite(&self.center).map_err(at(place, Field::CENTER))?;
         self.material.check(place)
     }
 
@@ -279,4 +276,38 @@ fn letter(axis: usize) -> char {
 
 fn monomial(exponents: [usize; 3]) -> String {
     (0..3).flat_map(|axis| std::iter::repeat_n(letter(axis), exponents[axis])).collect()
+}
+
+impl Element for Ellipsoid {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn is_unique(&self) -> bool {
+        false
+    }
+
+    fn role(&self) -> Role {
+        Role::Whole
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.check_values(id).err().into_iter().collect()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        vec![Incomplete::Ellipsoids]
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        vec![&mut self.material.rheology]
+    }
+
+    fn homogeneous(&self) -> Option<&Material> {
+        Some(&self.material)
+    }
+
+    fn whole(&self, id: ElementId, _: Reduction, _: bool) -> Result<Option<WholeBody>, ElementError> {
+        Ok(Some(WholeBody { body: self.body(id)?, condensation: None, resolution: None }))
+    }
 }

@@ -1,36 +1,58 @@
-//! What the laws of external forces may say.
+//! External forces as elements: checks of their laws.
 
-use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use super::element::{Element, Grip, Role};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::{Assembly, Station, coefficient};
 use crate::model::force::{Force, Law, MagneticField, Orbit, Wave};
 
+impl Element for Force<Station> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn is_unique(&self) -> bool {
+        false
+    }
+
+    fn role(&self) -> Role {
+        Role::External
+    }
+
+    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
+        check(id, self, body).err().into_iter().collect()
+    }
+
+    fn grips(&self) -> Vec<Grip> {
+        self.law.place().map(|station| Grip::force(Field::ON, station.on)).into_iter().collect()
+    }
+}
+
 /// Accepts a force on a body.
-pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
-    let place = ElementKind::Force.at(index);
+pub(super) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
     let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
     if let Some(station) = force.law.place() {
         station.check(place, body)?;
     }
     match &force.law {
-        Law::UniformGravity { acceleration } => finite(Field::Acceleration, acceleration),
+        Law::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
         Law::CentralGravity { orbit } => on_orbit(place, orbit),
         Law::Drag { coefficient, .. } | Law::SpinDrag { coefficient } => {
-            not_driving(*coefficient).map_err(at(place, Field::Coefficient))
+            not_driving(*coefficient).map_err(at(place, Field::COEFFICIENT))
         }
         Law::Torque { torque, wave, .. } => {
-            finite(Field::Torque, torque)?;
+            finite(Field::TORQUE, torque)?;
             varying(place, wave)
         }
         Law::Thrust { force, wave, .. } => {
-            finite(Field::Force, force)?;
+            finite(Field::FORCE, force)?;
             varying(place, wave)
         }
         Law::MagneticDipole { moment, field } => {
-            finite(Field::Moment, moment)?;
+            finite(Field::MOMENT, moment)?;
             match field {
-                MagneticField::Uniform(field) => finite(Field::MagneticField, field),
+                MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
                 MagneticField::Dipole { strength, orbit } => {
-                    finite(Field::Dipole, strength)?;
+                    finite(Field::DIPOLE, strength)?;
                     on_orbit(place, orbit)
                 }
             }
@@ -40,21 +62,21 @@ pub(super) fn check(index: usize, force: &Force<Station>, body: &Assembly) -> Re
 }
 
 fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
-    coefficient::positive(orbit.parameter).map_err(at(place, Field::GravitationalParameter))?;
-    coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SemiMajorAxis))?;
-    elliptic(orbit.eccentricity).map_err(at(place, Field::Eccentricity))?;
+    coefficient::positive(orbit.parameter).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
+    coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
+    elliptic(orbit.eccentricity).map_err(at(place, Field::ECCENTRICITY))?;
     let angles = [
-        (Field::Inclination, orbit.inclination),
-        (Field::Node, orbit.node),
-        (Field::Periapsis, orbit.periapsis),
-        (Field::MeanAnomaly, orbit.mean_anomaly),
+        (Field::INCLINATION, orbit.inclination),
+        (Field::NODE, orbit.node),
+        (Field::PERIAPSIS, orbit.periapsis),
+        (Field::MEAN_ANOMALY, orbit.mean_anomaly),
     ];
     angles.into_iter().try_for_each(|(field, angle)| coefficient::finite(&[angle]).map_err(at(place, field)))
 }
 
 fn varying(place: ElementId, wave: &Wave) -> Result<(), ElementError> {
-    coefficient::finite(&[wave.frequency]).map_err(at(place, Field::Frequency))?;
-    coefficient::finite(&[wave.phase]).map_err(at(place, Field::Phase))
+    coefficient::finite(&[wave.frequency]).map_err(at(place, Field::FREQUENCY))?;
+    coefficient::finite(&[wave.phase]).map_err(at(place, Field::PHASE))
 }
 
 fn not_driving(value: f64) -> Result<(), Problem> {

@@ -2,9 +2,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
-use super::coefficient;
-use super::error::{ElementError, ElementKind, Field, Problem, at};
+use super::element::{Element, Role, Site};
+use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::matrices::Block;
+use super::{Assembly, Incomplete, coefficient};
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
 
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
@@ -37,7 +38,7 @@ pub struct Hinged {
 }
 
 /// A place on a hinged appendage.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PlaceRef {
     /// Index of the appendage.
     pub hinged: usize,
@@ -60,28 +61,28 @@ const INDEPENDENT: f64 = 1e-6;
 const MASSIVE: f64 = 1e-12;
 
 impl Hinged {
-    pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
-        let place = ElementKind::Hinged.at(index);
-        coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
-        coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CenterOfMass))?;
-        coefficient::finite(&self.hinge).map_err(at(place, Field::Hinge))?;
-        let inertia = Inertia::new(self.inertia).map_err(|error| at(place, Field::Inertia)(error.into()))?;
-        let axes = self.unit_axes().map_err(at(place, Field::Axes))?;
+    fn moved(&self, place: ElementId) -> Result<Mover, ElementError> {
+        coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CENTER_OF_MASS))?;
+        coefficient::finite(&self.hinge).map_err(at(place, Field::HINGE))?;
+        let inertia = Inertia::new(self.inertia).map_err(|error| at(place, Field::INERTIA)(error.into()))?;
+        let axes = self.unit_axes().map_err(at(place, Field::AXES))?;
         let hinge = Vector3::from(self.hinge);
         let center = Vector3::from(self.center_of_mass) - hinge;
         let piece = Piece::rigid(self.mass, center, &inertia);
         let shapes: Vec<_> = axes.iter().map(|a| Shape::linear(a.cross_matrix())).collect();
-        moves_mass(&piece, &shapes).map_err(at(place, Field::Axes))?;
+        moves_mass(&piece, &shapes).map_err(at(place, Field::AXES))?;
         Ok(Mover {
             piece,
             base: hinge,
             shapes,
             curvature: curvature(&axes),
+            turns: true,
             coordinates: (1..=axes.len())
                 .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
                 .collect(),
             marker: (self.name.clone(), farthest(&piece, center)),
-            places: self.placed(hinge).map_err(at(place, Field::Places))?,
+            places: self.placed(hinge).map_err(at(place, Field::PLACES))?,
         })
     }
 
@@ -93,19 +94,19 @@ impl Hinged {
         self.places.iter().map(placed).collect()
     }
 
-    pub(super) fn block(&self, index: usize, start: usize) -> Result<Block, ElementError> {
-        let place = ElementKind::Hinged.at(index);
+    /// Stiffness and damping about its axes, whose coordinates start here. (I9)
+    fn about_axes(&self, place: ElementId, start: usize) -> Result<Block, ElementError> {
         let count = self.axes.len();
         if !(1..=3).contains(&count) {
-            return Err(at(place, Field::Axes)(Problem::AxisCount { count }));
+            return Err(at(place, Field::AXES)(Problem::AxisCount { count }));
         }
         let stiffness =
-            coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::Stiffness))?;
-        let damping = coefficient::hinge_matrix(&self.damping, count).map_err(at(place, Field::Damping))?;
+            coefficient::hinge_matrix(&self.stiffness, count).map_err(at(place, Field::STIFFNESS))?;
+        let damping = coefficient::hinge_matrix(&self.damping, count).map_err(at(place, Field::DAMPING))?;
         let rows = |matrix: nalgebra::DMatrix<f64>| {
             matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
         };
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
         Ok(Block {
             name: self.name.clone(),
             rheology: self.rheology.clone(),
@@ -117,7 +118,7 @@ impl Hinged {
 
     /// The hinge with its axes, whose coordinates start here.
     pub(super) fn hinge(&self, index: usize, start: usize) -> Result<Hinge, ElementError> {
-        let axes = self.unit_axes().map_err(at(ElementKind::Hinged.at(index), Field::Axes))?;
+        let axes = self.unit_axes().map_err(at(ElementKind::Hinged.at(index), Field::AXES))?;
         let axes = axes.into_iter().enumerate().map(|(j, axis)| (start + j, axis.into()));
         Ok(Hinge { name: self.name.clone(), axes: axes.collect() })
     }
@@ -131,6 +132,36 @@ impl Hinged {
             _ => return Err(Problem::AxisCount { count: axes.len() }),
         };
         if independence > INDEPENDENT { Ok(axes) } else { Err(Problem::DependentAxes) }
+    }
+}
+
+impl Element for Hinged {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::OnCarrier(Field::HINGE)
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.moved(id).err().into_iter().chain(self.about_axes(id, 0).err()).collect()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        vec![Incomplete::Hinges]
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        vec![&mut self.rheology]
+    }
+
+    fn mover(&self, id: ElementId) -> Result<Option<Mover>, ElementError> {
+        self.moved(id).map(Some)
+    }
+
+    fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+        self.about_axes(site.id, site.start).map(Some)
     }
 }
 

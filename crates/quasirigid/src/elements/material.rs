@@ -30,11 +30,11 @@ impl Material {
 
     /// Accepts the material of an element.
     pub(super) fn check(&self, place: ElementId) -> Result<(), ElementError> {
-        coefficient::positive(self.density).map_err(at(place, Field::Density))?;
-        coefficient::positive(self.young).map_err(at(place, Field::Young))?;
+        coefficient::positive(self.density).map_err(at(place, Field::DENSITY))?;
+        coefficient::positive(self.young).map_err(at(place, Field::YOUNG))?;
         if !(self.poisson > -1.0 && self.poisson < 0.5) {
-            return Err(at(place, Field::Poisson)(Problem::Poisson { value: self.poisson }));
+            return Err(at(place, Field::POISSON)(Problem::Poisson { value: self.poisson }));
         }
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))
     }
 }

@@ -1,3 +1,5 @@
+use nalgebra::{SMatrix, SVector};
+
 use super::ElementError;
 use crate::math::sparse::SparseRows;
 use crate::model::{Dissipator, Lossy, Rheology};
@@ -72,6 +74,27 @@ impl Matrices {
 }
 
 impl Block {
+    /// Law for the displacement of one end relative to another, given per unit of each coordinate that moves them.
+    pub fn between<const N: usize>(
+        name: &str,
+        rheology: &Rheology,
+        moved: &[(usize, SVector<f64, N>)],
+        stiffness: &SMatrix<f64, N, N>,
+        damping: &SMatrix<f64, N, N>,
+    ) -> Self {
+        let form = |matrix: &SMatrix<f64, N, N>| {
+            let row = |e: &SVector<f64, N>| moved.iter().map(|(_, f)| e.dot(&(matrix * f))).collect();
+            moved.iter().map(|(_, e)| row(e)).collect()
+        };
+        Self {
+            name: name.to_owned(),
+            columns: moved.iter().map(|(column, _)| *column).collect(),
+            stiffness: form(stiffness),
+            damping: form(damping),
+            rheology: rheology.clone(),
+        }
+    }
+
     /// Entries of one of its matrices, with their rows and columns in the whole.
     fn entries(&self, matrix: &[Vec<f64>]) -> Entries {
         let rows = self.columns.iter().zip(matrix);

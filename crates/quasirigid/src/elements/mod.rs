@@ -1,12 +1,17 @@
 //! The parts a body is made of, and their assembly into a flexible body.
 
+#[macro_use]
+mod kinds;
+
 mod affine;
 mod assembly;
+mod attachment;
 mod carrier;
 mod cavity;
 mod coefficient;
 mod complete;
 mod compliance;
+mod element;
 mod ellipsoid;
 mod error;
 mod finite;
@@ -29,17 +34,18 @@ mod surface;
 mod wheel;
 mod whole;
 
-pub use assembly::{Assembly, Built, Reduction};
+pub use assembly::{Built, Reduction};
 pub use carrier::Carrier;
 pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
 pub use ellipsoid::Ellipsoid;
-pub use error::{ElementError, ElementId, ElementKind, Field, Problem};
+pub use error::{ElementError, Field, Problem};
 pub use finite::beam::{BeamError, Quantity, Section, SectionShape};
 pub use finite::elasticity::{ElasticityError, Modulus};
 pub use finite::shell::{Constant, ShellError};
 pub use finite::stokes::StokesError;
 pub use hinged::{HingeCoefficient, Hinged, PlaceRef};
+pub use kinds::ElementId;
 pub use material::Material;
 pub use network::Network;
 pub use part::{
@@ -53,3 +59,31 @@ pub use station::Station;
 pub use structure::Condensation;
 pub use surface::{Approximation, Resolution, Surface};
 pub use wheel::{Wheel, WheelSpeed};
+
+use crate::model::Support;
+use crate::model::force::Force;
+
+kinds! {
+    /// Material points.
+    points: Point(Point) = "point";
+    /// Springs and dashpots.
+    springs: Spring(Spring) = "spring";
+    /// Rigid appendages on hinges.
+    hinged: Hinged(Hinged) = "appendage";
+    /// Ellipsoids, each of them a whole body.
+    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid";
+    /// Solids inside closed surfaces, each of them a whole body.
+    surfaces: Surface(Surface) = "surface";
+    /// Parts of finite elements.
+    parts: Part(Part) = "part";
+    /// Joints between parts, and between them and the carrier.
+    connections: Connection(Connection) = "connection";
+    /// Rotors that friction brakes.
+    rotors: Rotor(Rotor) = "rotor";
+    /// Momentum wheels.
+    wheels: Wheel(Wheel) = "wheel";
+    /// Cavities full of liquid.
+    cavities: Cavity(Cavity) = "cavity";
+    /// External forces.
+    forces: Force(Force<Station>) = "force";
+}

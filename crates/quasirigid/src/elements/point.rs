@@ -2,8 +2,9 @@ use nalgebra::Vector3;
 
 use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
-use super::coefficient;
-use super::error::{ElementError, ElementKind, Field, Problem, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, Problem, at};
+use super::{Assembly, coefficient};
 use crate::model::Coordinate;
 
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
@@ -64,17 +65,17 @@ impl Point {
         })
     }
 
-    pub(super) fn mover(&self, index: usize) -> Result<Mover, ElementError> {
-        let place = ElementKind::Point.at(index);
-        coefficient::mass(self.mass).map_err(at(place, Field::Mass))?;
-        coefficient::finite(&self.position).map_err(at(place, Field::Position))?;
-        let directions = self.directions().map_err(at(place, Field::Motion))?;
+    fn moved(&self, place: ElementId) -> Result<Mover, ElementError> {
+        coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
+        coefficient::finite(&self.position).map_err(at(place, Field::POSITION))?;
+        let directions = self.directions().map_err(at(place, Field::MOTION))?;
         let still = vec![Shape::constant(Vector3::zeros()); directions.len()];
         Ok(Mover {
             piece: Piece::point(self.mass),
             base: self.position.into(),
             shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
             curvature: vec![still; directions.len()],
+            turns: false,
             coordinates: directions
                 .iter()
                 .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })
@@ -82,6 +83,24 @@ impl Point {
             marker: (self.name.clone(), Vector3::zeros()),
             places: Vec::new(),
         })
+    }
+}
+
+impl Element for Point {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::Mass
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.moved(id).err().into_iter().collect()
+    }
+
+    fn mover(&self, id: ElementId) -> Result<Option<Mover>, ElementError> {
+        self.moved(id).map(Some)
     }
 }
 

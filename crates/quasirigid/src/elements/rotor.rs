@@ -1,8 +1,9 @@
 use nalgebra::Vector3;
 
-use super::coefficient;
-use super::error::{ElementError, ElementKind, Field, Problem, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::inner::Inner;
+use super::{Assembly, coefficient};
 use crate::model::{Coordinate, Pair};
 
 /// A rotor that friction brakes relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
@@ -36,16 +37,15 @@ pub enum RotorKind {
 }
 
 impl Rotor {
-    pub(super) fn inner(&self, index: usize) -> Result<Inner, ElementError> {
-        let place = ElementKind::Rotor.at(index);
-        coefficient::positive(self.inertia).map_err(at(place, Field::Inertia))?;
-        coefficient::positive(self.friction).map_err(at(place, Field::Friction))?;
-        let axes = self.axes().map_err(at(place, Field::Axis))?;
+    fn turning(&self, place: ElementId) -> Result<Inner, ElementError> {
+        coefficient::positive(self.inertia).map_err(at(place, Field::INERTIA))?;
+        coefficient::positive(self.friction).map_err(at(place, Field::FRICTION))?;
+        let axes = self.axes().map_err(at(place, Field::AXIS))?;
         if let Some(speed) = &self.speed {
-            coefficient::finite(speed).map_err(at(place, Field::Speed))?;
+            coefficient::finite(speed).map_err(at(place, Field::SPEED))?;
             if speed.len() != axes.len() {
                 let problem = Problem::ValuePerAxis { axes: axes.len(), values: speed.len() };
-                return Err(at(place, Field::Speed)(problem));
+                return Err(at(place, Field::SPEED)(problem));
             }
         }
         let name = |(i, _): (usize, &Vector3<f64>)| match self.kind {
@@ -59,7 +59,6 @@ impl Rotor {
         };
         let count = axes.len();
         Ok(Inner {
-            advections: Vec::new(),
             coordinates: axes
                 .iter()
                 .enumerate()
@@ -71,8 +70,8 @@ impl Rotor {
                 .map(|(j, k)| (j, k, pair(j, k)))
                 .collect(),
             friction: vec![(self.name.clone(), (0..count).map(|j| (j, j, self.friction)).collect())],
-            memories: Vec::new(),
             speeds: self.speed.iter().flatten().copied().enumerate().collect(),
+            ..Inner::default()
         })
     }
 
@@ -81,5 +80,23 @@ impl Rotor {
             RotorKind::Flywheel { axis } => Ok(vec![coefficient::unit(axis)?]),
             RotorKind::Sphere => Ok(vec![Vector3::x(), Vector3::y(), Vector3::z()]),
         }
+    }
+}
+
+impl Element for Rotor {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::Inside(Field::AXIS)
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.turning(id).err().into_iter().collect()
+    }
+
+    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Inner>, ElementError> {
+        self.turning(id).map(Some)
     }
 }

@@ -1,5 +1,7 @@
-use super::coefficient;
-use super::error::{ElementError, ElementKind, Field, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, at};
+use super::inner::Inner;
+use super::{Assembly, coefficient};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
 
@@ -34,26 +36,41 @@ pub enum WheelSpeed {
 }
 
 impl Wheel {
-    pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        self.added(index, &mut Wheels::default())
-    }
-
-    /// Adds the wheel to those of a body.
-    pub(super) fn added(&self, index: usize, wheels: &mut Wheels) -> Result<(), ElementError> {
-        let place = ElementKind::Wheel.at(index);
-        let axis = coefficient::unit(self.axis).map_err(at(place, Field::Axis))?;
+    /// The wheel as a part of the motion inside the carrier: an angular momentum that it has at any spin, or a speed over time.
+    fn turning(&self, place: ElementId) -> Result<Wheels, ElementError> {
+        let axis = coefficient::unit(self.axis).map_err(at(place, Field::AXIS))?;
         match &self.speed {
             WheelSpeed::Constant { momentum } => {
-                coefficient::finite(&[*momentum]).map_err(at(place, Field::Momentum))?;
-                let sum = &mut wheels.constant;
-                sum.iter_mut().zip(axis.iter()).for_each(|(sum, axis)| *sum += momentum * axis);
+                coefficient::finite(&[*momentum]).map_err(at(place, Field::MOMENTUM))?;
+                Ok(Wheels { constant: (*momentum * axis).into(), ..Wheels::default() })
             }
             WheelSpeed::Prescribed { inertia, speed } => {
-                coefficient::positive(*inertia).map_err(at(place, Field::Inertia))?;
+                coefficient::positive(*inertia).map_err(at(place, Field::INERTIA))?;
                 let inertia = (*inertia * axis).into();
-                wheels.driven.push(DrivenWheel { inertia, speed: speed.clone() });
+                Ok(Wheels {
+                    driven: vec![DrivenWheel { inertia, speed: speed.clone() }],
+                    ..Wheels::default()
+                })
             }
         }
-        Ok(())
+    }
+}
+
+impl Element for Wheel {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::Inside(Field::AXIS)
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.turning(id).err().into_iter().collect()
+    }
+
+    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Inner>, ElementError> {
+        let wheels = self.turning(id)?;
+        Ok(Some(Inner { wheels, ..Inner::default() }))
     }
 }

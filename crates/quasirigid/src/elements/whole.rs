@@ -1,5 +1,6 @@
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::matrices::{Block, Matrices};
+use super::{Condensation, Resolution};
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
 
 /// A free body that is one element, elastic throughout, in its Tisserand frame.
@@ -11,6 +12,13 @@ pub(super) struct Whole {
     pub block: Block,
     pub coordinates: Vec<Coordinate>,
     pub markers: Vec<Marker>,
+}
+
+/// A body that is one element, with what it took to find it.
+pub(super) struct WholeBody {
+    pub body: FlexibleBody,
+    pub condensation: Option<Condensation>,
+    pub resolution: Option<Resolution>,
 }
 
 impl Whole {
@@ -34,6 +42,6 @@ impl Whole {
             wheels: Wheels::default(),
             markers,
         })
-        .map_err(|error| at(place, Field::Young)(Problem::Mechanism { coordinates: error.coordinates() }))
+        .map_err(|error| at(place, Field::YOUNG)(Problem::Mechanism { coordinates: error.coordinates() }))
     }
 }

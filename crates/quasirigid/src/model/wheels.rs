@@ -30,6 +30,12 @@ impl Wheels {
         self.constant == [0.0; 3] && self.driven.is_empty()
     }
 
+    /// Adds other wheels of the same body.
+    pub fn add(&mut self, other: Self) {
+        self.constant = add(self.constant, other.constant);
+        self.driven.extend(other.driven);
+    }
+
     /// Momentum `k` relative to the body at a time (N·m·s), body axes. (C4)
     #[must_use]
     pub fn momentum<T: Smooth>(&self, t: T) -> [T; 3] {

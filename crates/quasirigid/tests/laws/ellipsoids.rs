@@ -114,11 +114,11 @@ fn what_no_ellipsoid_has_is_refused() {
         assert_eq!(error.element, ElementKind::Ellipsoid.at(0));
         (error.field, error.problem)
     };
-    assert!(matches!(error(|e| e.semi_axes[1] = 0.0), (Field::SemiAxes, Problem::NotPositive { .. })));
-    assert!(matches!(error(|e| e.semi_axes[2] = f64::NAN), (Field::SemiAxes, Problem::NotFinite { .. })));
-    assert!(matches!(error(|e| e.center[0] = f64::INFINITY), (Field::Center, Problem::NotFinite { .. })));
-    assert!(matches!(error(|e| e.material.density = -1.0), (Field::Density, Problem::NotPositive { .. })));
-    assert!(matches!(error(|e| e.material.young = 0.0), (Field::Young, Problem::NotPositive { .. })));
+    assert!(matches!(error(|e| e.semi_axes[1] = 0.0), (Field::SEMI_AXES, Problem::NotPositive { .. })));
+    assert!(matches!(error(|e| e.semi_axes[2] = f64::NAN), (Field::SEMI_AXES, Problem::NotFinite { .. })));
+    assert!(matches!(error(|e| e.center[0] = f64::INFINITY), (Field::CENTER, Problem::NotFinite { .. })));
+    assert!(matches!(error(|e| e.material.density = -1.0), (Field::DENSITY, Problem::NotPositive { .. })));
+    assert!(matches!(error(|e| e.material.young = 0.0), (Field::YOUNG, Problem::NotPositive { .. })));
     for poisson in [0.5, -1.0, 0.7, f64::NAN] {
         let mut ellipsoid = rock();
         ellipsoid.material.poisson = poisson;
@@ -128,7 +128,7 @@ fn what_no_ellipsoid_has_is_refused() {
     let nearly_incompressible = Material { poisson: 0.4999, ..rock().material };
     assert_eq!(body(Ellipsoid { material: nearly_incompressible, ..rock() }).coordinates().len(), 36);
     let flow = |e: &mut Ellipsoid| e.material.rheology = Rheology::Maxwell { time: -3.0 };
-    assert!(matches!(error(flow), (Field::Rheology, Problem::Rheology(_))));
+    assert!(matches!(error(flow), (Field::RHEOLOGY, Problem::Rheology(_))));
 }
 
 #[test]

@@ -298,7 +298,7 @@ fn tensions_that_do_not_balance_are_refused() {
         *prestress = Prestress::Tension(299.0);
     }
     let ElementError { field, problem, .. } = assembly.body().unwrap_err();
-    assert_eq!(field, Field::Tension);
+    assert_eq!(field, Field::TENSION);
     assert!(matches!(problem, Problem::Unbalanced { .. }), "{problem}");
 }
 

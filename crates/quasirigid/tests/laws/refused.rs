@@ -65,56 +65,56 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
     const NAN: f64 = f64::NAN;
     const INFINITE: f64 = f64::INFINITY;
     use Problem::{Inertia, NotFinite};
-    refused!(|a| carrier(a).mass = NAN, ElementId::CARRIER, Field::Mass, NotFinite { .. });
+    refused!(|a| carrier(a).mass = NAN, ElementId::CARRIER, Field::MASS, NotFinite { .. });
     refused!(
         |a| carrier(a).center_of_mass[1] = INFINITE,
         ElementId::CARRIER,
-        Field::CenterOfMass,
+        Field::CENTER_OF_MASS,
         NotFinite { .. }
     );
     refused!(
         |a| carrier(a).inertia[1][2] = NAN,
         ElementId::CARRIER,
-        Field::Inertia,
+        Field::INERTIA,
         Inertia(InertiaError::NotFinite { .. })
     );
-    refused!(|a| a.points[0].mass = INFINITE, ElementKind::Point.at(0), Field::Mass, NotFinite { .. });
-    refused!(|a| a.points[0].position[2] = NAN, ElementKind::Point.at(0), Field::Position, NotFinite { .. });
+    refused!(|a| a.points[0].mass = INFINITE, ElementKind::Point.at(0), Field::MASS, NotFinite { .. });
+    refused!(|a| a.points[0].position[2] = NAN, ElementKind::Point.at(0), Field::POSITION, NotFinite { .. });
     let line = |a: &mut Assembly| a.points[0].motion = Motion::Line([0.0, NAN, 1.0]);
-    refused!(line, ElementKind::Point.at(0), Field::Motion, NotFinite { .. });
+    refused!(line, ElementKind::Point.at(0), Field::MOTION, NotFinite { .. });
     let stiffness = |a: &mut Assembly| spatial(a, Coefficient::Diagonal([1.0, NAN, 1.0]));
-    refused!(stiffness, ElementKind::Spring.at(0), Field::Stiffness, NotFinite { .. });
+    refused!(stiffness, ElementKind::Spring.at(0), Field::STIFFNESS, NotFinite { .. });
     let anchor = |a: &mut Assembly| second(a, End::Point(0), End::Carrier, axial(Some([NAN, 0.0, 0.0])));
     assert!(matches!(error(anchor).unwrap().problem, NotFinite { .. }));
-    refused!(|a| a.hinged[0].mass = NAN, ElementKind::Hinged.at(0), Field::Mass, NotFinite { .. });
+    refused!(|a| a.hinged[0].mass = NAN, ElementKind::Hinged.at(0), Field::MASS, NotFinite { .. });
     refused!(
         |a| a.hinged[0].center_of_mass[0] = NAN,
         ElementKind::Hinged.at(0),
-        Field::CenterOfMass,
+        Field::CENTER_OF_MASS,
         NotFinite { .. }
     );
-    refused!(|a| a.hinged[0].hinge[0] = INFINITE, ElementKind::Hinged.at(0), Field::Hinge, NotFinite { .. });
-    refused!(|a| a.hinged[0].axes[1][0] = NAN, ElementKind::Hinged.at(0), Field::Axes, NotFinite { .. });
+    refused!(|a| a.hinged[0].hinge[0] = INFINITE, ElementKind::Hinged.at(0), Field::HINGE, NotFinite { .. });
+    refused!(|a| a.hinged[0].axes[1][0] = NAN, ElementKind::Hinged.at(0), Field::AXES, NotFinite { .. });
     let damping = |a: &mut Assembly| a.hinged[0].damping = HingeCoefficient::PerAxis(vec![NAN, 1.0]);
-    refused!(damping, ElementKind::Hinged.at(0), Field::Damping, NotFinite { .. });
+    refused!(damping, ElementKind::Hinged.at(0), Field::DAMPING, NotFinite { .. });
     let support = |a: &mut Assembly| a.support = Support::FixedPoint { point: [0.0, NAN, 0.0] };
-    refused!(support, ElementId::SUPPORT, Field::FixedPoint, NotFinite { .. });
+    refused!(support, ElementId::SUPPORT, Field::FIXED_POINT, NotFinite { .. });
 }
 
 #[test]
 fn masses_must_be_positive() {
     for mass in [0.0, -1.0, -0.0] {
-        refused!(|a| carrier(a).mass = mass, ElementId::CARRIER, Field::Mass, Problem::NotAMass { .. });
+        refused!(|a| carrier(a).mass = mass, ElementId::CARRIER, Field::MASS, Problem::NotAMass { .. });
         refused!(
             |a| a.points[0].mass = mass,
             ElementKind::Point.at(0),
-            Field::Mass,
+            Field::MASS,
             Problem::NotAMass { .. }
         );
         refused!(
             |a| a.hinged[0].mass = mass,
             ElementKind::Hinged.at(0),
-            Field::Mass,
+            Field::MASS,
             Problem::NotAMass { .. }
         );
     }
@@ -145,7 +145,7 @@ fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
     refused!(
         |a| a.hinged[0].inertia[0][0] = 1.0,
         ElementKind::Hinged.at(0),
-        Field::Inertia,
+        Field::INERTIA,
         Problem::Inertia(InertiaError::Impossible { .. })
     );
 }
@@ -153,17 +153,17 @@ fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
 #[test]
 fn directions_need_a_length() {
     let motion = |motion: Motion| move |a: &mut Assembly| a.points[0].motion = motion;
-    refused!(motion(Motion::Line([0.0; 3])), ElementKind::Point.at(0), Field::Motion, Problem::ZeroDirection);
+    refused!(motion(Motion::Line([0.0; 3])), ElementKind::Point.at(0), Field::MOTION, Problem::ZeroDirection);
     refused!(
         motion(Motion::Plane([0.0; 3])),
         ElementKind::Point.at(0),
-        Field::Motion,
+        Field::MOTION,
         Problem::ZeroDirection
     );
     refused!(
         |a| a.hinged[0].axes[0] = [0.0; 3],
         ElementKind::Hinged.at(0),
-        Field::Axes,
+        Field::AXES,
         Problem::ZeroDirection
     );
     assert_eq!(error(motion(Motion::Line([0.0, 1e-300, 0.0]))), None);
@@ -177,19 +177,19 @@ fn coefficients_must_be_symmetric_and_take_energy() {
             spatial(a, Coefficient::Full([[9.0, entry, 0.0], [mirror, 9.0, 0.0], [0.0, 0.0, 9.0]]));
         }
     };
-    refused!(full(1.0, 2.0), ElementKind::Spring.at(0), Field::Stiffness, Problem::NotSymmetric { .. });
+    refused!(full(1.0, 2.0), ElementKind::Spring.at(0), Field::STIFFNESS, Problem::NotSymmetric { .. });
     refused!(
         full(1.0, 1.0 + 2e-11),
         ElementKind::Spring.at(0),
-        Field::Stiffness,
+        Field::STIFFNESS,
         Problem::NotSymmetric { .. }
     );
     assert_eq!(error(full(1.0, 1.0 + 5e-12)), None);
-    refused!(full(9.1, 9.1), ElementKind::Spring.at(0), Field::Stiffness, Problem::Indefinite { .. });
+    refused!(full(9.1, 9.1), ElementKind::Spring.at(0), Field::STIFFNESS, Problem::Indefinite { .. });
     refused!(
         |a| a.springs[0].law = axial(Some([0.0; 3])).with_stiffness(-1.0),
         ElementKind::Spring.at(0),
-        Field::Stiffness,
+        Field::STIFFNESS,
         Problem::Indefinite { .. }
     );
     let damping = |value: f64| {
@@ -199,7 +199,7 @@ fn coefficients_must_be_symmetric_and_take_energy() {
     };
     // Smallest eigenvalue 1 − value against 1e-12 of the largest entry.
     assert_eq!(error(damping(1.0 + 0.5e-12)), None);
-    refused!(damping(1.0 + 3e-12), ElementKind::Hinged.at(0), Field::Damping, Problem::Indefinite { .. });
+    refused!(damping(1.0 + 3e-12), ElementKind::Hinged.at(0), Field::DAMPING, Problem::Indefinite { .. });
 }
 
 trait WithStiffness {
@@ -218,25 +218,25 @@ fn springs_need_two_ends_and_axial_ones_a_line() {
     let (point, carrier) = (End::Point(0), End::Carrier);
     let place = wobbler::assembly().points[0].position;
     let with = |from: End, to: End, law: Law| move |a: &mut Assembly| second(a, from, to, law);
-    refused!(with(point, point, axial(None)), ElementKind::Spring.at(1), Field::To, Problem::SameEnds);
-    refused!(with(carrier, carrier, axial(None)), ElementKind::Spring.at(1), Field::To, Problem::SameEnds);
+    refused!(with(point, point, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
+    refused!(with(carrier, carrier, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
     let isotropic =
         Law::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
     refused!(
         with(carrier, End::Point(7), isotropic),
         ElementKind::Spring.at(1),
-        Field::To,
+        Field::TO,
         Problem::NoSuchPoint { index: 7 }
     );
     refused!(
         with(End::Point(1), carrier, axial(None)),
         ElementKind::Spring.at(1),
-        Field::From,
+        Field::FROM,
         Problem::NoSuchPoint { .. }
     );
-    refused!(with(point, carrier, axial(None)), ElementKind::Spring.at(1), Field::To, Problem::NoAnchor);
-    refused!(with(carrier, point, axial(None)), ElementKind::Spring.at(1), Field::From, Problem::NoAnchor);
-    refused!(with(point, carrier, axial(Some(place))), ElementKind::Spring.at(1), Field::To, Problem::NoLine);
+    refused!(with(point, carrier, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::NoAnchor);
+    refused!(with(carrier, point, axial(None)), ElementKind::Spring.at(1), Field::FROM, Problem::NoAnchor);
+    refused!(with(point, carrier, axial(Some(place))), ElementKind::Spring.at(1), Field::TO, Problem::NoLine);
     assert_eq!(error(with(point, carrier, axial(Some([0.0; 3])))), None);
 }
 
@@ -260,18 +260,18 @@ fn hinges_have_one_to_three_independent_axes_that_move_mass() {
         rod(&mut assembly, vec![y; count]);
         assert_eq!(assembly.body().unwrap_err().problem, Problem::AxisCount { count });
     }
-    refused!(with(vec![y, [0.0, -2.0, 0.0]]), ElementKind::Hinged.at(0), Field::Axes, Problem::DependentAxes);
+    refused!(with(vec![y, [0.0, -2.0, 0.0]]), ElementKind::Hinged.at(0), Field::AXES, Problem::DependentAxes);
     refused!(
         with(vec![y, z, [0.0, 1.0, 1.0]]),
         ElementKind::Hinged.at(0),
-        Field::Axes,
+        Field::AXES,
         Problem::DependentAxes
     );
     // Independent if the sine of the angle is above 1e-6.
     refused!(
         with(vec![y, [0.0, 1.0, 0.9e-6]]),
         ElementKind::Hinged.at(0),
-        Field::Axes,
+        Field::AXES,
         Problem::DependentAxes
     );
     let assembly = |axes: Vec<[f64; 3]>| {
@@ -284,13 +284,13 @@ fn hinges_have_one_to_three_independent_axes_that_move_mass() {
     refused!(
         with(vec![[1.0, 0.0, 0.0]]),
         ElementKind::Hinged.at(0),
-        Field::Axes,
+        Field::AXES,
         Problem::MasslessAxis { axis: 1 }
     );
     refused!(
         with(vec![y, [1.0, 0.0, 0.9e-6]]),
         ElementKind::Hinged.at(0),
-        Field::Axes,
+        Field::AXES,
         Problem::MasslessAxis { axis: 2 }
     );
     assert_eq!(assembly(vec![y, [1.0, 0.0, 1.1e-6]]), []);
@@ -298,18 +298,18 @@ fn hinges_have_one_to_three_independent_axes_that_move_mass() {
     refused!(
         values,
         ElementKind::Hinged.at(0),
-        Field::Stiffness,
+        Field::STIFFNESS,
         Problem::ValuePerAxis { axes: 2, values: 1 }
     );
     let ragged =
         |a: &mut Assembly| a.hinged[0].damping = HingeCoefficient::Full(vec![vec![1.0, 0.0], vec![0.0]]);
-    refused!(ragged, ElementKind::Hinged.at(0), Field::Damping, Problem::ValuePerAxis { axes: 2, values: 1 });
+    refused!(ragged, ElementKind::Hinged.at(0), Field::DAMPING, Problem::ValuePerAxis { axes: 2, values: 1 });
 }
 
 #[test]
 fn names_are_unique_among_points_and_appendages() {
     let name = |a: &mut Assembly| a.hinged[0].name = "mass".into();
-    assert_eq!(place_of(name), (ElementKind::Hinged.at(0), Field::Name));
+    assert_eq!(place_of(name), (ElementKind::Hinged.at(0), Field::NAME));
     assert!(matches!(error(name).unwrap().problem, Problem::DuplicateName { name } if name == "mass"));
 }
 
@@ -325,8 +325,8 @@ fn a_body_without_inertia_about_some_axis_is_refused() {
             carrier(a).inertia = [[across, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         }
     };
-    refused!(needle(0.0), ElementId::CARRIER, Field::Inertia, Problem::NoInertia { .. });
-    refused!(needle(1.4e-8), ElementId::CARRIER, Field::Inertia, Problem::NoInertia { .. });
+    refused!(needle(0.0), ElementId::CARRIER, Field::INERTIA, Problem::NoInertia { .. });
+    refused!(needle(1.4e-8), ElementId::CARRIER, Field::INERTIA, Problem::NoInertia { .. });
     assert_eq!(error(needle(1.6e-8)), None);
 }
 
@@ -354,7 +354,7 @@ fn a_floating_line_of_points_is_refused() {
         Assembly { points, springs, ..Assembly::default() }.body()
     };
     let error = floating(0.0).unwrap_err();
-    assert_eq!((error.element, error.field), (ElementKind::Point.at(0), Field::Inertia));
+    assert_eq!((error.element, error.field), (ElementKind::Point.at(0), Field::INERTIA));
     assert!(matches!(error.problem, Problem::NoInertia { .. }), "{error}");
     assert!(floating(0.1).is_ok());
 }

@@ -55,17 +55,17 @@ fn amplitudes_that_are_not_finite_are_refused() {
     let torque = |torque, wave| Law::Torque { torque, axes: Axes::Body, wave };
     let thrust = |force, wave| Law::Thrust { at: POINT, force, axes: Axes::Inertial, wave };
     let magnet = |moment, field| Law::MagneticDipole { moment, field };
-    refused!(Law::UniformGravity { acceleration: BAD }, Field::Acceleration, NotFinite { .. });
-    refused!(torque(BAD, STEADY), Field::Torque, NotFinite { .. });
-    refused!(thrust(BAD, STEADY), Field::Force, NotFinite { .. });
-    refused!(thrust(GOOD, Wave { frequency: NAN, phase: 0.0 }), Field::Frequency, NotFinite { .. });
-    refused!(torque(GOOD, Wave { frequency: 1.0, phase: NAN }), Field::Phase, NotFinite { .. });
-    refused!(magnet(BAD, MagneticField::Uniform(GOOD)), Field::Moment, NotFinite { .. });
-    refused!(magnet(GOOD, MagneticField::Uniform(BAD)), Field::MagneticField, NotFinite { .. });
+    refused!(Law::UniformGravity { acceleration: BAD }, Field::ACCELERATION, NotFinite { .. });
+    refused!(torque(BAD, STEADY), Field::TORQUE, NotFinite { .. });
+    refused!(thrust(BAD, STEADY), Field::FORCE, NotFinite { .. });
+    refused!(thrust(GOOD, Wave { frequency: NAN, phase: 0.0 }), Field::FREQUENCY, NotFinite { .. });
+    refused!(torque(GOOD, Wave { frequency: 1.0, phase: NAN }), Field::PHASE, NotFinite { .. });
+    refused!(magnet(BAD, MagneticField::Uniform(GOOD)), Field::MOMENT, NotFinite { .. });
+    refused!(magnet(GOOD, MagneticField::Uniform(BAD)), Field::MAGNETIC_FIELD, NotFinite { .. });
     let dipole = |strength, orbit| magnet(GOOD, MagneticField::Dipole { strength, orbit });
-    refused!(dipole(BAD, ORBIT), Field::Dipole, NotFinite { .. });
+    refused!(dipole(BAD, ORBIT), Field::DIPOLE, NotFinite { .. });
     let low = Orbit { semi_major_axis: 0.0, ..ORBIT };
-    refused!(dipole(GOOD, low), Field::SemiMajorAxis, Problem::NotPositive { .. });
+    refused!(dipole(GOOD, low), Field::SEMI_MAJOR_AXIS, Problem::NotPositive { .. });
     for law in [
         Law::UniformGravity { acceleration: [0.0; 3] },
         torque(GOOD, Wave { frequency: -1.0, phase: -9.0 }),
@@ -80,10 +80,10 @@ fn amplitudes_that_are_not_finite_are_refused() {
 fn a_drag_must_not_drive() {
     for value in [-1e-300, -1.0] {
         let drag = Law::Drag { at: CARRIER, coefficient: value };
-        refused!(drag, Field::Coefficient, Problem::Driving { .. });
-        refused!(Law::SpinDrag { coefficient: value }, Field::Coefficient, Problem::Driving { .. });
+        refused!(drag, Field::COEFFICIENT, Problem::Driving { .. });
+        refused!(Law::SpinDrag { coefficient: value }, Field::COEFFICIENT, Problem::Driving { .. });
     }
-    refused!(Law::Drag { at: POINT, coefficient: NAN }, Field::Coefficient, Problem::NotFinite { .. });
+    refused!(Law::Drag { at: POINT, coefficient: NAN }, Field::COEFFICIENT, Problem::NotFinite { .. });
     assert_eq!(error(Law::Drag { at: CARRIER, coefficient: 0.0 }), None);
 }
 
@@ -92,24 +92,24 @@ fn an_orbit_is_an_ellipse_about_something() {
     let on = |orbit| Law::CentralGravity { orbit };
     for value in [0.0, -1.0] {
         let centre = Orbit { parameter: value, ..ORBIT };
-        refused!(on(centre), Field::GravitationalParameter, Problem::NotPositive { .. });
+        refused!(on(centre), Field::GRAVITATIONAL_PARAMETER, Problem::NotPositive { .. });
         let size = Orbit { semi_major_axis: value, ..ORBIT };
-        refused!(on(size), Field::SemiMajorAxis, Problem::NotPositive { .. });
+        refused!(on(size), Field::SEMI_MAJOR_AXIS, Problem::NotPositive { .. });
     }
     for eccentricity in [-1e-9, 1.0, 1.5] {
-        refused!(on(Orbit { eccentricity, ..ORBIT }), Field::Eccentricity, Problem::NotElliptic { .. });
+        refused!(on(Orbit { eccentricity, ..ORBIT }), Field::ECCENTRICITY, Problem::NotElliptic { .. });
     }
     for eccentricity in [0.0, 1.0 - f64::EPSILON] {
         assert_eq!(error(on(Orbit { eccentricity, ..ORBIT })), None);
     }
     let not_finite = [
-        (Orbit { parameter: NAN, ..ORBIT }, Field::GravitationalParameter),
-        (Orbit { semi_major_axis: f64::INFINITY, ..ORBIT }, Field::SemiMajorAxis),
-        (Orbit { eccentricity: NAN, ..ORBIT }, Field::Eccentricity),
-        (Orbit { inclination: NAN, ..ORBIT }, Field::Inclination),
-        (Orbit { node: NAN, ..ORBIT }, Field::Node),
-        (Orbit { periapsis: NAN, ..ORBIT }, Field::Periapsis),
-        (Orbit { mean_anomaly: NAN, ..ORBIT }, Field::MeanAnomaly),
+        (Orbit { parameter: NAN, ..ORBIT }, Field::GRAVITATIONAL_PARAMETER),
+        (Orbit { semi_major_axis: f64::INFINITY, ..ORBIT }, Field::SEMI_MAJOR_AXIS),
+        (Orbit { eccentricity: NAN, ..ORBIT }, Field::ECCENTRICITY),
+        (Orbit { inclination: NAN, ..ORBIT }, Field::INCLINATION),
+        (Orbit { node: NAN, ..ORBIT }, Field::NODE),
+        (Orbit { periapsis: NAN, ..ORBIT }, Field::PERIAPSIS),
+        (Orbit { mean_anomaly: NAN, ..ORBIT }, Field::MEAN_ANOMALY),
     ];
     for (orbit, field) in not_finite {
         refused!(on(orbit), field, Problem::NotFinite { .. });
@@ -119,11 +119,11 @@ fn an_orbit_is_an_ellipse_about_something() {
 #[test]
 fn a_force_acts_somewhere() {
     let drag = |on, at| Law::Drag { at: Station { on, at }, coefficient: 1.0 };
-    refused!(drag(End::Carrier, None), Field::At, Problem::NoStation);
-    refused!(drag(End::Carrier, Some(BAD)), Field::At, Problem::NotFinite { .. });
-    refused!(drag(End::Point(0), Some(GOOD)), Field::At, Problem::StationOnPoint);
+    refused!(drag(End::Carrier, None), Field::AT, Problem::NoStation);
+    refused!(drag(End::Carrier, Some(BAD)), Field::AT, Problem::NotFinite { .. });
+    refused!(drag(End::Point(0), Some(GOOD)), Field::AT, Problem::StationOnPoint);
     let points = wobbler::assembly().points.len();
-    refused!(drag(End::Point(points), None), Field::On, Problem::NoSuchPoint { .. });
+    refused!(drag(End::Point(points), None), Field::ON, Problem::NoSuchPoint { .. });
     assert_eq!(error(drag(End::Point(points - 1), None)), None);
 }
 
@@ -137,8 +137,8 @@ fn the_start_of_a_driven_pole_is_finite() {
         assert_eq!(assembly.check().first(), error.as_ref());
         error.map(|error| (error.element, error.field))
     };
-    assert_eq!(driven(BAD, GOOD), Some((ElementId::SUPPORT, Field::Velocity)));
-    assert_eq!(driven(GOOD, BAD), Some((ElementId::SUPPORT, Field::Position)));
+    assert_eq!(driven(BAD, GOOD), Some((ElementId::SUPPORT, Field::VELOCITY)));
+    assert_eq!(driven(GOOD, BAD), Some((ElementId::SUPPORT, Field::POSITION)));
     assert_eq!(driven(GOOD, GOOD), None);
 }
 

@@ -170,7 +170,7 @@ fn a_degree_that_is_not_offered_is_refused() {
             cells: None,
         };
         let error = Assembly { surfaces: vec![surface], ..Assembly::default() }.body().unwrap_err();
-        assert_eq!((error.element, error.field), (ElementKind::Surface.at(0), Field::Degree));
+        assert_eq!((error.element, error.field), (ElementKind::Surface.at(0), Field::DEGREE));
         assert!(matches!(error.problem, Problem::Degree { .. }), "{error}");
     }
 }

@@ -207,7 +207,7 @@ fn a_region_of_cells_that_are_not_there_is_refused() {
     let part = solid(mesh, &regions, clamped);
     let assembly = Assembly { carrier: Some(carrier()), parts: vec![part], ..Assembly::default() };
     let error = assembly.body().unwrap_err();
-    assert_eq!((error.element, error.field), (ElementKind::Part.at(0), Field::Material));
+    assert_eq!((error.element, error.field), (ElementKind::Part.at(0), Field::MATERIAL));
     assert_eq!(error.problem, Problem::NoSuchCell { index: 2, count: 2 });
 }
 
@@ -227,6 +227,6 @@ fn a_mass_at_a_node_of_a_solid_has_no_inertia() {
     let gained = with(0.0).unwrap().invariants().mass - bare.body().unwrap().invariants().mass;
     assert!((gained - 2.5).abs() < 1e-12, "{gained}");
     let error = with(0.1).unwrap_err();
-    assert_eq!((error.element, error.field), (ElementKind::Part.at(0), Field::Masses));
+    assert_eq!((error.element, error.field), (ElementKind::Part.at(0), Field::MASSES));
     assert!(matches!(error.problem, Problem::NoTurnForInertia { .. }), "{error}");
 }

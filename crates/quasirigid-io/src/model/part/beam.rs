@@ -1,12 +1,30 @@
-use quasirigid::elements::{Frame, FrameNode, Kind, Member, Part};
+use quasirigid::elements::{ElementKind, Frame, FrameNode, Kind, Member, Part};
 
+use super::super::names;
+use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::settings::optional;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
-use super::{Nodes, Read, Sources, attached, masses, rayleigh};
+use super::{Nodes, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
-pub(super) const BEAM: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "beam",
+    title: "[[beam]]",
+    keys: Keyed::All(&BEAM),
+    kind: Some(ElementKind::Part),
+    naming: Naming::Numbered("beam"),
+    names: |index| names::Part::Flexible(index),
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let part = beam(entry.table, entry.name, draft.sources);
+        draft.part(entry, part)
+    },
+};
+
+const BEAM: Keys = Keys {
     known: &[
         "name", "nodes", "lines", "section", "material", "up", "elements", "masses", "attach", "rayleigh",
     ],

@@ -1,13 +1,30 @@
-use quasirigid::elements::{Anchor, Connection};
+use quasirigid::elements::{Anchor, Connection, ElementKind};
 
-use super::super::names::Names;
+use super::super::names::{Names, Part};
+use super::super::reader::{Keyed, Naming, Reader};
 use super::super::rheology::{Extremes, Scale, rheology};
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use crate::units::Dimension;
 
-pub(in crate::model) const CONNECTION: Keys =
-    Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"] };
+pub(in crate::model) const READER: Reader = Reader {
+    key: "connection",
+    title: "[[connection]]",
+    keys: Keyed::All(&CONNECTION),
+    kind: Some(ElementKind::Connection),
+    naming: Naming::Nameless,
+    names: |_| Part::Throughout,
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        let (connection, range) = connection(entry.table, &draft.names)?;
+        draft.assembly.connections.push(connection);
+        draft.range(ElementKind::Connection, entry, range)
+    },
+};
+
+const CONNECTION: Keys = Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"] };
 
 /// Axes of a ball joint.
 const BALL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,11 +1,29 @@
-use quasirigid::elements::{Kind, Matrices, NodalMass, Part};
+use quasirigid::elements::{ElementKind, Kind, Matrices, NodalMass, Part};
 
+use super::super::names;
+use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::rheology::{Scale, rheology};
 use super::super::table::{Keys, Table};
 use super::nodal::{Given, Rows, Units, freedom_list, node_table};
-use super::{Nodes, Read, Sources, attached, masses, rayleigh};
+use super::{Nodes, Read, attached, masses, rayleigh};
 
-pub(super) const MATRICES: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "matrices",
+    title: "[[matrices]]",
+    keys: Keyed::All(&MATRICES),
+    kind: Some(ElementKind::Part),
+    naming: Naming::Numbered("matrices"),
+    names: |index| names::Part::Flexible(index),
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let part = matrices(entry.table, entry.name, draft.sources);
+        draft.part(entry, part)
+    },
+};
+
+const MATRICES: Keys = Keys {
     known: &[
         "name",
         "nodes",

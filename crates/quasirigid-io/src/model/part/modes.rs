@@ -1,17 +1,35 @@
 use std::path::Path;
 
-use quasirigid::elements::{Kind, Modes, NodalMass, Part, Spectrum};
+use quasirigid::elements::{ElementKind, Kind, Modes, NodalMass, Part, Spectrum};
 
+use super::super::names;
+use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::rheology::{Scale, rheology};
 use super::super::surface::unit_of;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::nodal::{Given, Rows, Units, freedom_list, node_table};
-use super::{Nodes, Read, Sources, attached, masses, rayleigh};
+use super::{Nodes, Read, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
 
-pub(super) const MODES: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "modes",
+    title: "[[modes]]",
+    keys: Keyed::All(&MODES),
+    kind: Some(ElementKind::Part),
+    naming: Naming::Numbered("modes"),
+    names: |index| names::Part::Flexible(index),
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let part = modes(entry.table, entry.name, draft.sources);
+        draft.part(entry, part)
+    },
+};
+
+const MODES: Keys = Keys {
     known: &[
         "name",
         "nodes",

@@ -1,10 +1,30 @@
-use quasirigid::elements::Network;
+use quasirigid::elements::{ElementKind, Network};
 
+use super::super::body::FEWEST_POINTS;
+use super::super::names::Part;
+use super::super::reader::{Draft, Entry, Keyed, Naming, Reader};
 use super::super::rheology::{Extremes, Scale, rheology};
+use super::super::spans::NetworkSpans;
 use super::super::table::{Keys, Table};
 use crate::units::Dimension;
 
-pub(in crate::model) const NETWORK: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "network",
+    title: "[[network]]",
+    keys: Keyed::All(&NETWORK),
+    kind: None,
+    naming: Naming::Numbered("network"),
+    names: |_| Part::Throughout,
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let (network, range) = network(entry.table, entry.name)?;
+        draft.network(entry, &network, &range)
+    },
+};
+
+const NETWORK: Keys = Keys {
     known: &["name", "mass", "semi_axes", "center", "spacing", "reach", "stiffness", "rheology", "seed"],
 };
 
@@ -63,4 +83,33 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
         return table.get("spacing")?.refuse(message, "too many points", Some(help));
     }
     Some((network, known.extremes))
+}
+
+impl<'a> Draft<'_, 'a> {
+    /// Adds the points and springs of a network.
+    fn network(&mut self, entry: &Entry<'_, 'a>, network: &Network, range: &Extremes) -> Option<()> {
+        let (first_point, first_spring) = (self.assembly.points.len(), self.assembly.springs.len());
+        let (points, springs) = network.parts(first_point);
+        if points.len() < FEWEST_POINTS {
+            return too_few(entry.table, points.len());
+        }
+        let springs_of = first_spring..first_spring + springs.len();
+        springs_of
+            .clone()
+            .for_each(|spring| self.ranges.set(ElementKind::Spring.at(spring), vec![range.clone()]));
+        self.networks.push(NetworkSpans {
+            points: first_point..first_point + points.len(),
+            springs: springs_of,
+            table: entry.table.spans(),
+        });
+        self.assembly.points.extend(points);
+        self.assembly.springs.extend(springs);
+        Some(())
+    }
+}
+
+fn too_few(table: &Table<'_>, count: usize) -> Option<()> {
+    let message = format!("{count} points fit into this ellipsoid, and {FEWEST_POINTS} are needed");
+    let help = "narrow the spacing: a network stands for a body by many points";
+    table.get("spacing")?.refuse(message, "too few points", Some(help.to_owned()))
 }

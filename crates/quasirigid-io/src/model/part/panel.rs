@@ -1,17 +1,35 @@
 use std::sync::Arc;
 
-use quasirigid::elements::{Kind, Layer, Panel, Part};
+use quasirigid::elements::{ElementKind, Kind, Layer, Panel, Part};
 use quasirigid::math::mesh::{Cell, Mesh, Set, Shape};
 use quasirigid::math::sym::{cross, norm};
 
+use super::super::names;
+use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::{mesh, placed};
-use super::{Nodes, PARALLEL, Read, Sources, attached, masses, rayleigh};
+use super::{Nodes, PARALLEL, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
-pub(super) const PANEL: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "panel",
+    title: "[[panel]]",
+    keys: Keyed::All(&PANEL),
+    kind: Some(ElementKind::Part),
+    naming: Naming::Numbered("panel"),
+    names: |index| names::Part::Flexible(index),
+    aliases: &[],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let part = panel(entry.table, entry.name, draft.sources);
+        draft.part(entry, part)
+    },
+};
+
+const PANEL: Keys = Keys {
     known: &[
         "name",
         "file",

@@ -1,17 +1,35 @@
 use std::sync::Arc;
 
-use quasirigid::elements::{Kind, Part, Region, Solid};
+use quasirigid::elements::{ElementKind, Kind, Part, Region, Solid};
 use quasirigid::math::mesh::Mesh;
 use quasirigid::math::sym::{cross, dot, norm, scale};
 
+use super::super::names;
+use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
 use super::placed::mesh;
-use super::{Nodes, PARALLEL, Read, Sources, attached, masses, rayleigh};
+use super::{Nodes, PARALLEL, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
-pub(super) const SOLID: Keys = Keys {
+pub(in crate::model) const READER: Reader = Reader {
+    key: "solid",
+    title: "[[solid]]",
+    keys: Keyed::All(&SOLID),
+    kind: Some(ElementKind::Part),
+    naming: Naming::Numbered("solid"),
+    names: |index| names::Part::Flexible(index),
+    aliases: &[("materials", "material")],
+    nested: &[],
+    is_body: true,
+    read: |entry, draft| {
+        let part = solid(entry.table, entry.name, draft.sources);
+        draft.part(entry, part)
+    },
+};
+
+const SOLID: Keys = Keys {
     known: &[
         "name",
         "file",

@@ -5,32 +5,40 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::net::Net;
 use super::{Assembly, Built, Mover};
 use crate::elements::affine::{Field as Shape, Piece};
-use crate::elements::cavity::Filled;
+use crate::elements::attachment::{Attachment, Attachments};
+use crate::elements::element::{Grip, Preload, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::inner::Inner;
 use crate::elements::matrices::{Block, Matrices};
 use crate::elements::part::NodeRef;
-use crate::elements::spring::{Ends, Pull, Pulled};
 use crate::elements::structure::Component;
-use crate::elements::{End, PlaceRef, Station};
+use crate::elements::{End, Hinged, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched, Wheels,
+    Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched,
 };
 
-/// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
-/// turns inside.
+/// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of internal
+/// rotors and liquids.
 struct Carried {
     /// The carrier and the liquids in it, at rest, each with its centre of mass (m), in the file's frame.
     rigid: Vec<(Piece, Vector3<f64>)>,
-    movers: Vec<Mover>,
-    /// First coordinate of each mover, and the end.
-    starts: Vec<usize>,
+    /// In the order of their elements.
+    movers: Vec<Moved>,
     component: Option<Component>,
+    /// First coordinate of the component.
+    flexible: usize,
     inner: Inner,
+}
+
+/// A piece that moves, with the element that it is and its first coordinate.
+struct Moved {
+    id: ElementId,
+    mover: Mover,
+    start: usize,
 }
 
 /// Dense matrices of what turns inside that are held at once.
@@ -42,44 +50,35 @@ impl Assembly {
     /// A body with a carrier.
     pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         let carrier =
-            self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::Mass)(Problem::NoBody))?;
-        let movers = self.movers()?;
+            self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::MASS)(Problem::NoBody))?;
         let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
         let component = net.as_ref().map(|net| net.component(false)).transpose()?;
+        let (movers, flexible) = self.movers()?;
         let order = self.reduction.order;
-        let liquids = self.cavities.iter().enumerate().map(|(i, cavity)| cavity.filled(i, order));
-        let liquids = liquids.collect::<Result<Vec<Filled>, _>>()?;
+        let inner = self.each().filter_map(|(id, element)| element.inner(id, order).transpose());
+        let elastic = flexible + component.as_ref().map_or(0, Component::size);
+        let inner = Inner::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
-        rigid.extend(liquids.iter().map(|liquid| (liquid.piece, liquid.center)));
-        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| rotor.inner(i));
-        let (motions, slow): (Vec<_>, Vec<_>) =
-            liquids.into_iter().map(|liquid| (Ok(liquid.inner), liquid.slow)).unzip();
-        let mut whole =
-            Carried { rigid, starts: starts(&movers), movers, component, inner: Inner::default() };
-        whole.inner = Inner::sum(whole.elastic(), rotors.chain(motions))?;
+        rigid.extend(&inner.rigid);
+        let whole = Carried { rigid, movers, component, flexible, inner };
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
         self.has_inertia(ElementId::CARRIER, &invariants)?;
-        let start = whole.flexible();
+        let start = whole.flexible;
         let paths =
             whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
         let nodes = net.as_ref().zip(whole.component.as_ref());
-        let pulled = nodes.map_or_else(BTreeMap::new, |(net, component)| net.pulled(component, start));
-        let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&pulled));
-        let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &pulled)?;
+        let nodes = nodes.map_or_else(BTreeMap::new, |(net, component)| net.attachments(component, start));
+        let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&nodes));
+        let attachments = self.attachments(&whole, &nodes);
+        let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &attachments)?;
         let inside = whole.inner.coordinates.len();
         memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
-            at(ElementId::CARRIER, Field::Name)(Problem::Memory { unknowns: inside, cause })
+            at(ElementId::CARRIER, Field::NAME)(Problem::Memory { unknowns: inside, cause })
         })?;
-        let markers = whole.markers(&pulled, pole);
-        let marker = |end: End| match end {
-            End::Carrier => None,
-            End::Point(index) => markers.get(index).cloned(),
-            End::Hinged(on) => self.place_on(&whole, on, pole),
-            End::Node(node) => pulled.get(&node).map(|pulled| pulled.marker(pole)),
-        };
-        let forces = self.placed_forces(forces, pole, marker)?;
+        let markers = whole.markers(&nodes, pole);
+        let forces = self.placed_forces(forces, pole, &attachments)?;
         let body = FlexibleBody::new(Parts {
             support: self.support.clone(),
             pole: pole.into(),
@@ -92,37 +91,52 @@ impl Assembly {
             memories: whole.inner.memories.clone(),
             coordinates: whole.coordinates(),
             cyclic: whole.inner.coordinates.len(),
-            wheels: self.spinning_wheels()?,
+            wheels: whole.inner.wheels.clone(),
             markers,
         });
-        let body = body.map_err(|error| self.blame(error))?.along(paths);
+        let body = body.map_err(|error| self.attribute(error))?.along(paths);
         let body = body
             .advected(whole.inner.advections.clone())
-            .watching(Watched { reaches, hinges: self.watched(&whole.starts)? });
+            .watching(Watched { reaches, hinges: self.watched(&whole)? });
         let all = body.coordinates().len();
         let parts = whole.component.as_ref().map(|component| component.part_masses(start, all));
         let body = body.made_of(parts.unwrap_or_default());
         self.outweighs_the_inside(&body)?;
         let condensation = whole.component.as_ref().map(Component::condensation);
-        Ok(Built { body, forces, condensation, speeds: whole.inner.speeds, liquids: slow, resolution: None })
+        Ok(Built {
+            body,
+            forces,
+            condensation,
+            speeds: whole.inner.speeds,
+            liquids: whole.inner.liquids,
+            resolution: None,
+        })
     }
 
-    /// Hinges of appendages, from where the coordinates of each mover start.
-    fn watched(&self, starts: &[usize]) -> Result<Vec<Hinge>, ElementError> {
-        let hinged = self.hinged.iter().zip(&starts[self.points.len()..]).enumerate();
-        hinged.map(|(index, (hinged, start))| hinged.hinge(index, *start)).collect()
+    /// Hinges of appendages.
+    fn watched(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
+        let hinge = |(index, hinged): (usize, &Hinged)| {
+            hinged.hinge(index, whole.start_of(ElementKind::Hinged.at(index)))
+        };
+        self.hinged.iter().enumerate().map(hinge).collect()
     }
 
-    /// A place on an appendage, from a pole.
-    fn place_on(&self, whole: &Carried, on: PlaceRef, pole: Vector3<f64>) -> Option<Marker> {
-        let mover = self.points.len() + on.hinged;
-        whole.movers.get(mover)?.markers(pole, whole.starts[mover]).nth(1 + on.place)
-    }
-
-    fn spinning_wheels(&self) -> Result<Wheels, ElementError> {
-        let mut wheels = Wheels::default();
-        self.wheels.iter().enumerate().try_for_each(|(i, wheel)| wheel.added(i, &mut wheels))?;
-        Ok(wheels)
+    /// Places at which elements act.
+    fn attachments(&self, whole: &Carried, nodes: &BTreeMap<NodeRef, Attachment>) -> Attachments {
+        let mut attachments = Attachments::default();
+        for (.., Grip { end, .. }) in self.grips() {
+            if attachments.has(end) {
+                continue;
+            }
+            let attachment = match end {
+                End::Carrier => Some(Attachment::at(Vector3::zeros(), true)),
+                End::Point(index) => whole.attachment(ElementKind::Point.at(index), 0),
+                End::Hinged(on) => whole.attachment(ElementKind::Hinged.at(on.hinged), 1 + on.place),
+                End::Node(node) => nodes.get(&node).cloned(),
+            };
+            attachment.into_iter().for_each(|attachment| attachments.note(end, attachment));
+        }
+        attachments
     }
 
     /// Accepts a body that has inertia left about every axis when what turns inside is loose.
@@ -136,13 +150,20 @@ impl Assembly {
         if DMatrix::from_fn(cyclic.len(), cyclic.len(), entry).cholesky().is_some() {
             return Ok(());
         }
-        Err(at(ElementId::CARRIER, Field::Inertia)(Problem::HeavyInside))
+        Err(at(ElementId::CARRIER, Field::INERTIA)(Problem::HeavyInside))
     }
 
-    fn movers(&self) -> Result<Vec<Mover>, ElementError> {
-        let points = self.points.iter().enumerate().map(|(i, point)| point.mover(i));
-        let hinged = self.hinged.iter().enumerate().map(|(i, hinged)| hinged.mover(i));
-        points.chain(hinged).collect()
+    /// Pieces that move, with the number of their coordinates.
+    fn movers(&self) -> Result<(Vec<Moved>, usize), ElementError> {
+        let (mut movers, mut next) = (Vec::new(), 0);
+        for (id, element) in self.each() {
+            if let Some(mover) = element.mover(id)? {
+                let start = next;
+                next += mover.shapes.len();
+                movers.push(Moved { id, mover, start });
+            }
+        }
+        Ok((movers, next))
     }
 
     /// Accepts a body that resists a turn about every axis; `blamed` is the element to name otherwise.
@@ -155,52 +176,38 @@ impl Assembly {
             return Ok(());
         }
         let problem = Problem::NoInertia { moments, held: self.support != Support::Free };
-        Err(at(blamed, Field::Inertia)(problem))
+        Err(at(blamed, Field::INERTIA)(problem))
     }
 
     /// Stiffness and damping matrices (I9), coordinates numbered points first, then appendages, then parts.
-    fn matrices(
-        &self,
-        whole: &Carried,
-        pulled: &BTreeMap<NodeRef, Pulled>,
-    ) -> Result<Matrices, ElementError> {
-        let places =
-            self.springs.iter().flat_map(|spring| [spring.from, spring.to]).filter_map(|end| match end {
-                End::Hinged(on) => {
-                    let Marker { name, position, shapes, curvature } =
-                        self.place_on(whole, on, Vector3::zeros())?;
-                    Some((on, Pulled { name, place: position.into(), shapes, curvature }))
-                }
-                _ => None,
-            });
-        let places = places.collect();
-        let ends = Ends { points: &self.points, starts: &whole.starts, nodes: pulled, places: &places };
-        let springs = self.springs.iter().zip(self.spring_names()).enumerate();
-        let springs = springs.map(|(i, (spring, name))| spring.block(i, name, &ends));
-        let pulls = self.pulls(whole, &ends)?;
-        let hinges = self.hinged.iter().enumerate().zip(&whole.starts[self.points.len()..]);
-        let hinges = hinges.map(|((i, hinged), start)| hinged.block(i, *start));
-        let start = whole.flexible();
-        let parts = whole.component.iter().flat_map(|component| component.blocks(start).map(Ok));
+    fn matrices(&self, whole: &Carried, attachments: &Attachments) -> Result<Matrices, ElementError> {
+        let names = self.link_names();
+        let site = |id: ElementId| {
+            let name = names.get(&id).map_or("", String::as_str);
+            Site { id, name, start: whole.start_of(id), attachments }
+        };
+        let blocks = self.each().filter_map(|(id, element)| element.block(&site(id)).transpose());
+        let preloads = self.preloads(whole, site)?;
+        let parts = whole.component.iter().flat_map(|component| component.blocks(whole.flexible).map(Ok));
         let size = whole.elastic() + whole.inner.coordinates.len();
-        Matrices::sum(
-            size,
-            springs.chain(pulls.into_iter().map(Ok)).chain(hinges).chain(parts),
-            &whole.inner.friction,
-        )
+        Matrices::sum(size, blocks.chain(preloads.into_iter().map(Ok)).chain(parts), &whole.inner.friction)
     }
 
-    /// Stiffness that tensions at rest give, if they balance. (I10)
-    fn pulls(&self, whole: &Carried, ends: &Ends<'_>) -> Result<Vec<Block>, ElementError> {
-        let mut sums = vec![(0.0, 0.0_f64, 0); whole.elastic()];
+    /// Stiffness that loads at rest give, if they balance. (I10)
+    fn preloads<'a>(
+        &self,
+        whole: &Carried,
+        site: impl Fn(ElementId) -> Site<'a>,
+    ) -> Result<Vec<Block>, ElementError> {
+        let mut sums = vec![(0.0, 0.0_f64, ElementId::CARRIER); whole.elastic()];
         let mut blocks = Vec::new();
-        for (index, (spring, name)) in self.springs.iter().zip(self.spring_names()).enumerate() {
-            let Some(Pull { block, forces }) = spring.pull(index, name, ends)? else { continue };
+        for (id, element) in self.each() {
+            let Some(Preload { block, forces }) = element.preload(&site(id))? else { continue };
             for (column, force) in forces {
                 let (sum, size, last) = &mut sums[column];
                 *sum += force;
                 *size += f64::abs(force);
-                *last = index;
+                *last = id;
             }
             blocks.push(block);
         }
@@ -208,44 +215,43 @@ impl Assembly {
         for ((sum, size, last), coordinate) in sums.iter().zip(&coordinates) {
             if f64::abs(*sum) > BALANCED * size {
                 let coordinate = coordinate.name.clone();
-                return Err(at(ElementKind::Spring.at(*last), Field::Tension)(Problem::Unbalanced {
-                    coordinate,
-                    force: *sum,
-                }));
+                return Err(at(*last, Field::TENSION)(Problem::Unbalanced { coordinate, force: *sum }));
             }
         }
         Ok(blocks)
     }
 
-    /// Lays a mechanism at the door of the first element it moves.
-    fn blame(&self, error: FlexibleError) -> ElementError {
+    /// Attributes a mechanism to the first element with coordinates that moves in it.
+    fn attribute(&self, error: FlexibleError) -> ElementError {
         let coordinates = error.coordinates();
-        let moves = |name: &str| coordinates.starts_with(&format!("\"{name}\""));
-        let place = self
-            .points
-            .iter()
-            .position(|point| moves(&point.name))
-            .map(|index| ElementKind::Point.at(index))
-            .or_else(|| {
-                self.hinged
-                    .iter()
-                    .position(|hinged| moves(&hinged.name))
-                    .map(|index| ElementKind::Hinged.at(index))
-            })
-            .unwrap_or(ElementId::CARRIER);
-        at(place, Field::Stiffness)(Problem::Mechanism { coordinates })
+        let moves = |name: &str| !name.is_empty() && coordinates.starts_with(&format!("{name:?}"));
+        let own = |id: &ElementId| matches!(id.kind, ElementKind::Point | ElementKind::Hinged);
+        let first = self.each().find(|(id, element)| own(id) && moves(element.name()));
+        let id = first.map_or(ElementId::CARRIER, |(id, _)| id);
+        at(id, Field::STIFFNESS)(Problem::Mechanism { coordinates })
     }
 }
 
 impl Carried {
-    /// First coordinate of the parts.
-    fn flexible(&self) -> usize {
-        self.starts.last().copied().unwrap_or_default()
-    }
-
     /// Number of elastic coordinates.
     fn elastic(&self) -> usize {
-        self.flexible() + self.component.as_ref().map_or(0, Component::size)
+        self.flexible + self.component.as_ref().map_or(0, Component::size)
+    }
+
+    fn moved(&self, id: ElementId) -> Option<&Moved> {
+        let found = self.movers.binary_search_by_key(&id, |moved| moved.id).ok()?;
+        Some(&self.movers[found])
+    }
+
+    /// First coordinate of an element; the first of all for one without coordinates.
+    fn start_of(&self, id: ElementId) -> usize {
+        self.moved(id).map_or(0, |moved| moved.start)
+    }
+
+    /// A place on an element that moves: the watched one, then the others.
+    fn attachment(&self, id: ElementId, place: usize) -> Option<Attachment> {
+        let Moved { mover, start, .. } = self.moved(id)?;
+        mover.attachments(*start).nth(place)
     }
 
     fn mass_center(&self) -> (f64, Vector3<f64>) {
@@ -254,7 +260,7 @@ impl Carried {
             mass += piece.mass;
             first += piece.mass * center;
         }
-        for mover in &self.movers {
+        for Moved { mover, .. } in &self.movers {
             mass += mover.piece.mass;
             first += mover.piece.mass * mover.base + mover.piece.first;
         }
@@ -274,7 +280,7 @@ impl Carried {
         }
         let (mut S, mut h, mut J1) = (Vec::new(), Vec::new(), Vec::new());
         let mut pairs: Vec<(usize, usize, Pair)> = Vec::new();
-        for (mover, start) in self.movers.iter().zip(&self.starts) {
+        for Moved { mover, start, .. } in &self.movers {
             let rho = mover.position(pole);
             add(&mut J, half(mover.piece.inertia(&rho, &rho)));
             for H in &mover.shapes {
@@ -292,7 +298,7 @@ impl Carried {
                 h.push(h_j);
                 J1.push(J_j);
             }
-            pairs.extend(component.pairs(pole, self.flexible()));
+            pairs.extend(component.pairs(pole, self.flexible));
         }
         for h_j in &self.inner.h {
             S.push([0.0; 3]);
@@ -305,26 +311,16 @@ impl Carried {
     }
 
     /// Places whose displacement is watched: points and appendages with the places on them, then nodes of parts.
-    fn markers(&self, pulled: &BTreeMap<NodeRef, Pulled>, pole: Vector3<f64>) -> Vec<Marker> {
-        let movers = self.movers.iter().zip(&self.starts);
-        let movers = movers.flat_map(|(mover, start)| mover.markers(pole, *start));
-        movers.chain(pulled.values().map(|pulled| pulled.marker(pole))).collect()
+    fn markers(&self, nodes: &BTreeMap<NodeRef, Attachment>, pole: Vector3<f64>) -> Vec<Marker> {
+        let movers = self.movers.iter().flat_map(|Moved { mover, start, .. }| mover.attachments(*start));
+        movers.chain(nodes.values().cloned()).map(|place| place.marker(pole)).collect()
     }
 
     fn coordinates(&self) -> Vec<Coordinate> {
-        let movers = self.movers.iter().flat_map(|mover| mover.coordinates.iter().cloned());
+        let movers = self.movers.iter().flat_map(|moved| moved.mover.coordinates.iter().cloned());
         let parts = self.component.iter().flat_map(Component::coordinates);
         movers.chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
     }
-}
-
-fn starts(movers: &[Mover]) -> Vec<usize> {
-    let mut starts = vec![0];
-    starts.extend(movers.iter().scan(0, |next, mover| {
-        *next += mover.shapes.len();
-        Some(*next)
-    }));
-    starts
 }
 
 fn half(matrix: Sym) -> Sym {

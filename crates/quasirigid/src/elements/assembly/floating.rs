@@ -2,6 +2,7 @@ use nalgebra::Vector3;
 
 use super::net::Net;
 use super::{Assembly, Built};
+use crate::elements::attachment::Attachments;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::matrices::Matrices;
 use crate::elements::part::{NodeRef, Part};
@@ -20,12 +21,9 @@ impl Assembly {
         exact: Option<Exact<'_>>,
     ) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
-            return Err(at(ElementId::CARRIER, Field::Mass)(Problem::NoBody));
+            return Err(at(ElementId::CARRIER, Field::MASS)(Problem::NoBody));
         }
         self.free()?;
-        if !self.hinged.is_empty() {
-            return Err(at(ElementKind::Hinged.at(0), Field::Hinge)(Problem::NoCarrier));
-        }
         let net = Net::of_everything(self)?;
         let component = net.component(!self.parts.iter().any(Part::is_frame))?;
         let center = exact.as_ref().map_or(component.center(), |exact| exact.center.into());
@@ -39,17 +37,17 @@ impl Assembly {
         let size = component.size();
         let Matrices { stiffness, damping, lossy, dissipators } =
             Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
-        let pulled = net.pulled(&component, 0);
-        let reaches = net.reaches(&pulled);
+        let nodes = net.attachments(&component, 0);
+        let reaches = net.reaches(&nodes);
         let parts = if exact.is_none() { component.part_masses(0, size) } else { Vec::new() };
-        let of_node = |node: NodeRef| pulled.get(&node).map(|pulled| pulled.marker(center));
-        let marker = |end: End| match end {
-            End::Carrier | End::Hinged(_) => None,
-            End::Node(node) => of_node(node),
-            End::Point(node) => of_node(NodeRef { part: self.parts.len(), node }),
-        };
-        let forces = self.placed_forces(forces, center, marker)?;
-        let markers: Vec<Marker> = pulled.values().map(|pulled| pulled.marker(center)).collect();
+        let mut attachments = Attachments::default();
+        for (node, attachment) in &nodes {
+            let point = NodeRef { part: self.parts.len(), node: node.node };
+            let end = if *node == point { End::Point(node.node) } else { End::Node(*node) };
+            attachments.note(end, attachment.clone());
+        }
+        let forces = self.placed_forces(forces, center, &attachments)?;
+        let markers: Vec<Marker> = nodes.values().map(|node| node.marker(center)).collect();
         let body = FlexibleBody::new(Parts {
             support: Support::Free,
             pole: center.into(),
@@ -69,7 +67,7 @@ impl Assembly {
             },
         });
         let body = body.map_err(|error| {
-            at(ElementId::CARRIER, Field::Stiffness)(Problem::Mechanism { coordinates: error.coordinates() })
+            at(ElementId::CARRIER, Field::STIFFNESS)(Problem::Mechanism { coordinates: error.coordinates() })
         });
         Ok(Built {
             body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }).made_of(parts),

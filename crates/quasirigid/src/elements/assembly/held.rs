@@ -18,12 +18,12 @@ const SAME_PLACE: f64 = 1e-6;
 /// [`ElementError`] for an attachment or a connection that cannot be.
 pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), ElementError> {
     for (index, part) in assembly.parts.iter().enumerate() {
-        let refuse = at(ElementKind::Part.at(index), Field::Attach);
+        let refuse = at(ElementKind::Part.at(index), Field::ATTACH);
         if assembly.carrier.is_none() && !part.attached.is_empty() {
             return Err(refuse(Problem::NoCarrier));
         }
         if let Some(node) = part.held().filter(|_| assembly.carrier.is_none()) {
-            return Err(at(ElementKind::Part.at(index), Field::Stiffness)(Problem::HeldByMatrices { node }));
+            return Err(at(ElementKind::Part.at(index), Field::STIFFNESS)(Problem::HeldByMatrices { node }));
         }
         for node in part.attached.iter().collect::<BTreeSet<_>>() {
             let node = NodeRef { part: index, node: *node };
@@ -55,7 +55,7 @@ fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
         }
     }
     match joined.iter().position(|joined| !joined) {
-        Some(part) => Err(at(ElementKind::Part.at(part), Field::Attach)(Problem::NotAttached)),
+        Some(part) => Err(at(ElementKind::Part.at(part), Field::ATTACH)(Problem::NotAttached)),
         None => Ok(()),
     }
 }
@@ -66,11 +66,11 @@ type Side = Option<Vec<usize>>;
 impl Connection {
     fn join(&self, assembly: &Assembly, index: usize, net: &mut Net<'_>) -> Result<(), ElementError> {
         let place = ElementKind::Connection.at(index);
-        let from = side(&self.from, assembly, net).map_err(at(place, Field::From))?;
-        let to = side(&self.to, assembly, net).map_err(at(place, Field::To))?;
+        let from = side(&self.from, assembly, net).map_err(at(place, Field::FROM))?;
+        let to = side(&self.to, assembly, net).map_err(at(place, Field::TO))?;
         let axes = self.unit_axes(place)?;
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
-        let refuse = at(place, Field::To);
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
+        let refuse = at(place, Field::TO);
         match (from, to) {
             (None, None) => Err(refuse(Problem::SameEnds)),
             (None, Some(nodes)) | (Some(nodes), None) => {
@@ -128,11 +128,11 @@ impl Connection {
             .iter()
             .map(|axis| coefficient::unit(*axis))
             .collect::<Result<_, _>>()
-            .map_err(at(place, Field::Hinge))?;
+            .map_err(at(place, Field::HINGE))?;
         if axes.len() > 3 {
-            return Err(at(place, Field::Hinge)(Problem::AxisCount { count: axes.len() }));
+            return Err(at(place, Field::HINGE)(Problem::AxisCount { count: axes.len() }));
         }
-        for (field, values) in [(Field::Stiffness, &self.stiffness), (Field::Damping, &self.damping)] {
+        for (field, values) in [(Field::STIFFNESS, &self.stiffness), (Field::DAMPING, &self.damping)] {
             if values.len() != axes.len() {
                 return Err(at(place, field)(Problem::ValuePerAxis {
                     axes: axes.len(),

@@ -13,50 +13,16 @@ use nalgebra::Vector3;
 
 pub(super) use floating::Exact;
 pub(super) use mover::Mover;
+pub(super) use net::Net;
 
+use super::attachment::Attachments;
+use super::element::{Element, Grip, Role};
 use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use super::part::{Connection, NodeRef, Part};
-use super::{
-    Carrier, Cavity, Condensation, Ellipsoid, End, Hinged, PlaceRef, Point, Resolution, Rotor, SlowLiquid,
-    Spring, Station, Surface, Wheel, coefficient, force,
-};
+use super::part::NodeRef;
+use super::whole::WholeBody;
+use super::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, coefficient, force};
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
-use net::Net;
-
-/// A body as the user describes it: a carrier with points, springs, hinged appendages and parts of finite elements on it,
-/// or a body without a carrier that is elastic throughout.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Assembly {
-    /// The rigid body that carries everything else; none of a body that is elastic throughout.
-    pub carrier: Option<Carrier>,
-    /// Ellipsoids, each of them a whole body.
-    pub ellipsoids: Vec<Ellipsoid>,
-    /// Solids inside closed surfaces, each of them a whole body.
-    pub surfaces: Vec<Surface>,
-    /// Parts of finite elements.
-    pub parts: Vec<Part>,
-    /// Joints between them, and between them and the carrier.
-    pub connections: Vec<Connection>,
-    /// To what end the parts are given few coordinates.
-    pub reduction: Reduction,
-    /// Material points.
-    pub points: Vec<Point>,
-    /// Springs and dashpots.
-    pub springs: Vec<Spring>,
-    /// Rigid appendages on hinges.
-    pub hinged: Vec<Hinged>,
-    /// Rotors that friction brakes.
-    pub rotors: Vec<Rotor>,
-    /// Momentum wheels.
-    pub wheels: Vec<Wheel>,
-    /// Cavities full of liquid.
-    pub cavities: Vec<Cavity>,
-    /// How the body is held.
-    pub support: Support,
-    /// External forces.
-    pub forces: Vec<Force<Station>>,
-}
 
 /// How many coordinates parts of finite elements are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +50,6 @@ pub struct Built {
     pub resolution: Option<Resolution>,
 }
 
-/// An element that is a whole body, elastic throughout.
-enum Alone<'a> {
-    Ellipsoid(&'a Ellipsoid),
-    Surface(&'a Surface),
-}
-
 impl Default for Reduction {
     fn default() -> Self {
         Self { order: 3, modes: 0 }
@@ -101,38 +61,14 @@ impl Assembly {
     #[must_use]
     pub fn check(&self) -> Vec<ElementError> {
         let carrier = self.carrier.as_ref().and_then(|carrier| carrier.piece().err());
-        let ellipsoids =
-            self.ellipsoids.iter().enumerate().filter_map(|(i, ellipsoid)| ellipsoid.check(i).err());
-        let surfaces = self.surfaces.iter().enumerate().filter_map(|(i, surface)| surface.check(i).err());
-        let points = self.points.iter().enumerate().filter_map(|(i, point)| point.mover(i).err());
-        let hinged = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.mover(i).err());
-        let hinges = self.hinged.iter().enumerate().filter_map(|(i, hinged)| hinged.block(i, 0).err());
-        let springs = self.springs.iter().enumerate().filter_map(|(i, spring)| spring.check(i, self).err());
-        let rotors = self.rotors.iter().enumerate().filter_map(|(i, rotor)| rotor.inner(i).err());
-        let wheels = self.wheels.iter().enumerate().filter_map(|(i, wheel)| wheel.check(i).err());
-        let cavities = self.cavities.iter().enumerate().filter_map(|(i, cavity)| cavity.check(i).err());
-        let parts = self.parts_and_connections().err();
-        let support = self.held_point().err();
-        let forces = self.forces.iter().enumerate();
-        let forces = forces.filter_map(|(i, force)| force::check(i, force, self).err());
-        carrier
-            .into_iter()
-            .chain(ellipsoids)
-            .chain(surfaces)
-            .chain(self.alone().err())
-            .chain(points)
-            .chain(hinged)
-            .chain(hinges)
-            .chain(springs)
-            .chain(rotors)
-            .chain(wheels)
-            .chain(cavities)
-            .chain(self.inside_nothing().err())
-            .chain(parts)
-            .chain(support)
-            .chain(forces)
-            .chain(self.same_names())
-            .collect()
+        let elements = self.each().flat_map(|(id, element)| element.check(id, self));
+        let mut errors: Vec<ElementError> = carrier.into_iter().chain(elements).collect();
+        errors.extend(self.alone().err());
+        errors.extend(self.without_carrier().err());
+        errors.extend(self.parts_and_connections().err());
+        errors.extend(self.held_point().err());
+        errors.extend(self.same_names());
+        errors
     }
 
     /// The flexible body.
@@ -164,19 +100,17 @@ impl Assembly {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
-        self.inside_nothing()?;
-        let (body, condensation, resolution) = match self.alone()? {
-            Some(Alone::Ellipsoid(ellipsoid)) => (ellipsoid.body(0)?, None, None),
-            Some(Alone::Surface(surface)) => {
-                let found = surface.built(0, self.reduction, told)?;
-                (found.body, found.condensation, Some(found.resolution))
-            }
-            None if self.carrier.is_some() => return self.carried(forces),
-            None => return self.floating(forces, None),
+        let Some((id, alone)) = self.alone()? else {
+            self.without_carrier()?;
+            return if self.carrier.is_some() { self.carried(forces) } else { self.floating(forces, None) };
+        };
+        let Some(WholeBody { body, condensation, resolution }) = alone.whole(id, self.reduction, told)?
+        else {
+            return Err(at(id, Field::NAME)(Problem::NoBody));
         };
         let pole = body.pole().into();
         Ok(Built {
-            forces: self.placed_forces(forces, pole, |_| None)?,
+            forces: self.placed_forces(forces, pole, &Attachments::default())?,
             body,
             condensation,
             speeds: Vec::new(),
@@ -200,18 +134,12 @@ impl Assembly {
         Ok(*position)
     }
 
-    /// Ends of springs and places of forces, with what names them.
-    fn ends(&self) -> impl Iterator<Item = (ElementId, Field, End)> + '_ {
-        let springs = self.springs.iter().enumerate().flat_map(|(i, spring)| {
-            [
-                (ElementKind::Spring.at(i), Field::From, spring.from),
-                (ElementKind::Spring.at(i), Field::To, spring.to),
-            ]
-        });
-        let forces = self.forces.iter().enumerate();
-        let forces = forces
-            .filter_map(|(i, force)| Some((ElementKind::Force.at(i), Field::On, force.law.place()?.on)));
-        springs.chain(forces)
+    /// Places at which elements act on others.
+    fn grips(&self) -> impl Iterator<Item = (ElementId, Role, Grip)> + '_ {
+        self.each().flat_map(|(id, element)| {
+            let role = element.role();
+            element.grips().into_iter().map(move |grip| (id, role, grip))
+        })
     }
 
     /// The forces, with the markers of the places they act at.
@@ -219,14 +147,15 @@ impl Assembly {
         &self,
         forces: &[Force<Station>],
         pole: Vector3<f64>,
-        marker: impl Fn(End) -> Option<Marker>,
+        attachments: &Attachments,
     ) -> Result<Vec<Force<Marker>>, ElementError> {
         let placed = |(i, force): (usize, &Force<Station>)| {
-            force::check(i, force, self)?;
+            let id = ElementKind::Force.at(i);
+            force::check(id, force, self)?;
             if self.carrier.is_none() && force.law.place().is_some_and(|station| station.on == End::Carrier) {
-                return Err(at(ElementKind::Force.at(i), Field::On)(Problem::NoCarrier));
+                return Err(at(id, Field::ON)(Problem::NoCarrier));
             }
-            force.try_map(|station| Ok(station.marker(&force.name, pole, &marker)))
+            force.try_map(|station| Ok(station.marker(&force.name, pole, attachments)))
         };
         forces.iter().enumerate().map(placed).collect()
     }
@@ -239,37 +168,29 @@ impl Assembly {
         }
     }
 
-    /// The element that is the whole body, if there is one; nothing may stand beside it.
-    fn alone(&self) -> Result<Option<Alone<'_>>, ElementError> {
-        let ellipsoids = self.ellipsoids.iter().map(Alone::Ellipsoid);
-        let Some(alone) = ellipsoids.chain(self.surfaces.iter().map(Alone::Surface)).next() else {
+    /// The element that is the whole body, if there is one; no other may stand beside it.
+    fn alone(&self) -> Result<Option<(ElementId, &dyn Element)>, ElementError> {
+        let Some(alone) = self.each().find(|(_, element)| element.role() == Role::Whole) else {
             return Ok(None);
         };
-        let beside = [
-            (self.carrier.is_some(), ElementId::CARRIER),
-            (self.ellipsoids.len() > 1, ElementKind::Ellipsoid.at(1)),
-            (!self.ellipsoids.is_empty() && !self.surfaces.is_empty(), ElementKind::Surface.at(0)),
-            (self.surfaces.len() > 1, ElementKind::Surface.at(1)),
-            (!self.parts.is_empty(), ElementKind::Part.at(0)),
-            (!self.points.is_empty(), ElementKind::Point.at(0)),
-            (!self.springs.is_empty(), ElementKind::Spring.at(0)),
-            (!self.hinged.is_empty(), ElementKind::Hinged.at(0)),
-        ];
-        if let Some((_, place)) = beside.iter().find(|(there, _)| *there) {
-            return Err(at(*place, Field::Name)(Problem::BesideWhole));
+        let others = self.each().filter(|(id, element)| *id != alone.0 && element.role() != Role::External);
+        let carrier = self.carrier.iter().map(|_| ElementId::CARRIER);
+        if let Some(beside) = carrier.chain(others.map(|(id, _)| id)).next() {
+            return Err(at(beside, Field::NAME)(Problem::BesideWhole));
         }
         self.free()?;
         Ok(Some(alone))
     }
 
-    /// What turns inside needs a carrier.
-    fn inside_nothing(&self) -> Result<(), ElementError> {
-        let rotor = (!self.rotors.is_empty()).then_some((ElementKind::Rotor.at(0), Field::Axis));
-        let wheel = (!self.wheels.is_empty()).then_some((ElementKind::Wheel.at(0), Field::Axis));
-        let cavity = (!self.cavities.is_empty()).then_some((ElementKind::Cavity.at(0), Field::Shape));
-        match rotor.or(wheel).or(cavity) {
-            Some((place, field)) if self.carrier.is_none() => Err(at(place, field)(Problem::InsideNothing)),
-            _ => Ok(()),
+    /// Accepts elements that need a carrier where there is one.
+    fn without_carrier(&self) -> Result<(), ElementError> {
+        if self.carrier.is_some() {
+            return Ok(());
+        }
+        let needs = |(id, element): (ElementId, &dyn Element)| Some((id, element.role().needs_carrier()?));
+        match self.each().find_map(needs) {
+            Some((id, (field, problem))) => Err(at(id, field)(problem)),
+            None => Ok(()),
         }
     }
 
@@ -278,7 +199,7 @@ impl Assembly {
         if self.support == Support::Free {
             return Ok(());
         }
-        Err(at(ElementId::SUPPORT, Field::FixedPoint)(Problem::HeldWhole))
+        Err(at(ElementId::SUPPORT, Field::FIXED_POINT)(Problem::HeldWhole))
     }
 
     /// The point that is fixed or driven; none of a free body.
@@ -290,29 +211,23 @@ impl Assembly {
             Support::Free => return Ok(None),
             Support::FixedPoint { point } => point,
             Support::Prescribed { point, velocity, position, .. } => {
-                finite(Field::Velocity, velocity)?;
-                finite(Field::Position, position)?;
+                finite(Field::VELOCITY, velocity)?;
+                finite(Field::POSITION, position)?;
                 point
             }
         };
-        finite(Field::FixedPoint, point)?;
+        finite(Field::FIXED_POINT, point)?;
         Ok(Some((*point).into()))
     }
 
+    /// An error for each name that an element has after another.
     fn same_names(&self) -> Vec<ElementError> {
-        let points = self.points.iter().enumerate().map(|(i, point)| (ElementKind::Point.at(i), &point.name));
-        let hinged =
-            self.hinged.iter().enumerate().map(|(i, hinged)| (ElementKind::Hinged.at(i), &hinged.name));
-        let parts = self.parts.iter().enumerate().map(|(i, part)| (ElementKind::Part.at(i), &part.name));
-        let rotors = self.rotors.iter().enumerate().map(|(i, rotor)| (ElementKind::Rotor.at(i), &rotor.name));
-        let wheels = self.wheels.iter().enumerate().map(|(i, wheel)| (ElementKind::Wheel.at(i), &wheel.name));
-        let cavities =
-            self.cavities.iter().enumerate().map(|(i, cavity)| (ElementKind::Cavity.at(i), &cavity.name));
         let mut seen = std::collections::HashSet::new();
-        let all = points.chain(hinged).chain(parts).chain(rotors).chain(wheels).chain(cavities);
-        let repeated = all.filter(|(_, name)| !seen.insert(name.as_str()));
-        repeated
-            .map(|(place, name)| at(place, Field::Name)(Problem::DuplicateName { name: name.clone() }))
-            .collect()
+        let named = self.each().filter(|(_, element)| element.is_unique() && !element.name().is_empty());
+        let repeated = named.filter(|(_, element)| !seen.insert(element.name()));
+        let error = |(id, element): (ElementId, &dyn Element)| {
+            at(id, Field::NAME)(Problem::DuplicateName { name: element.name().to_owned() })
+        };
+        repeated.map(error).collect()
     }
 }

@@ -1,7 +1,8 @@
 use nalgebra::Vector3;
 
 use crate::elements::affine::{Field as Shape, Piece};
-use crate::model::{Coordinate, Marker, Pair};
+use crate::elements::attachment::Attachment;
+use crate::model::{Coordinate, Pair};
 
 /// A rigid piece placed on the body, with the coordinates that move it.
 pub(in crate::elements) struct Mover {
@@ -13,6 +14,8 @@ pub(in crate::elements) struct Mover {
     pub shapes: Vec<Shape>,
     /// Curvature of the path of each pair of coordinates, `G_jk`.
     pub curvature: Vec<Vec<Shape>>,
+    /// Whether it has an orientation; a material point has none.
+    pub turns: bool,
     /// Name and unit of each coordinate.
     pub coordinates: Vec<Coordinate>,
     /// Place watched on the piece: its name, and where it is from the base.
@@ -38,8 +41,16 @@ impl Mover {
         })
     }
 
-    /// The places on it, from a pole, with its coordinates numbered from `start`: that which is watched, then the others.
-    pub fn markers(&self, pole: Vector3<f64>, start: usize) -> impl Iterator<Item = Marker> + '_ {
+    /// The places on it, with its coordinates numbered from `start`: that which is watched, then the others.
+    pub fn attachments(&self, start: usize) -> impl Iterator<Item = Attachment> + '_ {
+        let turn = |shape: &Shape| -> [f64; 3] {
+            // the axial vector of a skew matrix
+            let L = &shape.linear;
+            [L[(2, 1)], L[(0, 2)], L[(1, 0)]]
+        };
+        let turns = self.turns.then(|| {
+            self.shapes.iter().enumerate().map(|(j, shape)| (start + j, turn(shape))).collect::<Vec<_>>()
+        });
         let all = std::iter::once(&self.marker).chain(&self.places);
         all.map(move |(name, s)| {
             let displaced = |shape: &Shape| -> [f64; 3] { (shape.constant + shape.linear * s).into() };
@@ -47,10 +58,11 @@ impl Mover {
                 row.iter().enumerate().map(move |(k, G)| (start + j, start + k, displaced(G)))
             });
             let shapes = self.shapes.iter().enumerate();
-            Marker {
+            Attachment {
                 name: name.clone(),
-                position: (self.base + s - pole).into(),
+                position: self.base + s,
                 shapes: shapes.map(|(j, H)| (start + j, displaced(H))).collect(),
+                turns: turns.clone(),
                 curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
             }
         })

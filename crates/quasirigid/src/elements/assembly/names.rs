@@ -2,8 +2,9 @@ use std::collections::HashMap;
 
 use super::Assembly;
 use super::net::Net;
+use crate::elements::element::{Element, Role};
 use crate::elements::part::Anchor;
-use crate::elements::{ElementId, ElementKind, End, Spring};
+use crate::elements::{ElementId, End};
 
 /// What the carrier is called.
 const CARRIER: &str = "carrier";
@@ -11,28 +12,14 @@ const CARRIER: &str = "carrier";
 impl Assembly {
     /// The name that an element was given; none of one without a name, and of one that is not there.
     #[must_use]
-    pub fn name(&self, ElementId { kind, index }: ElementId) -> Option<&str> {
-        let name = match kind {
-            ElementKind::Point => self.points.get(index).map(|element| &element.name),
-            ElementKind::Spring => self.springs.get(index).map(|element| &element.name),
-            ElementKind::Hinged => self.hinged.get(index).map(|element| &element.name),
-            ElementKind::Ellipsoid => self.ellipsoids.get(index).map(|element| &element.name),
-            ElementKind::Surface => self.surfaces.get(index).map(|element| &element.name),
-            ElementKind::Part => self.parts.get(index).map(|element| &element.name),
-            ElementKind::Rotor => self.rotors.get(index).map(|element| &element.name),
-            ElementKind::Wheel => self.wheels.get(index).map(|element| &element.name),
-            ElementKind::Cavity => self.cavities.get(index).map(|element| &element.name),
-            ElementKind::Force => self.forces.get(index).map(|element| &element.name),
-            ElementKind::Carrier | ElementKind::Connection | ElementKind::Support => None,
-        };
-        name.map(String::as_str).filter(|name| !name.is_empty())
+    pub fn name(&self, element: ElementId) -> Option<&str> {
+        self.element(element).map(Element::name).filter(|name| !name.is_empty())
     }
 
     /// An element as its user knows it: `beam "boom"`, by its number where it has no name, `the carrier` where there is one at most.
     #[must_use]
     pub fn described(&self, element: ElementId) -> String {
-        let part = if element.kind == ElementKind::Part { self.parts.get(element.index) } else { None };
-        let words = part.map_or(element.kind.words(), |part| part.kind.words());
+        let words = self.element(element).and_then(Element::words).unwrap_or(element.kind.words());
         match self.name(element) {
             Some(name) => format!("{words} {name:?}"),
             None if element.kind.is_single() => format!("the {words}"),
@@ -40,17 +27,18 @@ impl Assembly {
         }
     }
 
-    /// Names of the springs as dissipators: their own, or after their ends, `spring tip-carrier`.
-    pub(super) fn spring_names(&self) -> Vec<String> {
+    /// Names of the links as dissipators: their own, or after their ends, `spring tip-carrier`.
+    pub(super) fn link_names(&self) -> HashMap<ElementId, String> {
         let mut numbers = Numbers::default();
-        let name = |spring: &Spring| {
-            if spring.name.is_empty() {
-                numbers.of(format!("spring {}-{}", self.end_name(spring.from), self.end_name(spring.to)))
-            } else {
-                spring.name.clone()
+        let links = self.each().filter(|(_, element)| element.role() == Role::Link);
+        let name = |(id, element): (ElementId, &dyn Element)| {
+            if !element.name().is_empty() {
+                return (id, element.name().to_owned());
             }
+            let ends: Vec<String> = element.grips().iter().map(|grip| self.end_name(grip.end)).collect();
+            (id, numbers.of(format!("{} {}", id.kind.words(), ends.join("-"))))
         };
-        self.springs.iter().map(name).collect()
+        links.map(name).collect()
     }
 
     fn end_name(&self, end: End) -> String {

@@ -1,21 +1,21 @@
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use super::Assembly;
 use super::held::holds;
+use crate::elements::attachment::Attachment;
+use crate::elements::element::{Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::finite::{Link, Mass};
+use crate::elements::finite::Mass;
 use crate::elements::part::{Kind, NodeRef, Part, extremes};
-use crate::elements::spring::Pulled;
 use crate::elements::structure::{
-    Component, Fault, Freedoms, Hold, Joint, Node, Purpose, Structure, Unknown,
+    Component, Fault, Freedoms, Hold, Joint, Load, Node, Purpose, Structure, Unknown,
 };
-use crate::elements::{End, Law, Motion, Prestress, coefficient};
+use crate::elements::{Assembly, End, Motion, coefficient};
 use crate::model::{Reach, Rheology};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
-pub(super) struct Net<'a> {
+pub(in crate::elements) struct Net<'a> {
     pub assembly: &'a Assembly,
     pub structure: Structure,
     /// First node of each part, of the points, and of the joints.
@@ -26,8 +26,8 @@ pub(super) struct Net<'a> {
     hinges: Vec<usize>,
     /// Nodes whose displacements are wanted, and what they are in the structure.
     stations: Vec<NodeRef>,
-    /// Those of them at which springs or forces pull.
-    pulled: Vec<usize>,
+    /// Loads of links and forces at each of them.
+    loads: Vec<Load>,
 }
 
 /// Order above which the space of a structure does not grow: its strains are complete up to there.
@@ -51,17 +51,18 @@ impl<'a> Net<'a> {
     pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
         for (index, point) in assembly.points.iter().enumerate() {
             let place = ElementKind::Point.at(index);
-            coefficient::mass(point.mass).map_err(at(place, Field::Mass))?;
-            coefficient::finite(&point.position).map_err(at(place, Field::Position))?;
+            coefficient::mass(point.mass).map_err(at(place, Field::MASS))?;
+            coefficient::finite(&point.position).map_err(at(place, Field::POSITION))?;
             if point.motion != Motion::Free {
-                return Err(at(place, Field::Motion)(Problem::NoGuide));
+                return Err(at(place, Field::MOTION)(Problem::NoGuide));
             }
         }
         let mut net = Self::new(assembly, true)?;
         net.structure.own("");
-        for (index, name) in assembly.spring_names().iter().enumerate() {
-            net.spring(index)?;
-            net.structure.own(name);
+        let names = assembly.link_names();
+        for (id, link) in assembly.each().filter(|(_, element)| element.role() == Role::Link) {
+            link.afloat(id, &mut net)?;
+            net.structure.own(&names[&id]);
         }
         Ok(net)
     }
@@ -79,7 +80,7 @@ impl<'a> Net<'a> {
         firsts.push(structure.nodes.len());
         let (joints, hinges) = (Vec::new(), Vec::new());
         let mut net =
-            Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), pulled: Vec::new() };
+            Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), loads: Vec::new() };
         for point in assembly.points.iter().filter(|_| floating) {
             net.point(point.mass, point.position.into());
         }
@@ -103,7 +104,7 @@ impl<'a> Net<'a> {
             modes: self.assembly.reduction.modes,
             floating,
             stations: &stations,
-            pulled: &self.pulled,
+            loads: &self.loads,
         };
         self.structure.component(freedoms, &purpose).map_err(|fault| self.refusal(fault))
     }
@@ -114,25 +115,31 @@ impl<'a> Net<'a> {
     }
 
     /// Nodes whose displacements the component has, with what moves them: its coordinates, numbered from `start`.
-    pub fn pulled(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Pulled> {
-        let pulled = |(number, node): (usize, &NodeRef)| {
+    pub fn attachments(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
+        let attachment = |(number, node): (usize, &NodeRef)| {
             let index = self.index(*node);
-            let (name, place) = (self.node_name(index), self.structure.nodes[index].place);
-            (*node, Pulled { shapes: component.shapes(number, start), name, ..Pulled::at(place) })
+            let attachment = Attachment {
+                name: self.node_name(index),
+                position: self.structure.nodes[index].place,
+                shapes: component.shapes(number, start),
+                turns: component.turns(number, start),
+                curvature: Vec::new(),
+            };
+            (*node, attachment)
         };
-        self.stations.iter().enumerate().map(pulled).collect()
+        self.stations.iter().enumerate().map(attachment).collect()
     }
 
     /// Nodes by which the displacement of parts is measured, each with its distance from where its part is held, or from the
     /// farthest of its nodes.
-    pub fn reaches(&self, pulled: &BTreeMap<NodeRef, Pulled>) -> Vec<Reach> {
+    pub fn reaches(&self, nodes: &BTreeMap<NodeRef, Attachment>) -> Vec<Reach> {
         let of_part = |(number, part): (usize, &Part)| {
             let places = part.nodes();
             let reach = |node: usize| {
                 let from = |other: usize| (places[other].place - places[node].place).norm();
                 let held = part.attached.iter().map(|other| from(*other)).min_by(f64::total_cmp);
                 let length = held.or_else(|| (0..places.len()).map(from).max_by(f64::total_cmp))?;
-                let Pulled { name, shapes, .. } = pulled.get(&NodeRef { part: number, node })?;
+                let Attachment { name, shapes, .. } = nodes.get(&NodeRef { part: number, node })?;
                 (length > 0.0).then(|| Reach { name: name.clone(), length, shapes: shapes.clone() })
             };
             part.watched().into_iter().filter_map(reach).collect::<Vec<_>>()
@@ -202,7 +209,7 @@ impl<'a> Net<'a> {
     /// An element blamed for what is wrong with a node.
     pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
         let element = self.owner(node).0;
-        let field = if element.kind == ElementKind::Part { Field::Attach } else { Field::Stiffness };
+        let field = if element.kind == ElementKind::Part { Field::ATTACH } else { Field::STIFFNESS };
         at(element, field)(problem)
     }
 
@@ -215,30 +222,19 @@ impl<'a> Net<'a> {
         self.structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
     }
 
-    fn spring(&mut self, index: usize) -> Result<(), ElementError> {
-        let spring = &self.assembly.springs[index];
-        let place = ElementKind::Spring.at(index);
-        if spring.from == spring.to {
-            return Err(at(place, Field::To)(Problem::SameEnds));
-        }
-        if matches!(spring.law, Law::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
-            return Err(at(place, Field::Tension)(Problem::TensionAfloat));
-        }
-        let node = |end: End, field: Field| match end {
-            End::Carrier => Err(at(place, field)(Problem::NoCarrier)),
+    /// Node at which an element acts.
+    ///
+    /// # Errors
+    /// [`Problem`] for an end that a body without a carrier does not have.
+    pub fn node_at(&self, end: End) -> Result<usize, Problem> {
+        match end {
+            End::Carrier | End::Hinged(_) => Err(Problem::NoCarrier),
             End::Point(point) if point < self.assembly.points.len() => {
                 Ok(self.firsts[self.assembly.parts.len()] + point)
             }
-            End::Point(index) => Err(at(place, field)(Problem::NoSuchPoint { index })),
+            End::Point(index) => Err(Problem::NoSuchPoint { index }),
             End::Node(node) => Ok(self.index(node)),
-            End::Hinged(_) => Err(at(place, field)(Problem::NoCarrier)),
-        };
-        let nodes = [node(spring.from, Field::From)?, node(spring.to, Field::To)?];
-        let places = nodes.map(|node| self.structure.nodes[node].place);
-        let (stiffness, damping): (Matrix3<f64>, Matrix3<f64>) = spring.matrices(place, places)?;
-        let matter = self.matter(&spring.rheology);
-        self.structure.elements.push(Box::new(Link { nodes, matter, stiffness, damping }));
-        Ok(())
+        }
     }
 
     /// Notes the nodes that are watched, and those at which springs and forces pull; of a body without a carrier also
@@ -247,27 +243,32 @@ impl<'a> Net<'a> {
         let points = self.assembly.parts.len();
         let mut stations = BTreeMap::new();
         for (part, description) in self.assembly.parts.iter().enumerate() {
-            stations.extend(description.watched().into_iter().map(|node| (NodeRef { part, node }, false)));
+            stations.extend(
+                description.watched().into_iter().map(|node| (NodeRef { part, node }, Load::default())),
+            );
         }
         if floating {
             let places: Vec<[f64; 3]> = self.assembly.points.iter().map(|point| point.position).collect();
-            stations
-                .extend(extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, false)));
+            stations.extend(
+                extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, Load::default())),
+            );
         }
-        for (place, field, end) in self.assembly.ends() {
-            let spring = place.kind == ElementKind::Spring;
+        for (id, role, Grip { field, end, moment }) in self.assembly.grips() {
+            let between_nodes = floating && role == Role::Link;
             match end {
                 End::Node(node) => {
-                    self.assembly.has(node).map_err(at(place, field))?;
-                    *stations.entry(node).or_default() |= !(floating && spring);
+                    self.assembly.has(node).map_err(at(id, field))?;
+                    let load: &mut Load = stations.entry(node).or_default();
+                    load.force |= !between_nodes;
+                    load.moment |= !between_nodes && moment;
                 }
-                End::Point(node) if floating && !spring => {
-                    stations.insert(NodeRef { part: points, node }, true);
+                End::Point(node) if floating && role != Role::Link => {
+                    stations.insert(NodeRef { part: points, node }, Load { force: true, moment: false });
                 }
                 End::Point(_) | End::Carrier | End::Hinged(_) => {}
             }
         }
-        self.pulled = stations.values().enumerate().filter(|(_, pulled)| **pulled).map(|(i, _)| i).collect();
+        self.loads = stations.values().copied().collect();
         self.stations = stations.into_keys().collect();
         Ok(())
     }
@@ -276,10 +277,10 @@ impl<'a> Net<'a> {
         match fault {
             Fault::Loose(unknowns) => self.mechanism(&unknowns),
             Fault::Memory(unknowns, cause) => {
-                at(ElementKind::Part.at(0), Field::Name)(Problem::Memory { unknowns, cause })
+                at(ElementKind::Part.at(0), Field::NAME)(Problem::Memory { unknowns, cause })
             }
             Fault::NoConvergence(cause) => {
-                at(ElementKind::Part.at(0), Field::Modes)(Problem::NoModes { cause })
+                at(ElementKind::Part.at(0), Field::MODES)(Problem::NoModes { cause })
             }
         }
     }
@@ -296,7 +297,7 @@ impl<'a> Net<'a> {
         });
         let (hinges, names): (Vec<ElementId>, Vec<String>) = hinges.unzip();
         if let Some(first) = hinges.first() {
-            return at(*first, Field::Stiffness)(Problem::Mechanism { coordinates: listed(names) });
+            return at(*first, Field::STIFFNESS)(Problem::Mechanism { coordinates: listed(names) });
         }
         let nodes = loose.iter().filter_map(|unknown| match *unknown {
             Unknown::Node(node, component) => {

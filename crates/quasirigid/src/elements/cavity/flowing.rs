@@ -37,7 +37,7 @@ const LAYERS: f64 = 2.0;
 impl Flowing {
     /// An ideal liquid behind a boundary layer.
     pub fn layered(shape: &CavityShape, resolution: usize, modes: usize) -> Result<Self, (Field, Problem)> {
-        let unresolved = (Field::Shape, Problem::LiquidUnresolved);
+        let unresolved = (Field::SHAPE, Problem::LiquidUnresolved);
         let (extent, slip) = if let CavityShape::Ellipsoid { semi_axes } = *shape {
             (shape.extent(), Some(ideal::in_ellipsoid(semi_axes)))
         } else if let Some((outline, axis)) = shape.revolution() {
@@ -45,7 +45,7 @@ impl Flowing {
             (shape.extent(), revolution::slip(&outline, degree).map(|slip| slip.about(axis)))
         } else {
             let mesh = cells(shape, resolution, EVEN)?;
-            let (moments, slip) = stokes::slip(&mesh).map_err(|error| (Field::Shape, error.into()))?;
+            let (moments, slip) = stokes::slip(&mesh).map_err(|error| (Field::SHAPE, error.into()))?;
             (Some(shape.extent().unwrap_or_else(|| (&moments).into())), Some(slip))
         };
         let (extent, slip) = extent.zip(slip).ok_or(unresolved.clone())?;
@@ -55,7 +55,7 @@ impl Flowing {
 
     /// The flows in a shape, exact where they are known, else of polynomials or finite elements.
     pub fn new(shape: &CavityShape, resolution: usize, memory: Memory) -> Result<Self, (Field, Problem)> {
-        let unresolved = (Field::Shape, Problem::LiquidUnresolved);
+        let unresolved = (Field::SHAPE, Problem::LiquidUnresolved);
         if shape.is_known() && memory.modes <= KNOWN {
             return Self::exact(shape, memory).ok_or(unresolved);
         }
@@ -92,7 +92,7 @@ impl Flowing {
         memory: Memory,
     ) -> Result<Self, (Field, Problem)> {
         let degree = polynomial_degree(degree)?;
-        let refused = |error| (Field::Shape, Problem::Stokes(error));
+        let refused = |error| (Field::SHAPE, Problem::Stokes(error));
         let layers = if memory.modes > FAST { 2 } else { 1 };
         let fine = Fineness { degree, layers, harmonics: memory.depth };
         let coarse = Fineness { degree: degree - 1, layers: 1, harmonics: 1 };
@@ -102,19 +102,19 @@ impl Flowing {
         let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
         Ok(Self {
             extent,
-            relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
+            relaxations: relaxations.ok_or((Field::SHAPE, Problem::LiquidUnresolved))?,
             errors: Some([0, 1, 2].map(|axis| (coarse[axis] / fine[axis] - 1.0).abs())),
             equivalent: None,
         })
     }
 
     fn meshed(mesh: &Mesh, extent: Option<Extent>, memory: Memory) -> Result<Self, (Field, Problem)> {
-        let flow = MeshedFlow::new(mesh).map_err(|error| (Field::Shape, error.into()))?;
+        let flow = MeshedFlow::new(mesh).map_err(|error| (Field::SHAPE, error.into()))?;
         let extent = extent.unwrap_or_else(|| flow.extent());
         let relaxations = Relaxations::of(&flow, memory, extent.mean_inertia());
         Ok(Self {
             extent,
-            relaxations: relaxations.ok_or((Field::Shape, Problem::LiquidUnresolved))?,
+            relaxations: relaxations.ok_or((Field::SHAPE, Problem::LiquidUnresolved))?,
             errors: Some(flow.errors()),
             equivalent: None,
         })
@@ -122,8 +122,8 @@ impl Flowing {
 }
 
 fn cells(shape: &CavityShape, resolution: usize, grading: f64) -> Result<Cow<'_, Mesh>, (Field, Problem)> {
-    let mesh = shape.mesh(resolution, grading).ok_or((Field::Shape, Problem::LiquidUnresolved))?;
-    mesh.map_err(|error| (Field::Shape, error.into()))
+    let mesh = shape.mesh(resolution, grading).ok_or((Field::SHAPE, Problem::LiquidUnresolved))?;
+    mesh.map_err(|error| (Field::SHAPE, error.into()))
 }
 
 fn polynomial_degree(resolution: usize) -> Result<usize, (Field, Problem)> {
@@ -131,6 +131,6 @@ fn polynomial_degree(resolution: usize) -> Result<usize, (Field, Problem)> {
     if (least..=most).contains(&degree) {
         Ok(degree)
     } else {
-        Err((Field::Resolution, Problem::FlowDegree { degree, least, most }))
+        Err((Field::RESOLUTION, Problem::FlowDegree { degree, least, most }))
     }
 }

@@ -16,9 +16,10 @@ mod tests;
 use nalgebra::{Matrix3, Vector3};
 
 use super::affine::Piece;
-use super::coefficient;
-use super::error::{ElementError, ElementKind, Field, Problem, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::inner::Inner;
+use super::{Assembly, Incomplete, coefficient};
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
 use flowing::Flowing;
@@ -82,17 +83,6 @@ pub struct SlowLiquid {
     pub viscosity: f64,
 }
 
-/// A liquid as a body needs it.
-pub(super) struct Filled {
-    /// The liquid at rest.
-    pub piece: Piece,
-    /// Its centre of mass (m), in the file's frame.
-    pub center: Vector3<f64>,
-    /// Its motions.
-    pub inner: Inner,
-    pub slow: SlowLiquid,
-}
-
 /// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
 /// high as wide at most, up to which its fields are.
 pub const MOST_OF_BALL: f64 = 2e6;
@@ -114,19 +104,19 @@ const MOST_MODES: usize = 6;
 const UNIT: f64 = 1e-9;
 
 impl Cavity {
-    pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = ElementKind::Cavity.at(index);
+    /// Accepts the values of a cavity.
+    fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.shape.check().map_err(|(field, problem)| at(place, field)(problem))?;
-        coefficient::finite(&self.center).map_err(at(place, Field::Center))?;
-        coefficient::positive(self.density).map_err(at(place, Field::Density))?;
-        coefficient::positive(self.viscosity).map_err(at(place, Field::Viscosity))?;
+        coefficient::finite(&self.center).map_err(at(place, Field::CENTER))?;
+        coefficient::positive(self.density).map_err(at(place, Field::DENSITY))?;
+        coefficient::positive(self.viscosity).map_err(at(place, Field::VISCOSITY))?;
         let norm = self.attitude.iter().map(|part| part * part).sum::<f64>();
         if !((norm - 1.0).abs() < UNIT) {
-            return Err(at(place, Field::Attitude)(Problem::NotAttitude { norm: norm.sqrt() }));
+            return Err(at(place, Field::ATTITUDE)(Problem::NotAttitude { norm: norm.sqrt() }));
         }
         if self.modes > MOST_MODES {
             let problem = Problem::TooManyModes { modes: self.modes, most: MOST_MODES };
-            return Err(at(place, Field::Modes)(problem));
+            return Err(at(place, Field::MODES)(problem));
         }
         Ok(())
     }
@@ -159,9 +149,8 @@ impl Cavity {
     }
 
     /// The liquid with its motions, to as many steps as an order of the reduction needs.
-    pub(super) fn filled(&self, index: usize, order: usize) -> Result<Filled, ElementError> {
-        self.check(index)?;
-        let place = ElementKind::Cavity.at(index);
+    fn filled(&self, place: ElementId, order: usize) -> Result<Inner, ElementError> {
+        self.check_values(place)?;
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
         let flowing = match self.regime {
             Regime::Viscous => Flowing::new(&self.shape, self.resolution, memory),
@@ -172,27 +161,28 @@ impl Cavity {
         let turn = self.turn();
         let inertia = self.density * (turn * extent.inertia() * turn.transpose());
         let inertia =
-            Inertia::new(rows(&inertia)).map_err(|error| at(place, Field::Density)(error.into()))?;
+            Inertia::new(rows(&inertia)).map_err(|error| at(place, Field::DENSITY)(error.into()))?;
         let mass = self.density * extent.volume;
         let (P, inertia_of_unit) = (relaxations.slow_tensor(), extent.inertia());
         let slowest = (0..3).map(|k| P[(k, k)] / inertia_of_unit[(k, k)]).fold(0.0, f64::max);
-        Ok(Filled {
-            piece: Piece::rigid(mass, Vector3::zeros(), &inertia),
-            center: Vector3::from(self.center) + turn * extent.center,
-            slow: SlowLiquid {
-                mass,
-                radius: (35.0 * slowest).sqrt(),
-                tensor: rows(&(turn * P * turn.transpose())),
-                errors,
-                equivalent: equivalent
-                    .map(|inertia| rows(&(self.density * (turn * inertia * turn.transpose())))),
-                viscosity: self.viscosity,
-            },
-            inner: self.inner(relaxations),
+        let piece = Piece::rigid(mass, Vector3::zeros(), &inertia);
+        let slow = SlowLiquid {
+            mass,
+            radius: (35.0 * slowest).sqrt(),
+            tensor: rows(&(turn * P * turn.transpose())),
+            errors,
+            equivalent: equivalent.map(|inertia| rows(&(self.density * (turn * inertia * turn.transpose())))),
+            viscosity: self.viscosity,
+        };
+        Ok(Inner {
+            rigid: vec![(piece, Vector3::from(self.center) + turn * extent.center)],
+            liquids: vec![slow],
+            ..self.relaxing(relaxations)
         })
     }
 
-    fn inner(&self, relaxations: Relaxations) -> Inner {
+    /// Cyclic coordinates of the liquid.
+    fn relaxing(&self, relaxations: Relaxations) -> Inner {
         let turn = self.turn();
         let Relaxations { mass, friction, momentum, turning, shares, advection } = relaxations;
         let coordinate = |number: usize| Coordinate {
@@ -219,7 +209,7 @@ impl Cavity {
             pairs: own.chain(coupled).collect(),
             friction: vec![(self.name.clone(), friction.collect())],
             advections,
-            speeds: Vec::new(),
+            ..Inner::default()
         }
     }
 
@@ -253,6 +243,29 @@ impl Cavity {
         let columns =
             Matrix3::<f64>::identity().data.0.map(|axis| Vector3::from(to_inertial(self.attitude, axis)));
         Matrix3::from_columns(&columns)
+    }
+}
+
+impl Element for Cavity {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::Inside(Field::SHAPE)
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.check_values(id).err().into_iter().collect()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        let ring = matches!(self.shape, CavityShape::Ring { .. });
+        if self.regime == Regime::Viscous && !ring { vec![Incomplete::Liquids] } else { Vec::new() }
+    }
+
+    fn inner(&self, id: ElementId, order: usize) -> Result<Option<Inner>, ElementError> {
+        self.filled(id, order).map(Some)
     }
 }
 

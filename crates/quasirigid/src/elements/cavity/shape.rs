@@ -93,19 +93,19 @@ impl CavityShape {
     /// Accepts lengths that are positive, inner ones less than the outer.
     pub(super) fn check(&self) -> Result<(), (Field, Problem)> {
         let lengths = match self {
-            Self::Ellipsoid { semi_axes } => vec![(Field::SemiAxes, semi_axes.to_vec())],
+            Self::Ellipsoid { semi_axes } => vec![(Field::SEMI_AXES, semi_axes.to_vec())],
             Self::Cylinder { radius, height } => {
-                vec![(Field::Radius, vec![*radius]), (Field::Height, vec![*height])]
+                vec![(Field::RADIUS, vec![*radius]), (Field::HEIGHT, vec![*height])]
             }
             Self::Annulus { radii, height } => {
-                vec![(Field::Radii, radii.to_vec()), (Field::Height, vec![*height])]
+                vec![(Field::RADII, radii.to_vec()), (Field::HEIGHT, vec![*height])]
             }
             Self::Ring { radius, tube_radius } => {
-                vec![(Field::Radius, vec![*radius]), (Field::TubeRadius, vec![*tube_radius])]
+                vec![(Field::RADIUS, vec![*radius]), (Field::TUBE_RADIUS, vec![*tube_radius])]
             }
-            Self::Cuboid { sides } => vec![(Field::Sides, sides.to_vec())],
+            Self::Cuboid { sides } => vec![(Field::SIDES, sides.to_vec())],
             Self::Shell { outer, inner } => {
-                vec![(Field::SemiAxes, outer.to_vec()), (Field::InnerSemiAxes, inner.to_vec())]
+                vec![(Field::SEMI_AXES, outer.to_vec()), (Field::INNER_SEMI_AXES, inner.to_vec())]
             }
             Self::Mesh(_) => Vec::new(),
         };
@@ -122,7 +122,7 @@ impl CavityShape {
             _ => Vec::new(),
         };
         match pairs.into_iter().find(|[inner, outer]| !(inner < outer)) {
-            Some([inner, outer]) => Err((Field::Shape, MeshingError::NotWithin { inner, outer }.into())),
+            Some([inner, outer]) => Err((Field::SHAPE, MeshingError::NotWithin { inner, outer }.into())),
             None => Ok(()),
         }
     }

@@ -1,230 +1,183 @@
-/// A value of an element; its text is the key of the model file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
+/// Key of an element: which of its values an error speaks of, spelt as in the model file.
+///
+/// Those that several kinds share, or that are checked apart from their kind, stand here; a kind may have keys of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Field(&'static str);
+
+/// Defines keys.
+macro_rules! fields {
+    ($($(#[$doc:meta])* $name:ident = $key:literal;)+) => {
+        impl Field {
+            $($(#[$doc])* pub const $name: Self = Self($key);)+
+        }
+    };
+}
+
+fields! {
     /// Unique name.
-    Name,
+    NAME = "name";
     /// Mass.
-    Mass,
+    MASS = "mass";
     /// Centre of mass.
-    CenterOfMass,
+    CENTER_OF_MASS = "center_of_mass";
     /// Inertia tensor.
-    Inertia,
+    INERTIA = "inertia";
     /// Equilibrium position.
-    Position,
+    POSITION = "position";
     /// Motion left by the constraints.
-    Motion,
+    MOTION = "motion";
     /// First end of a spring.
-    From,
+    FROM = "from";
     /// Second end of a spring.
-    To,
+    TO = "to";
     /// The carrier's end of an axial spring.
-    Anchor,
+    ANCHOR = "anchor";
     /// Nodes that are clamped on the carrier.
-    Attach,
+    ATTACH = "attach";
     /// File of a mesh or a matrix.
-    File,
+    FILE = "file";
     /// What a part is made of.
-    Material,
+    MATERIAL = "material";
     /// Section of a beam.
-    Section,
+    SECTION = "section";
     /// Direction of the section of a beam.
-    Up,
+    UP = "up";
     /// Lines of beams between nodes.
-    Lines,
+    LINES = "lines";
     /// Masses at nodes.
-    Masses,
+    MASSES = "masses";
     /// Layers of a panel.
-    Layers,
+    LAYERS = "layers";
     /// Direction of the angle zero of the layers of a panel.
-    Reference,
+    REFERENCE = "reference";
     /// Damping in proportion to mass and stiffness.
-    Rayleigh,
+    RAYLEIGH = "rayleigh";
     /// Number of modes that are kept.
-    Modes,
+    MODES = "modes";
     /// Shapes of modes.
-    Shapes,
+    SHAPES = "shapes";
     /// Frequencies of modes.
-    Frequencies,
+    FREQUENCIES = "frequencies";
     /// Damping ratios of modes.
-    DampingRatios,
+    DAMPING_RATIOS = "damping_ratios";
     /// Nodes whose displacements are coordinates.
-    Interface,
+    INTERFACE = "interface";
     /// Shear moduli of a material.
-    Shear,
+    SHEAR = "shear";
     /// Stiffness.
-    Stiffness,
+    STIFFNESS = "stiffness";
     /// Damping.
-    Damping,
+    DAMPING = "damping";
     /// Place of a hinge; of a connection, its axes.
-    Hinge,
+    HINGE = "hinge";
     /// Axes of a hinge.
-    Axes,
+    AXES = "axes";
     /// Tension of a spring.
-    Tension,
+    TENSION = "tension";
     /// Places on a hinged appendage.
-    Places,
+    PLACES = "places";
     /// Axis of a rotor or a wheel.
-    Axis,
+    AXIS = "axis";
     /// Friction of a rotor.
-    Friction,
+    FRICTION = "friction";
     /// Viscosity of a liquid.
-    Viscosity,
+    VISCOSITY = "viscosity";
     /// Shape of a cavity.
-    Shape,
+    SHAPE = "shape";
     /// Radius of a cylinder or a ring.
-    Radius,
+    RADIUS = "radius";
     /// Radii of an annulus.
-    Radii,
+    RADII = "radii";
     /// Radius of the tube of a ring.
-    TubeRadius,
+    TUBE_RADIUS = "tube_radius";
     /// Height of a cylinder.
-    Height,
+    HEIGHT = "height";
     /// Sides of a box.
-    Sides,
+    SIDES = "sides";
     /// Semi-axes of the inner ellipsoid of a shell.
-    InnerSemiAxes,
+    INNER_SEMI_AXES = "inner_semi_axes";
     /// Number of cells across a cavity.
-    Resolution,
+    RESOLUTION = "resolution";
     /// Attitude of a cavity.
-    Attitude,
+    ATTITUDE = "attitude";
     /// Speed of a rotor.
-    Speed,
+    SPEED = "speed";
     /// Momentum of a wheel.
-    Momentum,
+    MOMENTUM = "momentum";
     /// Semi-axes of an ellipsoid.
-    SemiAxes,
+    SEMI_AXES = "semi_axes";
     /// Centre of an ellipsoid.
-    Center,
+    CENTER = "center";
     /// Degree of the polynomials of a displacement.
-    Degree,
+    DEGREE = "degree";
     /// Number of cells.
-    Cells,
+    CELLS = "cells";
     /// Density of a material.
-    Density,
+    DENSITY = "density";
     /// Young's modulus of a material.
-    Young,
+    YOUNG = "young";
     /// Poisson's ratio of a material.
-    Poisson,
+    POISSON = "poisson";
     /// How a material answers periodic strain.
-    Rheology,
+    RHEOLOGY = "rheology";
     /// The fixed or driven point of a support.
-    FixedPoint,
+    FIXED_POINT = "point";
     /// Velocity of a driven point at the start.
-    Velocity,
+    VELOCITY = "velocity";
     /// Acceleration of gravity.
-    Acceleration,
+    ACCELERATION = "acceleration";
     /// Part that a force acts on.
-    On,
+    ON = "on";
     /// Place on the carrier where a force acts.
-    At,
+    AT = "at";
     /// Coefficient of a drag.
-    Coefficient,
+    COEFFICIENT = "coefficient";
     /// Amplitude of a torque.
-    Torque,
+    TORQUE = "torque";
     /// Amplitude of a thrust.
-    Force,
+    FORCE = "force";
     /// Magnetic dipole moment.
-    Moment,
+    MOMENT = "moment";
     /// Uniform magnetic field.
-    MagneticField,
+    MAGNETIC_FIELD = "field";
     /// Strength of the dipole whose magnetic field it is.
-    Dipole,
+    DIPOLE = "dipole";
     /// Frequency of a periodic force.
-    Frequency,
+    FREQUENCY = "frequency";
     /// Phase of a periodic force.
-    Phase,
+    PHASE = "phase";
     /// Gravitational parameter of an orbit.
-    GravitationalParameter,
+    GRAVITATIONAL_PARAMETER = "gravitational_parameter";
     /// Semi-major axis of an orbit.
-    SemiMajorAxis,
+    SEMI_MAJOR_AXIS = "semi_major_axis";
     /// Eccentricity of an orbit.
-    Eccentricity,
+    ECCENTRICITY = "eccentricity";
     /// Inclination of an orbit.
-    Inclination,
+    INCLINATION = "inclination";
     /// Longitude of the ascending node of an orbit.
-    Node,
+    NODE = "node";
     /// Argument of the periapsis of an orbit.
-    Periapsis,
+    PERIAPSIS = "periapsis";
     /// Mean anomaly at the start.
-    MeanAnomaly,
+    MEAN_ANOMALY = "mean_anomaly";
+}
+
+impl Field {
+    /// A key of one kind of element.
+    #[must_use]
+    pub const fn new(key: &'static str) -> Self {
+        Self(key)
+    }
+
+    /// Spelling in the model file.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        self.0
+    }
 }
 
 impl std::fmt::Display for Field {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Name => "name",
-            Self::Mass => "mass",
-            Self::CenterOfMass => "center_of_mass",
-            Self::Inertia => "inertia",
-            Self::Position => "position",
-            Self::Motion => "motion",
-            Self::From => "from",
-            Self::To => "to",
-            Self::Anchor => "anchor",
-            Self::Attach => "attach",
-            Self::File => "file",
-            Self::Material => "material",
-            Self::Section => "section",
-            Self::Up => "up",
-            Self::Lines => "lines",
-            Self::Masses => "masses",
-            Self::Layers => "layers",
-            Self::Reference => "reference",
-            Self::Rayleigh => "rayleigh",
-            Self::Modes => "modes",
-            Self::Shapes => "shapes",
-            Self::Frequencies => "frequencies",
-            Self::DampingRatios => "damping_ratios",
-            Self::Interface => "interface",
-            Self::Shear => "shear",
-            Self::Stiffness => "stiffness",
-            Self::Damping => "damping",
-            Self::Hinge => "hinge",
-            Self::Axes => "axes",
-            Self::Tension => "tension",
-            Self::Places => "places",
-            Self::Axis => "axis",
-            Self::Friction => "friction",
-            Self::Viscosity => "viscosity",
-            Self::Shape => "shape",
-            Self::Radius => "radius",
-            Self::Radii => "radii",
-            Self::TubeRadius => "tube_radius",
-            Self::Height => "height",
-            Self::Sides => "sides",
-            Self::InnerSemiAxes => "inner_semi_axes",
-            Self::Resolution => "resolution",
-            Self::Attitude => "attitude",
-            Self::Speed => "speed",
-            Self::Momentum => "momentum",
-            Self::SemiAxes => "semi_axes",
-            Self::Center => "center",
-            Self::Degree => "degree",
-            Self::Cells => "cells",
-            Self::Density => "density",
-            Self::Young => "young",
-            Self::Poisson => "poisson",
-            Self::Rheology => "rheology",
-            Self::FixedPoint => "point",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-            Self::On => "on",
-            Self::At => "at",
-            Self::Coefficient => "coefficient",
-            Self::Torque => "torque",
-            Self::Force => "force",
-            Self::Moment => "moment",
-            Self::MagneticField => "field",
-            Self::Dipole => "dipole",
-            Self::Frequency => "frequency",
-            Self::Phase => "phase",
-            Self::GravitationalParameter => "gravitational_parameter",
-            Self::SemiMajorAxis => "semi_major_axis",
-            Self::Eccentricity => "eccentricity",
-            Self::Inclination => "inclination",
-            Self::Node => "node",
-            Self::Periapsis => "periapsis",
-            Self::MeanAnomaly => "mean_anomaly",
-        })
+        f.write_str(self.0)
     }
 }

@@ -271,8 +271,8 @@ pub enum Problem {
         /// Distance between them (m).
         distance: f64,
     },
-    /// A hinge or ball joins a node that does not turn.
-    #[error("{node} has no rotations, so it can have no hinge; name a face, or three nodes or more")]
+    /// A moment acts on a node that does not turn.
+    #[error("{node} has no rotations, so no moment acts there; name a face, or three nodes or more")]
     NoTurn {
         /// The node, by name.
         node: String,

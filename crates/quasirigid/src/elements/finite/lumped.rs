@@ -1,4 +1,4 @@
-use nalgebra::{DMatrix, Matrix3, Matrix3xX, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix3xX, SMatrix, Vector3};
 
 use super::element::{Element, Grain, Site, Turn};
 use crate::model::Inertia;
@@ -16,15 +16,35 @@ pub(in crate::elements) struct Mass {
     pub place: Vector3<f64>,
 }
 
-/// A spring between two nodes that acts on their displacement relative to each other.
+/// A spring between two nodes.
 #[derive(Clone, Debug)]
 pub(in crate::elements) struct Link {
-    pub nodes: [usize; 2],
-    pub matter: usize,
-    /// Force for a displacement.
-    pub stiffness: Matrix3<f64>,
-    /// Force for its rate.
-    pub damping: Matrix3<f64>,
+    nodes: [usize; 2],
+    freedoms: usize,
+    matter: usize,
+    stiffness: DMatrix<f64>,
+    damping: DMatrix<f64>,
+}
+
+impl Link {
+    /// Spring whose strain is a sum over the two nodes, a map of the freedoms of each, with its force for a strain and for the rate of
+    /// one.
+    pub fn new<const N: usize>(
+        nodes: [usize; 2],
+        matter: usize,
+        strain: [SMatrix<f64, N, N>; 2],
+        [stiffness, damping]: [SMatrix<f64, N, N>; 2],
+    ) -> Self {
+        let law = |law: SMatrix<f64, N, N>| {
+            let mut matrix = DMatrix::zeros(2 * N, 2 * N);
+            for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let part = strain[row].transpose() * law * strain[column];
+                matrix.view_mut((N * row, N * column), (N, N)).copy_from(&part);
+            }
+            matrix
+        };
+        Self { nodes, freedoms: N, matter, stiffness: law(stiffness), damping: law(damping) }
+    }
 }
 
 impl Element for Mass {
@@ -66,7 +86,7 @@ impl Element for Link {
     }
 
     fn freedoms(&self) -> usize {
-        3
+        self.freedoms
     }
 
     fn matter(&self) -> usize {
@@ -74,25 +94,16 @@ impl Element for Link {
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
-        between(&self.stiffness)
+        self.stiffness.clone()
     }
 
     fn damping(&self) -> Option<DMatrix<f64>> {
-        Some(between(&self.damping))
+        Some(self.damping.clone())
     }
 
     fn grains(&self) -> Vec<Grain> {
         Vec::new()
     }
-}
-
-/// A law for the displacement of the second end relative to the first, over both.
-fn between(law: &Matrix3<f64>) -> DMatrix<f64> {
-    let mut matrix = DMatrix::zeros(6, 6);
-    for (row, column, sign) in [(0, 0, 1.0), (3, 3, 1.0), (0, 3, -1.0), (3, 0, -1.0)] {
-        matrix.view_mut((row, column), (3, 3)).copy_from(&(sign * law));
-    }
-    matrix
 }
 
 /// Six points with the mass and the inertia of a rigid body about its centre: masses, and places from it.

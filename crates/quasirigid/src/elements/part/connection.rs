@@ -1,3 +1,6 @@
+use crate::elements::element::{Element, Role};
+use crate::elements::error::{ElementError, ElementId};
+use crate::elements::{Assembly, Incomplete};
 use crate::model::Rheology;
 
 /// A node of a part.
@@ -41,4 +44,23 @@ pub enum Anchor {
         /// Indices of the nodes in it.
         nodes: Vec<usize>,
     },
+}
+
+impl Element for Connection {
+    fn role(&self) -> Role {
+        Role::Mass
+    }
+
+    /// Connections are checked with the parts that they join.
+    fn check(&self, _: ElementId, _: &Assembly) -> Vec<ElementError> {
+        Vec::new()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        if self.axes.is_empty() { Vec::new() } else { vec![Incomplete::Hinges] }
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        vec![&mut self.rheology]
+    }
 }

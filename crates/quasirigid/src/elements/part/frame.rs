@@ -111,7 +111,7 @@ impl Frame {
 impl Member {
     fn check(&self, place: ElementId, nodes: usize) -> Result<(), ElementError> {
         self.material.check(place)?;
-        let refuse = at(place, Field::Lines);
+        let refuse = at(place, Field::LINES);
         if self.elements == 0 {
             return Err(refuse(Problem::NotPositive { value: 0.0 }));
         }
@@ -123,14 +123,14 @@ impl Member {
 
     fn beam(&self, place: ElementId, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
         let section = self.section.section(self.material.poisson);
-        let section = section.map_err(|error| at(place, Field::Section)(error.into()))?;
+        let section = section.map_err(|error| at(place, Field::SECTION)(error.into()))?;
         let Material { young, density, .. } = self.material;
         let matter = beam::Matter { young, shear: self.material.shear(), density };
         Beam::new(ends, self.up, section, matter).map_err(|error| {
             let field = match error {
-                BeamError::NoDirection { .. } => Field::Up,
-                BeamError::NoLength { .. } => Field::Lines,
-                _ => Field::Material,
+                BeamError::NoDirection { .. } => Field::UP,
+                BeamError::NoLength { .. } => Field::LINES,
+                _ => Field::MATERIAL,
             };
             at(place, field)(error.into())
         })

@@ -31,15 +31,15 @@ impl Matrices {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = ElementKind::Part.at(index);
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
         let matrices = [
-            (Field::Mass, self.mass.entries.as_slice()),
-            (Field::Damping, &self.damping),
-            (Field::Stiffness, &self.stiffness),
+            (Field::MASS, self.mass.entries.as_slice()),
+            (Field::DAMPING, &self.damping),
+            (Field::STIFFNESS, &self.stiffness),
         ];
         let blocks = self.mass.blocks(place, matrices)?;
         let masses = blocks.iter().map(|(pair, [mass, ..])| (*pair, mass));
-        let lumps = self.mass.lumps(masses).map_err(at(place, Field::Mass))?;
+        let lumps = self.mass.lumps(masses).map_err(at(place, Field::MASS))?;
         let matter = structure.matter(&self.rheology, rayleigh);
         for (pair, matrices) in &blocks {
             structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &lumps)));

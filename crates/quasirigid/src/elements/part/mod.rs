@@ -22,8 +22,10 @@ pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
 pub use tip::TipMass;
 
-use super::error::{ElementError, ElementKind, Problem};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, ElementKind, Problem};
 use super::structure::{Hold, Node, Structure};
+use super::{Assembly, Incomplete, Material};
 use crate::math::mesh::{Mesh, MeshNote};
 use crate::model::Rheology;
 
@@ -214,4 +216,43 @@ pub(super) fn extremes(nodes: &[[f64; 3]]) -> Vec<usize> {
     found.sort_unstable();
     found.dedup();
     found
+}
+
+impl Element for Part {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn words(&self) -> Option<&'static str> {
+        Some(self.kind.words())
+    }
+
+    fn role(&self) -> Role {
+        Role::Mass
+    }
+
+    /// Parts are checked together, since they hold each other.
+    fn check(&self, _: ElementId, _: &Assembly) -> Vec<ElementError> {
+        Vec::new()
+    }
+
+    fn homogeneous(&self) -> Option<&Material> {
+        let Kind::Solid(solid) = &self.kind else { return None };
+        let [region] = &solid.regions[..] else { return None };
+        match &region.substance {
+            Substance::Isotropic(material) if self.masses.is_empty() => Some(material),
+            _ => None,
+        }
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        match &self.kind {
+            Kind::Matrices(_) | Kind::Modes(_) => vec![Incomplete::Shapes],
+            Kind::Solid(_) | Kind::Frame(_) | Kind::Panel(_) => vec![Incomplete::Structures],
+        }
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        self.kind.rheologies_mut()
+    }
 }

@@ -58,7 +58,7 @@ impl Modes {
     #[must_use]
     pub fn missing(&self, pole: [f64; 3]) -> Option<f64> {
         let Spectrum::Modes { frequencies, .. } = &self.spectrum else { return None };
-        let blocks = self.mass.blocks(ElementKind::Part.at(0), [(Field::Mass, &self.mass.entries)]).ok()?;
+        let blocks = self.mass.blocks(ElementKind::Part.at(0), [(Field::MASS, &self.mass.entries)]).ok()?;
         let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass))).ok()?;
         let masses = modal_masses(&self.couplings()).ok()?;
         let highest = frequencies.iter().copied().fold(0.0, f64::max);
@@ -129,14 +129,14 @@ impl Modes {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = ElementKind::Part.at(index);
-        self.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))?;
-        self.check_shapes().map_err(at(place, Field::Shapes))?;
-        let blocks = self.mass.blocks(place, [(Field::Mass, self.mass.entries.as_slice())])?;
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
+        self.check_shapes().map_err(at(place, Field::SHAPES))?;
+        let blocks = self.mass.blocks(place, [(Field::MASS, self.mass.entries.as_slice())])?;
         let resistance = self.spectrum.matrices(self.size(), place, || self.couplings())?;
         let matter = structure.matter(&self.rheology, rayleigh);
         structure.elements.push(Box::new(self.resistance(first, matter, &resistance)));
         let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
-        let lumps = lumps.map_err(at(place, Field::Mass))?;
+        let lumps = lumps.map_err(at(place, Field::MASS))?;
         for (pair, [mass]) in &blocks {
             let inertia = [*mass, Matrix6::zeros(), Matrix6::zeros()];
             structure.elements.push(Box::new(self.mass.element(*pair, first, matter, &inertia, &lumps)));
@@ -250,7 +250,7 @@ impl Spectrum {
                     entries.iter().for_each(|(row, column, value)| dense[(*row, *column)] += value);
                     Ok(dense)
                 };
-                Ok([dense(Field::Stiffness, stiffness)?, dense(Field::Damping, damping)?])
+                Ok([dense(Field::STIFFNESS, stiffness)?, dense(Field::DAMPING, damping)?])
             }
             Self::Modes { frequencies, damping_ratios } => {
                 let value = |field: Field, values: &[f64], check: fn(f64) -> Result<(), Problem>| {
@@ -262,9 +262,9 @@ impl Spectrum {
                     }
                     values.iter().try_for_each(|value| check(*value)).map_err(at(place, field))
                 };
-                value(Field::Frequencies, frequencies, coefficient::positive)?;
-                value(Field::DampingRatios, damping_ratios, coefficient::non_negative)?;
-                let masses = modal_masses(&couplings()).map_err(at(place, Field::Shapes))?;
+                value(Field::FREQUENCIES, frequencies, coefficient::positive)?;
+                value(Field::DAMPING_RATIOS, damping_ratios, coefficient::non_negative)?;
+                let masses = modal_masses(&couplings()).map_err(at(place, Field::SHAPES))?;
                 let diagonal = |of: &dyn Fn(usize) -> f64| {
                     DMatrix::from_diagonal(&DVector::from_fn(size, |j, _| masses[j] * of(j)))
                 };

@@ -55,16 +55,16 @@ impl Panel {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = ElementKind::Part.at(index);
-        sound(&self.mesh, 2).map_err(at(place, Field::File))?;
-        coefficient::unit(self.reference).map_err(at(place, Field::Reference))?;
+        sound(&self.mesh, 2).map_err(at(place, Field::FILE))?;
+        coefficient::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
         let sections = self.sections(place, rayleigh, structure)?;
         for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
             for (matter, section) in &sections {
                 let element = self.cell(cell, first, *matter, *section);
                 element.matrix().map_err(|cause| {
                     let field = match cause {
-                        ShellError::Reference { .. } => Field::Reference,
-                        _ => Field::File,
+                        ShellError::Reference { .. } => Field::REFERENCE,
+                        _ => Field::FILE,
                     };
                     at(place, field)(Problem::Shell { cell: Some(cell.label), cause })
                 })?;
@@ -81,7 +81,7 @@ impl Panel {
         rayleigh: [f64; 2],
         structure: &mut Structure,
     ) -> Result<Vec<(usize, ShellSection)>, ElementError> {
-        let refuse = at(place, Field::Layers);
+        let refuse = at(place, Field::LAYERS);
         self.layers.iter().try_for_each(|layer| layer.substance.check(place))?;
         let plies: Vec<Ply> = self.layers.iter().map(Layer::ply).collect();
         let layers = ShellSection::layers(&plies, self.offset)

@@ -49,14 +49,14 @@ impl Solid {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let place = ElementKind::Part.at(index);
-        sound(&self.mesh, 3).map_err(at(place, Field::File))?;
+        sound(&self.mesh, 3).map_err(at(place, Field::FILE))?;
         for region in &self.regions {
             region.substance.check(place)?;
-            let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::Material))?);
+            let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::MATERIAL))?);
             let matter = structure.matter(region.substance.rheology(), rayleigh);
             let count = self.mesh.cells.len();
             if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
-                return Err(at(place, Field::Material)(Problem::NoSuchCell { index, count }));
+                return Err(at(place, Field::MATERIAL)(Problem::NoSuchCell { index, count }));
             }
             let cells = region.cells.iter().map(|cell| &self.mesh.cells[*cell]);
             for cell in cells.filter(|cell| cell.shape.dimension() == 3) {

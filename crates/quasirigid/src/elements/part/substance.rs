@@ -40,8 +40,8 @@ impl Substance {
         match self {
             Self::Isotropic(material) => material.check(place),
             Self::Orthotropic(material) => {
-                coefficient::positive(material.density).map_err(at(place, Field::Density))?;
-                material.rheology.check().map_err(|error| at(place, Field::Rheology)(error.into()))
+                coefficient::positive(material.density).map_err(at(place, Field::DENSITY))?;
+                material.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))
             }
         }
     }

@@ -27,7 +27,7 @@ impl TipMass {
         name: impl Fn() -> String,
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
-        let refuse = at(place, Field::Masses);
+        let refuse = at(place, Field::MASSES);
         coefficient::mass(self.mass).map_err(&refuse)?;
         let inertia = Inertia::new(self.inertia).map_err(|error| refuse(error.into()))?;
         if self.node >= count {

@@ -43,6 +43,8 @@ pub(in crate::elements) struct Component {
     blocks: Vec<Block>,
     /// Displacement of each station per unit of each coordinate.
     stations: Vec<Vec<[f64; 3]>>,
+    /// Rotation of each station, where it has one.
+    turns: Vec<Option<Vec<[f64; 3]>>>,
     /// Unknowns that its coordinates stand for.
     unknowns: usize,
     /// Largest share of the energy of an answer that they do not hold.
@@ -71,8 +73,17 @@ pub(in crate::elements) struct Purpose<'a> {
     pub floating: bool,
     /// Nodes whose displacements are wanted.
     pub stations: &'a [usize],
-    /// Nodes, among the stations by index, at which other parts pull.
-    pub pulled: &'a [usize],
+    /// Loads of other elements at each of them.
+    pub loads: &'a [Load],
+}
+
+/// Load of other elements at a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::elements) struct Load {
+    /// Whether a force acts there.
+    pub force: bool,
+    /// Whether a moment does.
+    pub moment: bool,
 }
 
 /// Unknowns with less than this share of the largest take no part in a motion.
@@ -93,7 +104,7 @@ impl Structure {
             Unsolved::Singular(singular) => loose(&discrete.freedoms, &singular.direction),
             Unsolved::Memory(cause) => room(cause),
         })?;
-        let fields = LOADS + 3 * purpose.pulled.len();
+        let fields = LOADS + purpose.loaded().count();
         memory::ask((unknowns * fields * size_of::<f64>()) as f64 * COPIES).map_err(room)?;
         let whole = discrete.whole();
         let reference = whole.center;
@@ -125,7 +136,12 @@ impl Structure {
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
             owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
-            stations: stations(&discrete, &fields, purpose.stations),
+            stations: purpose.stations.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),
+            turns: purpose
+                .stations
+                .iter()
+                .map(|node| self.nodes[*node].turns.then(|| motion(&discrete, &fields, *node, 3)))
+                .collect(),
             unknowns: fields.ncols(),
             left_out: basis.left_out,
         })
@@ -261,21 +277,39 @@ impl Component {
 
     /// Displacement of a station per unit of each coordinate, numbered from `start`.
     pub fn shapes(&self, station: usize, start: usize) -> Vec<(usize, [f64; 3])> {
-        self.stations[station].iter().enumerate().map(|(j, shape)| (start + j, *shape)).collect()
+        numbered(&self.stations[station], start)
+    }
+
+    /// Rotation of a station per unit of each coordinate, numbered from `start`; none of a node without rotations.
+    pub fn turns(&self, station: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
+        self.turns[station].as_ref().map(|turns| numbered(turns, start))
     }
 }
 
-/// Unit forces along each axis at the nodes where other parts pull.
+impl Purpose<'_> {
+    /// Nodes and components, 0 to 5, at which other elements load the structure.
+    fn loaded(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.stations.iter().zip(self.loads).flat_map(|(node, load)| {
+            let forces = (0..3).filter(|_| load.force);
+            let moments = (3..6).filter(|_| load.moment);
+            forces.chain(moments).map(|component| (*node, component))
+        })
+    }
+}
+
+/// Unit forces and moments along each axis at the nodes that other elements load.
 fn pulls(discrete: &Discrete<'_>, purpose: &Purpose<'_>) -> DMatrix<f64> {
-    let mut pulls = DMatrix::zeros(3 * purpose.pulled.len(), discrete.freedoms.unknowns().len());
-    for (number, station) in purpose.pulled.iter().enumerate() {
-        for axis in 0..3 {
-            for (unknown, share) in discrete.freedoms.row(purpose.stations[*station], axis) {
-                pulls[(3 * number + axis, *unknown)] += share;
-            }
+    let mut pulls = DMatrix::zeros(purpose.loaded().count(), discrete.freedoms.unknowns().len());
+    for (number, (node, component)) in purpose.loaded().enumerate() {
+        for (unknown, share) in discrete.freedoms.row(node, component) {
+            pulls[(number, *unknown)] += share;
         }
     }
     pulls
+}
+
+fn numbered(shapes: &[[f64; 3]], start: usize) -> Vec<(usize, [f64; 3])> {
+    shapes.iter().enumerate().map(|(j, shape)| (start + j, *shape)).collect()
 }
 
 fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
@@ -295,14 +329,13 @@ fn by_pair(products: &[DMatrix<f64>; 9]) -> Vec<Vec<Matrix3<f64>>> {
     (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect()
 }
 
-fn stations(discrete: &Discrete<'_>, fields: &DMatrix<f64>, nodes: &[usize]) -> Vec<Vec<[f64; 3]>> {
-    let displacement = |node: usize, j: usize| {
-        [0, 1, 2].map(|axis| {
-            let row = discrete.freedoms.row(node, axis).iter();
-            row.map(|(unknown, share)| share * fields[(j, *unknown)]).sum()
-        })
+/// Three components of the motion of a node from the first on, per unit of each field.
+fn motion(discrete: &Discrete<'_>, fields: &DMatrix<f64>, node: usize, first: usize) -> Vec<[f64; 3]> {
+    let component = |component: usize, j: usize| {
+        let row = discrete.freedoms.row(node, component).iter();
+        row.map(|(unknown, share)| share * fields[(j, *unknown)]).sum()
     };
-    nodes.iter().map(|node| (0..fields.nrows()).map(|j| displacement(*node, j)).collect()).collect()
+    (0..fields.nrows()).map(|j| [0, 1, 2].map(|axis| component(first + axis, j))).collect()
 }
 
 fn loose(freedoms: &Freedoms, direction: &[f64]) -> Fault {

@@ -17,7 +17,7 @@ mod rows;
 mod solver;
 mod sum;
 
-pub(super) use component::{Component, Fault, Purpose};
+pub(super) use component::{Component, Fault, Load, Purpose};
 pub use condensation::Condensation;
 pub(super) use discrete::{Joint, Structure};
 pub(super) use freedoms::{Freedoms, Hold, Node, Unknown};

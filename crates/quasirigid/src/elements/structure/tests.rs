@@ -29,12 +29,12 @@ fn structure(assembly: &Assembly) -> Structure {
         else {
             panic!("a full spring")
         };
-        structure.elements.push(Box::new(Link {
-            nodes: [node(spring.from), node(spring.to)],
+        structure.elements.push(Box::new(Link::new(
+            [node(spring.from), node(spring.to)],
             matter,
-            stiffness: Matrix3::from(k),
-            damping: Matrix3::from(c),
-        }));
+            [-Matrix3::identity(), Matrix3::identity()],
+            [Matrix3::from(k), Matrix3::from(c)],
+        )));
     }
     structure
 }
@@ -90,7 +90,13 @@ fn few_coordinates_have_the_slow_motion_of_the_many() {
     for order in [3, 4, 5] {
         let structure = structure(&assembly);
         let freedoms = Freedoms::new(&structure.nodes, &structure.holds).unwrap();
-        let purpose = Purpose { order, modes: 0, floating: false, stations: &[3, 17], pulled: &[] };
+        let purpose = Purpose {
+            order,
+            modes: 0,
+            floating: false,
+            stations: &[3, 17],
+            loads: &[super::Load::default(); 2],
+        };
         let component = structure.component(freedoms, &purpose).unwrap();
         assert!(component.size() < points.coordinates().len(), "{} coordinates", component.size());
         let few = body(&assembly, &component);

@@ -3,7 +3,7 @@
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
-use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
+use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::ritz::Ritz;
 use crate::math::meshing::{Neck, graded, necks};
 use crate::math::watch;
@@ -24,14 +24,14 @@ impl Surface {
     /// # Errors
     /// [`ElementError`] for a value that no solid has, polynomials that rounding cannot tell apart, and a shape that no mesh made
     /// here resolves.
-    pub(in crate::elements) fn built(
+    pub(super) fn built(
         &self,
-        index: usize,
+        place: ElementId,
         reduction: Reduction,
         told: bool,
     ) -> Result<Found, ElementError> {
-        self.check(index)?;
-        let road = Road { surface: self, index, reduction };
+        self.check_values(place)?;
+        let road = Road { surface: self, place, reduction };
         match (self.degree, self.cells) {
             (Some(degree), _) => road.of_degree(degree, told),
             (None, Some(cells)) => road.of_cells(cells, told),
@@ -43,17 +43,17 @@ impl Surface {
 /// The ways to a body.
 struct Road<'a> {
     surface: &'a Surface,
-    index: usize,
+    place: ElementId,
     reduction: Reduction,
 }
 
 impl Road<'_> {
     fn polynomials(&self, degree: usize) -> Result<Ritz, ElementError> {
-        self.surface.ritz(degree).map_err(at(ElementKind::Surface.at(self.index), Field::Degree))
+        self.surface.ritz(degree).map_err(at(self.place, Field::DEGREE))
     }
 
     fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
-        let body = self.surface.of_polynomials(self.index, ritz)?;
+        let body = self.surface.of_polynomials(self.place, ritz)?;
         let resolution = Resolution { approximation: Approximation::Polynomials { degree }, error };
         Ok(Found { body, condensation: None, resolution })
     }
@@ -134,7 +134,7 @@ impl Road<'_> {
     }
 
     fn unsettled(&self, error: f64) -> ElementError {
-        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unsettled { error })
+        at(self.place, Field::FILE)(Problem::Unsettled { error })
     }
 
     /// The first degree at which the compliance has converged, or the highest that rounding leaves.
@@ -179,6 +179,6 @@ impl Road<'_> {
     }
 
     fn unmeshed(&self, problem: Problem) -> ElementError {
-        at(ElementKind::Surface.at(self.index), Field::File)(Problem::Unmeshed { cause: Box::new(problem) })
+        at(self.place, Field::FILE)(Problem::Unmeshed { cause: Box::new(problem) })
     }
 }

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::{Approximation, Found, Reduction, Resolution, Surface};
-use crate::elements::assembly::{Assembly, Exact};
+use crate::elements::Assembly;
+use crate::elements::assembly::Exact;
 use crate::elements::error::Problem;
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, Part, Region, Solid, Substance};

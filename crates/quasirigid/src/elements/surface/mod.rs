@@ -6,14 +6,15 @@ mod error;
 
 use nalgebra::Matrix3;
 
-use super::error::{ElementError, ElementKind, Field, Problem, at};
+use super::element::{Element, Role};
+use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
 use super::structure::Condensation;
-use super::whole::Whole;
-use super::{Reduction, compliance};
+use super::whole::{Whole, WholeBody};
+use super::{Assembly, Incomplete, Reduction, compliance};
 use crate::math::surface::ClosedSurface;
-use crate::model::{Coordinate, FlexibleBody, Marker};
+use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
 ///
@@ -84,20 +85,19 @@ impl Surface {
     }
 
     /// Everything wrong with its values, the first of it.
-    pub(super) fn check(&self, index: usize) -> Result<(), ElementError> {
-        let place = ElementKind::Surface.at(index);
+    fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.material.check(place)?;
         let bodies = self.surface.bodies();
         if bodies > 1 {
-            return Err(at(place, Field::File)(Problem::SeveralBodies { bodies }));
+            return Err(at(place, Field::FILE)(Problem::SeveralBodies { bodies }));
         }
         match (self.degree, self.cells) {
             (Some(degree), _) if !(1..=Self::MOST).contains(&degree) => {
-                Err(at(place, Field::Degree)(Problem::Degree { degree, most: Self::MOST }))
+                Err(at(place, Field::DEGREE)(Problem::Degree { degree, most: Self::MOST }))
             }
-            (Some(_), Some(_)) => Err(at(place, Field::Cells)(Problem::TwoRoads)),
+            (Some(_), Some(_)) => Err(at(place, Field::CELLS)(Problem::TwoRoads)),
             (_, Some(cells)) if !(1..=Self::MOST_CELLS).contains(&cells) => {
-                Err(at(place, Field::Cells)(Problem::Cells { cells, most: Self::MOST_CELLS }))
+                Err(at(place, Field::CELLS)(Problem::Cells { cells, most: Self::MOST_CELLS }))
             }
             _ => Ok(()),
         }
@@ -134,11 +134,11 @@ impl Surface {
     }
 
     /// The body of polynomials.
-    fn of_polynomials(&self, index: usize, ritz: Ritz) -> Result<FlexibleBody, ElementError> {
+    fn of_polynomials(&self, place: ElementId, ritz: Ritz) -> Result<FlexibleBody, ElementError> {
         let center = self.surface.centroid();
         let block = ritz.block(&self.name, &self.material.rheology);
         let whole = Whole {
-            place: ElementKind::Surface.at(index),
+            place,
             center,
             markers: self.tips(&ritz, center),
             coordinates: self.coordinates(block.columns.len()),
@@ -168,5 +168,45 @@ impl Surface {
             Some(Marker { name, position, shapes: ritz.shapes(position), curvature: Vec::new() })
         })
         .collect()
+    }
+}
+
+impl Element for Surface {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn is_unique(&self) -> bool {
+        false
+    }
+
+    fn role(&self) -> Role {
+        Role::Whole
+    }
+
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.check_values(id).err().into_iter().collect()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        vec![Incomplete::Surfaces]
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        vec![&mut self.material.rheology]
+    }
+
+    fn homogeneous(&self) -> Option<&Material> {
+        Some(&self.material)
+    }
+
+    fn whole(
+        &self,
+        id: ElementId,
+        reduction: Reduction,
+        told: bool,
+    ) -> Result<Option<WholeBody>, ElementError> {
+        let Found { body, condensation, resolution } = self.built(id, reduction, told)?;
+        Ok(Some(WholeBody { body, condensation, resolution: Some(resolution) }))
     }
 }

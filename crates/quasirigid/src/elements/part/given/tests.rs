@@ -215,18 +215,18 @@ fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
 #[test]
 fn matrices_of_no_body_are_refused() {
     let (field, problem) = refusal(|given| given.stiffness.push((1, 5, 1e-3)));
-    assert_eq!(field, Field::Stiffness);
+    assert_eq!(field, Field::STIFFNESS);
     assert!(matches!(problem, Problem::Lopsided { freedoms: [ref row, _], .. } if row == "1.2"), "{problem}");
     let (field, problem) = refusal(|given| given.mass.entries.push((4, 4, -10.0)));
-    assert_eq!(field, Field::Mass);
+    assert_eq!(field, Field::MASS);
     assert!(
         matches!(problem, Problem::NegativeDiagonal { ref freedom, .. } if freedom == "2.2"),
         "{problem}"
     );
     let (field, problem) = refusal(|given| given.mass.entries.clear());
-    assert_eq!((field, problem), (Field::Mass, Problem::NotAMass { value: 0.0 }));
+    assert_eq!((field, problem), (Field::MASS, Problem::NotAMass { value: 0.0 }));
     let (field, problem) = refusal(|given| given.damping.push((0, 0, f64::NAN)));
-    assert!(field == Field::Damping && matches!(problem, Problem::NotFinite { .. }), "{problem}");
+    assert!(field == Field::DAMPING && matches!(problem, Problem::NotFinite { .. }), "{problem}");
     let (_, problem) = refusal(|given| given.damping.push((0, 99, 1.0)));
     assert_eq!(problem, Problem::NoSuchRow { index: 99, count: 42 });
 }

@@ -1,0 +1,56 @@
+use quasirigid::elements::{ElementKind, Motion, Point};
+
+use super::names::Part;
+use super::reader::{Keyed, Naming, Reader};
+use super::table::{Keys, Table};
+use super::value::Value;
+use crate::units::Dimension;
+
+pub(super) const READER: Reader = Reader {
+    key: "point",
+    title: "[[point]]",
+    keys: Keyed::All(&POINT),
+    kind: Some(ElementKind::Point),
+    naming: Naming::Numbered("point"),
+    names: |index| Part::Point(index),
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        draft.assembly.points.push(point(entry.table, entry.name)?);
+        Some(())
+    },
+};
+
+const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"] };
+const MOTION: Keys = Keys { known: &["line", "plane"] };
+
+/// Reads a `[[point]]`.
+fn point(table: &Table<'_>, name: &str) -> Option<Point> {
+    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
+    let position = table
+        .required("position", "position = [0.8, 0.3, 0.5]")
+        .and_then(|value| value.vector(Dimension::LENGTH));
+    let motion = table.get("motion").map_or(Some(Motion::Free), |value| motion(&value));
+    Some(Point { name: name.to_owned(), mass: mass?, position: position?, motion: motion? })
+}
+
+fn motion(value: &Value<'_>) -> Option<Motion> {
+    if value.is_word("free") {
+        return Some(Motion::Free);
+    }
+    let help = "write \"free\", { line = [1, 0, 0] } or { plane = [0, 0, 1] }";
+    if !value.is_table() {
+        return value.mismatch("\"free\", a line or a plane", help);
+    }
+    let table = value.table("`motion`", &MOTION)?;
+    let direction = |value: Value<'_>| value.vector(Dimension::NUMBER);
+    match (table.get("line"), table.get("plane")) {
+        (Some(line), None) => direction(line).map(Motion::Line),
+        (None, Some(plane)) => direction(plane).map(Motion::Plane),
+        _ => {
+            let message = "`motion` needs either a line or a plane".to_owned();
+            value.refuse(message, "a line or a plane", Some(help.to_owned()))
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Registry of the tables that describe elements. A new kind is a file with a [`Reader`] and a line in `READERS`.
+
+use std::path::Path;
+
+use quasirigid::elements::{Assembly, ElementKind};
+
+use super::material::Materials;
+use super::names::{Names, Part};
+use super::part::Read;
+use super::ranges::Ranges;
+use super::rheology::Extremes;
+use super::section::Sections;
+use super::spans::{ElementSpans, NetworkSpans};
+use super::table::{Keys, Table};
+use super::value::Value;
+
+/// Kind of table that describes elements: its name, its keys and its reading, in one place.
+pub(super) struct Reader {
+    /// Key of the file that it stands under.
+    pub(super) key: &'static str,
+    /// The table as messages call it.
+    pub(super) title: &'static str,
+    /// Its keys.
+    pub(super) keys: Keyed,
+    /// Kind of its elements; none of a table that stands for many.
+    pub(super) kind: Option<ElementKind>,
+    /// Names of its elements.
+    pub(super) naming: Naming,
+    /// Part of the body that a name stands for where another table refers to it.
+    pub(super) names: fn(usize) -> Part,
+    /// Values that stand under other keys, each with its key and that of the element.
+    pub(super) aliases: &'static [(&'static str, &'static str)],
+    /// Tables inside it whose values are values of the element, each with its key and its keys.
+    pub(super) nested: &'static [(&'static str, &'static Keys)],
+    /// Whether it is a body without a carrier.
+    pub(super) is_body: bool,
+    /// Reads one table into the draft of a body; none if something in it is wrong, which is reported.
+    pub(super) read: for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>,
+}
+
+/// Keys of a table.
+#[derive(Clone, Copy)]
+pub(super) enum Keyed {
+    /// The same for every table.
+    All(&'static Keys),
+    /// Those of the kind that the table says it is; opens it.
+    ByKind(for<'a> fn(&Value<'a>) -> Option<Table<'a>>),
+}
+
+/// Names of the elements of a kind.
+#[derive(Clone, Copy)]
+pub(super) enum Naming {
+    /// Given, or made of this word and a number; no two elements have the same.
+    Numbered(&'static str),
+    /// The same, but apart from the names of other kinds.
+    Apart(&'static str),
+    /// Given or none.
+    Optional,
+    /// None.
+    Nameless,
+}
+
+/// Table of an element whose keys have been checked.
+pub(super) struct Opened<'a> {
+    pub(super) reader: &'static Reader,
+    /// Number of the table under its key, from 1.
+    pub(super) number: usize,
+    /// Index among the elements of its kind.
+    pub(super) index: usize,
+    pub(super) table: Table<'a>,
+}
+
+/// Table of an element with its name.
+pub(super) struct Entry<'t, 'a> {
+    pub(super) table: &'t Table<'a>,
+    /// Name of the element; empty without one.
+    pub(super) name: &'t str,
+    /// Index among the elements of its kind.
+    pub(super) index: usize,
+}
+
+/// Materials, sections and files that elements are made from.
+#[derive(Clone, Copy)]
+pub(super) struct Sources<'s, 'a> {
+    pub(super) materials: &'s Materials<'a>,
+    pub(super) sections: &'s Sections<'a>,
+    /// Where files are looked for.
+    pub(super) folder: &'s Path,
+}
+
+/// Body as far as it has been read.
+pub(super) struct Draft<'s, 'a> {
+    pub(super) sources: Sources<'s, 'a>,
+    pub(super) names: Names<'a>,
+    pub(super) assembly: Assembly,
+    pub(super) ranges: Ranges,
+    pub(super) networks: Vec<NetworkSpans>,
+}
+
+impl Reader {
+    /// Opens its tables in a file; those that are no such tables are reported.
+    pub(super) fn open<'a>(&self, file: &Table<'a>) -> Vec<Table<'a>> {
+        let open = |value: &Value<'a>| match self.keys {
+            Keyed::All(keys) => value.table(self.title, keys),
+            Keyed::ByKind(open) => open(value),
+        };
+        file.several(self.key, self.title).iter().filter_map(open).collect()
+    }
+
+    /// Places of its values in the file, also those of its material and those under other keys.
+    pub(super) fn spans<'a>(&self, table: &Table<'a>, materials: &Materials<'a>) -> ElementSpans {
+        let mut spans = materials.spans(table);
+        for (key, field) in self.aliases {
+            spans.values.extend(table.get(key).map(|value| (*field, value.span())));
+        }
+        for (key, keys) in self.nested {
+            spans.values.extend(table.get(key).into_iter().flat_map(|value| value.spans(keys).values));
+        }
+        spans
+    }
+}
+
+impl<'a> Draft<'_, 'a> {
+    /// Adds a part of finite elements with the names of its nodes.
+    pub(super) fn part(&mut self, entry: &Entry<'_, 'a>, read: Option<Read>) -> Option<()> {
+        let Read { part, nodes, extremes } = read?;
+        self.names.nodes.insert(entry.index, nodes);
+        self.assembly.parts.push(part);
+        self.ranges.set(ElementKind::Part.at(entry.index), extremes);
+        Some(())
+    }
+
+    /// Notes the range of the rheology of an element.
+    pub(super) fn range(&mut self, kind: ElementKind, entry: &Entry<'_, 'a>, range: Extremes) -> Option<()> {
+        self.ranges.set(kind.at(entry.index), vec![range]);
+        Some(())
+    }
+}

@@ -1,0 +1,91 @@
+//! Attachments: places of a body at which springs, forces and other links act, with the coordinates that move and turn them.
+
+use std::collections::HashMap;
+
+use nalgebra::Vector3;
+
+use super::error::Problem;
+use super::{Assembly, End};
+use crate::model::Marker;
+
+/// Place of a body at which something acts.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Attachment {
+    pub name: String,
+    /// Equilibrium position (m), in the file's frame; that of the carrier is its origin.
+    pub position: Vector3<f64>,
+    /// Coordinates that displace it, with the displacement (m) per unit of each.
+    pub shapes: Vec<(usize, [f64; 3])>,
+    /// Coordinates that turn it, with the rotation (rad) per unit of each; none of a place without orientation.
+    pub turns: Option<Vec<(usize, [f64; 3])>>,
+    /// Curvature of its path for pairs of coordinates, where that is known.
+    pub curvature: Vec<(usize, usize, [f64; 3])>,
+}
+
+/// Attachments of the elements of a body.
+#[derive(Default)]
+pub(super) struct Attachments {
+    of: HashMap<End, Attachment>,
+}
+
+impl Attachment {
+    /// Place that nothing moves.
+    pub fn at(position: Vector3<f64>, turns: bool) -> Self {
+        Self { position, turns: turns.then(Vec::new), ..Self::default() }
+    }
+
+    /// Place as one of the body's, from the pole.
+    pub fn marker(&self, pole: Vector3<f64>) -> Marker {
+        Marker {
+            name: self.name.clone(),
+            position: (self.position - pole).into(),
+            shapes: self.shapes.clone(),
+            curvature: self.curvature.clone(),
+        }
+    }
+}
+
+impl Attachments {
+    /// Attachment of an end of an element that was checked.
+    ///
+    /// # Errors
+    /// [`Problem::NoCarrier`] for an end that was never noted: only the carrier's is not.
+    pub fn of(&self, end: End) -> Result<&Attachment, Problem> {
+        self.of.get(&end).ok_or(Problem::NoCarrier)
+    }
+
+    /// Notes an attachment.
+    pub fn note(&mut self, end: End, attachment: Attachment) {
+        self.of.insert(end, attachment);
+    }
+
+    /// Whether an end is noted.
+    pub fn has(&self, end: End) -> bool {
+        self.of.contains_key(&end)
+    }
+}
+
+impl Assembly {
+    /// Attachment of an end while nothing moves.
+    ///
+    /// # Errors
+    /// [`Problem`] for an end that the body does not have.
+    pub(super) fn at_rest(&self, end: End) -> Result<Attachment, Problem> {
+        Ok(match end {
+            End::Carrier if self.carrier.is_none() => return Err(Problem::NoCarrier),
+            End::Carrier => Attachment::at(Vector3::zeros(), true),
+            End::Point(index) => {
+                let point = self.points.get(index).ok_or(Problem::NoSuchPoint { index })?;
+                Attachment { name: point.name.clone(), ..Attachment::at(point.position.into(), false) }
+            }
+            End::Node(node) => {
+                self.has(node)?;
+                let part = &self.parts[node.part];
+                let name = format!("{:?} {}", part.name, part.node_name(node.node));
+                let node = part.nodes()[node.node];
+                Attachment { name, ..Attachment::at(node.place, node.turns) }
+            }
+            End::Hinged(place) => Attachment::at(self.has_place(place)?.into(), true),
+        })
+    }
+}

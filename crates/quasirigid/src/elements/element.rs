@@ -1,0 +1,174 @@
+//! Element of a body: what each kind contributes to an assembly. A new kind is a file with this trait and a line in
+//! [`assembly::kinds`](super::assembly).
+
+use nalgebra::Vector3;
+
+use super::assembly::{Mover, Net};
+use super::attachment::{Attachment, Attachments};
+use super::error::{ElementError, ElementId, Field, Problem, at};
+use super::inner::Inner;
+use super::material::Material;
+use super::matrices::Block;
+use super::whole::WholeBody;
+use super::{Assembly, End, Incomplete, Reduction};
+use crate::model::Rheology;
+
+/// Element of a body; each kind implements what concerns it.
+pub(in crate::elements) trait Element {
+    /// Name; empty without one.
+    fn name(&self) -> &str {
+        ""
+    }
+
+    /// Whether no other element may have its name.
+    fn is_unique(&self) -> bool {
+        true
+    }
+
+    /// Words for it where they say more than those of its kind.
+    fn words(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Place of the element among the others.
+    fn role(&self) -> Role;
+
+    /// Errors of its own values, and of what it names in the body.
+    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError>;
+
+    /// Material of a body that this element is alone.
+    fn homogeneous(&self) -> Option<&Material> {
+        None
+    }
+
+    /// The body that it is as a whole; `told` says whether errors of a given approximation are wanted.
+    fn whole(
+        &self,
+        _id: ElementId,
+        _reduction: Reduction,
+        _told: bool,
+    ) -> Result<Option<WholeBody>, ElementError> {
+        Ok(None)
+    }
+
+    /// Terms that its model leaves out of the equations.
+    fn incomplete(&self) -> Vec<Incomplete> {
+        Vec::new()
+    }
+
+    /// Rheologies of its materials, in the order in which the model file gives them.
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        Vec::new()
+    }
+
+    /// Places of other elements at which it acts.
+    fn grips(&self) -> Vec<Grip> {
+        Vec::new()
+    }
+
+    /// Rigid piece of mass with coordinates of its own.
+    fn mover(&self, _id: ElementId) -> Result<Option<Mover>, ElementError> {
+        Ok(None)
+    }
+
+    /// Motion inside the carrier; `order` is that to which the slow manifold is wanted.
+    fn inner(&self, _id: ElementId, _order: usize) -> Result<Option<Inner>, ElementError> {
+        Ok(None)
+    }
+
+    /// Stiffness and damping over the coordinates of the body. (I9)
+    fn block(&self, _site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+        Ok(None)
+    }
+
+    /// Action of its load at rest. (I10)
+    fn preload(&self, _site: &Site<'_>) -> Result<Option<Preload>, ElementError> {
+        Ok(None)
+    }
+
+    /// Adds its finite elements to the structure of a body without a carrier.
+    fn afloat(&self, _id: ElementId, _net: &mut Net<'_>) -> Result<(), ElementError> {
+        Ok(())
+    }
+}
+
+/// Place of an element among the others of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// A whole body; no other element but forces may stand beside it.
+    Whole,
+    /// Mass on the carrier, or afloat.
+    Mass,
+    /// Mass on the carrier alone; an error without one is about this key.
+    OnCarrier(Field),
+    /// Rotor, wheel or liquid inside the carrier; an error without one is about this key.
+    Inside(Field),
+    /// Force between other elements.
+    Link,
+    /// External force.
+    External,
+}
+
+/// Place at which an element acts on another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grip {
+    /// Key that names it.
+    pub field: Field,
+    /// The place.
+    pub end: End,
+    /// Whether a moment acts there beside a force.
+    pub moment: bool,
+}
+
+/// Element in the body on a carrier that it becomes part of.
+pub(super) struct Site<'a> {
+    pub id: ElementId,
+    /// Name of the element as a dissipator.
+    pub name: &'a str,
+    /// First coordinate of its own.
+    pub start: usize,
+    /// Places of other elements.
+    pub attachments: &'a Attachments,
+}
+
+/// Load of an element at rest.
+pub(super) struct Preload {
+    /// Stiffness that the load gives, across its line and along curved paths.
+    pub block: Block,
+    /// Generalised force, coordinate by coordinate.
+    pub forces: Vec<(usize, f64)>,
+}
+
+impl Site<'_> {
+    /// Attachments of two ends.
+    pub fn ends(&self, from: End, to: End) -> Result<[&Attachment; 2], ElementError> {
+        let from = self.attachments.of(from).map_err(at(self.id, Field::FROM))?;
+        Ok([from, self.attachments.of(to).map_err(at(self.id, Field::TO))?])
+    }
+}
+
+impl Grip {
+    /// Place at which a force acts.
+    pub fn force(field: Field, end: End) -> Self {
+        Self { field, end, moment: false }
+    }
+}
+
+impl Role {
+    /// Error of an element on or in a carrier where there is none.
+    pub fn needs_carrier(self) -> Option<(Field, Problem)> {
+        match self {
+            Self::OnCarrier(field) => Some((field, Problem::NoCarrier)),
+            Self::Inside(field) => Some((field, Problem::InsideNothing)),
+            Self::Whole | Self::Mass | Self::Link | Self::External => None,
+        }
+    }
+}
+
+/// Displacement or rotation of an end per unit of each coordinate, with the sign of the end.
+pub(super) fn signed<'a>(
+    shapes: &'a [(usize, [f64; 3])],
+    sign: f64,
+) -> impl Iterator<Item = (usize, Vector3<f64>)> + 'a {
+    shapes.iter().map(move |(column, shape)| (*column, sign * Vector3::from(*shape)))
+}

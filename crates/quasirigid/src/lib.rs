@@ -26,6 +26,12 @@ pub mod math;
 
 pub mod model;
 
+mod finite;
+
+mod flow;
+
+mod structure;
+
 pub mod elements;
 
 pub mod reduction;

@@ -11,18 +11,21 @@ use source::Source;
 /// The crate of the physics.
 const PHYSICS: &str = "quasirigid";
 
-/// What each top-level module of the physics crate may use, beside itself: a star without sideways arrows.
-const MODULES: [(&str, &[&str]); 11] = [
+/// What each top-level module of the physics crate may use, beside itself: what describes a body in a row, then a star without sideways
+/// arrows.
+const MODULES: [(&str, &[&str]); 13] = [
     ("math", &[]),
     ("model", &["math"]),
-    ("elements", &["math", "model"]),
+    ("finite", &["math", "model"]),
+    ("flow", &["math", "model", "finite"]),
+    ("structure", &["math", "model", "finite"]),
+    ("elements", &["math", "model", "finite", "flow", "structure"]),
     ("reduction", &["math", "model"]),
     ("dynamics", &["math", "model"]),
     ("averaging", &["math", "model"]),
     ("modes", &["math", "model"]),
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
     ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
-    ("ensemble", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
 ];
 

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::moment;
 use crate::math::sym::Sym;
+use crate::model::moment;
 use crate::model::{Inertia, Pair};
 
 /// A rigid piece: its mass, first and second moments about a base point of its own.

@@ -6,12 +6,12 @@ use nalgebra::Vector3;
 use super::assembly::{Mover, Net};
 use super::attachment::{Attachment, Attachments};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::inner::Inner;
+use super::internal::Internal;
 use super::material::Material;
-use super::matrices::Block;
-use super::whole::WholeBody;
+use super::single_element::WholeBody;
 use super::{Assembly, End, Incomplete, Reduction};
 use crate::model::Rheology;
+use crate::structure::Block;
 
 /// Element of a body; each kind implements what concerns it.
 pub(in crate::elements) trait Element {
@@ -72,7 +72,7 @@ pub(in crate::elements) trait Element {
     }
 
     /// Motion inside the carrier; `order` is that to which the slow manifold is wanted.
-    fn inner(&self, _id: ElementId, _order: usize) -> Result<Option<Inner>, ElementError> {
+    fn inner(&self, _id: ElementId, _order: usize) -> Result<Option<Internal>, ElementError> {
         Ok(None)
     }
 

@@ -5,12 +5,13 @@ use nalgebra::{Matrix3, Vector3};
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, at};
 use super::material::Material;
-use super::matrices::Block;
-use super::whole::{Whole, WholeBody};
-use super::{Assembly, Incomplete, Reduction, coefficient, moment};
+use super::single_element::{Whole, WholeBody};
+use super::{Assembly, Incomplete, Reduction, coefficient};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::moment;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology};
+use crate::structure::Block;
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///

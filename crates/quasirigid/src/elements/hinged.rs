@@ -4,9 +4,9 @@ use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
 use super::element::{Element, Role, Site};
 use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use super::matrices::Block;
 use super::{Assembly, Incomplete, coefficient};
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
+use crate::structure::Block;
 
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
 ///

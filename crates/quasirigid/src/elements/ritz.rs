@@ -5,12 +5,12 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Vector3};
 use super::compliance;
 use super::error::Problem;
 use super::material::Material;
-use super::matrices::Block;
-use super::moment;
 use crate::math::polynomial::monomial;
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
+use crate::model::moment;
 use crate::model::{Invariants, Pair, Rheology};
+use crate::structure::Block;
 
 /// A homogeneous elastic solid, for displacements that are polynomials of the place. (G9)
 ///

@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::inner::Inner;
+use super::internal::Internal;
 use super::{Assembly, coefficient};
 use crate::model::{Coordinate, Pair};
 
@@ -37,7 +37,7 @@ pub enum RotorKind {
 }
 
 impl Rotor {
-    fn turning(&self, place: ElementId) -> Result<Inner, ElementError> {
+    fn turning(&self, place: ElementId) -> Result<Internal, ElementError> {
         coefficient::positive(self.inertia).map_err(at(place, Field::INERTIA))?;
         coefficient::positive(self.friction).map_err(at(place, Field::FRICTION))?;
         let axes = self.axes().map_err(at(place, Field::AXIS))?;
@@ -58,7 +58,7 @@ impl Rotor {
             ..Pair::default()
         };
         let count = axes.len();
-        Ok(Inner {
+        Ok(Internal {
             coordinates: axes
                 .iter()
                 .enumerate()
@@ -71,7 +71,7 @@ impl Rotor {
                 .collect(),
             friction: vec![(self.name.clone(), (0..count).map(|j| (j, j, self.friction)).collect())],
             speeds: self.speed.iter().flatten().copied().enumerate().collect(),
-            ..Inner::default()
+            ..Internal::default()
         })
     }
 
@@ -96,7 +96,7 @@ impl Element for Rotor {
         self.turning(id).err().into_iter().collect()
     }
 
-    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Inner>, ElementError> {
+    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {
         self.turning(id).map(Some)
     }
 }

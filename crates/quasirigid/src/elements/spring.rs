@@ -4,12 +4,12 @@ use super::assembly::Net;
 use super::attachment::Attachment;
 use super::element::{Element, Grip, Preload, Role, Site, signed};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::finite::Link;
 use super::hinged::PlaceRef;
-use super::matrices::Block;
 use super::part::NodeRef;
 use super::{Assembly, Incomplete, coefficient};
+use crate::finite::Link;
 use crate::model::Rheology;
+use crate::structure::Block;
 
 /// A linear spring with a linear dashpot beside it, between two ends.
 ///

@@ -1,6 +1,6 @@
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, at};
-use super::inner::Inner;
+use super::internal::Internal;
 use super::{Assembly, coefficient};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
@@ -69,8 +69,8 @@ impl Element for Wheel {
         self.turning(id).err().into_iter().collect()
     }
 
-    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Inner>, ElementError> {
+    fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {
         let wheels = self.turning(id)?;
-        Ok(Some(Inner { wheels, ..Inner::default() }))
+        Ok(Some(Internal { wheels, ..Internal::default() }))
     }
 }

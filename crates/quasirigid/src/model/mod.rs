@@ -10,6 +10,7 @@ mod inertia;
 mod invariants;
 mod kinetics;
 pub(crate) mod liquid;
+pub(crate) mod moment;
 mod part_mass;
 mod paths;
 mod principal;

@@ -8,10 +8,9 @@ use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::attachment::{Attachment, Attachments};
 use crate::elements::element::{Grip, Preload, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::inner::Inner;
-use crate::elements::matrices::{Block, Matrices};
+use crate::elements::internal::Internal;
 use crate::elements::part::NodeRef;
-use crate::elements::structure::Component;
+use crate::elements::system_matrices::Matrices;
 use crate::elements::{End, Hinged, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
@@ -20,6 +19,8 @@ use crate::model::force::Force;
 use crate::model::{
     Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched,
 };
+use crate::structure::Block;
+use crate::structure::Component;
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of internal
 /// rotors and liquids.
@@ -31,7 +32,7 @@ struct Carried {
     component: Option<Component>,
     /// First coordinate of the component.
     flexible: usize,
-    inner: Inner,
+    inner: Internal,
 }
 
 /// A piece that moves, with the element that it is and its first coordinate.
@@ -57,7 +58,7 @@ impl Assembly {
         let order = self.reduction.order;
         let inner = self.each().filter_map(|(id, element)| element.inner(id, order).transpose());
         let elastic = flexible + component.as_ref().map_or(0, Component::size);
-        let inner = Inner::sum(elastic, inner)?;
+        let inner = Internal::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
         rigid.extend(&inner.rigid);
         let whole = Carried { rigid, movers, component, flexible, inner };
@@ -71,7 +72,7 @@ impl Assembly {
         let nodes = net.as_ref().zip(whole.component.as_ref());
         let nodes = nodes.map_or_else(BTreeMap::new, |(net, component)| net.attachments(component, start));
         let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&nodes));
-        let attachments = self.attachments(&whole, &nodes);
+        let attachments = self.attachments(&whole, &nodes)?;
         let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &attachments)?;
         let inside = whole.inner.coordinates.len();
         memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
@@ -122,21 +123,26 @@ impl Assembly {
     }
 
     /// Places at which elements act.
-    fn attachments(&self, whole: &Carried, nodes: &BTreeMap<NodeRef, Attachment>) -> Attachments {
+    fn attachments(
+        &self,
+        whole: &Carried,
+        nodes: &BTreeMap<NodeRef, Attachment>,
+    ) -> Result<Attachments, ElementError> {
         let mut attachments = Attachments::default();
-        for (.., Grip { end, .. }) in self.grips() {
+        for (id, _, Grip { field, end, .. }) in self.grips() {
             if attachments.has(end) {
                 continue;
             }
-            let attachment = match end {
-                End::Carrier => Some(Attachment::at(Vector3::zeros(), true)),
+            let moving = match end {
+                End::Carrier => None,
                 End::Point(index) => whole.attachment(ElementKind::Point.at(index), 0),
                 End::Hinged(on) => whole.attachment(ElementKind::Hinged.at(on.hinged), 1 + on.place),
                 End::Node(node) => nodes.get(&node).cloned(),
             };
-            attachment.into_iter().for_each(|attachment| attachments.note(end, attachment));
+            let attachment = moving.map_or_else(|| self.at_rest(end), Ok).map_err(at(id, field))?;
+            attachments.note(end, attachment);
         }
-        attachments
+        Ok(attachments)
     }
 
     /// Accepts a body that has inertia left about every axis when what turns inside is loose.

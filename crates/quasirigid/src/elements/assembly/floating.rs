@@ -4,14 +4,14 @@ use super::net::Net;
 use super::{Assembly, Built};
 use crate::elements::attachment::Attachments;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::matrices::Matrices;
 use crate::elements::part::{NodeRef, Part};
-use crate::elements::structure::Component;
+use crate::elements::system_matrices::Matrices;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym::Sym;
 use crate::model::force::Force;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Watched, Wheels};
+use crate::structure::Component;
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.

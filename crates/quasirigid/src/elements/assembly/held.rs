@@ -7,7 +7,7 @@ use super::net::Net;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::part::{Anchor, Connection, NodeRef, Part};
-use crate::elements::structure::{Hold, Joint};
+use crate::structure::{Hold, Joint};
 
 /// Nodes of two sides are at the same place if they are closer than this share of the size of the structure.
 const SAME_PLACE: f64 = 1e-6;

@@ -19,7 +19,7 @@ use super::attachment::Attachments;
 use super::element::{Element, Grip, Role};
 use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::part::NodeRef;
-use super::whole::WholeBody;
+use super::single_element::WholeBody;
 use super::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, coefficient, force};
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};

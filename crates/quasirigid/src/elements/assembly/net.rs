@@ -6,13 +6,11 @@ use super::held::holds;
 use crate::elements::attachment::Attachment;
 use crate::elements::element::{Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::finite::Mass;
 use crate::elements::part::{Kind, NodeRef, Part, extremes};
-use crate::elements::structure::{
-    Component, Fault, Freedoms, Hold, Joint, Load, Node, Purpose, Structure, Unknown,
-};
 use crate::elements::{Assembly, End, Motion, coefficient};
+use crate::finite::Mass;
 use crate::model::{Reach, Rheology};
+use crate::structure::{Component, Fault, Freedoms, Hold, Joint, Load, Node, Purpose, Structure, Unknown};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
 pub(in crate::elements) struct Net<'a> {

@@ -1,5 +1,5 @@
 use super::liquid::Liquid;
-use crate::elements::finite::Velocity;
+use crate::flow::Velocity;
 use crate::math::sym::dot;
 
 /// Terms below this share of the largest are rounding.

@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector};
 
 use super::liquid::Liquid;
-use crate::elements::finite::Velocity;
+use crate::flow::Velocity;
 use crate::math::polynomial::monomial::{exponents, place};
 use crate::math::quadrature::gauss_legendre;
 

@@ -10,8 +10,8 @@ use super::revolved::MeridianFlow;
 use super::shape::{CavityShape, Extent};
 use super::{ideal, layer};
 use crate::elements::error::{Field, Problem};
-use crate::elements::finite::revolution::{self, Fineness, Outline};
-use crate::elements::finite::stokes;
+use crate::flow::revolution::{self, Fineness, Outline};
+use crate::flow::stokes;
 use crate::math::mesh::Mesh;
 
 /// The flows in a cavity, in its axes.

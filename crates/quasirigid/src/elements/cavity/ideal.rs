@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::elements::slip::Slip;
+use crate::flow::potential_flow::Slip;
 use crate::math::quadrature::gauss_legendre;
 
 /// Points of quadrature from the middle of an ellipsoid to a pole, and round a quarter.

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use nalgebra::{SymmetricEigen, Vector3};
 
 use super::liquid::Relaxations;
-use crate::elements::slip::Slip;
+use crate::flow::potential_flow::Slip;
 use crate::math::quadrature::gauss_legendre;
 
 /// Gauss's points in each panel of the rates.

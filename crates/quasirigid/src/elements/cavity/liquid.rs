@@ -3,7 +3,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::advection::advection;
-use crate::elements::finite::Velocity;
+use crate::flow::Velocity;
 use crate::math::eigen::{Dense, modes};
 use crate::math::krylov::dot;
 use crate::math::span::Span;

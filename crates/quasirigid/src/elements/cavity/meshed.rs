@@ -1,7 +1,7 @@
 use super::liquid::Liquid;
 use super::shape::Extent;
-use crate::elements::finite::Velocity;
-use crate::elements::finite::stokes::{StokesError, StokesFlow};
+use crate::flow::Velocity;
+use crate::flow::stokes::{StokesError, StokesFlow};
 use crate::math::krylov::dot;
 use crate::math::mesh::Mesh;
 use crate::math::sym::{add, cross, scale};

@@ -18,7 +18,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::affine::Piece;
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::inner::Inner;
+use super::internal::Internal;
 use super::{Assembly, Incomplete, coefficient};
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
@@ -149,7 +149,7 @@ impl Cavity {
     }
 
     /// The liquid with its motions, to as many steps as an order of the reduction needs.
-    fn filled(&self, place: ElementId, order: usize) -> Result<Inner, ElementError> {
+    fn filled(&self, place: ElementId, order: usize) -> Result<Internal, ElementError> {
         self.check_values(place)?;
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
         let flowing = match self.regime {
@@ -174,7 +174,7 @@ impl Cavity {
             equivalent: equivalent.map(|inertia| rows(&(self.density * (turn * inertia * turn.transpose())))),
             viscosity: self.viscosity,
         };
-        Ok(Inner {
+        Ok(Internal {
             rigid: vec![(piece, Vector3::from(self.center) + turn * extent.center)],
             liquids: vec![slow],
             ..self.relaxing(relaxations)
@@ -182,7 +182,7 @@ impl Cavity {
     }
 
     /// Cyclic coordinates of the liquid.
-    fn relaxing(&self, relaxations: Relaxations) -> Inner {
+    fn relaxing(&self, relaxations: Relaxations) -> Internal {
         let turn = self.turn();
         let Relaxations { mass, friction, momentum, turning, shares, advection } = relaxations;
         let coordinate = |number: usize| Coordinate {
@@ -202,14 +202,14 @@ impl Cavity {
         };
         let brake = self.density * self.viscosity;
         let friction = friction.iter().enumerate().map(|(j, friction)| (j, j, brake * friction));
-        Inner {
+        Internal {
             memories: self.memory(count).into_iter().collect(),
             coordinates: (0..count).map(coordinate).collect(),
             h: momentum.iter().map(|h| (self.density * (turn * h)).into()).collect(),
             pairs: own.chain(coupled).collect(),
             friction: vec![(self.name.clone(), friction.collect())],
             advections,
-            ..Inner::default()
+            ..Internal::default()
         }
     }
 
@@ -264,7 +264,7 @@ impl Element for Cavity {
         if self.regime == Regime::Viscous && !ring { vec![Incomplete::Liquids] } else { Vec::new() }
     }
 
-    fn inner(&self, id: ElementId, order: usize) -> Result<Option<Inner>, ElementError> {
+    fn inner(&self, id: ElementId, order: usize) -> Result<Option<Internal>, ElementError> {
         self.filled(id, order).map(Some)
     }
 }

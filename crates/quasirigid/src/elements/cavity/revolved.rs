@@ -1,7 +1,7 @@
 use super::liquid::Liquid;
-use crate::elements::finite::Velocity;
-use crate::elements::finite::revolution::{Fineness, Outline, RevolvedFlow};
-use crate::elements::finite::stokes::StokesError;
+use crate::flow::Velocity;
+use crate::flow::revolution::{Fineness, Outline, RevolvedFlow};
+use crate::flow::stokes::StokesError;
 use crate::math::krylov::dot;
 
 /// Flows in a cavity of revolution, of high degree.

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{Field, Problem};
-use crate::elements::finite::revolution::Outline;
-use crate::elements::finite::stokes::Moments;
+use crate::flow::revolution::Outline;
+use crate::flow::stokes::Moments;
 use crate::math::mesh::Mesh;
 use crate::math::meshing::{self, MeshingError};
 use crate::model::LiquidFlow;

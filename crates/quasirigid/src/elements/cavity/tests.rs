@@ -9,7 +9,7 @@ use super::liquid::{Liquid, Memory, Relaxations};
 use super::meshed::MeshedFlow;
 use super::revolved::MeridianFlow;
 use super::shape::CavityShape;
-use crate::elements::finite::revolution::Fineness;
+use crate::flow::revolution::Fineness;
 use crate::math::krylov::dot;
 use crate::math::meshing;
 
@@ -215,9 +215,9 @@ fn three_roads_to_an_ideal_liquid() {
     let semi_axes = [0.5, 0.5, 0.8];
     let exact = super::ideal::in_ellipsoid(semi_axes);
     let outline = CavityShape::Ellipsoid { semi_axes }.revolution().unwrap().0;
-    let meridian = crate::elements::finite::revolution::slip(&outline, 10).unwrap();
+    let meridian = crate::flow::revolution::slip(&outline, 10).unwrap();
     let mesh = meshing::ellipsoid(semi_axes, 8, 1.0).unwrap();
-    let (_, cells) = crate::elements::finite::stokes::slip(&mesh).unwrap();
+    let (_, cells) = crate::flow::stokes::slip(&mesh).unwrap();
     for (found, most) in [(meridian, 1e-9), (cells, 3e-3)] {
         let turning = (0..3)
             .map(|axis| (found.turning[axis] - exact.turning[axis]).amax() / exact.turning[axis].amax());

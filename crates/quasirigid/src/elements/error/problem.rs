@@ -1,9 +1,9 @@
 use thiserror::Error;
 
-use crate::elements::finite::beam::BeamError;
-use crate::elements::finite::elasticity::ElasticityError;
-use crate::elements::finite::shell::ShellError;
-use crate::elements::finite::stokes::StokesError;
+use crate::finite::beam::BeamError;
+use crate::finite::elasticity::ElasticityError;
+use crate::finite::shell::ShellError;
+use crate::flow::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
 use crate::math::mesh::{MeshFault, MeshNote};

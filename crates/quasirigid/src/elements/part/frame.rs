@@ -2,9 +2,9 @@ use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
 use crate::elements::Material;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::finite::beam::{self, Beam, BeamError, SectionShape};
-use crate::elements::finite::{Element, Grain};
-use crate::elements::structure::Structure;
+use crate::finite::beam::{self, Beam, BeamError, SectionShape};
+use crate::finite::{Element, Grain};
+use crate::structure::Structure;
 
 /// Straight beams between nodes.
 #[derive(Clone, Debug, PartialEq)]

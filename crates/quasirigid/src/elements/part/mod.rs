@@ -2,32 +2,32 @@
 
 mod connection;
 mod frame;
-mod given;
+mod matrices;
 mod modes;
 mod nodal;
+mod nodal_body;
 mod panel;
 mod solid;
 mod substance;
-mod tip;
 
 use nalgebra::Vector3;
 
 pub use connection::{Anchor, Connection, NodeRef};
 pub use frame::{Frame, FrameNode, Member};
-pub use given::Matrices;
+pub use matrices::Matrices;
 pub use modes::{Modes, Spectrum};
 pub use nodal::NodalMass;
+pub use nodal_body::TipMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
-pub use tip::TipMass;
 
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, ElementKind, Problem};
-use super::structure::{Hold, Node, Structure};
 use super::{Assembly, Incomplete, Material};
 use crate::math::mesh::{Mesh, MeshNote};
 use crate::model::Rheology;
+use crate::structure::{Hold, Node, Structure};
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 use super::nodal::{NodalMass, symmetric, times};
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::finite::Block;
-use crate::elements::structure::{Hold, Node, Structure};
+use crate::finite::Block;
 use crate::model::Rheology;
+use crate::structure::{Hold, Node, Structure};
 
 /// Shapes of generalised coordinates over the nodes of another program's model: its modes of vibration, or those of Craig and
 /// Bampton. (K10)

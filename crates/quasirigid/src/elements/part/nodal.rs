@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
-use crate::elements::finite::{Block, Element, Grain, Mass, Site, rigid_points};
-use crate::elements::structure::Node;
+use crate::finite::{Block, Element, Grain, Mass, Site, rigid_points};
 use crate::model::Inertia;
+use crate::structure::Node;
 
 /// Nodes of another program's model, and its mass matrix over their displacements and rotations. (K9)
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::{Substance, sound};
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
-use crate::elements::finite::{Element, Grain};
-use crate::elements::structure::Structure;
+use crate::finite::shell::{self, Ply, ShellError, ShellSection};
+use crate::finite::{Element, Grain};
 use crate::math::mesh::{Cell, Mesh, Shape};
+use crate::structure::Structure;
 
 /// A thin plate or shell.
 #[derive(Clone, Debug, PartialEq)]

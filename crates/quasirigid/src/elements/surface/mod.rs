@@ -10,11 +10,11 @@ use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
-use super::structure::Condensation;
-use super::whole::{Whole, WholeBody};
+use super::single_element::{Whole, WholeBody};
 use super::{Assembly, Incomplete, Reduction, compliance};
 use crate::math::surface::ClosedSurface;
 use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
+use crate::structure::Condensation;
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
 ///

@@ -1,0 +1,72 @@
+use super::nodal::{NodalMass, times};
+use crate::elements::error::{ElementError, ElementKind, Field, at};
+use crate::model::Rheology;
+use crate::structure::{Hold, Structure};
+
+/// Matrices over displacements and rotations of nodes, from another program. (K9)
+///
+/// What the program held is taken as held on the carrier; its mass there is the carrier's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matrices {
+    /// The nodes, and the mass matrix.
+    pub mass: NodalMass,
+    /// Stiffness matrix over the same rows: rows, columns and entries, both triangles.
+    pub stiffness: Vec<(usize, usize, f64)>,
+    /// Damping matrix.
+    pub damping: Vec<(usize, usize, f64)>,
+    /// How what has this stiffness answers periodic strain.
+    pub rheology: Rheology,
+}
+
+/// Energies below this share of those that cancel are rounding of the numbers in a file.
+const ROUNDING: f64 = 1e-12;
+
+impl Matrices {
+    /// Adds its blocks to a structure that has its nodes.
+    pub(super) fn furnish(
+        &self,
+        index: usize,
+        first: usize,
+        rayleigh: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let place = ElementKind::Part.at(index);
+        self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
+        let matrices = [
+            (Field::MASS, self.mass.entries.as_slice()),
+            (Field::DAMPING, &self.damping),
+            (Field::STIFFNESS, &self.stiffness),
+        ];
+        let blocks = self.mass.blocks(place, matrices)?;
+        let masses = blocks.iter().map(|(pair, [mass, ..])| (*pair, mass));
+        let lumps = self.mass.lumps(masses).map_err(at(place, Field::MASS))?;
+        let matter = structure.matter(&self.rheology, rayleigh);
+        for (pair, matrices) in &blocks {
+            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &lumps)));
+        }
+        Ok(())
+    }
+
+    /// Number of a node without a row for some displacement: the other program held it.
+    pub(super) fn held(&self) -> Option<u64> {
+        let held = self.mass.moves().iter().position(|moves| moves[..3].contains(&false))?;
+        Some(self.mass.node_labels[held])
+    }
+
+    /// Whether it resists every motion of the whole as a rigid body: the other program held nodes that it does not name.
+    pub(super) fn stands(&self) -> bool {
+        let rigid = self.mass.rigid();
+        let size = |row: usize| rigid.row(row).norm();
+        let scale: f64 = self.stiffness.iter().map(|(i, j, entry)| entry.abs() * size(*i) * size(*j)).sum();
+        let energies = rigid.tr_mul(&times(&self.stiffness, &rigid)).symmetric_eigenvalues();
+        !energies.is_empty() && energies.min() > ROUNDING * scale
+    }
+
+    /// How each node is held where its components have no row.
+    pub(super) fn holds(&self) -> Vec<Hold> {
+        self.mass.moves().into_iter().map(Hold::Partly).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

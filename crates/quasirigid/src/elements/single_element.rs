@@ -1,0 +1,48 @@
+use super::error::{ElementError, ElementId, Field, Problem, at};
+use super::system_matrices::Matrices;
+use super::{Condensation, Resolution};
+use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
+use crate::structure::Block;
+
+/// A free body that is one element, elastic throughout, in its Tisserand frame.
+pub(super) struct Whole {
+    pub place: ElementId,
+    /// Centre of mass (m), in the file's frame.
+    pub center: [f64; 3],
+    pub invariants: Invariants,
+    pub block: Block,
+    pub coordinates: Vec<Coordinate>,
+    pub markers: Vec<Marker>,
+}
+
+/// A body that is one element, with what it took to find it.
+pub(super) struct WholeBody {
+    pub body: FlexibleBody,
+    pub condensation: Option<Condensation>,
+    pub resolution: Option<Resolution>,
+}
+
+impl Whole {
+    /// The body.
+    pub fn body(self) -> Result<FlexibleBody, ElementError> {
+        let Self { place, center, invariants, block, coordinates, markers } = self;
+        let Matrices { stiffness, damping, lossy, dissipators } =
+            Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), &[])?;
+        FlexibleBody::new(Parts {
+            support: Support::Free,
+            pole: center,
+            center_of_mass: center,
+            invariants,
+            damping,
+            stiffness,
+            lossy,
+            dissipators,
+            memories: Vec::new(),
+            coordinates,
+            cyclic: 0,
+            wheels: Wheels::default(),
+            markers,
+        })
+        .map_err(|error| at(place, Field::YOUNG)(Problem::Mechanism { coordinates: error.coordinates() }))
+    }
+}

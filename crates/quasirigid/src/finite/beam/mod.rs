@@ -1,0 +1,25 @@
+//! Straight beams in space: two nodes with six coordinates each, a translation (m) and a rotation vector (rad), both
+//! in the axes of the body; first those of the first node.
+
+mod element;
+mod error;
+mod forces;
+mod geometric;
+mod grains;
+mod interpolation;
+mod mass;
+mod section;
+mod stiffness;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use element::{Beam, Matter};
+pub use error::{BeamError, Quantity};
+pub use section::{Section, SectionShape};
+
+use nalgebra::{SMatrix, SVector};
+
+/// A symmetric matrix over the coordinates of both nodes.
+type Matrix12 = SMatrix<f64, 12, 12>;
+/// Coordinates of both nodes.
+type Vector12 = SVector<f64, 12>;

@@ -1,0 +1,13 @@
+//! Finite elements: stiffness, mass and geometric stiffness of elastic matter between nodes.
+
+pub(crate) mod beam;
+mod block;
+pub(crate) mod elasticity;
+mod element;
+mod lumped;
+pub(crate) mod shell;
+pub(crate) mod solid;
+
+pub(crate) use block::Block;
+pub(crate) use element::{Element, Grain, Site, Turn};
+pub(crate) use lumped::{Link, Mass, rigid_points};

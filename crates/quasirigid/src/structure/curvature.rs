@@ -1,0 +1,88 @@
+use nalgebra::{DMatrix, Matrix3, MatrixXx3, Vector3};
+
+use super::discrete::Discrete;
+use super::loads::{Acceleration, moments};
+use crate::finite::{Element, Grain, Turn};
+use crate::math::watch;
+
+/// `∫ G_jk dm` and `∫ s G_jkᵀ dm` of a pair of coordinates, with `s` from the reference point. (K6)
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Curvature {
+    pub sum: Vector3<f64>,
+    pub moment: Matrix3<f64>,
+}
+
+impl Discrete<'_> {
+    /// Curvature of the paths of all points; none if they are straight.
+    ///
+    /// The work of each load on the second order of a displacement is what its stress takes from the stiffness,
+    /// `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; grains on an arm turn with it besides. `answers` are the displacements under the
+    /// loads, a row each. (K6)
+    pub(super) fn curvatures(
+        &self,
+        reference: Vector3<f64>,
+        loads: &[Acceleration],
+        answers: &DMatrix<f64>,
+        fields: &DMatrix<f64>,
+    ) -> Option<Vec<Vec<Curvature>>> {
+        let count = fields.nrows();
+        let mut works = vec![DMatrix::zeros(count, count); loads.len()];
+        let mut curved = false;
+        watch::stage("bending the paths");
+        for (number, element) in self.structure.elements.iter().enumerate() {
+            watch::progress(number as f64 / self.structure.elements.len() as f64);
+            let spread =
+                |rows: &DMatrix<f64>| self.freedoms.spread(element.nodes(), element.freedoms(), rows);
+            let own = spread(fields);
+            curved |= bent(element.as_ref(), reference, loads, &spread(answers), &own, &mut works);
+            for grain in element.grains() {
+                curved |= turned(&grain, reference, loads, &own, &mut works);
+            }
+        }
+        let pair = |j: usize, k: usize| {
+            let (sum, moment) = moments(&works.iter().map(|work| work[(j, k)]).collect::<Vec<f64>>());
+            Curvature { sum, moment }
+        };
+        curved.then(|| (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect())
+    }
+}
+
+/// Adds the work of the loads on what the strain of an element bends.
+fn bent(
+    element: &dyn Element,
+    reference: Vector3<f64>,
+    loads: &[Acceleration],
+    answers: &DMatrix<f64>,
+    fields: &DMatrix<f64>,
+    works: &mut [DMatrix<f64>],
+) -> bool {
+    let mut bent = false;
+    for (number, (load, work)) in loads.iter().zip(works).enumerate() {
+        let force = |place: Vector3<f64>| load.at(place - reference, 1.0);
+        if let Some(geometric) = element.geometric(&answers.row(number).transpose(), &force) {
+            *work -= fields * geometric * fields.transpose();
+            bent = true;
+        }
+    }
+    bent
+}
+
+/// Adds the work of the loads on a grain that turns on its arm: `½ (θ_j × (θ_k × p) + θ_k × (θ_j × p))` for each pair.
+fn turned(
+    grain: &Grain,
+    reference: Vector3<f64>,
+    loads: &[Acceleration],
+    fields: &DMatrix<f64>,
+    works: &mut [DMatrix<f64>],
+) -> bool {
+    let Some(Turn { arm, shapes }) = &grain.turn else { return false };
+    let turns: MatrixXx3<f64> = fields * shapes.transpose();
+    for (load, work) in loads.iter().zip(works) {
+        let force = grain.mass * load.at(grain.place_from(reference), grain.one());
+        // θ_j × (θ_k × p) = θ_k (θ_j·p) − p (θ_j·θ_k)
+        let (along, across) = (&turns * force, &turns * arm);
+        let product = 0.5 * (&along * across.transpose() + &across * along.transpose());
+        *work += product - force.dot(arm) * &turns * turns.transpose();
+    }
+    true
+}

@@ -1,0 +1,123 @@
+use nalgebra::{DMatrix, Matrix3, MatrixXx3, SMatrix, Vector3};
+
+use super::discrete::Discrete;
+use super::loads::{Acceleration, LOADS};
+use crate::finite::Grain;
+
+/// Material points taken together in one product of matrices.
+const BATCH: usize = 512;
+
+/// Mass of a structure, and where it is.
+#[derive(Clone, Debug)]
+pub(super) struct Whole {
+    /// Mass (kg).
+    pub mass: f64,
+    /// Centre of mass (m), in the file's frame.
+    pub center: Vector3<f64>,
+    /// `∫ s sᵀ dm` about it (kg·m²).
+    pub second: Matrix3<f64>,
+}
+
+impl Discrete<'_> {
+    /// Mass, centre of mass and second moments.
+    pub(super) fn whole(&self) -> Whole {
+        let middle = self.structure.middle();
+        let (mut mass, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
+        for grain in self.structure.elements.iter().flat_map(|element| element.grains()) {
+            let s = grain.place_from(middle);
+            mass += grain.mass * grain.one();
+            first += grain.mass * grain.one() * s;
+            second += grain.mass * s * s.transpose();
+        }
+        Whole { mass, center: middle + first / mass, second: second - first * first.transpose() / mass }
+    }
+
+    /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (K4)
+    pub(super) fn loads(&self, reference: Vector3<f64>) -> DMatrix<f64> {
+        let mut loads = DMatrix::zeros(LOADS, self.freedoms.unknowns().len());
+        for element in &self.structure.elements {
+            let mut forces = DMatrix::zeros(LOADS, element.nodes().len() * element.freedoms());
+            for grain in element.grains() {
+                forces += grain.mass * accelerations(&grain, reference) * &grain.shapes;
+            }
+            self.freedoms.gather(element.nodes(), element.freedoms(), &forces, &mut loads);
+        }
+        loads
+    }
+
+    /// Forces of the accelerations `E u` for every displacement `u`, a row each, and each of the nine maps `e_a e_bᵀ`:
+    /// what a spin makes of a displacement. (K5)
+    pub(super) fn turned(&self, displacements: &DMatrix<f64>) -> DMatrix<f64> {
+        let count = displacements.nrows();
+        let mut turned = DMatrix::zeros(9 * count, displacements.ncols());
+        for element in &self.structure.elements {
+            let spread = self.freedoms.spread(element.nodes(), element.freedoms(), displacements);
+            let mut forces = DMatrix::zeros(9 * count, spread.ncols());
+            for grain in element.grains() {
+                let moved: MatrixXx3<f64> = &spread * grain.shapes.transpose() * grain.mass;
+                for (a, b) in (0..9).map(|map| (map / 3, map % 3)) {
+                    let force = moved.column(b) * grain.shapes.row(a);
+                    let mut rows = forces.rows_mut((3 * a + b) * count, count);
+                    rows += force;
+                }
+            }
+            self.freedoms.gather(element.nodes(), element.freedoms(), &forces, &mut turned);
+        }
+        turned
+    }
+
+    /// `∫ u vᵀ dm` for every pair of displacements: entry `(3a + b)` holds `∫ u_a v_b dm`, a row for each `u`. (K4)
+    pub(super) fn products(&self, displacements: &DMatrix<f64>) -> [DMatrix<f64>; 9] {
+        let count = displacements.nrows();
+        let mut products: [DMatrix<f64>; 9] = std::array::from_fn(|_| DMatrix::zeros(count, count));
+        let mut batch = Batch::new(count);
+        for element in &self.structure.elements {
+            let spread = self.freedoms.spread(element.nodes(), element.freedoms(), displacements);
+            for grain in element.grains() {
+                batch.push(&(&spread * grain.shapes.transpose()), grain.mass);
+                if batch.filled == BATCH {
+                    batch.add_to(&mut products);
+                }
+            }
+        }
+        batch.add_to(&mut products);
+        products
+    }
+}
+
+/// Rows: the acceleration of each load at a grain.
+fn accelerations(grain: &Grain, reference: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
+    let s = grain.place_from(reference);
+    SMatrix::from_fn(|load, axis| Acceleration::of_load(load).at(s, grain.one())[axis])
+}
+
+/// Displacements of a few material points by axis, and the same times their masses.
+struct Batch {
+    moved: [DMatrix<f64>; 3],
+    weighted: [DMatrix<f64>; 3],
+    filled: usize,
+}
+
+impl Batch {
+    fn new(count: usize) -> Self {
+        let zeros = || std::array::from_fn(|_| DMatrix::zeros(count, BATCH));
+        Self { moved: zeros(), weighted: zeros(), filled: 0 }
+    }
+
+    fn push(&mut self, moved: &MatrixXx3<f64>, mass: f64) {
+        for axis in 0..3 {
+            self.moved[axis].set_column(self.filled, &moved.column(axis));
+            self.weighted[axis].set_column(self.filled, &(mass * moved.column(axis)));
+        }
+        self.filled += 1;
+    }
+
+    fn add_to(&mut self, products: &mut [DMatrix<f64>; 9]) {
+        for (entry, product) in products.iter_mut().enumerate() {
+            let u = self.weighted[entry / 3].columns(0, self.filled);
+            let v = self.moved[entry % 3].columns(0, self.filled);
+            product.gemm(1.0, &u, &v.transpose(), 1.0);
+        }
+        self.filled = 0;
+    }
+}

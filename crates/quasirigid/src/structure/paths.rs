@@ -1,0 +1,275 @@
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, Vector4};
+
+use super::discrete::Discrete;
+use super::grains::Whole;
+use super::loads::{Acceleration, LOADS};
+use super::solver::Solver;
+use crate::finite::{Element, Grain, Site, Turn};
+
+/// Second order of the paths of all points, `½ G_jk q_j q_k = Σ_e Ψ_e ½ qᵀΓ^e q`, as few fields `Ψ_e` with a unit mass each. (K12)
+#[derive(Clone, Debug)]
+pub(super) struct Paths {
+    /// `∫ Ψ_e dm`.
+    pub sums: Vec<Vector3<f64>>,
+    /// `∫ s Ψ_eᵀ dm`, with `s` from the centre of mass.
+    pub moments: Vec<Matrix3<f64>>,
+    /// `∫ Ψ_e u_jᵀ dm` with the displacements of the coordinates, then with the fields themselves.
+    pub products: Vec<Vec<Matrix3<f64>>>,
+    /// `Γ^e`, symmetric.
+    pub forms: Vec<DMatrix<f64>>,
+}
+
+/// A field of the second order below this share of the largest, at equal elastic energy of the coordinates, stays with (I6) alone: what
+/// it lacks beyond matters at displacements larger by its inverse.
+const NEGLIGIBLE: f64 = 1e-3;
+
+impl Discrete<'_> {
+    /// The second order of the paths, if they are curved and every element is a beam, a mass or a spring: then each point is known,
+    /// and the fields are few. (K12)
+    ///
+    /// `energies` are the stiffness of each field with itself.
+    pub(super) fn paths(
+        &self,
+        solver: &Solver,
+        whole: &Whole,
+        floating: bool,
+        fields: &DMatrix<f64>,
+        energies: &[f64],
+    ) -> Option<Paths> {
+        let elements = &self.structure.elements;
+        if fields.nrows() == 0 || !elements.iter().all(|element| slender(element.as_ref())) {
+            return None;
+        }
+        let pairs = Pairs::new(fields.nrows());
+        let spread = |element: &dyn Element, rows: &DMatrix<f64>| {
+            self.freedoms.spread(element.nodes(), element.freedoms(), rows)
+        };
+        let mut forces = DMatrix::zeros(pairs.count(), fields.ncols());
+        let mut inner = Vec::new();
+        for element in elements {
+            let Some(bent) = Bent::of(element.as_ref(), &spread(element.as_ref(), fields), &pairs) else {
+                inner.push(None);
+                continue;
+            };
+            self.freedoms.gather(element.nodes(), element.freedoms(), &bent.forces, &mut forces);
+            inner.push(Some(bent));
+        }
+        if inner.iter().all(Option::is_none) {
+            return None;
+        }
+        let second = solver.answers(forces);
+        let mut points =
+            Points { masses: Vec::new(), places: Vec::new(), first: Vec::new(), second: Vec::new() };
+        for (element, bent) in elements.iter().zip(&inner) {
+            let own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
+            for grain in element.grains() {
+                points.push(&grain, whole.center, &own, bent.as_ref(), &pairs);
+            }
+        }
+        let scales: Vec<f64> =
+            pairs.iter().map(|(j, k)| (energies[j] * energies[k]).sqrt().recip()).collect();
+        Some(points.paths(floating, &scales, &pairs))
+    }
+}
+
+/// Whether an element is a line or a point of known masses.
+fn slender(element: &dyn Element) -> bool {
+    element.nodes().len() <= 2 && element.grains().iter().all(|grain| matches!(grain.site, Site::At(_)))
+}
+
+/// Pairs `j ≤ k` of coordinates, numbered.
+struct Pairs(usize);
+
+impl Pairs {
+    fn new(coordinates: usize) -> Self {
+        Self(coordinates)
+    }
+
+    fn count(&self) -> usize {
+        self.0 * (self.0 + 1) / 2
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        (0..self.0).flat_map(|j| (j..self.0).map(move |k| (j, k)))
+    }
+}
+
+/// What the second order of an element's strains asks for.
+struct Bent {
+    /// Forces on its freedoms that keep its strains, a row for each pair.
+    forces: DMatrix<f64>,
+    /// Mean place of its masses.
+    center: Vector3<f64>,
+    /// Between its nodes, beside the answers to the forces: the displacement there, linear in the place, of each pair.
+    between: Vec<SMatrix<f64, 3, 4>>,
+}
+
+impl Bent {
+    fn of(element: &dyn Element, own: &DMatrix<f64>, pairs: &Pairs) -> Option<Self> {
+        let size = own.ncols();
+        let works = |displacement: &DVector<f64>, force: &dyn Fn(Vector3<f64>) -> Vector3<f64>| {
+            let geometric = element.geometric(displacement, force)?;
+            let works = -(own * geometric * own.transpose());
+            Some(DVector::from_iterator(pairs.count(), pairs.iter().map(|(j, k)| works[(j, k)])))
+        };
+        let none = |_: Vector3<f64>| Vector3::zeros();
+        let mut forces = DMatrix::zeros(pairs.count(), size);
+        for freedom in 0..size {
+            let mut unit = DVector::zeros(size);
+            unit[freedom] = 1.0;
+            forces.set_column(freedom, &works(&unit, &none)?);
+        }
+        let grains = element.grains();
+        let place = |grain: &Grain| grain.place_from(Vector3::zeros());
+        let mass: f64 = grains.iter().map(|grain| grain.mass).sum();
+        let center = grains.iter().map(|grain| grain.mass * place(grain)).sum::<Vector3<f64>>() / mass;
+        let moments: Matrix4<f64> = grains
+            .iter()
+            .map(|grain| {
+                let s = (place(grain) - center).insert_row(0, 1.0);
+                grain.mass * s * s.transpose()
+            })
+            .sum();
+        let inverse = moments.pseudo_inverse(f64::EPSILON * moments.amax()).ok()?;
+        let still = DVector::zeros(size);
+        let mut between = vec![SMatrix::zeros(); pairs.count()];
+        for load in 0..LOADS {
+            let acceleration = Acceleration::of_load(load);
+            let works = works(&still, &|at| acceleration.at(at - center, 1.0))?;
+            for (field, work) in between.iter_mut().zip(works.iter()) {
+                field[(load % 3, load / 3)] = *work;
+            }
+        }
+        between.iter_mut().for_each(|works: &mut SMatrix<f64, 3, 4>| *works *= inverse);
+        Some(Self { forces, center, between })
+    }
+}
+
+/// Displacements of all masses, times the root of each mass.
+struct Points {
+    masses: Vec<f64>,
+    /// From the centre of mass.
+    places: Vec<Vector3<f64>>,
+    /// Of the coordinates and of the pairs: a matrix with a column for each.
+    first: Vec<Matrix3xX<f64>>,
+    second: Vec<Matrix3xX<f64>>,
+}
+
+impl Points {
+    fn push(
+        &mut self,
+        grain: &Grain,
+        center: Vector3<f64>,
+        [first, second]: &[DMatrix<f64>; 2],
+        bent: Option<&Bent>,
+        pairs: &Pairs,
+    ) {
+        let root = grain.mass.sqrt();
+        let place = grain.place_from(Vector3::zeros());
+        let mut curved: Matrix3xX<f64> = &grain.shapes * second.transpose();
+        if let Some(bent) = bent {
+            let s = Vector4::from((place - bent.center).insert_row(0, 1.0));
+            for (mut column, between) in curved.column_iter_mut().zip(&bent.between) {
+                column += between * s;
+            }
+        }
+        if let Some(Turn { arm, shapes }) = &grain.turn {
+            let turns: Matrix3xX<f64> = shapes * first.transpose();
+            for (mut column, (j, k)) in curved.column_iter_mut().zip(pairs.iter()) {
+                let (a, b): (Vector3<f64>, Vector3<f64>) = (turns.column(j).into(), turns.column(k).into());
+                column += 0.5 * (a.cross(&b.cross(arm)) + b.cross(&a.cross(arm)));
+            }
+        }
+        self.masses.push(grain.mass);
+        self.places.push(place - center);
+        self.first.push(root * &grain.shapes * first.transpose());
+        self.second.push(root * curved);
+    }
+
+    /// Numbers of all points in a row for each column.
+    fn rows(columns: &[Matrix3xX<f64>], count: usize) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(3 * columns.len(), count);
+        for (point, column) in columns.iter().enumerate() {
+            rows.rows_mut(3 * point, 3).copy_from(column);
+        }
+        rows
+    }
+
+    fn paths(&self, floating: bool, scales: &[f64], pairs: &Pairs) -> Paths {
+        let first = Self::rows(&self.first, pairs.0);
+        let mut second = Self::rows(&self.second, pairs.count());
+        if floating {
+            self.settle(&mut second);
+        }
+        let fields = independent(&second, scales);
+        let shares = fields.transpose() * &second;
+        let forms = (0..fields.ncols()).map(|e| {
+            let mut form = DMatrix::zeros(pairs.0, pairs.0);
+            for (pair, (j, k)) in pairs.iter().enumerate() {
+                form[(j, k)] = shares[(e, pair)];
+                form[(k, j)] = shares[(e, pair)];
+            }
+            form
+        });
+        let at = |matrix: &DMatrix<f64>, point: usize, e: usize| -> Vector3<f64> {
+            matrix.fixed_view::<3, 1>(3 * point, e).into()
+        };
+        let points = || self.masses.iter().map(|mass| mass.sqrt()).zip(&self.places).enumerate();
+        let sums = (0..fields.ncols()).map(|e| points().map(|(i, (root, _))| root * at(&fields, i, e)).sum());
+        let moments = (0..fields.ncols())
+            .map(|e| points().map(|(i, (root, s))| root * s * at(&fields, i, e).transpose()).sum());
+        let product = |e: usize, other: &DMatrix<f64>, j: usize| -> Matrix3<f64> {
+            points().map(|(i, _)| at(&fields, i, e) * at(other, i, j).transpose()).sum()
+        };
+        let products = (0..fields.ncols()).map(|e| {
+            let coordinates = (0..first.ncols()).map(|j| product(e, &first, j));
+            coordinates.chain((0..fields.ncols()).map(|f| product(e, &fields, f))).collect()
+        });
+        Paths {
+            sums: sums.collect(),
+            moments: moments.collect(),
+            products: products.collect(),
+            forms: forms.collect(),
+        }
+    }
+
+    /// Takes from displacements their part as a rigid body: the second order keeps the momenta at zero like the first. (K7)
+    fn settle(&self, columns: &mut DMatrix<f64>) {
+        let mut rigid = DMatrix::zeros(columns.nrows(), 6);
+        for (point, (mass, s)) in self.masses.iter().zip(&self.places).enumerate() {
+            let mut block = rigid.fixed_view_mut::<3, 6>(3 * point, 0);
+            block.fixed_columns_mut::<3>(0).copy_from(&(mass.sqrt() * Matrix3::identity()));
+            block.fixed_columns_mut::<3>(3).copy_from(&(-mass.sqrt() * s.cross_matrix()));
+        }
+        let inverse = (rigid.transpose() * &rigid).try_inverse().unwrap_or_else(|| DMatrix::zeros(6, 6));
+        let shares = inverse * rigid.transpose() * &*columns;
+        *columns -= rigid * shares;
+    }
+}
+
+/// Orthonormal columns that hold these columns but for negligible ones, measured with their scales: Gram and Schmidt's method, the
+/// largest first.
+fn independent(columns: &DMatrix<f64>, scales: &[f64]) -> DMatrix<f64> {
+    let mut rest = columns.clone();
+    for (mut column, scale) in rest.column_iter_mut().zip(scales) {
+        column *= *scale;
+    }
+    let mut found: Vec<DVector<f64>> = Vec::new();
+    let mut largest = None;
+    while found.len() < columns.nrows().min(columns.ncols()) {
+        let norms = rest.column_iter().map(|column| column.norm());
+        let Some((next, norm)) = norms.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+        if !(norm > NEGLIGIBLE * *largest.get_or_insert(norm)) {
+            break;
+        }
+        let mut direction: DVector<f64> = rest.column(next) / norm;
+        for known in &found {
+            direction -= known * known.dot(&direction);
+        }
+        direction.normalize_mut();
+        let shares = direction.transpose() * &rest;
+        rest.gemm(-1.0, &direction, &shares, 1.0);
+        found.push(direction);
+    }
+    DMatrix::from_fn(columns.nrows(), found.len(), |row, column| found[column][row])
+}

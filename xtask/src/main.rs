@@ -1,6 +1,7 @@
 //! Automation of the workspace, all of it in Rust: `cargo xtask check`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
+mod contents;
 mod docs;
 mod finding;
 mod labels;
@@ -17,8 +18,13 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 4] =
-    [("layers", layers::check), ("labels", labels::check), ("paths", paths::check), ("docs", docs::check)];
+const CHECKS: [(&str, Check); 5] = [
+    ("layers", layers::check),
+    ("labels", labels::check),
+    ("paths", paths::check),
+    ("contents", contents::check),
+    ("docs", docs::check),
+];
 
 const HELP: &str = "\
 usage: cargo xtask <check>
@@ -27,6 +33,7 @@ usage: cargo xtask <check>
   layers   who imports whom, and no foreign type in a public signature
   labels   equation labels and reference keys of the code exist in docs/
   paths    ARCHITECTURE.md names what exists, and every module folder
+  contents theory and guide list each of their chapters under its number
   docs     TOML and commands in README.md and docs/guide are sound
 
 exit code: 0 nothing found, 1 something found, 2 could not run";

@@ -201,7 +201,7 @@ fn a_coordinate_may_move_many_points() {
     let folder = folder_with(model);
     for name in names {
         let name = format!("seesaw-{name}");
-        std::fs::copy(format!("{ROOT}/docs/guide/{name}"), folder.path().join(&name)).unwrap();
+        std::fs::copy(format!("{ROOT}/docs/guide/data/{name}"), folder.path().join(&name)).unwrap();
     }
     let object = ran_in(folder.path(), "derive model.toml --json").json();
     let masses = [0.5, 0.7];

@@ -52,7 +52,7 @@ fn a_model_is_read_from_the_standard_input() {
 fn files_of_such_a_model_are_looked_for_in_the_current_folder() {
     let folder = folder_with("");
     fs::create_dir(folder.path().join("parts")).unwrap();
-    fs::copy(format!("{ROOT}/docs/guide/brick.obj"), folder.path().join("parts/brick.obj")).unwrap();
+    fs::copy(format!("{ROOT}/docs/guide/data/brick.obj"), folder.path().join("parts/brick.obj")).unwrap();
     let model = "[material.rock]\ndensity = 2000\nyoung = \"1 MPa\"\npoisson = 0.25\n\
                  rheology = { kind = \"kelvin-voigt\", time = 1e-3 }\n\
                  [[surface]]\nfile = \"parts/brick.obj\"\nunit = \"cm\"\nmaterial = \"rock\"\ndegree = 2\n";

@@ -99,9 +99,8 @@ fn crowded_frequencies_are_found() {
 /// Names a body of the guide whose answers to the spin are so nearly dependent that a mass among them is lost in rounding.
 #[test]
 fn mass_lost_in_rounding_leaves_the_other_frequencies() {
-    let guide = std::fs::read_dir(format!("{}/docs/guide", crate::support::ROOT)).unwrap();
-    let pages = guide.map(|page| std::fs::read_to_string(page.unwrap().path()).unwrap());
-    let page = pages.into_iter().find(|text| text.contains("# complete: array.toml")).unwrap();
+    let page = format!("{}/docs/guide/10-flexible-parts.md", crate::support::ROOT);
+    let page = std::fs::read_to_string(page).unwrap();
     let model = page.split("# complete: array.toml").nth(1).unwrap().split("```").next().unwrap();
     let checked: Ran = ran_with(model, "check model.toml --order 5 --json");
     let frequencies = crate::support::numbers(&checked.json()["frequencies"]);

@@ -35,7 +35,7 @@ const MOST_HALVINGS: usize = 10;
 /// What to compute.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// Order of the reduced equations, from 1 to 12.
+    /// Order of the reduced equations, from 0 to 12.
     pub order: usize,
     /// Length of the spin history (s).
     pub duration: Option<f64>,

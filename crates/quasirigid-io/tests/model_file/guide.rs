@@ -6,7 +6,7 @@ use quasirigid_io::model::Model;
 
 use super::{CARRIER, HINGED, POINT};
 
-/// Files that a model names stand beside the chapter.
+/// Files that a model names stand in `data`, beside the chapter.
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/guide/model.toml");
 
 /// Complete models are read as they stand, parts of a model with a body whose names they use.

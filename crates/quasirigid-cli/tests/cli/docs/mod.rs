@@ -3,7 +3,8 @@
 //! In a `console` block a line `$ quasirigid ...` or `$ cargo run --release -- ...` is run where the pages expect it,
 //! the root of the repository, or rather a copy that holds the examples, which the commands of one page share. What
 //! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line
-//! is `# complete` is a model; `# complete: NAME.toml` is one that the commands after it know by this name.
+//! is `# complete` is a model; `# complete: NAME.toml` is one that the commands after it know by this name. Files that
+//! models name stand in the folder `data` beside the page.
 
 mod page;
 #[cfg(unix)]
@@ -18,6 +19,9 @@ use tempfile::TempDir;
 
 use crate::support::{ROOT, copy, names};
 use page::{Block, Shown, blocks, commands, matches};
+
+/// Folder of the files that models of a page name, beside the page.
+const DATA: &str = "data";
 
 /// Everything wrong on the pages of a repository.
 fn problems(root: &Path) -> Vec<String> {
@@ -38,12 +42,15 @@ fn problems_of(root: &Path, page: &Path) -> Vec<String> {
     copy(&root.join("examples"), &folder.path().join("examples"));
     let file = root.join(page);
     let (text, beside) = (fs::read_to_string(&file).unwrap(), file.parent().unwrap());
+    if beside.join(DATA).is_dir() {
+        copy(&beside.join(DATA), &folder.path().join(DATA));
+    }
     let found = blocks(&text).into_iter().flat_map(|block| match block.language.as_str() {
         "console" => {
             commands(&block).into_iter().filter_map(|shown| wrong_output(&shown, folder.path())).collect()
         }
         "toml" => {
-            put_down(&block, beside, folder.path());
+            put_down(&block, folder.path());
             wrong_model(&block, beside).into_iter().collect()
         }
         _ => Vec::new(),
@@ -80,17 +87,14 @@ fn heading(block: &Block) -> Option<&str> {
     if rest.is_empty() { Some(rest) } else { rest.strip_prefix(": ") }
 }
 
-/// Writes a model with a name where commands run, with the files beside its page that it names.
-fn put_down(block: &Block, beside: &Path, folder: &Path) {
-    let Some(name) = heading(block).filter(|name| !name.is_empty()) else { return };
-    fs::write(folder.join(name), &block.text).unwrap();
-    let named = names(beside).into_iter().filter(|file| block.text.contains(&format!("\"{file}\"")));
-    for file in named {
-        fs::copy(beside.join(&file), folder.join(&file)).unwrap();
+/// Writes a model with a name where commands run.
+fn put_down(block: &Block, folder: &Path) {
+    if let Some(name) = heading(block).filter(|name| !name.is_empty()) {
+        fs::write(folder.join(name), &block.text).unwrap();
     }
 }
 
-/// What is wrong with a complete model; the files that it names stand beside its page.
+/// What is wrong with a complete model; the files that it names are looked for from the folder of its page.
 fn wrong_model(block: &Block, beside: &Path) -> Option<(usize, String)> {
     heading(block)?;
     let refused = match Model::parse(&beside.join("model.toml"), &block.text) {

@@ -23,6 +23,3 @@ pub(crate) use component::{Component, Fault, Load, Purpose};
 pub use condensation::Condensation;
 pub(crate) use discrete::{Joint, Structure};
 pub(crate) use freedoms::{Freedoms, Hold, Node, Unknown};
-
-#[cfg(test)]
-mod tests;

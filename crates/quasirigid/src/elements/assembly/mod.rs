@@ -8,6 +8,8 @@ mod mover;
 mod names;
 mod net;
 mod rheologies;
+#[cfg(test)]
+mod tests;
 
 use nalgebra::Vector3;
 

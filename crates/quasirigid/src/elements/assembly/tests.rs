@@ -1,6 +1,5 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Component, Freedoms, Hold, Node, Purpose, Structure};
 use crate::elements::system_matrices::Matrices;
 use crate::elements::{Assembly, Coefficient, End, Law};
 use crate::finite::{Link, Mass};
@@ -8,6 +7,7 @@ use crate::math::sparse::SparseRows;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Parts, Rheology, Support, Wheels};
 use crate::problems::ring_of_points;
 use crate::reduction::reduce;
+use crate::structure::{Component, Freedoms, Hold, Load, Node, Purpose, Structure};
 
 /// The points and springs of a body as a structure on its carrier.
 fn structure(assembly: &Assembly) -> Structure {
@@ -90,13 +90,8 @@ fn few_coordinates_have_the_slow_motion_of_the_many() {
     for order in [3, 4, 5] {
         let structure = structure(&assembly);
         let freedoms = Freedoms::new(&structure.nodes, &structure.holds).unwrap();
-        let purpose = Purpose {
-            order,
-            modes: 0,
-            floating: false,
-            stations: &[3, 17],
-            loads: &[super::Load::default(); 2],
-        };
+        let purpose =
+            Purpose { order, modes: 0, floating: false, stations: &[3, 17], loads: &[Load::default(); 2] };
         let component = structure.component(freedoms, &purpose).unwrap();
         assert!(component.size() < points.coordinates().len(), "{} coordinates", component.size());
         let few = body(&assembly, &component);

@@ -11,9 +11,9 @@ use source::Source;
 /// The crate of the physics.
 const PHYSICS: &str = "quasirigid";
 
-/// What each top-level module of the physics crate may use, beside itself: a star without sideways arrows.
-const MODULES: [(&str, &[&str]); 11] = [
-    ("math", &[]),
+/// What each top-level module of the physics crate may use, beside itself: a star without sideways arrows. `math` is the
+/// crate `quasirigid-math` by the name it has in the physics.
+const MODULES: [(&str, &[&str]); 9] = [
     ("model", &["math"]),
     ("elements", &["math", "model"]),
     ("reduction", &["math", "model"]),
@@ -22,18 +22,20 @@ const MODULES: [(&str, &[&str]); 11] = [
     ("modes", &["math", "model"]),
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
     ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
-    ("ensemble", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
 ];
 
 /// What each crate may use of the others.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 8] = [
     ("quasirigid-linear", &[]),
-    ("quasirigid", &["quasirigid_linear"]),
+    ("quasirigid-math", &["quasirigid_linear"]),
+    ("quasirigid-mesh", &["quasirigid_math"]),
+    ("quasirigid", &["quasirigid_math", "quasirigid_mesh"]),
     (
         "quasirigid-io",
         &[
-            "quasirigid::math",
+            "quasirigid_math",
+            "quasirigid_mesh",
             "quasirigid::model",
             "quasirigid::elements",
             "quasirigid::dynamics::Form",
@@ -41,7 +43,7 @@ const CRATES: [(&str, &[&str]); 6] = [
         ],
     ),
     ("quasirigid-report", &["quasirigid_io::record"]),
-    ("quasirigid-study", &["quasirigid", "quasirigid_io", "quasirigid_report"]),
+    ("quasirigid-study", &["quasirigid", "quasirigid_math", "quasirigid_io", "quasirigid_report"]),
     ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
 ];
 

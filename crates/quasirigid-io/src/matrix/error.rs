@@ -2,7 +2,7 @@ use std::fmt;
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
-use quasirigid::math::memory::TooMuchMemory;
+use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::Freedom;

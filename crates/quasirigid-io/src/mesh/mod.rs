@@ -2,7 +2,7 @@
 //! Abaqus.
 //!
 //! Numbers are taken as they are, in the unit of the file; whether the triangles bound a body is for
-//! [`ClosedSurface`](quasirigid::math::surface::ClosedSurface) to say. Polygons become fans of triangles about their
+//! [`ClosedSurface`](quasirigid_mesh::surface::ClosedSurface) to say. Polygons become fans of triangles about their
 //! first corner. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
 
 mod error;

@@ -4,11 +4,11 @@ use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sphere::Kind as Stationary;
-use quasirigid::math::sym::{self, dot, norm, scale};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict};
+use quasirigid_math::rotation::angle;
+use quasirigid_math::sphere::Kind as Stationary;
+use quasirigid_math::sym::{self, dot, norm, scale};
 
 use super::CheckReport;
 use crate::derive::acting;

@@ -6,11 +6,11 @@ use quasirigid::averaging::{
     PolynomialPower, Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord, ObservedRecord};
+use quasirigid_math::sym::norm;
 
 use super::approach::approach;
 use super::road::{Refusal, Verdict};

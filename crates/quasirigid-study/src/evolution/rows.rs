@@ -5,9 +5,9 @@ use quasirigid::averaging::{
     SlowTorque, Stage,
 };
 
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
+use quasirigid_math::sym::norm;
 
 use super::ageing::Ageing;
 

@@ -3,9 +3,9 @@
 use quasirigid::averaging::{FreeRotation, HillResponse};
 use quasirigid::dynamics::FullState;
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Spring};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal, Rheology};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::sym;
 
 /// A motion with a mean spin of about `spin` (rad/s).
 pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {

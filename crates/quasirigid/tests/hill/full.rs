@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 use quasirigid::averaging::{HillResponse, MeanPower, Response};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal};
+use quasirigid_math::sym;
 
 use super::bodies::{full_start, lines, motion, skew};
 

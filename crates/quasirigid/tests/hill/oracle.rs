@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::averaging::FreeRotation;
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Motion, Principal};
+use quasirigid_math::sym;
 
 use crate::support::matrices::dense;
 

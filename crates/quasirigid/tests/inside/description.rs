@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
     Assembly, CavityShape, Coefficient, Law, Rotor, RotorKind, SlowLiquid, Wheel, WheelSpeed,
 };
-use quasirigid::math::polynomial::Series;
-use quasirigid::math::{rotation, sym};
 use quasirigid::model::ReducedBody;
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::{rotation, sym};
 
 /// Turned axes of the file, and the sizes of the old units in the new ones.
 #[derive(Clone, Copy, Debug)]

@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Assembly;
-use quasirigid::math::polynomial::Series;
-use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::{Validity, Vibrations, reduce};
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::sym;
 
 use super::compare::{angles, difference, displacements, list_gap, scaled_gap, value};
 use super::wobbler;

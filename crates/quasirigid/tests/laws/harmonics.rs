@@ -6,10 +6,10 @@ use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage};
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::dot;
 use quasirigid::model::{Measured, Mode, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::sym::dot;
 
 use super::evolution::tumbler;
 use crate::support::transform::{rotated, stiffened};

@@ -6,8 +6,8 @@
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Motion;
-use quasirigid::math::sym::{self, Sym};
 use quasirigid::model::{FlexibleBody, Support};
+use quasirigid_math::sym::{self, Sym};
 
 use crate::support::{Mass, Massive, cases, inertia, massive, moments};
 

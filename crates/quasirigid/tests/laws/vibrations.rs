@@ -2,10 +2,10 @@
 
 use nalgebra::{DMatrix, Matrix3};
 use proptest::prelude::*;
-use quasirigid::math::sparse::SparseRows;
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::reduction::Vibrations;
+use quasirigid_math::sparse::SparseRows;
+use quasirigid_math::sym;
 
 use crate::support::{assemblies, cases};
 

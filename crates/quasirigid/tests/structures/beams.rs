@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Station,
 };
-use quasirigid::math::sparse::SparseRows;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Invariants, Pair, Parts};
+use quasirigid_math::sparse::SparseRows;
 
 use super::common::turned_axes;
 

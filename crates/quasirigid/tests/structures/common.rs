@@ -1,8 +1,8 @@
 //! What the tests of structures share: turned axes, the compliance of a body, and the error beside another matrix.
 
 use nalgebra::{Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3};
-use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
+use quasirigid_math::sym;
 
 /// Axes of a test body: its own as columns, in the file's frame.
 pub fn turned_axes() -> Rotation3<f64> {

@@ -5,10 +5,10 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Run, S
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, SectionShape, TipMass,
 };
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE, Rheology, Support};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::sym;
 
 use super::common::turned_axes;
 

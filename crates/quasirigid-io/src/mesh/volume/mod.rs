@@ -9,7 +9,7 @@ mod vtk;
 
 use std::path::Path;
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::bytes_of;
@@ -29,7 +29,7 @@ pub use problem::VolumeProblem;
 ///   them, and both before the sets. Of a range, a set has what exists.
 ///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
-/// come out in the node order of [`Shape`](quasirigid::math::mesh::Shape); cells of one node are left out. Numbers
+/// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
 /// are taken as they are, in the unit of the file. No geometry is checked here.
 ///
 /// # Errors

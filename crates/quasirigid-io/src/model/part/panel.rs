@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{Kind, Layer, Panel, Part};
-use quasirigid::math::mesh::{Cell, Mesh, Set, Shape};
-use quasirigid::math::sym::{cross, norm};
+use quasirigid_math::sym::{cross, norm};
+use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};

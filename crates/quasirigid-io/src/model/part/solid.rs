@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{Kind, Part, Region, Solid};
-use quasirigid::math::mesh::Mesh;
-use quasirigid::math::sym::{cross, dot, norm, scale};
+use quasirigid_math::sym::{cross, dot, norm, scale};
+use quasirigid_mesh::Mesh;
 
 use super::super::rheology::Extremes;
 use super::super::table::{Keys, Table};

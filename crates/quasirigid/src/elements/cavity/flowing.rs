@@ -12,7 +12,7 @@ use super::{ideal, layer};
 use crate::elements::error::{Field, Problem};
 use crate::elements::finite::revolution::{self, Fineness, Outline};
 use crate::elements::finite::stokes;
-use crate::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 /// The flows in a cavity, in its axes.
 pub(super) struct Flowing {

@@ -6,9 +6,9 @@ use crate::elements::finite::shell::ShellError;
 use crate::elements::finite::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
-use crate::math::mesh::{MeshFault, MeshNote};
-use crate::math::meshing::MeshingError;
 use crate::model::{InertiaError, RheologyError};
+use quasirigid_mesh::meshing::MeshingError;
+use quasirigid_mesh::{MeshFault, MeshNote};
 
 /// What can be wrong with a value of an element.
 #[non_exhaustive]

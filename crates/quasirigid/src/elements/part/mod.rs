@@ -24,8 +24,8 @@ pub use tip::TipMass;
 
 use super::error::{ElementError, ElementKind, Problem};
 use super::structure::{Hold, Node, Structure};
-use crate::math::mesh::{Mesh, MeshNote};
 use crate::model::Rheology;
+use quasirigid_mesh::{Mesh, MeshNote};
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,7 +8,7 @@ use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Proble
 use crate::elements::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::elements::finite::{Element, Grain};
 use crate::elements::structure::Structure;
-use crate::math::mesh::{Cell, Mesh, Shape};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// A thin plate or shell.
 #[derive(Clone, Debug, PartialEq)]

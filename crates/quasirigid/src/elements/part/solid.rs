@@ -6,7 +6,7 @@ use super::{Substance, sound};
 use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::elements::finite::{Element, Grain, elasticity, solid};
 use crate::elements::structure::Structure;
-use crate::math::mesh::{Mesh, Shape};
+use quasirigid_mesh::{Mesh, Shape};
 
 /// A solid of cells: tetrahedra, wedges and hexahedra.
 #[derive(Clone, Debug, PartialEq)]

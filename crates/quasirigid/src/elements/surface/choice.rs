@@ -5,8 +5,8 @@ use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
 use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::elements::ritz::Ritz;
-use crate::math::meshing::{Neck, graded, necks};
 use crate::math::watch;
+use quasirigid_mesh::meshing::{Neck, graded, necks};
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];

@@ -8,9 +8,9 @@ use crate::elements::error::Problem;
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, Part, Region, Solid, Substance};
 use crate::elements::structure::Condensation;
-use crate::math::meshing::{GradedMesh, Neck, graded};
 use crate::math::sym::Sym;
 use crate::model::FlexibleBody;
+use quasirigid_mesh::meshing::{GradedMesh, Neck, graded};
 
 /// A body made of cells.
 pub(super) struct Meshed {

@@ -12,8 +12,8 @@ use super::ritz::{Ritz, Solid};
 use super::structure::Condensation;
 use super::whole::Whole;
 use super::{Reduction, compliance};
-use crate::math::surface::ClosedSurface;
 use crate::model::{Coordinate, FlexibleBody, Marker};
+use quasirigid_mesh::surface::ClosedSurface;
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
 ///

@@ -7,7 +7,7 @@ mod sets;
 
 use std::path::{Path, PathBuf};
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;

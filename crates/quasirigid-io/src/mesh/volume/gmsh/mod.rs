@@ -6,7 +6,7 @@ mod source;
 mod version2;
 mod version4;
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;

@@ -1,4 +1,4 @@
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::array::{Array, Origin, Scalar, Values, Words, cut};
 use super::grid::Grid;

@@ -1,7 +1,7 @@
 use std::borrow::Cow;
 
-use quasirigid::math::memory;
-use quasirigid::math::mesh::Mesh;
+use quasirigid_math::memory;
+use quasirigid_mesh::Mesh;
 use roxmltree::{Document, Node};
 
 use super::array::{Array, Origin, Scalar, Values, Words};

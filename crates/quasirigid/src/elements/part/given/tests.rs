@@ -10,8 +10,8 @@ use crate::elements::error::{Field, Problem};
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, NodalMass, Part, Region, Solid, Substance};
 use crate::elements::structure::Structure;
-use crate::math::mesh::{Cell, Mesh, Shape};
 use crate::model::Rheology;
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Corners of two tetrahedra with a common face, away from the origin.
 const CORNERS: [[f64; 3]; 5] =

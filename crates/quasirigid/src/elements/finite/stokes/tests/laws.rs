@@ -4,8 +4,8 @@ use super::super::StokesFlow;
 use super::lattice::{Lattice, ball, block, cylinder};
 use super::{AXES, diagonal, gap, loads, nodal, tensor, turned, turned_tensor};
 use crate::math::krylov::dot;
-use crate::math::mesh::Shape;
 use crate::math::sym::{add, cross, scale};
+use quasirigid_mesh::Shape;
 
 /// An octahedron of eight cells, off the origin, with the share `λ` of its middle at a place.
 fn octahedron() -> (StokesFlow, impl Fn([f64; 3]) -> f64 + Copy) {

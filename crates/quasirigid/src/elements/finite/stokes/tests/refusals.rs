@@ -4,7 +4,7 @@ use super::super::assembly::Assembly;
 use super::super::grid::Grid;
 use super::super::{StokesError, StokesFlow};
 use super::lattice::{Lattice, block};
-use crate::math::mesh::{Cell, Mesh, MeshFault, Shape};
+use quasirigid_mesh::{Cell, Mesh, MeshFault, Shape};
 
 fn refusal(mesh: &Mesh) -> StokesError {
     StokesFlow::new(mesh).err().unwrap()

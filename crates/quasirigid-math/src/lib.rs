@@ -7,19 +7,20 @@
 
 pub mod bisection;
 pub mod chebyshev;
+pub mod connected_components;
 pub mod elliptic;
 pub mod expression;
 pub mod gmres;
 pub mod ode;
-pub mod parts;
 pub mod polynomial;
 pub mod quadrature;
 pub mod rotation;
 pub mod scalar;
 pub mod simd;
 pub mod sphere;
-pub mod sym;
+pub mod sym3;
 pub mod taylor;
+pub mod vec3;
 
 pub use quasirigid_linear::{
     cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, watch,

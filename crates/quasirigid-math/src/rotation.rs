@@ -4,7 +4,7 @@
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
 use super::scalar::{Scalar, Smooth};
-use super::sym::{add, dot, scale};
+use super::vec3::{add, dot, scale};
 
 /// Unit quaternion, scalar first.
 pub type Attitude = [f64; 4];
@@ -49,6 +49,7 @@ impl<T: Scalar> Turn<T> {
 }
 
 /// Inertial components of a vector given in body components.
+#[inline]
 #[must_use]
 pub fn to_inertial(attitude: Attitude, vector: [f64; 3]) -> [f64; 3] {
     unit(attitude).transform_vector(&Vector3::from(vector)).into()

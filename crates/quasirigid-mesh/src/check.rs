@@ -2,7 +2,7 @@ use std::collections::HashMap;
 
 use super::geometry::{normal, tangents, thickness};
 use super::{Cell, MOST, Mesh, MeshFault, Rule, Shape};
-use quasirigid_math::sym::{add, scale};
+use quasirigid_math::vec3::{add, scale};
 
 /// A cell thinner than this beside its length is flat; coordinates in files often have no more digits.
 const FLAT: f64 = 1e-9;

@@ -1,7 +1,7 @@
 //! Size of cells, and how they are turned and stretched.
 
 use super::{Mesh, Rule, Shape};
-use quasirigid_math::sym::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
 impl Mesh {
     /// Volume of the solids among some cells, by their indices; faces and lines have none.

@@ -4,8 +4,8 @@ use thiserror::Error;
 
 use super::Mesh;
 use super::fault::among;
-use quasirigid_math::parts::parts;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::connected_components::connected_components;
+use quasirigid_math::vec3::{add, norm, scale};
 
 /// What is suspect in a mesh but may be meant. Nodes go by the numbers of their file.
 #[non_exhaustive]
@@ -91,7 +91,8 @@ impl Mesh {
     fn apart(&self) -> Option<MeshNote> {
         let pairs = self.cells.iter().flat_map(|cell| cell.nodes.windows(2)).map(|pair| [pair[0], pair[1]]);
         // A node of no cell is a part of its own.
-        let count = parts(self.nodes.len(), pairs).iter().filter(|part| part.len() > 1).count();
+        let count =
+            connected_components(self.nodes.len(), pairs).iter().filter(|part| part.len() > 1).count();
         (count > 1).then_some(MeshNote::Parts { count })
     }
 }

@@ -9,7 +9,7 @@ use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencie
 use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::Column;
 use quasirigid_math::memory;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::{Setting, StudyError};

@@ -3,7 +3,7 @@
 use quasirigid::model::Principal;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid::secular::apart;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use crate::liquids::unanswered;
 use crate::study::Study;

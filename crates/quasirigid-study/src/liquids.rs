@@ -2,7 +2,7 @@
 
 use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
 use quasirigid_io::record::LiquidRecord;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use crate::layout::paragraph;
 use crate::study::Study;

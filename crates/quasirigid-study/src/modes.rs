@@ -4,7 +4,7 @@ use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::{Given, acts};
 use quasirigid_io::model::Named;
 use quasirigid_io::record::SteadySpinRecord;
-use quasirigid_math::sym::{dot, norm};
+use quasirigid_math::vec3::{dot, norm};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;

@@ -10,7 +10,7 @@ use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::error::StudyError;
 use crate::start::{follows_its_spin, slaved_order};

@@ -10,7 +10,7 @@ use quasirigid_io::record::{
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
 use quasirigid_math::ode::Work;
-use quasirigid_math::sym::{dot, norm};
+use quasirigid_math::vec3::{dot, norm};
 
 use crate::study::Study;
 use crate::verification::Proof;

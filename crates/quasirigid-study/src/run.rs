@@ -8,7 +8,7 @@ use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use crate::derive;
 use crate::error::StudyError;

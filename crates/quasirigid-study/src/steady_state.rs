@@ -3,7 +3,7 @@
 use quasirigid::modes::{Near, SteadyModes, SteadyState};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::StudyError;

@@ -9,7 +9,7 @@ use quasirigid::dynamics::{Form, Options, spin_path};
 use quasirigid::problems::QuarticQuintic;
 use quasirigid_math::polynomial::{Kernel, Series};
 use quasirigid_math::simd::{Arithmetic, Task, dispatch};
-use quasirigid_math::sym::cross;
+use quasirigid_math::vec3::cross;
 
 fn main() {
     let problem = QuarticQuintic::published();

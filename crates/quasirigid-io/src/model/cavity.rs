@@ -2,7 +2,7 @@ use std::path::Path;
 
 use quasirigid::elements::{Cavity, CavityShape, Regime};
 use quasirigid_math::rotation::{ALIGNED, angle, turned};
-use quasirigid_math::sym::{cross, norm, scale};
+use quasirigid_math::vec3::{cross, norm, scale};
 use quasirigid_mesh::meshing::inside;
 
 use super::initial::unit_quaternion;

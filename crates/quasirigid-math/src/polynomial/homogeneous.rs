@@ -51,12 +51,14 @@ impl Homogeneous {
     }
 
     /// Degree.
+    #[inline]
     #[must_use]
     pub fn degree(&self) -> usize {
         self.pure.degree()
     }
 
     /// Number of rows.
+    #[inline]
     #[must_use]
     pub fn rows(&self) -> usize {
         self.pure.rows()
@@ -71,12 +73,14 @@ impl Homogeneous {
     }
 
     /// Coefficients of a row without the constant.
+    #[inline]
     #[must_use]
     pub fn row(&self, row: usize) -> &[f64] {
         self.pure.row(row)
     }
 
     /// Coefficients of a row without the constant, to change.
+    #[inline]
     pub fn row_mut(&mut self, row: usize) -> &mut [f64] {
         self.pure.row_mut(row)
     }

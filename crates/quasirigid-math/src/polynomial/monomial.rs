@@ -4,12 +4,14 @@
 //! index, and the product of two monomials is the sum of their pairs `(r, k)`.
 
 /// Number of monomials of a degree in three variables.
+#[inline]
 #[must_use]
 pub fn count(degree: usize) -> usize {
     (degree + 1) * (degree + 2) / 2
 }
 
 /// Index of a monomial among those of its degree.
+#[inline]
 #[must_use]
 pub fn index([_, j, k]: [usize; 3]) -> usize {
     let r = j + k;
@@ -17,6 +19,7 @@ pub fn index([_, j, k]: [usize; 3]) -> usize {
 }
 
 /// Place of a monomial in a list of all by ascending degree.
+#[inline]
 #[must_use]
 pub fn place(exponents: [usize; 3]) -> usize {
     let degree: usize = exponents.iter().sum();

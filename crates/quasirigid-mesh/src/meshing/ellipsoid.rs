@@ -23,7 +23,7 @@ pub fn ellipsoid(semi_axes: [f64; 3], resolution: usize, exponent: f64) -> Resul
 mod tests {
     use super::super::testing::{angles_deg, assert_fourth_order, assert_sound};
     use super::*;
-    use quasirigid_math::sym::norm;
+    use quasirigid_math::vec3::norm;
     use std::f64::consts::PI;
 
     fn exact([a, b, c]: [f64; 3]) -> [f64; 7] {

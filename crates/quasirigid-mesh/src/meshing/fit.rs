@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::lattice::{LONG, Lattice};
 use crate::surface::Proximity;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 use quasirigid_math::watch;
 
 /// Nearer to the surface than this, in sides of a cube, points are on it.

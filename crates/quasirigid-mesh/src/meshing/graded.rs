@@ -1,19 +1,19 @@
 //! Cells of a lattice that is finer around a neck.
 
-use super::crumbs::without_crumbs;
 use super::fineness::allowed;
 use super::fit::Fit;
 use super::inside::{Frame, IN_CUBE, OFF};
 use super::jacobian::six_volumes;
 use super::lattice::Lattice;
 use super::quadratic::Quadratic;
+use super::slivers::without_slivers;
 use super::stencils::cells;
 use super::topology::same_topology;
 use super::wall::curved;
 use super::{MeshingError, Neck};
 use crate::Mesh;
 use crate::surface::{ClosedSurface, Proximity};
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 /// A mesh with the width of its cells.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ fn fill(
     allowed(IN_CUBE * proximity.volume(), resolution)?;
     let lattice = Lattice::new(frame.cubes.map(|cubes| cubes as usize));
     let filling = cells(&lattice, &Fit::new(&lattice, &proximity));
-    let mut filling = without_crumbs(filling, surface.bodies(), resolution)?;
+    let mut filling = without_slivers(filling, surface.bodies(), resolution)?;
     // Places of the body, in sides of a cube.
     let [low, high] = surface.bounds();
     let middle: [f64; 3] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);

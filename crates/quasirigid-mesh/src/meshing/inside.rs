@@ -1,9 +1,9 @@
 use super::MeshingError;
-use super::crumbs::without_crumbs;
 use super::fineness::allowed;
 use super::fit::Fit;
 use super::lattice::Lattice;
 use super::quadratic::Quadratic;
+use super::slivers::without_slivers;
 use super::stencils::cells;
 use super::topology::same_topology;
 use super::wall::curved;
@@ -39,7 +39,7 @@ pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, Meshin
     allowed(IN_CUBE * volume, resolution)?;
     let lattice = Lattice::new(frame.cubes.map(|cubes| cubes as usize));
     let filling = cells(&lattice, &Fit::new(&lattice, &proximity));
-    let filling = without_crumbs(filling, surface.bodies(), resolution)?;
+    let filling = without_slivers(filling, surface.bodies(), resolution)?;
     let quadratic = Quadratic::new(&filling.cells, filling.points.len());
     let nodes = curved(filling.points, &quadratic, &proximity);
     let mut mesh = quadratic.mesh(nodes);

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use crate::{Rule, Shape};
-use quasirigid_math::sym::{add, cross, dot, scale};
+use quasirigid_math::vec3::{add, cross, dot, scale};
 
 /// Least Jacobian of a quadratic tetrahedron at its nodes and where it is integrated, over that of the straight one
 /// with its corners: 1 if it is straight, below 0 if it folds.

@@ -87,7 +87,7 @@ impl Lattice {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use quasirigid_math::sym::{add, norm, scale};
+    use quasirigid_math::vec3::{add, norm, scale};
 
     const LATTICE: Lattice = Lattice { cubes: [3, 4, 2] };
 

@@ -9,7 +9,6 @@
 //! What any closed surface of triangles encloses is filled by [`inside`]; [`graded`] makes the cells finer at a
 //! neck that [`necks`] finds.
 
-mod crumbs;
 mod cuboid;
 mod cylinder;
 mod ellipsoid;
@@ -27,6 +26,7 @@ mod ring;
 mod round;
 mod shell;
 mod simplices;
+mod slivers;
 mod stencils;
 #[cfg(test)]
 mod testing;

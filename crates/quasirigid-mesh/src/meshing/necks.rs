@@ -2,7 +2,7 @@
 
 use super::MeshingError;
 use crate::surface::{ClosedSurface, Proximity};
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 /// A place where a body is narrower than on both sides of it: a saddle of the distance to its surface.
 #[derive(Clone, Copy, Debug, PartialEq)]

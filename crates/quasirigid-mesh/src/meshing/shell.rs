@@ -50,7 +50,7 @@ pub fn shell(
 mod tests {
     use super::super::testing::{angles_deg, assert_fourth_order, assert_sound};
     use super::*;
-    use quasirigid_math::sym::norm;
+    use quasirigid_math::vec3::norm;
     use std::f64::consts::PI;
 
     fn exact(outer: [f64; 3], inner: [f64; 3]) -> [f64; 7] {

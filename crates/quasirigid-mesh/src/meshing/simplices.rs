@@ -110,7 +110,7 @@ fn follow<const K: usize>(walk: [[usize; K]; K], length: usize, walks: &mut Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use quasirigid_math::sym::{add, cross, dot, scale};
+    use quasirigid_math::vec3::{add, cross, dot, scale};
 
     fn volume(points: &[[f64; 3]], [a, b, c, d]: [usize; 4]) -> f64 {
         let [u, v, w] = [b, c, d].map(|corner| add(points[corner], scale(-1.0, points[a])));

@@ -106,7 +106,7 @@ mod tests {
     use super::*;
     use crate::surface::testing::cube;
     use crate::surface::{ClosedSurface, Proximity};
-    use quasirigid_math::sym::{add, cross, dot, scale};
+    use quasirigid_math::vec3::{add, cross, dot, scale};
 
     /// A tetrahedron from the digits of a number, in a box of side 6, none if it is flat.
     fn tetrahedron(number: u64) -> Option<ClosedSurface> {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::jacobian::least_jacobian;
 use crate::{EDGES, Mesh, Rule, Shape};
-use quasirigid_math::sym::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
 /// Corners of the faces of a tetrahedron and, of each, its nodes between them.
 const FACES: [([usize; 3], [usize; 3]); 4] =

@@ -3,7 +3,7 @@
 use super::jacobian::least_jacobian;
 use super::quadratic::Quadratic;
 use crate::surface::Proximity;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 /// Farthest that a middle moves, beside its edge: beyond, another part of the surface is near.
 const FARTHEST: f64 = 0.25;

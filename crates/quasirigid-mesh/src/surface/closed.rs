@@ -1,6 +1,6 @@
 use super::geometry::{bounds, is_flat, minus, normalised};
 use super::{Moments, SurfaceError, crossing, shells, topology};
-use quasirigid_math::sym::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, norm};
 
 /// Height over a triangle, beside the largest coordinate, that is rounding.
 const FLAT: f64 = 1e-7;

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::SurfaceError;
 use super::geometry::{Corners, bounds, minus};
 use super::tree::{Bounds, overlapping};
-use quasirigid_math::sym::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, norm};
 
 /// Gaps below this part of the extent of two triangles are rounding.
 const GAP: f64 = 8.0 * f64::EPSILON;

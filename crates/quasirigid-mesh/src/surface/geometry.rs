@@ -1,6 +1,6 @@
 //! Corners of triangles in coordinates near one, so that no unit of length is too small or too large.
 
-use quasirigid_math::sym::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, norm};
 
 /// Corners of a triangle.
 pub(super) type Corners = [[f64; 3]; 3];

@@ -7,8 +7,8 @@ use super::geometry::{Corners, bounds, minus, triple};
 use super::shells::solid_angle;
 use super::topology;
 use super::tree::{Bounds, Tree};
-use quasirigid_math::parts::parts;
-use quasirigid_math::sym::{add, cross, dot, norm, scale};
+use quasirigid_math::connected_components::connected_components;
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
 /// A closed surface prepared for questions about what is near.
 pub(crate) struct Proximity {
@@ -170,7 +170,7 @@ fn normals(triangles: &[Corners], vertices: &[[usize; 3]]) -> Vec<Normals> {
             joints.push([3 * t + (i + 1) % 3, 3 * u + j]);
         }
     }
-    let fans = parts(3 * triangles.len(), joints);
+    let fans = connected_components(3 * triangles.len(), joints);
     let mut corners = vec![[None; 3]; triangles.len()];
     let vertex = |corner: &usize| vertices[corner / 3][corner % 3];
     let mut count = vec![0_usize; vertices.iter().flatten().fold(0, |most, vertex| most.max(vertex + 1))];

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::SurfaceError;
 use super::geometry::{Corners, bounds, minus, triple};
-use quasirigid_math::parts::parts;
-use quasirigid_math::sym::{dot, norm, scale};
+use quasirigid_math::connected_components::connected_components;
+use quasirigid_math::vec3::{dot, norm, scale};
 
 /// A part of the surface whose triangles hang together by their edges.
 struct Shell {
@@ -44,7 +44,7 @@ pub(super) fn solid_angle([a, b, c]: Corners) -> f64 {
 }
 
 fn shells(corners: &[Corners], neighbours: &[[usize; 2]]) -> Vec<Shell> {
-    let parts = parts(corners.len(), neighbours.iter().copied());
+    let parts = connected_components(corners.len(), neighbours.iter().copied());
     parts.into_iter().map(|part| Shell::new(corners, part)).collect()
 }
 

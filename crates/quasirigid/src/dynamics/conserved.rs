@@ -1,5 +1,6 @@
 use crate::math::rotation;
-use crate::math::sym::{Sym, add, norm, scale, times};
+use crate::math::sym3::{Sym, times};
+use crate::math::vec3::{add, norm, scale};
 
 /// The momentum of a body that no moment acts on: constant in inertial axes, whatever an integrator makes of it. (P3), (P6)
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 use super::Sample;
 use crate::math::rotation::angle;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Something that ends a propagation when it happens.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::layout::{
 use super::run::{Observer, Options, Pace, Sample};
 use crate::math::ode::{Solver, State, Watcher};
 use crate::math::rotation::{self, Turn};
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 use crate::model::{Displaced, FlexibleBody, Motion as Placed};
 
 /// A system whose state begins with the slow parts of [`layout`](super::layout).

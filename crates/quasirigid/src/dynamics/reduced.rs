@@ -12,7 +12,7 @@ use crate::math::ode::{Dop853, Solver, Watcher, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 use crate::model::ReducedBody;
 
 /// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)

@@ -5,7 +5,7 @@ use crate::math::ode::System;
 use crate::math::polynomial::Kernel;
 use crate::math::rotation;
 use crate::math::simd::Arithmetic;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Spin alone; the fourth component is idle and fills a vector register.
 pub(super) struct SpinOnly<'a, E>(pub &'a E);

@@ -7,7 +7,7 @@ use super::spin::SpinOnly;
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, Watcher, Work, integrate};
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
 /// Spin (rad/s, body axes) at the times asked for, without attitude and accounts: the fast road for ensembles.

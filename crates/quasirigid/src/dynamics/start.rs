@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::form::Form;
 use crate::math::sphere::jacobian;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
 /// Newton steps allowed; the series is a small change of a linear map, so a handful do.

@@ -2,7 +2,8 @@ use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sphere::{Kind, deviator, jacobian, stationary, tangents};
-use crate::math::sym::{self, dot, scale};
+use crate::math::sym3;
+use crate::math::vec3::{dot, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Steady spin near a principal axis, and what becomes of a small nutation about it. (P5)
@@ -63,7 +64,7 @@ const TANGENTIAL: f64 = 1e-14;
 pub fn all_steady_spins(body: &ReducedBody, momentum: f64) -> SteadySpins {
     let axes = Principal::of(body.J).axes;
     let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
-    let slowness = sym::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
     let rounding = TANGENTIAL * slowness * momentum.abs();
     let found = stationary(&deviator(&body.Omega, momentum), &given, rounding);
     let isolated = found.points.iter().map(|point| {

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::moment;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::{Inertia, Pair};
 
 /// A rigid piece: its mass, first and second moments about a base point of its own.

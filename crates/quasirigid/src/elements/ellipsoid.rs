@@ -8,7 +8,7 @@ use super::matrices::Block;
 use super::whole::Whole;
 use super::{coefficient, moment};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair};
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)

@@ -9,7 +9,8 @@ use super::{
 use crate::math::cholesky::Cholesky;
 use crate::math::eigen::Dense;
 use crate::math::sparse::SparseRows;
-use crate::math::sym;
+use crate::math::sym3;
+use crate::math::vec3;
 
 /// A body that bends and dissipates, as its dynamics sees it: the first waist of the program.
 ///
@@ -373,7 +374,7 @@ impl FlexibleBody {
     /// Inertia tensor `J` of the frozen body about the pole (kg·m²).
     #[must_use]
     pub fn inertia(&self) -> [[f64; 3]; 3] {
-        sym::rows(self.invariants.J)
+        sym3::rows(self.invariants.J)
     }
 
     /// Damping matrix `B`, as the springs give it.
@@ -465,8 +466,8 @@ impl FlexibleBody {
         let row = |j: usize| pairs.row(j).map(|(k, pair)| pair.A * x[k]).sum();
         let mut force: Vec<f64> = (0..x.len()).map(row).collect();
         if let Some(per_mass) = self.translation() {
-            let moment = S.iter().zip(x).fold([0.0; 3], |sum, (S, x)| sym::add(sum, sym::scale(*x, *S)));
-            force.iter_mut().zip(S).for_each(|(force, S)| *force -= per_mass * sym::dot(*S, moment));
+            let moment = S.iter().zip(x).fold([0.0; 3], |sum, (S, x)| vec3::add(sum, vec3::scale(*x, *S)));
+            force.iter_mut().zip(S).for_each(|(force, S)| *force -= per_mass * vec3::dot(*S, moment));
         }
         force
     }
@@ -475,9 +476,9 @@ impl FlexibleBody {
     #[must_use]
     pub fn recoiling_mass_times(&self, x: &[f64]) -> Vec<f64> {
         let Invariants { J, h, .. } = &self.invariants;
-        let momentum = h.iter().zip(x).fold([0.0; 3], |sum, (h, x)| sym::add(sum, sym::scale(*x, *h)));
-        let turn = sym::times(sym::inverse(*J), momentum);
-        self.mass_times(x).iter().zip(h).map(|(force, h)| force - sym::dot(*h, turn)).collect()
+        let momentum = h.iter().zip(x).fold([0.0; 3], |sum, (h, x)| vec3::add(sum, vec3::scale(*x, *h)));
+        let turn = sym3::times(sym3::inverse(*J), momentum);
+        self.mass_times(x).iter().zip(h).map(|(force, h)| force - vec3::dot(*h, turn)).collect()
     }
 
     /// Mass matrix `A` with the translation of a free body eliminated, `A − S Sᵀ/m*`. (S6)
@@ -490,7 +491,7 @@ impl FlexibleBody {
         if let Some(per_mass) = self.translation() {
             for (row, S_row) in self.invariants.S.iter().enumerate() {
                 for (column, S_column) in self.invariants.S.iter().enumerate() {
-                    A.add(row, column, -per_mass * sym::dot(*S_row, *S_column));
+                    A.add(row, column, -per_mass * vec3::dot(*S_row, *S_column));
                 }
             }
         }
@@ -514,12 +515,12 @@ impl FlexibleBody {
     #[must_use]
     pub fn recoiling_cyclic_mass(&self) -> Dense {
         let h = &self.invariants.h[self.cyclic()];
-        let inverse = sym::inverse(self.invariants.J);
+        let inverse = sym3::inverse(self.invariants.J);
         let mut A = self.cyclic_mass();
         for (row, h_row) in h.iter().enumerate() {
-            let turn = sym::times(inverse, *h_row);
+            let turn = sym3::times(inverse, *h_row);
             for (column, h_column) in h.iter().enumerate() {
-                A.add(row, column, -sym::dot(turn, *h_column));
+                A.add(row, column, -vec3::dot(turn, *h_column));
             }
         }
         A
@@ -529,12 +530,12 @@ impl FlexibleBody {
     #[must_use]
     pub fn recoiling_mass_matrix(&self) -> Dense {
         let Invariants { J, h, .. } = &self.invariants;
-        let inverse = sym::inverse(*J);
+        let inverse = sym3::inverse(*J);
         let mut A = self.mass_matrix();
         for (row, h_row) in h.iter().enumerate() {
-            let turn = sym::times(inverse, *h_row);
+            let turn = sym3::times(inverse, *h_row);
             for (column, h_column) in h.iter().enumerate() {
-                A.add(row, column, -sym::dot(turn, *h_column));
+                A.add(row, column, -vec3::dot(turn, *h_column));
             }
         }
         A

@@ -7,7 +7,7 @@ use quasirigid::model::{FlexibleBody, Kinetics, Motion};
 use quasirigid::reduction::{reduce, residual};
 use quasirigid_math::quadrature::gauss_legendre;
 use quasirigid_math::rotation::Turn;
-use quasirigid_math::sym::{add, dot, norm, scale};
+use quasirigid_math::vec3::{add, dot, norm, scale};
 use quasirigid_mesh::meshing;
 
 use super::bodies::{bare, cavity};

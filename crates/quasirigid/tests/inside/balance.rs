@@ -2,7 +2,7 @@
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
 use quasirigid_math::rotation::{to_inertial, turned};
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::everything;
 

@@ -5,7 +5,7 @@ use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::reduction::reduce;
 use quasirigid_math::expression::Expression;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, everything, orders, sprung, wheel};
 use crate::support::rotors::{ball, flywheel};

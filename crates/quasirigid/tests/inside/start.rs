@@ -7,7 +7,7 @@ use quasirigid::dynamics::{
 use quasirigid::elements::Assembly;
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::reduce;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, sprung};
 use crate::support::rotors::{ball, flywheel};

@@ -14,7 +14,7 @@ use quasirigid::reduction::{Validity, Verdict, reduce, residual};
 use quasirigid::verification::{Plan, verify};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::{ALIGNED, angle_between, turned};
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, start, wheel};
 use super::oracle::Gyrostat;

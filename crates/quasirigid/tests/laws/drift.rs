@@ -11,7 +11,7 @@ use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::evolution::tumbler;
 

@@ -7,7 +7,7 @@ use quasirigid::averaging::{
     SlowTorque, Stage,
 };
 use quasirigid::model::{Mode, Principal};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 

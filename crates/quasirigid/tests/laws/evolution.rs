@@ -8,7 +8,7 @@ use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use crate::support::{Sprung, sprung_body};
 

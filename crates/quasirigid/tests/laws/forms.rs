@@ -2,7 +2,7 @@
 
 use quasirigid::dynamics::{Form, Options, spin_path};
 use quasirigid::reduction::reduce;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::wobbler::{assembly, times_to};
 use crate::support::transform::stiffened;

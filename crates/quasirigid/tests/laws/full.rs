@@ -10,7 +10,7 @@ use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
 

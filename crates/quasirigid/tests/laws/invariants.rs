@@ -7,7 +7,8 @@ use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Motion;
 use quasirigid::model::{FlexibleBody, Support};
-use quasirigid_math::sym::{self, Sym};
+use quasirigid_math::sym3;
+use quasirigid_math::sym3::Sym;
 
 use crate::support::{Mass, Massive, cases, inertia, massive, moments};
 
@@ -111,7 +112,7 @@ where
 }
 
 fn matrix(J: Sym) -> Matrix3<f64> {
-    Matrix3::from(sym::rows(J))
+    Matrix3::from(sym3::rows(J))
 }
 
 /// Scales against which invariants are judged: mass, and mass times size squared, of the whole.

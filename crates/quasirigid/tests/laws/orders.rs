@@ -6,7 +6,7 @@ use quasirigid::elements::Assembly;
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{Vibrations, reduce, residual};
 use quasirigid_math::scalar::Jet;
-use quasirigid_math::sym::{add, norm};
+use quasirigid_math::vec3::{add, norm};
 
 use super::compare::directions;
 use crate::support::transform::stiffened;

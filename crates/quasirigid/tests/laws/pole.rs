@@ -11,7 +11,7 @@ use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::force::{Force, Law};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::wobbler::{assembly, attitude, inertial, times_to};
 use crate::support::{Sprung, sprung_body};

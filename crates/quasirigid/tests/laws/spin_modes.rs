@@ -6,7 +6,8 @@ use quasirigid::elements::{Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_math::eigen::{Dense, modes};
-use quasirigid_math::sym::{norm, rows, times};
+use quasirigid_math::sym3::{rows, times};
+use quasirigid_math::vec3::norm;
 
 use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, units, vector};

@@ -9,7 +9,8 @@ use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::{to_inertial, turned};
-use quasirigid_math::sym::{norm, times};
+use quasirigid_math::sym3::times;
+use quasirigid_math::vec3::norm;
 
 use super::forced::formula;
 use super::spin_modes::Last;

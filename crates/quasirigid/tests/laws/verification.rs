@@ -10,7 +10,7 @@ use quasirigid::secular::MeasureError;
 use quasirigid::verification::{AverageError, Plan, Start, verify, verify_average};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
-use quasirigid_math::sym::{add, norm, scale};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
 

@@ -5,7 +5,7 @@ use quasirigid::dynamics::steady_spins;
 use quasirigid::model::{FlexibleBody, Kinetics, Mode, Principal};
 use quasirigid::reduction::reduce;
 use quasirigid_math::eigen::{Dense, eigenvalues};
-use quasirigid_math::sym::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, norm, scale};
 
 use super::evolution::tumbler;
 

@@ -8,7 +8,7 @@ use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 use crate::support::sprung_body;

@@ -7,7 +7,7 @@ use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::{ALIGNED, to_inertial};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::bodies::with_tensor;
 use crate::support::transform::stiffened;

@@ -3,7 +3,7 @@ use quasirigid::averaging::LevelEvolution;
 use quasirigid::dynamics::{all_steady_spins, steady_spins};
 use quasirigid::reduction::reduce;
 use quasirigid_math::sphere::Kind;
-use quasirigid_math::sym::{cross, norm};
+use quasirigid_math::vec3::{cross, norm};
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 

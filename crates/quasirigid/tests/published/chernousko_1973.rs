@@ -8,7 +8,7 @@ use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 use quasirigid_math::polynomial::Homogeneous;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::sym::dot;
+use quasirigid_math::vec3::dot;
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
 

@@ -6,7 +6,7 @@ use quasirigid::problems::Explorer1;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 use quasirigid_math::rotation::{ALIGNED, angle};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 #[test]
 fn frozen_satellite_has_the_published_inertia() {

@@ -4,7 +4,7 @@
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
 use quasirigid::model::Rheology;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 const MODES: &str = include_str!("../../../../data/published/spin_modes/modes.csv");
 const EQUILIBRIA: &str = include_str!("../../../../data/published/spin_modes/equilibria.csv");

@@ -96,7 +96,7 @@ fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (V
         let tip = beam.tip(body, q);
         [tip[0], tip[1]]
     };
-    let spins = states.samples.iter().map(|sample| quasirigid_math::sym::norm(sample.omega)).collect();
+    let spins = states.samples.iter().map(|sample| quasirigid_math::vec3::norm(sample.omega)).collect();
     (states.q.iter().map(tip).collect(), spins)
 }
 

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{Kind, Layer, Panel, Part};
-use quasirigid_math::sym::{cross, norm};
+use quasirigid_math::vec3::{cross, norm};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::super::rheology::Extremes;

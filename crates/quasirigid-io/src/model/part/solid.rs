@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{Kind, Part, Region, Solid};
-use quasirigid_math::sym::{cross, dot, norm, scale};
+use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 
 use super::super::rheology::Extremes;

@@ -4,7 +4,7 @@ use quasirigid::averaging::{LevelEnding, LevelEvolution, Until};
 use quasirigid::model::Principal;
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Target;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::choice::Choice;
 use super::verdict::Road;

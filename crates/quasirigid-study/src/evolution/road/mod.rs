@@ -15,7 +15,7 @@ use quasirigid::dynamics::SpinState;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError};
 use quasirigid_io::model::EvolveMethod;
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::Asked;
 use super::ageing::Ageing;

@@ -9,7 +9,7 @@ use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{Displaced, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.

@@ -8,7 +8,8 @@ use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PL
 use crate::math::ode::System;
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{add, cross, dot, inverse, norm, times};
+use crate::math::sym3::{inverse, times};
+use crate::math::vec3::{add, cross, dot, norm};
 use crate::model::Motion;
 use crate::model::force::{Loads, Situation};
 

@@ -15,7 +15,7 @@ use crate::elements::structure::Component;
 use crate::elements::{End, PlaceRef, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::force::Force;
 use crate::model::{
     Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched, Wheels,

@@ -8,7 +8,7 @@ use crate::elements::part::{NodeRef, Part};
 use crate::elements::structure::Component;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::force::Force;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Watched, Wheels};
 

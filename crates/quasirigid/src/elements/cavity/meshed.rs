@@ -3,7 +3,7 @@ use super::shape::Extent;
 use crate::elements::finite::Velocity;
 use crate::elements::finite::stokes::{StokesError, StokesFlow};
 use crate::math::krylov::dot;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
 use quasirigid_mesh::Mesh;
 
 /// Flows of finite elements in a cavity of any shape.

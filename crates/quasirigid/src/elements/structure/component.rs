@@ -17,7 +17,7 @@ use crate::elements::structure::Condensation;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
 
 /// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)

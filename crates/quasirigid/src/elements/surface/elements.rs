@@ -8,7 +8,7 @@ use crate::elements::error::Problem;
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, Part, Region, Solid, Substance};
 use crate::elements::structure::Condensation;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use quasirigid_mesh::meshing::{GradedMesh, Neck, graded};
 

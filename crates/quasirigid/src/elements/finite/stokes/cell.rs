@@ -1,4 +1,4 @@
-use crate::math::sym::{add, cross, dot, scale};
+use crate::math::vec3::{add, cross, dot, scale};
 use quasirigid_mesh::{Rule, Sample, Shape};
 
 /// Nodes of a quadratic tetrahedron.

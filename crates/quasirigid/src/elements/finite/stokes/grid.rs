@@ -2,8 +2,8 @@ use std::collections::HashMap;
 
 use super::StokesError;
 use super::cell::NODES;
-use crate::math::parts::parts;
-use crate::math::sym::{add, scale};
+use crate::math::connected_components::connected_components;
+use crate::math::vec3::{add, scale};
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Ends of the edges of a tetrahedron, in the order of their middle nodes.
@@ -83,7 +83,7 @@ impl Grid {
                 }
             }
         }
-        let count = parts(self.cells.len(), pairs).len();
+        let count = connected_components(self.cells.len(), pairs).len();
         if count > 1 { Err(StokesError::Pieces { count }) } else { Ok(()) }
     }
 }

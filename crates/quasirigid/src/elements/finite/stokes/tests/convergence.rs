@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::super::StokesFlow;
 use super::lattice::{SIDES, ball, block, cylinder, faceted_ball};
 use super::{diagonal, distance, ellipsoid, gap, tensor, turned, turned_tensor};
-use crate::math::sym::{add, scale};
+use crate::math::vec3::{add, scale};
 use quasirigid_mesh::Mesh;
 
 /// Errors of the tensor on two meshes and the order in which they fall.

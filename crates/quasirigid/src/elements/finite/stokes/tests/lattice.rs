@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Tetrahedra between points with whole coordinates. None has two faces on a wall that is smooth where they meet, which

@@ -1,11 +1,13 @@
 use crate::math::eigen::{Dense, NoConvergence, modes};
 use crate::math::span::{Span, largest};
-use crate::math::sym::{self, Sym};
+use crate::math::sym3;
+use crate::math::sym3::Sym;
+use crate::math::vec3;
 use crate::model::{FlexibleBody, LiquidMemory, Principal};
 
 /// What answers a load: an elastic mode or a relaxation of unit modal mass, or a liquid that turns about an axis.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct LoadedMode {
     /// Square of its frequency (rad²/s²); zero of what no spring holds.
     pub square: f64,
     /// Share of each coordinate; none of a liquid whose force at a frequency is known.
@@ -18,33 +20,33 @@ pub(super) struct Row {
     pub name: String,
 }
 
-/// The rows of a body: vibrations, relaxations, liquids, in this order.
+/// The loaded modes of a body: vibrations, relaxations, liquids, in this order.
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
-pub(super) fn rows(
+pub(super) fn loaded_modes(
     body: &FlexibleBody,
     principal: &Principal,
     whole: usize,
-) -> Result<Vec<Row>, NoConvergence> {
-    rows_in(body, principal, |loads| (body.elastic() > whole).then(|| excited(body, loads)))
+) -> Result<Vec<LoadedMode>, NoConvergence> {
+    loaded_modes_in(body, principal, |loads| (body.elastic() > whole).then(|| excited(body, loads)))
 }
 
 /// The same with the vibrations of a span of the elastic coordinates that depends on the loads; of all without one.
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
-pub(super) fn rows_in(
+pub(super) fn loaded_modes_in(
     body: &FlexibleBody,
     principal: &Principal,
     span: impl Fn(&[Sym]) -> Option<Span>,
-) -> Result<Vec<Row>, NoConvergence> {
+) -> Result<Vec<LoadedMode>, NoConvergence> {
     let loads = loads(body, principal);
     let row = |Shape { square, x }: Shape| {
         let h = body.invariants().h.iter().zip(&x);
-        Row {
+        LoadedMode {
             square,
-            h: h.fold([0.0; 3], |sum, (h, x)| sym::add(sum, sym::scale(*x, *h))),
+            h: h.fold([0.0; 3], |sum, (h, x)| vec3::add(sum, vec3::scale(*x, *h))),
             load: loads.iter().zip(&x).fold([0.0; 6], |mut sum, (load, x)| {
                 sum.iter_mut().zip(load).for_each(|(sum, load)| *sum += x * load);
                 sum
@@ -54,16 +56,16 @@ pub(super) fn rows_in(
         }
     };
     let vibrations = vibrations(body, span(&loads))?;
-    let mut rows: Vec<Row> = vibrations.into_iter().chain(relaxations(body)?).map(row).collect();
+    let mut rows: Vec<LoadedMode> = vibrations.into_iter().chain(relaxations(body)?).map(row).collect();
     rows.extend(body.memories().iter().flat_map(|memory| liquid(body, principal, memory)));
     Ok(rows)
 }
 
 /// A liquid that turns about its axes.
-fn liquid(body: &FlexibleBody, principal: &Principal, memory: &LiquidMemory) -> Vec<Row> {
+fn liquid(body: &FlexibleBody, principal: &Principal, memory: &LiquidMemory) -> Vec<LoadedMode> {
     let row = |axis: &[f64; 3]| {
-        let h = sym::scale(memory.inertia, *axis);
-        Row {
+        let h = vec3::scale(memory.inertia, *axis);
+        LoadedMode {
             square: 0.0,
             shape: vec![0.0; body.coordinates().len()],
             h,
@@ -84,9 +86,9 @@ pub(super) fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
 fn load(principal: &Principal, J: Sym, h: [f64; 3]) -> Sym {
     let Principal { moments: [I1, I2, I3], axes } = principal;
     let euler = [(I2 - I3) / I1, (I3 - I1) / I2, (I1 - I2) / I3];
-    let turned = axes.map(|axis| sym::times(J, axis));
-    let entry = |a: usize, b: usize| sym::dot(axes[a], turned[b]);
-    let recoil = [0, 1, 2].map(|i| euler[i] * sym::dot(axes[i], h));
+    let turned = axes.map(|axis| sym3::times(J, axis));
+    let entry = |a: usize, b: usize| vec3::dot(axes[a], turned[b]);
+    let recoil = [0, 1, 2].map(|i| euler[i] * vec3::dot(axes[i], h));
     [
         0.5 * entry(0, 0),
         0.5 * entry(1, 1),

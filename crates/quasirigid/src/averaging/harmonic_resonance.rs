@@ -5,7 +5,7 @@ use crate::model::Mode;
 
 /// A place on the way of an ageing rotation where a harmonic of the polhode has the frequency of an elastic mode. (G8)
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crossing {
+pub struct HarmonicResonance {
     /// Where it happens.
     pub stage: Stage,
     /// Number of the harmonic.
@@ -28,7 +28,7 @@ const ENDS: [f64; 2] = [-30.0, 30.0];
 impl Response {
     /// Resonances of the polhode's harmonics at one angular momentum, the strongest first. (G8)
     #[must_use]
-    pub fn crossings(&self, evolution: &Evolution) -> Vec<Crossing> {
+    pub fn resonances(&self, evolution: &Evolution) -> Vec<HarmonicResonance> {
         let mut found = Vec::new();
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
             let step =
@@ -44,7 +44,7 @@ impl Response {
                     let share = self.share(evolution, stage, harmonic);
                     if share > FAINT {
                         let coordinate = coordinate.to_owned();
-                        found.push(Crossing { stage, harmonic, frequency, coordinate, share });
+                        found.push(HarmonicResonance { stage, harmonic, frequency, coordinate, share });
                     }
                 }
             }

@@ -1,11 +1,13 @@
 //! Symmetric 3×3 matrices as their six entries xx, yy, zz, yz, zx, xy.
 
 use super::scalar::{Scalar, Smooth};
+use super::vec3::dot;
 
 /// Entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
 pub type Sym = [f64; 6];
 
 /// Rows of the matrix.
+#[inline]
 #[must_use]
 pub fn rows([xx, yy, zz, yz, zx, xy]: Sym) -> [[f64; 3]; 3] {
     [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]
@@ -18,40 +20,8 @@ pub fn times<T: Scalar>(matrix: Sym, x: [T; 3]) -> [T; 3] {
     rows(matrix).map(|row| dot(row.map(T::from), x))
 }
 
-/// Scalar product.
-#[inline(always)]
-#[must_use]
-pub fn dot<T: Scalar>(a: [T; 3], b: [T; 3]) -> T {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// Vector product.
-#[inline(always)]
-#[must_use]
-pub fn cross<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// Sum of two vectors.
-#[inline(always)]
-#[must_use]
-pub fn add<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-/// Multiple of a vector.
-#[must_use]
-pub fn scale<T: Scalar>(factor: T, a: [T; 3]) -> [T; 3] {
-    a.map(|entry| factor * entry)
-}
-
-/// Length.
-#[must_use]
-pub fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
 /// Inverse of a symmetric positive definite matrix.
+#[inline]
 #[must_use]
 pub fn inverse(matrix: Sym) -> Sym {
     smooth_inverse(matrix)
@@ -75,6 +45,7 @@ pub fn smooth_times<T: Scalar>([xx, yy, zz, yz, zx, xy]: [T; 6], x: [T; 3]) -> [
 }
 
 /// Products `xx, yy, zz, yz, zx, xy` of the components of a vector.
+#[inline]
 #[must_use]
 pub fn products([x, y, z]: [f64; 3]) -> Sym {
     [x * x, y * y, z * z, y * z, z * x, x * y]

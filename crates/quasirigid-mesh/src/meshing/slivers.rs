@@ -1,25 +1,25 @@
-//! Cells that hang together with no body.
+//! Removal of slivers: cells that are connected with no body.
 
 use super::MeshingError;
 use super::jacobian::six_volumes;
 use super::simplices::Simplices;
-use quasirigid_math::parts::parts;
+use quasirigid_math::connected_components::connected_components;
 
-/// Part of the volume of all cells below which a part of them is a crumb.
-const CRUMB: f64 = 1e-3;
+/// Part of the volume of all cells below which a connected part is a sliver.
+const SLIVER: f64 = 1e-3;
 
-/// The cells without crumbs: parts that share no node with the largest ones, of which there are as many as
+/// The cells without slivers: parts that share no node with the largest ones, of which there are as many as
 /// `bodies`. They are left in tips that are thinner than a cell.
 ///
 /// # Errors
-/// [`MeshingError::Severed`] where such a part is no crumb; says to try twice the `resolution`.
-pub(super) fn without_crumbs(
+/// [`MeshingError::Severed`] where such a part is no sliver; says to try twice the `resolution`.
+pub(super) fn without_slivers(
     Simplices { points, cells }: Simplices<4, 3>,
     bodies: usize,
     resolution: usize,
 ) -> Result<Simplices<4, 3>, MeshingError> {
     let pairs = cells.iter().flat_map(|[a, b, c, d]| [[*a, *b], [*a, *c], [*a, *d]]);
-    let parts = parts(points.len(), pairs);
+    let parts = connected_components(points.len(), pairs);
     let mut part_of = vec![0; points.len()];
     for (number, part) in parts.iter().enumerate() {
         part.iter().for_each(|point| part_of[*point] = number);
@@ -30,7 +30,7 @@ pub(super) fn without_crumbs(
     }
     let mut order: Vec<usize> = (0..parts.len()).collect();
     order.sort_by(|a, b| volumes[*b].total_cmp(&volumes[*a]));
-    let least = CRUMB * volumes.iter().sum::<f64>();
+    let least = SLIVER * volumes.iter().sum::<f64>();
     let large = volumes.iter().filter(|volume| **volume >= least).count();
     if large > bodies {
         return Err(MeshingError::Severed { parts: large, bodies, resolution: resolution.saturating_mul(2) });
@@ -63,18 +63,18 @@ mod tests {
     }
 
     #[test]
-    fn crumbs_go_and_bodies_stay() {
-        let left = without_crumbs(row(&[0.05, 0.9, 0.09, 1.0, 0.04]), 2, 7).unwrap();
+    fn slivers_go_and_bodies_stay() {
+        let left = without_slivers(row(&[0.05, 0.9, 0.09, 1.0, 0.04]), 2, 7).unwrap();
         assert_eq!(left.cells, [[0, 1, 2, 3], [4, 5, 6, 7]]);
         assert_eq!([left.points[1], left.points[4]], [[2.9, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-        let left = without_crumbs(row(&[0.05, 0.9, 0.09, 1.0]), 3, 7).unwrap();
+        let left = without_slivers(row(&[0.05, 0.9, 0.09, 1.0]), 3, 7).unwrap();
         assert_eq!((left.points.len(), left.cells.len()), (12, 3));
-        assert!(without_crumbs(row(&[]), 1, 7).unwrap().cells.is_empty());
+        assert!(without_slivers(row(&[]), 1, 7).unwrap().cells.is_empty());
     }
 
     #[test]
-    fn a_part_that_is_no_crumb_is_refused() {
-        let refusal = without_crumbs(row(&[1.0, 0.11, 0.09]), 1, 7);
+    fn a_part_that_is_no_sliver_is_refused() {
+        let refusal = without_slivers(row(&[1.0, 0.11, 0.09]), 1, 7);
         assert_eq!(refusal.err(), Some(MeshingError::Severed { parts: 2, bodies: 1, resolution: 14 }));
     }
 }

@@ -5,7 +5,8 @@ use super::full::FullState;
 use super::slow::{SlowPoint, SlowState, slow_state_point};
 use super::{Forced, PropagateError};
 use crate::math::rotation;
-use crate::math::sym::{add, cross, inverse, scale, times};
+use crate::math::sym3::{inverse, times};
+use crate::math::vec3::{add, cross, scale};
 use crate::model::FlexibleBody;
 
 /// The fast part of a motion that does not start on the slow manifold: free vibrations of the body that recoils, which

@@ -1,7 +1,8 @@
-//! What hangs together.
+//! Connected components of a graph.
 
-/// Elements that hang together by pairs, each part ascending, parts in the order of their first elements.
-pub fn parts(size: usize, pairs: impl IntoIterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
+/// Connected components of the graph whose edges are `pairs`, each ascending, in the order of their first elements.
+#[must_use]
+pub fn connected_components(size: usize, pairs: impl IntoIterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
     let mut root: Vec<usize> = (0..size).collect();
     let find = |root: &mut Vec<usize>, mut element: usize| {
         while root[element] != element {
@@ -15,16 +16,16 @@ pub fn parts(size: usize, pairs: impl IntoIterator<Item = [usize; 2]>) -> Vec<Ve
         root[a.max(b)] = a.min(b);
     }
     let mut number = vec![usize::MAX; size];
-    let mut parts: Vec<Vec<usize>> = Vec::new();
+    let mut components: Vec<Vec<usize>> = Vec::new();
     for element in 0..size {
         let first = find(&mut root, element);
         if first == element {
-            number[first] = parts.len();
-            parts.push(Vec::new());
+            number[first] = components.len();
+            components.push(Vec::new());
         }
-        parts[number[first]].push(element);
+        components[number[first]].push(element);
     }
-    parts
+    components
 }
 
 #[cfg(test)]
@@ -32,8 +33,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_come_in_the_order_of_their_first_elements() {
+    fn components_come_in_the_order_of_their_first_elements() {
         let expected = [vec![0, 5], vec![1, 2, 4, 6], vec![3]];
-        assert_eq!(parts(7, [[6, 2], [4, 1], [2, 4], [5, 0], [1, 6]]), expected);
+        assert_eq!(connected_components(7, [[6, 2], [4, 1], [2, 4], [5, 0], [1, 6]]), expected);
     }
 }

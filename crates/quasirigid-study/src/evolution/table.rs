@@ -7,7 +7,7 @@ use quasirigid::averaging::{
 
 use quasirigid::model::{Mode, Principal};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
-use quasirigid_math::sym::norm;
+use quasirigid_math::vec3::norm;
 
 use super::ageing::Ageing;
 
@@ -15,7 +15,7 @@ use super::ageing::Ageing;
 const AT_AXIS: f64 = 36.0;
 
 /// The rows of a table: stages of an evolution, or states of a drift.
-pub struct Rows<'e> {
+pub struct EvolutionTable<'e> {
     pub first: DriftState,
     pub states: Vec<DriftState>,
     /// What the times of the states are still to be found from.
@@ -33,7 +33,7 @@ pub struct Rows<'e> {
     pub levels: Option<Vec<LevelRow>>,
 }
 
-impl<'e> Rows<'e> {
+impl<'e> EvolutionTable<'e> {
     /// Stages along the way; the first alone where nothing is dissipated.
     pub fn of_evolution(evolution: &Evolution<'e>, from: Stage, to: Stage, samples: usize) -> Self {
         let momentum = evolution.motion(from).momentum();

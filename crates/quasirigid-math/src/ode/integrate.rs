@@ -2,8 +2,8 @@ use std::ops::ControlFlow;
 
 use super::{Dense, Solver, StepError};
 
-/// What happens along an integration.
-pub trait Watcher<M: Solver> {
+/// Observer of an integration from step to step.
+pub trait StepObserver<M: Solver> {
     /// The state at an output time.
     fn output(&mut self, t: f64, y: &M::State);
 
@@ -19,12 +19,12 @@ pub trait Watcher<M: Solver> {
 
 /// Why an integration ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ending {
+pub enum StopReason {
     /// The last output time was reached.
     Finished,
-    /// The watcher asked for an end.
+    /// The observer asked for an end.
     Interrupted,
-    /// An event of the watcher happened; the state is the one of that moment.
+    /// An event of the observer happened; the state is the one of that moment.
     Event,
     /// The steps allowed were used up.
     StepLimit,
@@ -38,35 +38,35 @@ pub fn integrate<M: Solver>(
     solver: &mut M,
     times: &[f64],
     most_steps: u64,
-    watcher: &mut impl Watcher<M>,
-) -> Ending {
+    observer: &mut impl StepObserver<M>,
+) -> StopReason {
     let mut next = 0;
     while next < times.len() && times[next] <= solver.t() {
-        watcher.output(times[next], solver.y());
+        observer.output(times[next], solver.y());
         next += 1;
     }
     while next < times.len() {
         if solver.work().steps >= most_steps {
-            return Ending::StepLimit;
+            return StopReason::StepLimit;
         }
         if let Err(error) = solver.step(times[times.len() - 1]) {
-            return Ending::Failed(error);
+            return StopReason::Failed(error);
         }
-        let event = watcher.event(solver);
+        let event = observer.event(solver);
         let reached = event.unwrap_or(solver.t());
         if times[next] <= reached || event.is_some() {
             let dense = solver.dense();
-            next = outputs(solver, &dense, times, next, reached, watcher);
+            next = outputs(solver, &dense, times, next, reached, observer);
             if event.is_some() {
                 solver.rewind(reached, dense.at(reached));
-                return Ending::Event;
+                return StopReason::Event;
             }
         }
-        if watcher.stepped(solver).is_break() {
-            return Ending::Interrupted;
+        if observer.stepped(solver).is_break() {
+            return StopReason::Interrupted;
         }
     }
-    Ending::Finished
+    StopReason::Finished
 }
 
 /// Outputs at the times up to the one reached; the number of the next time.
@@ -77,11 +77,11 @@ fn outputs<M: Solver>(
     times: &[f64],
     first: usize,
     reached: f64,
-    watcher: &mut impl Watcher<M>,
+    observer: &mut impl StepObserver<M>,
 ) -> usize {
     let mut next = first;
     while next < times.len() && times[next] <= reached {
-        watcher.output(times[next], &solver.output(dense, times[next]));
+        observer.output(times[next], &solver.output(dense, times[next]));
         next += 1;
     }
     next

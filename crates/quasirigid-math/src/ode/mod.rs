@@ -10,7 +10,7 @@ mod radau_tableau;
 mod system;
 
 pub use dop853::Dop853;
-pub use integrate::{Ending, Watcher, integrate};
+pub use integrate::{StepObserver, StopReason, integrate};
 pub use radau::Radau;
 pub use radau_stages::Stiff;
 pub use system::{Dense, Solver, State, StepError, System, Work};

@@ -1,7 +1,6 @@
 use crate::math::eigen::{Dense, NoConvergence, modes};
 use crate::math::span::{Span, largest};
-use crate::math::sym3;
-use crate::math::sym3::Sym;
+use crate::math::sym3::{self, Sym};
 use crate::math::vec3;
 use crate::model::{FlexibleBody, LiquidMemory, Principal};
 

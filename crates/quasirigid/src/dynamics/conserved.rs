@@ -38,6 +38,12 @@ impl Conserved {
         Self { K_N, G, cancelled: cancelled(G, inside) }
     }
 
+    /// Of a momentum in body axes, at an attitude, and the part [`inside`].
+    pub fn of(K: [f64; 3], attitude: [f64; 4], inside: [f64; 3]) -> Self {
+        let K_N = rotation::to_inertial(attitude, K);
+        Self::new(K_N, norm(K_N), inside)
+    }
+
     /// Whether there is a momentum to hold: none where what turns inside takes it up.
     #[inline(always)]
     pub fn held(&self) -> bool {

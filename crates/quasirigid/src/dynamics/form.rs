@@ -3,10 +3,8 @@
 use super::conserved::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Arithmetic;
-use crate::math::sym3;
-use crate::math::sym3::Sym;
-use crate::math::vec3;
-use crate::math::vec3::{cross, dot, norm};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
 
 /// Which variable the reduced equations are integrated in.

@@ -4,8 +4,7 @@ use super::curved::CurvedKinetics;
 use super::{FlexibleBody, Invariants, Motion};
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
-use crate::math::sym3;
-use crate::math::sym3::{Sym, products, times};
+use crate::math::sym3::{self, Sym, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
 /// Velocities from momenta: solves (S2) and (S4) for the spin and the rates of the coordinates, at any displacement.

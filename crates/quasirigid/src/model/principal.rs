@@ -1,10 +1,8 @@
 use nalgebra::Matrix3;
 
 use crate::math::elliptic;
-use crate::math::sym3;
-use crate::math::sym3::Sym;
-use crate::math::vec3;
-use crate::math::vec3::dot;
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, dot};
 
 /// Principal moments and axes of an inertia tensor.
 #[derive(Clone, Copy, Debug, PartialEq)]

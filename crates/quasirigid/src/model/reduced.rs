@@ -1,7 +1,6 @@
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym3;
-use crate::math::sym3::Sym;
+use crate::math::sym3::{self, Sym};
 
 /// The reduced equations of a nearly rigid body to order `p`: the second waist of the program.
 ///

@@ -2,8 +2,7 @@
 
 use super::{FlexibleBody, Invariants, Motion};
 use crate::math::eigen::Dense;
-use crate::math::sym3;
-use crate::math::sym3::{Sym, times};
+use crate::math::sym3::{self, Sym, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
 /// Coefficients of small motions about a steady angular velocity `ω` and displacements `q`. (M2)

@@ -7,8 +7,7 @@ use super::pencil::Pencil;
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::sym3;
-use crate::math::vec3;
-use crate::math::vec3::{norm, scale};
+use crate::math::vec3::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 
 /// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)

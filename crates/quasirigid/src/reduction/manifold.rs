@@ -1,6 +1,5 @@
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym3;
-use crate::math::sym3::Sym;
+use crate::math::sym3::{self, Sym};
 use crate::math::watch;
 use crate::model::{Advection, FlexibleBody};
 

@@ -1,8 +1,7 @@
 use super::manifold::mapped;
 use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym3;
-use crate::math::sym3::Sym;
+use crate::math::sym3::{self, Sym};
 
 /// Spin as a polynomial in the momentum, `Ω(K)`, by reversion of `K(ω)` to the same degree. (R11)
 ///

@@ -1,7 +1,6 @@
 use crate::math::polynomial::Series;
 use crate::math::scalar::Jet;
-use crate::math::sym3;
-use crate::math::sym3::Sym;
+use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{add, cross, norm};
 use crate::model::{FlexibleBody, Invariants, Motion, ReducedBody};
 

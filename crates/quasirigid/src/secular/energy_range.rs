@@ -1,8 +1,7 @@
 use crate::averaging::{FreeRotation, Stage};
 use crate::dynamics::FullState;
 use crate::math::bisection::bisected;
-use crate::math::sym3;
-use crate::math::sym3::times;
+use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Principal};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};

@@ -1,5 +1,4 @@
-use crate::math::sym3;
-use crate::math::sym3::times;
+use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{FlexibleBody, Motion, Principal, ReducedBody};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};

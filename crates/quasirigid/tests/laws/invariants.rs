@@ -7,8 +7,7 @@ use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Motion;
 use quasirigid::model::{FlexibleBody, Support};
-use quasirigid_math::sym3;
-use quasirigid_math::sym3::Sym;
+use quasirigid_math::sym3::{self, Sym};
 
 use crate::support::{Mass, Massive, cases, inertia, massive, moments};
 

@@ -5,10 +5,8 @@ use crate::averaging::loaded_modes::{LoadedMode, loaded_modes_in};
 use crate::averaging::response::{Law, Loss, memories, turned};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
-use crate::math::sym3;
-use crate::math::sym3::Sym;
-use crate::math::vec3;
-use crate::math::vec3::{add, cross, scale};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, add, cross, scale};
 use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal};
 

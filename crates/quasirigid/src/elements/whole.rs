@@ -1,6 +1,6 @@
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::matrices::{Block, Matrices};
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
+use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Wheels};
 
 /// A free body that is one element, elastic throughout, in its Tisserand frame.
 pub(super) struct Whole {
@@ -19,7 +19,7 @@ impl Whole {
         let Self { place, center, invariants, block, coordinates, markers } = self;
         let Matrices { stiffness, damping, lossy, dissipators } =
             Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), &[])?;
-        FlexibleBody::new(Parts {
+        FlexibleBody::new(BodyParts {
             support: Support::Free,
             pole: center,
             center_of_mass: center,

@@ -18,7 +18,8 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched, Wheels,
+    BodyParts, Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Support, Watched,
+    Wheels,
 };
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of what
@@ -80,7 +81,7 @@ impl Assembly {
             End::Node(node) => pulled.get(&node).map(|pulled| pulled.marker(pole)),
         };
         let forces = self.placed_forces(forces, pole, marker)?;
-        let body = FlexibleBody::new(Parts {
+        let body = FlexibleBody::new(BodyParts {
             support: self.support.clone(),
             pole: pole.into(),
             center_of_mass: center_of_mass.into(),

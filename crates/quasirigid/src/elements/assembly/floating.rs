@@ -10,7 +10,7 @@ use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::force::Force;
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Watched, Wheels};
+use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
@@ -50,7 +50,7 @@ impl Assembly {
         };
         let forces = self.placed_forces(forces, center, marker)?;
         let markers: Vec<Marker> = pulled.values().map(|pulled| pulled.marker(center)).collect();
-        let body = FlexibleBody::new(Parts {
+        let body = FlexibleBody::new(BodyParts {
             support: Support::Free,
             pole: center.into(),
             center_of_mass: center.into(),

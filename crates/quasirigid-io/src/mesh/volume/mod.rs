@@ -12,8 +12,9 @@ use std::path::Path;
 use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
-use super::file::bytes_of;
+use super::file::LARGEST;
 use super::format::start;
+use crate::text_file::{FileError, bytes_of};
 pub use problem::VolumeProblem;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
@@ -35,7 +36,7 @@ pub use problem::VolumeProblem;
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
-    mesh_of(file, &bytes_of(file)?)
+    mesh_of(file, &bytes_of(file, LARGEST)?)
 }
 
 /// The mesh in the bytes of a file, whose name tells where the files lie that it includes.
@@ -43,7 +44,7 @@ pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
 /// # Errors
 /// Those of [`read_mesh`].
 pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let named = |(place, problem)| MeshError { file: file.to_owned(), place, problem };
+    let named = FileError::new(file);
     let mesh = match Format::of(bytes).map_err(named)? {
         Format::Gmsh => gmsh::read(bytes).map_err(named)?,
         Format::VtkLegacy => vtk::read_legacy(bytes).map_err(named)?,

@@ -9,7 +9,7 @@ use super::data::{Encoded, Layout};
 use super::grid::Grid;
 use super::{Fault, MeshProblem, Place, Sets, VolumeProblem};
 use crate::mesh::file::LARGEST;
-use crate::mesh::text::text;
+use crate::text_file::text;
 
 const APPENDED: &[u8] = b"<AppendedData";
 const CLOSING: &[u8] = b"</VTKFile>";

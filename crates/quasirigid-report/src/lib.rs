@@ -10,10 +10,10 @@
 #![allow(non_snake_case)]
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+mod columns;
 mod figure;
 mod number;
 mod page;
-mod rows;
 mod sections;
 mod sphere;
 mod verdict;

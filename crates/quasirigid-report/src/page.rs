@@ -1,7 +1,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
 
-use crate::rows::main_history;
+use crate::columns::main_history;
 use crate::sphere;
 
 use crate::sections::{

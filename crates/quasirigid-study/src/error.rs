@@ -7,13 +7,13 @@ use std::path::PathBuf;
 use quasirigid::averaging::{ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
-use quasirigid::math::eigen::NoConvergence;
-use quasirigid::math::memory::TooMuchMemory;
 use quasirigid::modes::EquilibriumError;
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::verification::VerificationError;
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
+use quasirigid_math::eigen::NoConvergence;
+use quasirigid_math::memory::TooMuchMemory;
 
 use crate::start::NoWobble;
 use crate::words::significant;

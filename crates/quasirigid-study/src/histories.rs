@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Run, Sample};
-use quasirigid::math::memory;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies, reduce};
 use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::Column;
+use quasirigid_math::memory;
+use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::{Setting, StudyError};

@@ -1,9 +1,9 @@
 //! What the equations of motion leave out of a body, in words.
 
-use quasirigid::math::sym::norm;
 use quasirigid::model::Principal;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid::secular::apart;
+use quasirigid_math::vec3::norm;
 
 use crate::liquids::unanswered;
 use crate::study::Study;

@@ -1,8 +1,8 @@
 //! Liquids of a model at a spin, in words and numbers.
 
 use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
-use quasirigid::math::sym::norm;
 use quasirigid_io::record::LiquidRecord;
+use quasirigid_math::vec3::norm;
 
 use crate::layout::paragraph;
 use crate::study::Study;

@@ -1,10 +1,10 @@
 //! Steady spins that a user asks for, with the modes about them.
 
-use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::{Given, acts};
 use quasirigid_io::model::Named;
 use quasirigid_io::record::SteadySpinRecord;
+use quasirigid_math::vec3::{dot, norm};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;

@@ -4,13 +4,13 @@ use quasirigid::dynamics::{
     Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
     SpinState, matched_start, propagate, propagate_forced, propagate_full,
 };
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::spun_displacements;
 use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::error::StudyError;
 use crate::start::{follows_its_spin, slaved_order};

@@ -1,8 +1,6 @@
 //! What the library computed, as a run record.
 
 use quasirigid::dynamics::{Event, Nutation, Nutations, Options, Outcome, Run, Sample};
-use quasirigid::math::ode::Work;
-use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
@@ -11,6 +9,8 @@ use quasirigid_io::record::{
     AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
     OrderRecord, ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
 };
+use quasirigid_math::ode::Work;
+use quasirigid_math::vec3::{dot, norm};
 
 use crate::study::Study;
 use crate::verification::Proof;

@@ -4,11 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
-use quasirigid::math::sym::norm;
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
+use quasirigid_math::vec3::norm;
 
 use crate::derive;
 use crate::error::StudyError;

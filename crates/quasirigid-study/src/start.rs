@@ -4,12 +4,13 @@ use std::fmt::{self, Display, Formatter};
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::{inverse, norm, times};
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{Given, RelativeEquilibrium};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, residual};
 use quasirigid::secular::{manifold_has_meaning, spun_state};
 use quasirigid_io::model::{Displacements, Model, Rotation};
+use quasirigid_math::sym3::{inverse, times};
+use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::words::significant;

@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::layout::paragraph;

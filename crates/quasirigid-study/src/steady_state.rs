@@ -1,9 +1,9 @@
 //! The steady state of a body under moments with the modes about it, found, recorded and told.
 
-use quasirigid::math::sym::norm;
 use quasirigid::modes::{Near, SteadyModes, SteadyState};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
+use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::StudyError;

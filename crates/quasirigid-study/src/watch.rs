@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::math::watch;
+use quasirigid_math::watch;
 
 use crate::error::StudyError;
 

@@ -4,7 +4,7 @@
 
 use divan::Bencher;
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape, Regime};
-use quasirigid::math::meshing;
+use quasirigid_mesh::meshing;
 
 fn main() {
     divan::main();

@@ -6,10 +6,10 @@ use std::hint::black_box;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use quasirigid::dynamics::{Form, Options, spin_path};
-use quasirigid::math::polynomial::{Kernel, Series};
-use quasirigid::math::simd::{Arithmetic, Task, dispatch};
-use quasirigid::math::sym::cross;
 use quasirigid::problems::QuarticQuintic;
+use quasirigid_math::polynomial::{Kernel, Series};
+use quasirigid_math::simd::{Arithmetic, Task, dispatch};
+use quasirigid_math::vec3::cross;
 
 fn main() {
     let problem = QuarticQuintic::published();

@@ -10,9 +10,9 @@ use std::io::{self, BufWriter, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use quasirigid::math::factor::{Analysis, Factor, Ordering, Precision};
-use quasirigid::math::krylov::Pencil;
-use quasirigid::math::symmetric::{Pattern, Symmetric};
+use quasirigid_math::factor::{Analysis, Factor, Ordering, Precision};
+use quasirigid_math::krylov::Pencil;
+use quasirigid_math::symmetric::{Pattern, Symmetric};
 
 const WIDTH: usize = 9;
 
@@ -97,7 +97,7 @@ fn modes(stiffness: &Symmetric, mass: &Symmetric, factor: &Factor) {
     let vectors = pencil.largest(20).expect("the modes of a cube converge");
     println!("modes20 {:.3}\nsolves {}", start.seconds(), solves.get());
     for x in &vectors {
-        println!("eigenvalue {:.12e}", quasirigid::math::krylov::dot(x, &mass.times(x)).recip());
+        println!("eigenvalue {:.12e}", quasirigid_math::krylov::dot(x, &mass.times(x)).recip());
     }
 }
 

@@ -8,7 +8,6 @@
 //!
 //! with a small torque that is polynomial in the angular velocity. The modules stand in the order the data flows:
 //!
-//! - [`math`] knows no physics,
 //! - [`model`] is what a body *is*: [`FlexibleBody`](model::FlexibleBody) with its internal coordinates, and
 //!   [`ReducedBody`](model::ReducedBody) without them,
 //! - [`elements`] are the parts a user describes, assembled into a flexible body,
@@ -19,10 +18,25 @@
 //! - [`verification`] sets one against the other,
 //! - [`problems`] are bodies with known answers.
 //!
+//! Mathematics and meshes are crates of their own, `quasirigid-math` and [`quasirigid-mesh`](mesh); what of them shows in
+//! public types here is shown here too.
+//!
 //! SI units throughout. Vectors are in the body frame: the axes of the model file, origin at the pole `O`.
 #![allow(non_snake_case)]
 
-pub mod math;
+use quasirigid_math as math;
+
+pub use quasirigid_math::eigen::{Dense, NoConvergence};
+pub use quasirigid_math::factor::NotPositive;
+pub use quasirigid_math::memory::TooMuchMemory;
+pub use quasirigid_math::ode::{StepError, Work};
+pub use quasirigid_math::quadrature::Integral;
+pub use quasirigid_math::scalar::{Scalar, Smooth};
+pub use quasirigid_math::sparse::SparseRows;
+pub use quasirigid_math::sphere::Kind as StationaryKind;
+pub use quasirigid_math::{expression, polynomial, rotation, sym3, vec3, watch};
+pub use quasirigid_mesh as mesh;
+pub use quasirigid_mesh::surface;
 
 pub mod model;
 

@@ -12,9 +12,8 @@ use source::Source;
 const PHYSICS: &str = "quasirigid";
 
 /// What each top-level module of the physics crate may use, beside itself: what describes a body in a row, then a star without sideways
-/// arrows.
-const MODULES: [(&str, &[&str]); 13] = [
-    ("math", &[]),
+/// arrows. `math` is the crate `quasirigid-math` by the name it has in the physics.
+const MODULES: [(&str, &[&str]); 12] = [
     ("model", &["math"]),
     ("finite", &["math", "model"]),
     ("flow", &["math", "model", "finite"]),
@@ -30,13 +29,16 @@ const MODULES: [(&str, &[&str]); 13] = [
 ];
 
 /// What each crate may use of the others.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 8] = [
     ("quasirigid-linear", &[]),
-    ("quasirigid", &["quasirigid_linear"]),
+    ("quasirigid-math", &["quasirigid_linear"]),
+    ("quasirigid-mesh", &["quasirigid_math"]),
+    ("quasirigid", &["quasirigid_math", "quasirigid_mesh"]),
     (
         "quasirigid-io",
         &[
-            "quasirigid::math",
+            "quasirigid_math",
+            "quasirigid_mesh",
             "quasirigid::model",
             "quasirigid::elements",
             "quasirigid::dynamics::Form",
@@ -44,7 +46,7 @@ const CRATES: [(&str, &[&str]); 6] = [
         ],
     ),
     ("quasirigid-report", &["quasirigid_io::record"]),
-    ("quasirigid-study", &["quasirigid", "quasirigid_io", "quasirigid_report"]),
+    ("quasirigid-study", &["quasirigid", "quasirigid_math", "quasirigid_io", "quasirigid_report"]),
     ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
 ];
 

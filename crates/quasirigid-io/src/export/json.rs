@@ -1,5 +1,5 @@
-use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::Support;
+use quasirigid_math::polynomial::Homogeneous;
 use serde::Serialize;
 
 use super::{Derived, Forces, parts};

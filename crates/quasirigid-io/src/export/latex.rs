@@ -1,6 +1,6 @@
 use std::fmt::{self, Write};
 
-use quasirigid::math::polynomial::Homogeneous;
+use quasirigid_math::polynomial::Homogeneous;
 
 use super::{Derived, MOST};
 

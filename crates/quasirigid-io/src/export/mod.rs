@@ -10,8 +10,8 @@ pub use comparison::Mechanism;
 pub use forces::{DisplacedLoads, Forces, StartLoads};
 use std::ops::Range;
 
-use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::{FlexibleBody, ReducedBody};
+use quasirigid_math::polynomial::{Homogeneous, Series};
 
 /// A derived body: what an export says.
 #[derive(Clone, Copy, Debug)]

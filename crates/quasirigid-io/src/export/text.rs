@@ -1,7 +1,7 @@
 use std::fmt::{self, Write};
 
-use quasirigid::math::polynomial::Homogeneous;
 use quasirigid::model::{Principal, Support};
+use quasirigid_math::polynomial::Homogeneous;
 
 use super::{Derived, MOST, comparison, forces, rows};
 

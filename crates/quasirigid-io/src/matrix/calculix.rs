@@ -3,10 +3,11 @@
 use super::MatrixFile;
 use super::error::{Fault, MatrixProblem, Place, Row};
 use super::listed::{Listed, Symmetry};
-use super::text::{entry, lines, number, text};
+use super::text::{entry, number};
+use crate::text_file::{lines, text};
 
 pub(super) fn read(bytes: &[u8]) -> Result<MatrixFile, Fault> {
-    let text = text(bytes)?;
+    let text = text::<MatrixProblem>(bytes)?;
     let mut last = 0;
     for (line, words) in lines(text) {
         let (row, column, _) = entry(words, Row::CalculiX).map_err(|problem| (Place::Line(line), problem))?;

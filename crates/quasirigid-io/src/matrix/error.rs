@@ -1,56 +1,19 @@
-use std::fmt;
 use std::io::ErrorKind;
-use std::path::PathBuf;
 
-use quasirigid::math::memory::TooMuchMemory;
+use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::Freedom;
 pub(super) use super::row::Row;
 
+pub use crate::text_file::Place;
+use crate::text_file::{self, FileError, ReadProblem, Unread};
+
 /// A file from which no matrix, nodes or freedoms can be read: where, and what is wrong there.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{}{place}: {problem}", file.display())]
-pub struct MatrixError {
-    /// The file.
-    pub file: PathBuf,
-    /// Where in it.
-    pub place: Place,
-    /// What is wrong.
-    pub problem: MatrixProblem,
-}
+pub type MatrixError = FileError<MatrixProblem>;
 
 /// What is wrong at a place of a file that is yet to be named.
-pub(super) type Fault = (Place, MatrixProblem);
-
-/// A place in a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// The whole of it.
-    File,
-    /// A line of a text, from 1.
-    Line(usize),
-    /// A byte of a binary file, from 0.
-    Byte(usize),
-    /// A byte, from 0, of a file inside an archive.
-    Member {
-        /// The file inside.
-        name: String,
-        /// The byte.
-        byte: usize,
-    },
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::File => Ok(()),
-            Self::Line(line) => write!(f, ":{line}"),
-            Self::Byte(byte) => write!(f, ": byte {byte}"),
-            Self::Member { name, byte } => write!(f, ": {name}: byte {byte}"),
-        }
-    }
-}
+pub(super) type Fault = text_file::Fault<MatrixProblem>;
 
 /// What is wrong with a file of a matrix, of nodes or of freedoms.
 #[non_exhaustive]
@@ -403,6 +366,21 @@ pub enum MatrixProblem {
     /// No nodes.
     #[error("the file has no nodes; give a table label x y z, GRID cards or a *NODE block")]
     NoNodes,
+}
+
+impl ReadProblem for MatrixProblem {
+    fn unread(unread: Unread, limit: u64) -> Self {
+        match unread {
+            Unread::Unreadable(kind) => Self::Unreadable { kind },
+            Unread::Folder => Self::Folder,
+            Unread::NoFile => Self::NoFile,
+            Unread::TooLarge => Self::TooLarge { limit },
+        }
+    }
+
+    fn not_text(byte: u8) -> Self {
+        Self::NotText { byte }
+    }
 }
 
 /// Names in the order of a file, at most eight.

@@ -2,7 +2,7 @@ use std::collections::HashSet;
 use std::fmt;
 
 use super::error::{Fault, MatrixProblem, Place, Row};
-use super::text::{lines, text, whole};
+use crate::text_file::{lines, text, whole};
 
 /// A degree of freedom as a finite-element code names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -23,7 +23,7 @@ impl fmt::Display for Freedom {
 /// Lines `node.component` or `node component`.
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<Freedom>, Fault> {
     let (mut freedoms, mut known) = (Vec::new(), HashSet::new());
-    for (line, words) in lines(text(bytes)?) {
+    for (line, words) in lines(text::<MatrixProblem>(bytes)?) {
         let place = Place::Line(line);
         let freedom = freedom(words).map_err(|problem| (place.clone(), problem))?;
         if !known.insert(freedom) {

@@ -1,4 +1,4 @@
-use quasirigid::math::memory;
+use quasirigid_math::memory;
 
 use super::MatrixFile;
 use super::error::MatrixProblem;

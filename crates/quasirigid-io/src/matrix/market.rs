@@ -4,7 +4,8 @@
 use super::MatrixFile;
 use super::error::{Fault, MatrixProblem, Place, Row};
 use super::listed::{Listed, Symmetry};
-use super::text::{entry, last_line, lines, number, size, text};
+use super::text::{entry, number};
+use crate::text_file::{last_line, lines, size, text};
 
 /// What the first line says.
 struct Header {
@@ -14,7 +15,7 @@ struct Header {
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<MatrixFile, Fault> {
-    let text = text(bytes)?;
+    let text = text::<MatrixProblem>(bytes)?;
     let end = last_line(text);
     let mut lines = lines(text);
     let (line, first) = lines.next().unwrap_or((end, ""));

@@ -18,7 +18,7 @@ mod text;
 
 use std::path::Path;
 
-use crate::file::{self, Unread};
+use crate::text_file::{FileError, bytes_of};
 pub use error::{MatrixError, MatrixProblem, Place};
 use format::{Format, NodeFormat};
 pub use freedom::Freedom;
@@ -62,7 +62,7 @@ pub struct MatrixFile {
 /// # Errors
 /// [`MatrixError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, MatrixError> {
-    matrix_of(file, &bytes_of(file)?, name)
+    matrix_of(file, &bytes_of(file, LARGEST)?, name)
 }
 
 /// The matrix in the bytes of a file, whose name tells the format where the bytes do not.
@@ -82,7 +82,7 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
         (Format::Op4Text, name) => op4::read_text(bytes, name),
         (Format::Op4Binary { big_endian }, name) => op4::read_binary(bytes, big_endian, name),
     };
-    read().map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
+    read().map_err(FileError::new(file))
 }
 
 /// Reads the places of nodes; the ending of the file or its first line tells the format.
@@ -95,7 +95,7 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
 /// # Errors
 /// [`MatrixError`] says what is wrong and on which line.
 pub fn read_nodes(file: &Path) -> Result<NodeTable, MatrixError> {
-    nodes_of(file, &bytes_of(file)?)
+    nodes_of(file, &bytes_of(file, LARGEST)?)
 }
 
 /// The nodes in the bytes of a file, whose name tells the format where the bytes do not.
@@ -108,7 +108,7 @@ pub fn nodes_of(file: &Path, bytes: &[u8]) -> Result<NodeTable, MatrixError> {
         NodeFormat::Bulk => nodes::read_grid(bytes),
         NodeFormat::Input => nodes::read_input(bytes),
     };
-    read().map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
+    read().map_err(FileError::new(file))
 }
 
 /// Reads what the rows of a matrix are about, in their order: lines `node.component`, as in a `.dof` file of
@@ -117,7 +117,7 @@ pub fn nodes_of(file: &Path, bytes: &[u8]) -> Result<NodeTable, MatrixError> {
 /// # Errors
 /// [`MatrixError`] says what is wrong and on which line.
 pub fn read_freedoms(file: &Path) -> Result<Vec<Freedom>, MatrixError> {
-    freedoms_of(file, &bytes_of(file)?)
+    freedoms_of(file, &bytes_of(file, LARGEST)?)
 }
 
 /// The freedoms in the bytes of a file.
@@ -125,19 +125,5 @@ pub fn read_freedoms(file: &Path) -> Result<Vec<Freedom>, MatrixError> {
 /// # Errors
 /// Those of [`read_freedoms`], except that the file cannot be read.
 pub fn freedoms_of(file: &Path, bytes: &[u8]) -> Result<Vec<Freedom>, MatrixError> {
-    freedom::read(bytes).map_err(|(place, problem)| MatrixError { file: file.to_owned(), place, problem })
-}
-
-fn bytes_of(file: &Path) -> Result<Vec<u8>, MatrixError> {
-    let problem = |unread: Unread| match unread {
-        Unread::Unreadable(kind) => MatrixProblem::Unreadable { kind },
-        Unread::Folder => MatrixProblem::Folder,
-        Unread::NoFile => MatrixProblem::NoFile,
-        Unread::TooLarge => MatrixProblem::TooLarge { limit: LARGEST },
-    };
-    file::bytes_of(file, LARGEST).map_err(|unread| MatrixError {
-        file: file.to_owned(),
-        place: Place::File,
-        problem: problem(unread),
-    })
+    freedom::read(bytes).map_err(FileError::new(file))
 }

@@ -1,4 +1,9 @@
+//! Kinds of lines and records in files of matrices.
+
 use std::fmt;
+
+use super::error::MatrixProblem;
+use crate::text_file::Line;
 
 /// A kind of line or record, whose text says how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,5 +88,17 @@ impl fmt::Display for Row {
             Self::Op4String => "a string begins with its length and first row, and fits its column",
             Self::Op4Values => "values fill the lines and records as the header and the column announce",
         })
+    }
+}
+
+impl Line for Row {
+    type Problem = MatrixProblem;
+
+    fn not_a_number(self, found: String) -> MatrixProblem {
+        MatrixProblem::NotANumber { found, row: self }
+    }
+
+    fn not_finite(self, found: String) -> MatrixProblem {
+        MatrixProblem::NotFinite { found }
     }
 }

@@ -1,32 +1,12 @@
-//! Lines of text and the numbers in them.
+//! Numbers and entries of matrices, as Fortran and NASTRAN write them.
 
-use super::error::{Fault, MatrixProblem, Place, Row};
-
-/// The bytes of a file as text, without a byte order mark.
-pub(super) fn text(bytes: &[u8]) -> Result<&str, Fault> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let end = error.valid_up_to();
-        let line = 1 + bytes[..end].iter().filter(|byte| **byte == b'\n').count();
-        (Place::Line(line), MatrixProblem::NotText { byte: bytes[end] })
-    })?;
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
-}
-
-/// Lines that are not blank, with their numbers from 1.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    (1..).zip(text.lines().map(str::trim)).filter(|(_, line)| !line.is_empty())
-}
-
-/// The number of the last line.
-pub(super) fn last_line(text: &str) -> usize {
-    text.lines().count().max(1)
-}
+use super::error::{MatrixProblem, Row};
+use crate::text_file::{finite, size};
 
 /// A finite number; also as Fortran writes it, `1.5D-3` or `1.5-103`.
 pub(super) fn number(word: &str, row: Row) -> Result<f64, MatrixProblem> {
     let value = word.parse().or_else(|_| fortran(word).parse::<f64>());
-    let value = value.map_err(|_| MatrixProblem::NotANumber { found: word.to_owned(), row })?;
-    if value.is_finite() { Ok(value) } else { Err(MatrixProblem::NotFinite { found: word.to_owned() }) }
+    finite(value.map_err(|_| MatrixProblem::NotANumber { found: word.to_owned(), row })?, word, row)
 }
 
 /// The word with an `e` before its exponent.
@@ -37,16 +17,6 @@ fn fortran(word: &str) -> String {
         Some(at) if !word.contains(['e', 'E']) => format!("{}e{}", &word[..at], &word[at..]),
         _ => word,
     }
-}
-
-/// A number that counts or labels something.
-pub(super) fn whole(word: &str, row: Row) -> Result<u64, MatrixProblem> {
-    word.parse().map_err(|_| MatrixProblem::NotANumber { found: word.to_owned(), row })
-}
-
-/// A number of rows or columns.
-pub(super) fn size(word: &str, row: Row) -> Result<usize, MatrixProblem> {
-    word.parse().map_err(|_| MatrixProblem::NotANumber { found: word.to_owned(), row })
 }
 
 /// Row and column, from 0 though a file counts from 1, and the word of the value.

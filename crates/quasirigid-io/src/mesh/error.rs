@@ -1,47 +1,20 @@
 use std::fmt;
 use std::io::ErrorKind;
-use std::path::PathBuf;
 
-use quasirigid::math::memory::TooMuchMemory;
+use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::volume::VolumeProblem;
 
+pub(super) use super::row::Row;
+pub use crate::text_file::Place;
+use crate::text_file::{self, FileError, ReadProblem, Unread};
+
 /// A file from which no mesh can be read: where, and what is wrong there.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{}{place}: {problem}", file.display())]
-pub struct MeshError {
-    /// The file.
-    pub file: PathBuf,
-    /// Where in it.
-    pub place: Place,
-    /// What is wrong.
-    pub problem: MeshProblem,
-}
+pub type MeshError = FileError<MeshProblem>;
 
 /// What is wrong at a place of a file that is yet to be named.
-pub(super) type Fault = (Place, MeshProblem);
-
-/// A place in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// The whole of it.
-    File,
-    /// A line of a text, from 1.
-    Line(usize),
-    /// A byte of a binary file, from 0.
-    Byte(usize),
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::File => Ok(()),
-            Self::Line(line) => write!(f, ":{line}"),
-            Self::Byte(byte) => write!(f, ": byte {byte}"),
-        }
-    }
-}
+pub(super) type Fault = text_file::Fault<MeshProblem>;
 
 /// Things that a file announces and then lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,86 +49,6 @@ impl fmt::Display for Part {
             Self::Names => write!(f, "names"),
             Self::Values(name) => write!(f, "values of {name:?}"),
         }
-    }
-}
-
-/// A kind of line in a text, whose text says how it is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Row {
-    /// A vertex of an OBJ file.
-    ObjVertex,
-    /// A face of an OBJ file.
-    ObjFace,
-    /// A corner in an STL file.
-    StlVertex,
-    /// Any line of an STL file.
-    Stl,
-    /// The first line of a plate table.
-    PlateCounts,
-    /// The line between the vertices and the faces of a plate table.
-    PlateCount,
-    /// A vertex of a plate table.
-    PlateVertex,
-    /// A face of a plate table.
-    PlateFace,
-    /// An element of a PLY file.
-    PlyElement,
-    /// The first line of a gmsh file.
-    GmshFormat,
-    /// The name of a group in a gmsh file.
-    GmshName,
-    /// How many follow in a section of a gmsh file.
-    GmshCount,
-    /// A point, curve, surface or volume of a gmsh file.
-    GmshEntity,
-    /// The beginning of a block of nodes or cells in a gmsh file.
-    GmshBlock,
-    /// A node of a gmsh file.
-    GmshNode,
-    /// A cell of a gmsh file.
-    GmshCell,
-    /// A line of a VTK file that announces values.
-    VtkKeyword,
-    /// A value of a VTK file.
-    VtkValue,
-    /// A node of an Abaqus file.
-    InpNode,
-    /// A cell of an Abaqus file.
-    InpCell,
-    /// A list of members in an Abaqus file.
-    InpSet,
-    /// A range of members in an Abaqus file.
-    InpRange,
-}
-
-impl fmt::Display for Row {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::ObjVertex => "a vertex is written v x y z",
-            Self::ObjFace => "a face is written f a b c, or f a/t/n b/t/n c/t/n",
-            Self::StlVertex => "a corner is written vertex x y z",
-            Self::Stl => "a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet",
-            Self::PlateCounts => "the first line has the number of vertices, then perhaps the number of faces",
-            Self::PlateCount => "the line after the vertices has the number of faces",
-            Self::PlateVertex => "a vertex is written number x y z, as often as the first line says",
-            Self::PlateFace => "a face is written number a b c",
-            Self::PlyElement => "the line of an element has one value for each of its properties, and lists begin with their length",
-            Self::GmshFormat => "$MeshFormat is followed by version, 0 for text or 1 for binary, 8",
-            Self::GmshName => "the name of a group is written dimension number \"name\"",
-            Self::GmshCount => {
-                "the section begins with the number of things in it, after that of the blocks in version 4"
-            }
-            Self::GmshEntity => "an entity is written number box groups, with the number of groups before them",
-            Self::GmshBlock => "a block begins with dimension and number of its entity, what is in it, and how many",
-            Self::GmshNode => "a node is written number x y z",
-            Self::GmshCell => "a cell is written number nodes, with type and tags before the nodes in version 2.2",
-            Self::VtkKeyword => "here stands a keyword, perhaps with name, type and number of the values after it",
-            Self::VtkValue => "an array has as many numbers as its line announces, of the type it announces",
-            Self::InpNode => "a node is written number, x, y, z",
-            Self::InpCell => "a cell is written number, nodes, with a comma at the end of a line that continues",
-            Self::InpSet => "a set lists numbers or names of other sets, with commas between",
-            Self::InpRange => "a range is written first, last, step",
-        })
     }
 }
 
@@ -315,4 +208,19 @@ pub enum MeshProblem {
     /// What only meshes of cells have.
     #[error(transparent)]
     Volume(#[from] VolumeProblem),
+}
+
+impl ReadProblem for MeshProblem {
+    fn unread(unread: Unread, limit: u64) -> Self {
+        match unread {
+            Unread::Unreadable(kind) => Self::Unreadable { kind },
+            Unread::Folder => Self::Folder,
+            Unread::NoFile => Self::NoFile,
+            Unread::TooLarge => Self::TooLarge { limit },
+        }
+    }
+
+    fn not_text(byte: u8) -> Self {
+        Self::NotText { byte }
+    }
 }

@@ -2,7 +2,7 @@
 //! Abaqus.
 //!
 //! Numbers are taken as they are, in the unit of the file; whether the triangles bound a body is for
-//! [`ClosedSurface`](quasirigid::math::surface::ClosedSurface) to say. Polygons become fans of triangles about their
+//! [`ClosedSurface`](quasirigid_mesh::surface::ClosedSurface) to say. Polygons become fans of triangles about their
 //! first corner. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
 
 mod error;
@@ -11,15 +11,18 @@ mod format;
 mod obj;
 mod plates;
 mod ply;
+mod row;
 mod stl;
 mod text;
 mod volume;
 
 use std::path::Path;
 
-pub use error::{MeshError, MeshProblem, Part, Place, Row};
-use file::bytes_of;
+use crate::text_file::{FileError, bytes_of};
+pub use error::{MeshError, MeshProblem, Part, Place};
+use file::LARGEST;
 use format::Format;
+pub use row::Row;
 pub use volume::{VolumeProblem, mesh_of, read_mesh};
 
 /// Triangles as a file has them.
@@ -45,7 +48,7 @@ pub struct TriangleMesh {
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_triangles(file: &Path) -> Result<TriangleMesh, MeshError> {
-    triangles_of(file, &bytes_of(file)?)
+    triangles_of(file, &bytes_of(file, LARGEST)?)
 }
 
 /// The triangles in the bytes of a file, whose name tells the format where the bytes do not.
@@ -60,7 +63,7 @@ pub fn triangles_of(file: &Path, bytes: &[u8]) -> Result<TriangleMesh, MeshError
         Format::Ply => ply::read(bytes),
         Format::Plates => plates::read(bytes),
     };
-    let named = |(place, problem)| MeshError { file: file.to_owned(), place, problem };
+    let named = FileError::new(file);
     let mesh: TriangleMesh = read().map_err(named)?;
     if mesh.triangles.is_empty() {
         return Err(named((Place::File, MeshProblem::Nothing { part: Part::Faces })));

@@ -2,13 +2,14 @@ use std::borrow::Cow;
 
 use super::TriangleMesh;
 use super::error::{Fault, MeshProblem, Place, Row};
-use super::text::{point, text};
+use super::text::point;
+use crate::text_file::text;
 
 /// Wavefront OBJ: vertices and faces.
 pub(super) fn read(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
     let mut mesh = TriangleMesh::default();
     let mut lines = Vec::new(); // of the triangles: a face may come before its vertices
-    for (line, statement) in statements(text(bytes)?) {
+    for (line, statement) in statements(text::<MeshProblem>(bytes)?) {
         let mut words = statement.split_whitespace();
         let done = match words.next() {
             Some("v") => point(words, Row::ObjVertex).map(|vertex| mesh.vertices.push(vertex)),

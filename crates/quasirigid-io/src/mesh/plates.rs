@@ -1,10 +1,11 @@
 use super::TriangleMesh;
 use super::error::{Fault, MeshProblem, Part, Place, Row};
-use super::text::{lines, point, text, whole};
+use super::text::point;
+use crate::text_file::{lines, text, whole};
 
 /// Plate tables: numbered vertices, then numbered triangles.
 pub(super) fn read(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
-    let text = text(bytes)?;
+    let text = text::<MeshProblem>(bytes)?;
     let mut table = Table { lines: lines(text), last: text.lines().count() };
     let (line, counts) = table.next(Part::Vertices, 1, 0)?;
     let first = match counts.as_slice() {

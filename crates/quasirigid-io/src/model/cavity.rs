@@ -1,9 +1,9 @@
 use std::path::Path;
 
 use quasirigid::elements::{Cavity, CavityShape, ElementKind, Regime};
-use quasirigid::math::meshing::inside;
-use quasirigid::math::rotation::{ALIGNED, angle, turned};
-use quasirigid::math::sym::{cross, norm, scale};
+use quasirigid_math::rotation::{ALIGNED, angle, turned};
+use quasirigid_math::vec3::{cross, norm, scale};
+use quasirigid_mesh::meshing::inside;
 
 use super::initial::unit_quaternion;
 use super::kinds::{Kind, kind, of_table, opened};

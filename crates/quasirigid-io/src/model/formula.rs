@@ -1,4 +1,4 @@
-use quasirigid::math::expression::Expression;
+use quasirigid_math::expression::Expression;
 
 use super::value::Value;
 use crate::units::Dimension;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use super::{Diagnostic, FileProblem, ModelError};
-use crate::file::{Unread, all_of, stream_of};
+use crate::text_file::{Unread, all_of, stream_of};
 
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
 const LARGEST: u64 = 64 * 1024 * 1024;

@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use quasirigid::elements::{ElementKind, Surface};
-use quasirigid::math::surface::ClosedSurface;
+use quasirigid_mesh::surface::ClosedSurface;
 
 use super::material::Materials;
 use super::names::Part;

@@ -1,6 +1,6 @@
 use std::ops::{Range, RangeInclusive};
 
-use quasirigid::math::memory;
+use quasirigid_math::memory;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 

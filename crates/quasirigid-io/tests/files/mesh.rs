@@ -7,8 +7,8 @@ use std::path::Path;
 use insta::assert_snapshot;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::math::surface::ClosedSurface;
 use quasirigid_io::mesh::{TriangleMesh, read_triangles, triangles_of};
+use quasirigid_mesh::surface::ClosedSurface;
 use tempfile::tempdir;
 
 /// Sides of a cuboid off the origin; vertices are numbered as they first come up.

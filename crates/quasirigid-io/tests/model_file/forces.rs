@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use insta::assert_snapshot;
 use quasirigid::elements::{End, PlaceRef, Prestress, Station};
-use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid_math::expression::Expression;
 
 use super::{CARRIER, HINGED, POINT, read, refusal, refusal_of};
 

@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 use quasirigid::elements::{CavityShape, Regime, RotorKind, WheelSpeed};
-use quasirigid::math::rotation::to_inertial;
+use quasirigid_math::rotation::to_inertial;
 
 use super::{CARRIER, read, verdict, written};
 

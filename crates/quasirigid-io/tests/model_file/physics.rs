@@ -94,7 +94,7 @@ fn impossible_hinges_and_motions_are_refused() {
       write a direction such as [0, 0, 1]; its length does not matter
     "#);
     assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1], [0, 0, 2]]\nstiffness = [1, 2, 3]\n")), @r#"
-    model.toml:11:8: `axes` of appendage "boom": the axes are not independent, so two hinge angles would be the same motion
+    model.toml:11:8: `axes` of appendage "boom": the axes are not independent, so two of them would be the same motion
       no axis may be a combination of the others
     model.toml:12:13: `stiffness` of appendage "boom": 2 axes, but 3 values
       write one number for all axes, one per axis, or a square matrix with a row per axis

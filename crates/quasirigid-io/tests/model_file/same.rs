@@ -1,9 +1,9 @@
 //! Bodies of two model files beside each other, by what does not depend on their coordinates.
 
-use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Model;
+use quasirigid_math::polynomial::{Homogeneous, Series};
 
 /// Vibrations that are compared, the lowest; those of a few coordinates depend on rounding at the other end.
 const LOWEST: usize = 6;

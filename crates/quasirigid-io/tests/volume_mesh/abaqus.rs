@@ -1,8 +1,8 @@
 use std::fs;
 
 use insta::assert_snapshot;
-use quasirigid::math::mesh::Shape;
 use quasirigid_io::mesh::read_mesh;
+use quasirigid_mesh::Shape;
 
 use super::{parsed, says, set, with};
 

@@ -1,5 +1,5 @@
 use insta::assert_snapshot;
-use quasirigid::math::mesh::{Mesh, Shape};
+use quasirigid_mesh::{Mesh, Shape};
 
 use super::{bytes, parsed, says, set, with};
 

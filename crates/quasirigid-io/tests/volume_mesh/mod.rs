@@ -9,8 +9,8 @@ mod zoo;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use quasirigid::math::mesh::{Mesh, Set};
 use quasirigid_io::mesh::{mesh_of, read_mesh};
+use quasirigid_mesh::{Mesh, Set};
 
 /// A file of `tests/data/volume`.
 fn path(name: &str) -> PathBuf {

@@ -1,5 +1,5 @@
 use insta::assert_snapshot;
-use quasirigid::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 use super::{bytes, parsed, says, set, with};
 

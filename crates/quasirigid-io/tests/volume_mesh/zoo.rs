@@ -1,6 +1,6 @@
 //! One cell of each shape, by gmsh and VTK from their own reference cells (see `tests/data/volume/write.py`).
 
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::{mesh, parsed, path, set};
 

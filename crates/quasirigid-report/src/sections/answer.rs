@@ -4,8 +4,8 @@ use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
 use super::dissipation::bars;
+use crate::columns::{column, ends, main_history, norm, vectors};
 use crate::number::{digits, duration, percent, short, tidy};
-use crate::rows::{column, ends, main_history, norm, vectors};
 
 /// Drift up to this part of the dissipation is called small.
 const SMALL_DRIFT: f64 = 0.01;

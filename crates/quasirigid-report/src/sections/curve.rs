@@ -2,8 +2,8 @@
 
 use quasirigid_io::record::Column;
 
+use crate::columns::{TimeUnit, column};
 use crate::figure::Series;
-use crate::rows::{TimeUnit, column};
 
 /// A column to draw against the column `t`.
 pub struct Curve<'a> {

@@ -9,9 +9,9 @@ use super::answer::tile;
 use super::curve::{Curve, unit};
 use super::dissipation::bars;
 use super::table::{facts, first, table};
+use crate::columns::{TimeUnit, column};
 use crate::figure::{Figure, Mark, Quantity, Series};
 use crate::number::{digits, duration, percent, short, tidy};
-use crate::rows::{TimeUnit, column};
 use crate::verdict::Verdict;
 
 /// Harmonics and resonances shown.

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
 use super::curve::{Curve, unit};
+use crate::columns::{TimeUnit, column, main_history};
 use crate::figure::{Figure, Quantity};
-use crate::rows::{TimeUnit, column, main_history};
 use crate::sphere;
 
 /// Turns after which the spin is drawn once more, its beginning enlarged.

@@ -1,7 +1,7 @@
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
-use crate::rows::main_history;
+use crate::columns::main_history;
 use crate::verdict::Verdict;
 
 /// Name, verdict, how the run ended if early, and the remarks to read before the numbers.

@@ -2,8 +2,8 @@ use maud::{Markup, html};
 use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 
 use super::table::{facts, table};
+use crate::columns::ends;
 use crate::number::{short, tidy};
-use crate::rows::ends;
 
 /// What made these numbers, and how each history was integrated.
 pub fn section(record: &RunRecord) -> Markup {

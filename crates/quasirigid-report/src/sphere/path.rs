@@ -4,7 +4,7 @@ use quasirigid_io::record::Column;
 
 use super::vector::{Vector, direction, dot};
 use super::view::{Halves, View};
-use crate::rows::vectors;
+use crate::columns::vectors;
 
 /// Shades that tell early from late.
 const SHADES: usize = 6;

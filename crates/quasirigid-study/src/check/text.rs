@@ -4,11 +4,12 @@ use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
 use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sphere::Kind as Stationary;
-use quasirigid::math::sym::{self, dot, norm, scale};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict};
+use quasirigid_math::rotation::angle;
+use quasirigid_math::sphere::Kind as Stationary;
+use quasirigid_math::sym3;
+use quasirigid_math::vec3::{dot, norm, scale};
 
 use super::CheckReport;
 use crate::derive::acting;
@@ -161,7 +162,7 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
     let principal = Principal::of(reduced.J);
     let K = reduced.momentum(omega);
-    if norm(K) <= ROUNDING * norm(sym::times(reduced.J, omega)) {
+    if norm(K) <= ROUNDING * norm(sym3::times(reduced.J, omega)) {
         return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
     }
     let heading = format!("Steady spins at this momentum, after the reduced equations{without}");

@@ -6,15 +6,15 @@ use quasirigid::averaging::{
     PolynomialPower, Response, Stage,
 };
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord, ObservedRecord};
+use quasirigid_math::vec3::norm;
 
 use super::approach::approach;
 use super::road::{Refusal, Verdict};
-use super::rows::Rows;
+use super::table::EvolutionTable;
 use super::{Asked, words};
 use crate::error::StudyError;
 use crate::words::shares;
@@ -246,7 +246,11 @@ impl Ageing {
     }
 
     /// The table of the rows; fewer of them if the watch ends the work.
-    pub fn columns(&self, rows: &mut Rows, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Vec<Column> {
+    pub fn columns(
+        &self,
+        rows: &mut EvolutionTable,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Vec<Column> {
         let mut columns: Vec<Column> = COLUMNS
             .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
             .into();
@@ -298,7 +302,7 @@ impl Ageing {
         &self,
         evolution: &Evolution,
         from: Stage,
-        rows: &Rows,
+        rows: &EvolutionTable,
         asked: &Asked,
         time_range: Option<[f64; 2]>,
         columns: Vec<Column>,
@@ -383,7 +387,7 @@ impl Ageing {
 
     fn resonances(&self, evolution: &Evolution, from: Stage, to: Stage) -> Vec<CrossingRecord> {
         let way = evolution.ratio(from)..=evolution.ratio(to);
-        let crossings = self.response.crossings(evolution).into_iter();
+        let crossings = self.response.resonances(evolution).into_iter();
         crossings
             .filter(|crossing| way.contains(&evolution.ratio(crossing.stage)))
             .take(MOST_CROSSINGS)

@@ -3,7 +3,7 @@
 mod ageing;
 mod approach;
 mod road;
-mod rows;
+mod table;
 mod words;
 
 use quasirigid::averaging::{
@@ -24,7 +24,7 @@ use crate::study::Study;
 use crate::watch::Watch;
 use ageing::Ageing;
 use road::History;
-use rows::Rows;
+use table::EvolutionTable;
 
 pub use words::text;
 
@@ -121,23 +121,33 @@ pub(crate) fn follow(
     ageing.verdict.close(approximated(study));
     let evolution = ageing.evolution();
     let from = match &run {
-        History::Levels(passage) => Rows::of_levels(passage, &ageing.principal).first.stage,
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &ageing.principal).first.stage,
         _ => ageing.start(&evolution, asked.from, torque.is_none())?,
     };
     let mut rows = match &run {
-        History::Full(run, range) => Rows::of_run(run, range, asked.samples),
-        History::Levels(passage) => Rows::of_levels(passage, &ageing.principal),
+        History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &ageing.principal),
         History::Settled(row, range) => {
             let stage = range.stage(row.energy).unwrap_or(from);
             let to = ageing.end(&evolution, stage, &asked.after(row.t))?;
-            Rows::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
+            EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
         }
-        History::None if torque.is_none() => {
-            Rows::of_evolution(&evolution, from, ageing.end(&evolution, from, asked)?, asked.samples)
-        }
+        History::None if torque.is_none() => EvolutionTable::of_evolution(
+            &evolution,
+            from,
+            ageing.end(&evolution, from, asked)?,
+            asked.samples,
+        ),
         History::None => {
             let limits = ageing.limits(&evolution, asked)?;
-            Rows::of_drift(&ageing, torque, ageing.drifting(from), limits, asked.samples, &mut watch)
+            EvolutionTable::of_drift(
+                &ageing,
+                torque,
+                ageing.drifting(from),
+                limits,
+                asked.samples,
+                &mut watch,
+            )
         }
     };
     let columns = ageing.columns(&mut rows, &mut watch);

@@ -7,7 +7,7 @@ use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRec
 
 use super::Asked;
 use super::ageing::Ageing;
-use super::rows::Rows;
+use super::table::EvolutionTable;
 use crate::layout::paragraph;
 use crate::words::{count, dissipation, significant, time};
 
@@ -21,7 +21,7 @@ const UNCERTAIN: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
 /// How it ended, in a sentence.
-pub fn message(rows: &Rows, asked: &Asked, ages: bool) -> String {
+pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
     let reached = time(rows.last().t);
     let ending = rows.drift.as_ref().map(|drift| drift.ending);
     match (rows.status, ending) {
@@ -49,7 +49,7 @@ pub fn lossless(order: usize) -> String {
 }
 
 /// A time that is known to a few digits only.
-pub fn uncertain(rows: &Rows) -> Option<String> {
+pub fn uncertain(rows: &EvolutionTable) -> Option<String> {
     let share = rows.error / rows.last().t;
     (share > UNCERTAIN).then(|| {
         format!(

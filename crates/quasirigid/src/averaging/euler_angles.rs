@@ -1,5 +1,5 @@
 use super::poinsot::FreeRotation;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Euler angles 3-1-3 of the axes (intermediate, short, long) against axes whose third is the angular momentum. (A9)
 ///

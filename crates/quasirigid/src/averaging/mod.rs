@@ -1,26 +1,26 @@
 //! Millions of turns: the torque-free motion in closed form, and what dissipation makes of it on average.
 
 mod budget;
-mod crossing;
 mod drift;
 mod euler_angles;
 mod evolution;
+mod harmonic_resonance;
 mod harmonics;
 mod hill;
 mod interpolated;
 mod levels;
+mod loaded_modes;
 mod observed;
 mod poinsot;
 mod power;
 mod published;
 mod response;
-mod rows;
 mod slow_torque;
 
-pub use crossing::Crossing;
 pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, SeparatrixPassage};
 pub use euler_angles::EulerAngles;
 pub use evolution::{Evolution, Passage, Stage};
+pub use harmonic_resonance::HarmonicResonance;
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};
 pub use interpolated::InterpolatedPower;

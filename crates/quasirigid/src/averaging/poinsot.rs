@@ -1,7 +1,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::elliptic::{complete_third_excess, first_of_complement, first_to, jacobi, third_excess_to};
-use crate::math::sym::{cross, norm, scale};
+use crate::math::vec3::{cross, norm, scale};
 use crate::model::Mode;
 
 /// Torque-free rotation of a rigid body, exactly (Euler–Poinsot). (A1)–(A4)

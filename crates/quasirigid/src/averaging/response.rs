@@ -1,10 +1,11 @@
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use super::harmonics::Harmonic;
-use super::rows::{Row, rows};
+use super::loaded_modes::{LoadedMode, loaded_modes};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
-use crate::math::sym::{self, Sym};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3;
 use crate::model::liquid::impedance;
 use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
 
@@ -15,7 +16,7 @@ use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rhe
 #[derive(Clone, Debug)]
 pub struct Response {
     principal: Principal,
-    rows: Vec<Row>,
+    rows: Vec<LoadedMode>,
     /// Mass of the rows, with the body free to recoil.
     mass: DMatrix<f64>,
     losses: Vec<Loss>,
@@ -60,15 +61,15 @@ impl Response {
     /// The response in every mode of a body of up to `whole` elastic coordinates, of a larger one in those that are excited.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::of(body.invariants().J);
-        let rows = rows(body, &principal, whole)?;
+        let rows = loaded_modes(body, &principal, whole)?;
         let size = rows.len();
         let in_rows = |times: &dyn Fn(&[f64]) -> Vec<f64>| {
             let images: Vec<Vec<f64>> = rows.iter().map(|row| times(&row.shape)).collect();
             DMatrix::from_fn(size, size, |row, column| dot(&rows[row].shape, &images[column]))
         };
         let inside = !body.cyclic().is_empty();
-        let inverse = sym::inverse(body.invariants().J);
-        let recoil = |row: usize, column: usize| sym::dot(rows[row].h, sym::times(inverse, rows[column].h));
+        let inverse = sym3::inverse(body.invariants().J);
+        let recoil = |row: usize, column: usize| vec3::dot(rows[row].h, sym3::times(inverse, rows[column].h));
         let mass = if inside {
             in_rows(&|x| body.mass_times(x)) - DMatrix::from_fn(size, size, recoil)
         } else {
@@ -112,7 +113,7 @@ impl Response {
     #[must_use]
     pub fn static_compliance(&self) -> [[f64; 6]; 6] {
         let mut sum = [[0.0; 6]; 6];
-        for Row { square, load, .. } in self.elastic() {
+        for LoadedMode { square, load, .. } in self.elastic() {
             for (row, a) in sum.iter_mut().zip(load) {
                 row.iter_mut().zip(load).for_each(|(entry, b)| *entry += a * b / square);
             }
@@ -120,7 +121,7 @@ impl Response {
         sum
     }
 
-    fn elastic(&self) -> impl Iterator<Item = &Row> {
+    fn elastic(&self) -> impl Iterator<Item = &LoadedMode> {
         self.rows.iter().filter(|row| row.square > 0.0)
     }
 
@@ -235,9 +236,9 @@ impl Response {
         if !self.apart {
             return self;
         }
-        let energy = |row: &Row| row.load.iter().map(|load| load * load / row.square).sum::<f64>();
+        let energy = |row: &LoadedMode| row.load.iter().map(|load| load * load / row.square).sum::<f64>();
         let largest = self.elastic().map(energy).fold(0.0, f64::max);
-        let alive = |row: &Row| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
+        let alive = |row: &LoadedMode| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
         let kept: Vec<usize> = (0..self.rows.len()).filter(|i| alive(&self.rows[*i])).collect();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
         self.rows = kept.iter().map(|i| self.rows[*i].clone()).collect();
@@ -267,14 +268,14 @@ pub(super) fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64>
     let cyclic = body.cyclic();
     for j in cyclic.clone() {
         for (k, pair) in body.invariants().pairs.row(j).filter(|(k, _)| cyclic.contains(k)) {
-            force[j] += sym::dot(axis, pair.Z) * x[k];
+            force[j] += vec3::dot(axis, pair.Z) * x[k];
         }
     }
     force
 }
 
 /// The liquids that have rows of their own: the last rows, in their order.
-pub(super) fn memories(body: &FlexibleBody, rows: &[Row]) -> Vec<(usize, LiquidMemory)> {
+pub(super) fn memories(body: &FlexibleBody, rows: &[LoadedMode]) -> Vec<(usize, LiquidMemory)> {
     let count: usize = body.memories().iter().map(|memory| memory.axes.len()).sum();
     let mut next = rows.len() - count;
     let place = |memory: &LiquidMemory| {

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::math::sym::{add, scale};
+use crate::math::vec3::{add, scale};
 use crate::model::Marker;
 use crate::model::force::{Axes, Force, Law};
 

@@ -1,5 +1,6 @@
 use crate::math::rotation;
-use crate::math::sym::{Sym, add, norm, scale, times};
+use crate::math::sym3::{Sym, times};
+use crate::math::vec3::{add, norm, scale};
 
 /// The momentum of a body that no moment acts on: constant in inertial axes, whatever an integrator makes of it. (P3), (P6)
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,12 @@ impl Conserved {
     /// A momentum in inertial axes, its size, and the part [`inside`].
     pub fn new(K_N: [f64; 3], G: f64, inside: [f64; 3]) -> Self {
         Self { K_N, G, cancelled: cancelled(G, inside) }
+    }
+
+    /// Of a momentum in body axes, at an attitude, and the part [`inside`].
+    pub fn of(K: [f64; 3], attitude: [f64; 4], inside: [f64; 3]) -> Self {
+        let K_N = rotation::to_inertial(attitude, K);
+        Self::new(K_N, norm(K_N), inside)
     }
 
     /// Whether there is a momentum to hold: none where what turns inside takes it up.

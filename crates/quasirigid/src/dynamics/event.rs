@@ -1,6 +1,6 @@
 use super::Sample;
 use crate::math::rotation::angle;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Something that ends a propagation when it happens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,21 +34,21 @@ impl Event {
     }
 }
 
-/// Watches for events from step to step.
+/// Detector of events from step to step.
 #[derive(Debug, Default)]
-pub(super) struct Alarm {
+pub(super) struct EventDetector {
     events: Vec<Event>,
     levels: Vec<f64>,
     /// Time that the levels belong to.
     t: f64,
     /// The event that ended the propagation.
-    pub rung: Option<Event>,
+    pub triggered: Option<Event>,
 }
 
 /// Halvings of a step in which an event lies: to the rounding of its time.
 const HALVINGS: usize = 52;
 
-impl Alarm {
+impl EventDetector {
     pub fn new(events: &[Event]) -> Self {
         Self { events: events.to_vec(), ..Self::default() }
     }
@@ -84,7 +84,7 @@ impl Alarm {
             *before = after;
         }
         self.t = end.t;
-        self.rung = first.map(|(_, event)| event);
+        self.triggered = first.map(|(_, event)| event);
         first.map(|(t, _)| t)
     }
 }

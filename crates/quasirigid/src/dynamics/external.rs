@@ -1,6 +1,6 @@
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
-use crate::math::sym::scale;
+use crate::math::vec3::scale;
 pub(super) use crate::model::force::Pose;
 use crate::model::force::{Force, Loads};
 use crate::model::{FlexibleBody, Marker, Motion, Support};

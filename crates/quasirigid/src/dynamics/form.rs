@@ -3,7 +3,8 @@
 use super::conserved::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{self, Sym, cross, dot, norm};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
 
 /// Which variable the reduced equations are integrated in.
@@ -119,7 +120,7 @@ impl PaperForm {
         gradient.set(Homogeneous::zero(1, 3));
         Self {
             J: body.J,
-            inverse: sym::inverse(body.J),
+            inverse: sym3::inverse(body.J),
             wheels: body.wheels(),
             mu: Kernel::new(&mu),
             gradient: Kernel::new(&gradient),
@@ -138,8 +139,8 @@ impl Equations for PaperForm {
     #[inline(always)]
     fn rate<A: Arithmetic>(&self, omega: [f64; 3], _: [f64; 3]) -> [f64; 3] {
         let mu = vector(self.mu.value::<A>(omega));
-        let gyroscopic = cross(sym::add(sym::times(self.J, omega), self.wheels), omega);
-        sym::times(self.inverse, sym::add(gyroscopic, mu))
+        let gyroscopic = cross(vec3::add(sym3::times(self.J, omega), self.wheels), omega);
+        sym3::times(self.inverse, vec3::add(gyroscopic, mu))
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sphere::{Kind, deviator};
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::ReducedBody;
 
 /// Nutation, or wobble: the least and the greatest angle between the angular momentum and the axis of the steady spin that it circles,

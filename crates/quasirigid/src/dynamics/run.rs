@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::event::Event;
 use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
-use crate::math::ode::{Ending, StepError, Work};
+use crate::math::ode::{StepError, StopReason, Work};
 use crate::model::Displaced;
 
 /// Where a propagation starts.
@@ -183,13 +183,13 @@ impl fmt::Display for Outcome {
 }
 
 impl Outcome {
-    pub(super) fn of(ending: Ending, rung: Option<Event>) -> Self {
-        match (ending, rung) {
-            (Ending::Event, Some(event)) => Self::Event(event),
-            (Ending::Finished | Ending::Event, _) => Self::Finished,
-            (Ending::Interrupted, _) => Self::Interrupted,
-            (Ending::StepLimit, _) => Self::StepLimit,
-            (Ending::Failed(error), _) => Self::Failed(error),
+    pub(super) fn of(reason: StopReason, triggered: Option<Event>) -> Self {
+        match (reason, triggered) {
+            (StopReason::Event, Some(event)) => Self::Event(event),
+            (StopReason::Finished | StopReason::Event, _) => Self::Finished,
+            (StopReason::Interrupted, _) => Self::Interrupted,
+            (StopReason::StepLimit, _) => Self::StepLimit,
+            (StopReason::Failed(error), _) => Self::Failed(error),
         }
     }
 }

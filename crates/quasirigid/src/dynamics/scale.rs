@@ -1,6 +1,6 @@
 use super::conserved::{inside, size};
 use super::external::{Forced, Pose};
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 use crate::model::{Motion, Support};
 
 /// Sizes that errors are measured by.

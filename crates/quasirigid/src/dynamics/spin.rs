@@ -5,7 +5,7 @@ use crate::math::ode::System;
 use crate::math::polynomial::Kernel;
 use crate::math::rotation;
 use crate::math::simd::Arithmetic;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Spin alone; the fourth component is idle and fills a vector register.
 pub(super) struct SpinOnly<'a, E>(pub &'a E);
@@ -41,6 +41,9 @@ pub(super) struct Accounts {
     pub angle: f64,
 }
 
+/// Where the attitude begins in [`Accounts`].
+pub(super) const ATTITUDE: usize = 4;
+
 impl Accounts {
     pub fn pack(self) -> [f64; 12] {
         let [x, y, z] = self.x;
@@ -48,15 +51,23 @@ impl Accounts {
         [x, y, z, 0.0, s, i, j, k, self.dissipated, self.energy_change, self.angle, 0.0]
     }
 
-    pub fn unpack([x, y, z, _, s, i, j, k, dissipated, energy_change, angle, _]: [f64; 12]) -> Self {
-        Self { x: [x, y, z], attitude: [s, i, j, k], dissipated, energy_change, angle }
+    /// Of twelve numbers.
+    #[inline(always)]
+    pub fn unpack(y: &[f64]) -> Self {
+        Self {
+            x: [y[0], y[1], y[2]],
+            attitude: [0, 1, 2, 3].map(|i| y[ATTITUDE + i]),
+            dissipated: y[8],
+            energy_change: y[9],
+            angle: y[10],
+        }
     }
 }
 
 impl<E: Equations> System<[f64; 12]> for Accounted<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 12], rate: &mut [f64; 12]) {
-        let Accounts { x, attitude, .. } = Accounts::unpack(*y);
+        let Accounts { x, attitude, .. } = Accounts::unpack(y);
         let omega = self.equations.omega::<A>(x);
         let moved = self.equations.rate::<A>(x, omega);
         let rates = Accounts {

@@ -5,9 +5,9 @@ use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
-use crate::math::ode::{Dop853, Solver, Watcher, Work, integrate};
+use crate::math::ode::{Dop853, Solver, StepObserver, Work, integrate};
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
 /// Spin (rad/s, body axes) at the times asked for, without attitude and accounts: the fast road for ensembles.
@@ -62,8 +62,8 @@ impl<E: Equations> Task for Path<'_, E> {
         let allowed = [error, error, error, f64::INFINITY];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };
-        let ending = integrate(&mut solver, times, options.most_steps, &mut collector);
-        SpinPath { omega: collector.omega, outcome: Outcome::of(ending, None), work: solver.work() }
+        let reason = integrate(&mut solver, times, options.most_steps, &mut collector);
+        SpinPath { omega: collector.omega, outcome: Outcome::of(reason, None), work: solver.work() }
     }
 }
 
@@ -72,7 +72,7 @@ struct Collector<'a, E> {
     omega: Vec<[f64; 3]>,
 }
 
-impl<E: Equations, M: Solver<State = [f64; 4]>> Watcher<M> for Collector<'_, E> {
+impl<E: Equations, M: Solver<State = [f64; 4]>> StepObserver<M> for Collector<'_, E> {
     fn output(&mut self, _: f64, y: &[f64; 4]) {
         self.omega.push(self.equations.omega::<Plain>(vector(*y)));
     }

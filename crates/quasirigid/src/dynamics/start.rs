@@ -1,8 +1,8 @@
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::form::Form;
 use crate::math::sphere::jacobian;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
 /// Newton steps allowed; the series is a small change of a linear map, so a handful do.
@@ -22,7 +22,7 @@ pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[
             break;
         }
         best = norm(gap);
-        let step = jacobian(&body.Omega, K).lu().solve(&Vector3::from(gap))?;
+        let step = Matrix3::from(jacobian(&body.Omega, K)).lu().solve(&Vector3::from(gap))?;
         K = std::array::from_fn(|i| K[i] + step[i]);
     }
     (best < 1e-12 * norm(omega) && K.iter().all(|K| K.is_finite())).then_some(K)

@@ -2,7 +2,8 @@ use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sphere::{Kind, deviator, jacobian, stationary, tangents};
-use crate::math::sym::{self, dot, scale};
+use crate::math::sym3;
+use crate::math::vec3::{dot, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Steady spin near a principal axis, and what becomes of a small nutation about it. (P5)
@@ -63,7 +64,7 @@ const TANGENTIAL: f64 = 1e-14;
 pub fn all_steady_spins(body: &ReducedBody, momentum: f64) -> SteadySpins {
     let axes = Principal::of(body.J).axes;
     let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
-    let slowness = sym::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
     let rounding = TANGENTIAL * slowness * momentum.abs();
     let found = stationary(&deviator(&body.Omega, momentum), &given, rounding);
     let isolated = found.points.iter().map(|point| {
@@ -86,7 +87,7 @@ pub(super) fn steady_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<
             return Some(K);
         }
         let mut system = Matrix4::zeros();
-        let slope = jacobian(Omega, K.into()) - rate * Matrix3::identity();
+        let slope = Matrix3::from(jacobian(Omega, K.into())) - rate * Matrix3::identity();
         system.fixed_view_mut::<3, 3>(0, 0).copy_from(&slope);
         system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-K);
         system.fixed_view_mut::<1, 3>(3, 0).copy_from(&K.transpose());
@@ -112,8 +113,8 @@ fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
     let [first, second] = tangents((K / G).into()).map(Vector3::from);
     let mut deviation = Omega.clone();
     deviation.set(Homogeneous::zero(1, 3));
-    let linear = jacobian(&Omega.truncated(1), K.into()) - rate * Matrix3::identity();
-    let bent = jacobian(&deviation, K.into());
+    let linear = Matrix3::from(jacobian(&Omega.truncated(1), K.into())) - rate * Matrix3::identity();
+    let bent = Matrix3::from(jacobian(&deviation, K.into()));
     let M = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(linear * b)) + a.dot(&(bent * b));
     let determinant = M(&first, &first) * M(&second, &second) - M(&first, &second) * M(&second, &first);
     // The linear map is symmetric: its part of the difference is left out, since only its rounding would remain.

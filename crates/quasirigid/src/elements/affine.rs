@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::moment;
 use crate::model::{Inertia, Pair};
 

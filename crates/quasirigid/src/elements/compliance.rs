@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, MatrixXx6};
 
-use crate::math::sym;
+use crate::math::sym3;
 use crate::model::FlexibleBody;
 
 /// Products of the spin in the order xx, yy, zz, yz, zx, xy.
@@ -12,7 +12,7 @@ const FAINT: f64 = 1e-3;
 
 /// Static compliance on the products of the spin: half its form is the elastic energy.
 pub(super) fn of(body: &FlexibleBody) -> Matrix6<f64> {
-    let J1: Vec<[[f64; 3]; 3]> = body.invariants().J1.iter().map(|J1| sym::rows(*J1)).collect();
+    let J1: Vec<[[f64; 3]; 3]> = body.invariants().J1.iter().map(|J1| sym3::rows(*J1)).collect();
     let loads = MatrixXx6::from_fn(J1.len(), |j, product| {
         let [a, b] = PRODUCTS[product];
         if a == b { 0.5 * J1[j][a][b] } else { J1[j][a][b] }

@@ -8,7 +8,7 @@ use super::material::Material;
 use super::single_element::{Whole, WholeBody};
 use super::{Assembly, Incomplete, Reduction, coefficient};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::moment;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology};
 use crate::structure::Block;

@@ -70,7 +70,7 @@ kinds! {
     ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid";
     /// Solids inside closed surfaces, each of them a whole body.
     surfaces: Surface(Surface) = "surface";
-    /// Parts of finite elements.
+    /// BodyParts of finite elements.
     parts: Part(Part) = "part";
     /// Joints between parts, and between them and the carrier.
     connections: Connection(Connection) = "connection";

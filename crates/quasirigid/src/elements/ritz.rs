@@ -7,7 +7,7 @@ use super::error::Problem;
 use super::material::Material;
 use crate::math::polynomial::monomial;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::moment;
 use crate::model::{Invariants, Pair, Rheology};
 use crate::structure::Block;
@@ -247,7 +247,7 @@ fn held(stiffness: &DMatrix<f64>, position: &Matrix3xX<f64>) -> DMatrix<f64> {
 
 /// Loads by the products xx, yy, zz, yz, zx, xy of the spin, Euler's angular acceleration with them. (G5)
 fn loads(J: Sym, position: &Matrix3xX<f64>) -> DMatrix<f64> {
-    let inertia = Matrix3::from(crate::math::sym::rows(J));
+    let inertia = Matrix3::from(crate::math::sym3::rows(J));
     let inverse = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
     let force = |omega: Vector3<f64>| {
         let rate = -inverse * omega.cross(&(inertia * omega));

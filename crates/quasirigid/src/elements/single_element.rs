@@ -1,7 +1,7 @@
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::system_matrices::Matrices;
 use super::{Condensation, Resolution};
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Wheels};
+use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Wheels};
 use crate::structure::Block;
 
 /// A free body that is one element, elastic throughout, in its Tisserand frame.
@@ -28,7 +28,7 @@ impl Whole {
         let Self { place, center, invariants, block, coordinates, markers } = self;
         let Matrices { stiffness, damping, lossy, dissipators } =
             Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), &[])?;
-        FlexibleBody::new(Parts {
+        FlexibleBody::new(BodyParts {
             support: Support::Free,
             pole: center,
             center_of_mass: center,

@@ -1,7 +1,8 @@
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
 use super::{CurvedPaths, FlexibleBody, Invariants, Motion};
-use crate::math::sym::{Sym, add, cross, dot, products, scale, times};
+use crate::math::sym3::{Sym, products, times};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// The full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
 #[derive(Clone, Debug)]
@@ -179,7 +180,7 @@ impl<'a> CurvedKinetics<'a> {
         let schur = h.transpose() * &turned;
         let at = |i: usize, j: usize| 0.5 * (schur[(i, j)] + schur[(j, i)]);
         let entries = [at(0, 0), at(1, 1), at(2, 2), at(1, 2), at(2, 0), at(0, 1)];
-        let inverse = crate::math::sym::inverse(std::array::from_fn(|i| J[i] - entries[i]));
+        let inverse = crate::math::sym3::inverse(std::array::from_fn(|i| J[i] - entries[i]));
         Placed { q: q.to_vec(), s, mass, h, turned, inverse }
     }
 

@@ -1,6 +1,8 @@
+//! What takes energy from the motion of the coordinates: dashpots, and materials with a loss of their own. (D1)
+
 use std::ops::Range;
 
-use super::Lossy;
+use super::Rheology;
 use crate::math::sparse::SparseRows;
 
 /// Dissipator: a component that takes energy from the motion of the coordinates, such as a spring with its dashpot, a hinge, a
@@ -32,5 +34,27 @@ impl Dissipator {
         let loss = loss.filter(|loss| loss.stiffness.iter().next().is_some());
         let dissipates = loss.is_some() || damping.iter().next().is_some();
         dissipates.then(|| Self { name: self.name.clone(), damping, loss })
+    }
+}
+
+/// Part of the stiffness whose loss no equation of motion holds: a material with a rheology of its own.
+///
+/// The equations of motion take it as elastic; the response to a periodic load, which is what averaging asks for, has
+/// its [`modulus`](Rheology::modulus) at every frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lossy {
+    /// How it answers periodic strain.
+    pub rheology: Rheology,
+    /// Its part of `C`.
+    pub stiffness: SparseRows<f64>,
+}
+
+impl Lossy {
+    pub(super) fn block(&self, kept: Range<usize>) -> Self {
+        Self { stiffness: self.stiffness.block(kept), ..self.clone() }
+    }
+
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self { stiffness: self.stiffness.scaled(factor), ..self.clone() }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::{FlexibleBody, Invariants, Pair};
 use crate::math::scalar::Scalar;
-use crate::math::sym::{Sym, add, cross, dot, scale, times};
+use crate::math::sym3::{Sym, times};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// A state of the full system: spin (rad/s, body axes), internal coordinates and their rates.
 ///

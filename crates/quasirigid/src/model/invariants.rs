@@ -1,7 +1,7 @@
 use std::ops::AddAssign;
 
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 
 /// Inertia invariants of a flexible body about its pole `O`: all that its dynamics needs of its mass. (I1)–(I6)
 ///

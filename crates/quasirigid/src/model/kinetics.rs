@@ -4,7 +4,8 @@ use super::curved::CurvedKinetics;
 use super::{FlexibleBody, Invariants, Motion};
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{self, Sym, add, cross, dot, products, scale, times};
+use crate::math::sym3::{self, Sym, products, times};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// Velocities from momenta: solves (S2) and (S4) for the spin and the rates of the coordinates, at any displacement.
 ///
@@ -97,7 +98,7 @@ impl<'a> Kinetics<'a> {
             schur.iter_mut().zip(products).for_each(|(entry, product)| *entry -= product);
             load = add(load, scale(-p, [*hx, *hy, *hz]));
         }
-        let omega = times(sym::inverse(schur), load);
+        let omega = times(sym3::inverse(schur), load);
         let mut drift = [0.0; 3];
         for ((rate, [x, y, z, p]), S) in rate.iter_mut().zip(&self.solved).zip(&self.body.invariants().S) {
             *rate = p - (x * omega[0] + y * omega[1] + z * omega[2]);

@@ -1,7 +1,9 @@
 //! What a body *is*.
 
 mod advection;
+mod coordinate;
 mod curved;
+mod derived;
 mod dissipator;
 mod equations;
 mod flexible;
@@ -10,6 +12,8 @@ mod inertia;
 mod invariants;
 mod kinetics;
 pub(crate) mod liquid;
+mod mass_matrix;
+mod mechanism;
 pub(crate) mod moment;
 mod part_mass;
 mod paths;
@@ -22,13 +26,15 @@ mod watched;
 mod wheels;
 
 pub use advection::Advection;
-pub use dissipator::Dissipator;
+pub use coordinate::{Coordinate, Marker};
+pub use dissipator::{Dissipator, Lossy};
 pub use equations::Motion;
-pub use flexible::{Coordinate, FlexibleBody, FlexibleError, Lossy, Marker, Parts};
+pub use flexible::{BodyParts, FlexibleBody};
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};
 pub use liquid::{LiquidFlow, LiquidMemory};
+pub use mechanism::FlexibleError;
 pub use part_mass::PartMass;
 pub use paths::CurvedPaths;
 pub use principal::{Mode, Polhode, Principal};

@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::Pair;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 
 /// `∫ u × v dm`.
 pub(crate) fn cross(W: &Matrix3<f64>) -> [f64; 3] {

@@ -1,7 +1,8 @@
 use nalgebra::Matrix3;
 
 use crate::math::elliptic;
-use crate::math::sym::{self, Sym, dot};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, dot};
 
 /// Principal moments and axes of an inertia tensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,7 +70,7 @@ impl Principal {
     /// Principal axes of a tensor.
     #[must_use]
     pub fn of(J: Sym) -> Self {
-        let eigen = Matrix3::from(sym::rows(J)).symmetric_eigen();
+        let eigen = Matrix3::from(sym3::rows(J)).symmetric_eigen();
         let mut order = [0, 1, 2];
         order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
         let axis = |i: usize| {
@@ -80,7 +81,7 @@ impl Principal {
         let (first, second) = (axis(0), axis(1));
         Self {
             moments: order.map(|i| eigen.eigenvalues[i]),
-            axes: [first, second, sym::cross(first, second)],
+            axes: [first, second, vec3::cross(first, second)],
         }
     }
 
@@ -109,7 +110,7 @@ impl Principal {
     #[must_use]
     pub fn vector(&self, components: [f64; 3]) -> [f64; 3] {
         let parts = self.axes.iter().zip(components);
-        parts.fold([0.0; 3], |sum, (axis, component)| sym::add(sum, sym::scale(component, *axis)))
+        parts.fold([0.0; 3], |sum, (axis, component)| vec3::add(sum, vec3::scale(component, *axis)))
     }
 
     /// Motion of the spin of the frozen body that starts with `omega` (rad/s); none if the spin does not move in the

@@ -1,6 +1,6 @@
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym::{self, Sym};
+use crate::math::sym3::{self, Sym};
 
 /// The reduced equations of a nearly rigid body to order `p`: the second waist of the program.
 ///
@@ -49,7 +49,7 @@ impl ReducedBody {
     /// If `degree` is above `p + 2`.
     #[must_use]
     pub fn mu(&self, degree: usize) -> Homogeneous {
-        self.f.part(degree).contracted(&sym::rows(self.J))
+        self.f.part(degree).contracted(&sym3::rows(self.J))
     }
 
     /// Entry of the tensor of one degree of `μ`, symmetric in the indices of the spin: with indices `k, l, m, n` the
@@ -87,7 +87,7 @@ impl ReducedBody {
         for degree in 3..=self.f.degree() {
             self.f.part(degree).add_value(omega, &mut f);
         }
-        sym::times(self.J, f)
+        sym3::times(self.J, f)
     }
 
     /// Angular momentum (N·m·s, body axes) on the slow manifold at a spin (rad/s).

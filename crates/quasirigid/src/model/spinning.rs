@@ -2,7 +2,8 @@
 
 use super::{FlexibleBody, Invariants, Motion};
 use crate::math::eigen::Dense;
-use crate::math::sym::{self, Sym, add, cross, dot, scale, times};
+use crate::math::sym3::{self, Sym, times};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// Coefficients of small motions about a steady angular velocity `ω` and displacements `q`. (M2)
 ///
@@ -107,7 +108,7 @@ impl BalancedSpin {
         let elastic = body.elastic();
         let Invariants { J, J1, .. } = body.invariants();
         let mut q = vec![0.0; n];
-        let mut slope = sym::rows(*J);
+        let mut slope = sym3::rows(*J);
         if elastic > 0 {
             let N = body.centrifugal_stiffness(omega);
             let mut left = Dense::of(&body.stiffness().block(0..elastic));
@@ -121,7 +122,7 @@ impl BalancedSpin {
             q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
             let SpinCoefficients { inertia, slopes, .. } = body.about_spin(omega, &q);
             let answers = factor.solve(slopes[..elastic].as_flattened(), 3)?;
-            slope = sym::rows(inertia);
+            slope = sym3::rows(inertia);
             for (j, answer) in answers.as_chunks::<3>().0.iter().enumerate() {
                 for (row, left) in slope.iter_mut().zip(slopes[j]) {
                     row.iter_mut().zip(answer).for_each(|(entry, right)| *entry += left * right);

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::math::sym;
+use crate::math::vec3;
 
 /// Places and hinges whose displacements say how far the second order of the paths holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,8 +64,8 @@ impl Hinge {
     /// Angle (rad) by which the appendage has turned, from the coordinates.
     #[must_use]
     pub fn angle(&self, q: &[f64]) -> f64 {
-        let turned = |sum: [f64; 3], (j, axis): &(usize, [f64; 3])| sym::add(sum, sym::scale(q[*j], *axis));
-        sym::norm(self.axes.iter().fold([0.0; 3], turned))
+        let turned = |sum: [f64; 3], (j, axis): &(usize, [f64; 3])| vec3::add(sum, vec3::scale(q[*j], *axis));
+        vec3::norm(self.axes.iter().fold([0.0; 3], turned))
     }
 }
 
@@ -94,8 +94,9 @@ impl Reach {
     /// Displacement over the distance from where the part is held. (K14)
     #[must_use]
     pub fn share(&self, q: &[f64]) -> f64 {
-        let moved = |sum: [f64; 3], (j, shape): &(usize, [f64; 3])| sym::add(sum, sym::scale(q[*j], *shape));
-        sym::norm(self.shapes.iter().fold([0.0; 3], moved)) / self.length
+        let moved =
+            |sum: [f64; 3], (j, shape): &(usize, [f64; 3])| vec3::add(sum, vec3::scale(q[*j], *shape));
+        vec3::norm(self.shapes.iter().fold([0.0; 3], moved)) / self.length
     }
 }
 

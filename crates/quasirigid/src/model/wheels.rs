@@ -1,7 +1,7 @@
 use crate::math::expression::Expression;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, scale};
 use crate::math::taylor::Taylor;
+use crate::math::vec3::{add, scale};
 
 /// The momentum wheels of a body: motors keep them at given speeds relative to it, whatever it does. (C4)
 ///

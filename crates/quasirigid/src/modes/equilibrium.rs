@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
-use crate::math::sym::{add, dot, norm, scale};
+use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Motion, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin with the internal coordinates displaced by it. (M1)

@@ -6,7 +6,8 @@ use super::iteration::{Pair, belongs};
 use super::pencil::Pencil;
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
 use super::spectrum::{Eigenmotion, spectrum};
-use crate::math::sym::{self, norm, scale};
+use crate::math::sym3;
+use crate::math::vec3::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 
 /// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)
@@ -174,7 +175,7 @@ impl Frame<'_> {
     /// Change of the angular momentum in body axes.
     fn momentum(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> Complex3 {
         let SpinCoefficients { inertia, h, slopes, .. } = self.coefficients;
-        let mut K = sym::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
+        let mut K = sym3::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
         for (j, (h, u)) in h.iter().zip(slopes).enumerate() {
             for axis in 0..3 {
                 K[axis] += rate[j] * h[axis] + q[j] * u[axis];
@@ -190,7 +191,7 @@ impl Frame<'_> {
         let axis = scale(spin.recip(), self.equilibrium.omega);
         let J = self.coefficients.inertia;
         let [I1, I2, I3] = Principal::of(J).moments;
-        let along = sym::dot(axis, sym::times(J, axis));
+        let along = vec3::dot(axis, sym3::times(J, axis));
         let [A, B] = if along - I1 < I3 - along { [I2, I3] } else { [I1, I2] };
         let rigid = spin * ((along - A) * (along - B) / (A * B)).abs().sqrt();
         let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();

@@ -4,7 +4,8 @@ use super::equilibrium::RelativeEquilibrium;
 use super::iteration::{Nonlinear, Pair, inverse_iteration};
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
-use crate::math::sym::{self, scale};
+use crate::math::sym3;
+use crate::math::vec3::scale;
 use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, SpinCoefficients};
 
@@ -118,7 +119,7 @@ impl Nonlinear for Pencil<'_> {
         let mut P = ComplexDense::zero(self.size);
         let pair = |value: Complex<f64>| [value.re, value.im];
         let turning = self.turning(lambda);
-        let J = Matrix3::from(sym::rows(self.coefficients.inertia)).map(Complex::from);
+        let J = Matrix3::from(sym3::rows(self.coefficients.inertia)).map(Complex::from);
         let body = turning * J - self.momentum.cross_matrix().map(Complex::from);
         for row in 0..3 {
             (0..3).for_each(|column| P.add(row, column, pair(body[(row, column)])));

@@ -5,7 +5,8 @@ use super::error::ModesError;
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
 use crate::math::krylov::Pencil;
 use crate::math::span::Span;
-use crate::math::sym;
+use crate::math::sym3;
+use crate::math::vec3;
 use crate::model::{FlexibleBody, SpinCoefficients};
 
 /// A small motion `e^{λt}`: angular velocity, rates and displacements of all coordinates.
@@ -159,7 +160,7 @@ impl Few {
 /// Mass of the angular velocity and the rates, `[[J, h], [hᵀ, A]]`.
 pub(super) fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
-    let (J, A) = (sym::rows(*inertia), body.mass_matrix());
+    let (J, A) = (sym3::rows(*inertia), body.mass_matrix());
     DMatrix::from_fn(3 + h.len(), 3 + h.len(), |row, column| {
         match (row.checked_sub(3), column.checked_sub(3)) {
             (None, None) => J[row][column],
@@ -180,14 +181,14 @@ pub(super) fn forces(
 ) -> (DMatrix<f64>, DMatrix<f64>) {
     let SpinCoefficients { inertia, h, slopes, gyroscopic, centrifugal } = coefficients;
     let (n, elastic) = (h.len(), body.elastic());
-    let turned = |vector: [f64; 3]| sym::cross(omega, vector);
+    let turned = |vector: [f64; 3]| vec3::cross(omega, vector);
     let mut velocity = DMatrix::zeros(3 + n, 3 + n);
     let mut stiffness = DMatrix::zeros(3 + n, elastic);
     for axis in 0..3 {
         let mut unit = [0.0; 3];
         unit[axis] = 1.0;
-        let own = turned(sym::times(*inertia, unit));
-        let held = sym::cross(momentum, unit);
+        let own = turned(sym3::times(*inertia, unit));
+        let held = vec3::cross(momentum, unit);
         (0..3).for_each(|row| velocity[(row, axis)] = own[row] - held[row]);
     }
     for j in 0..n {

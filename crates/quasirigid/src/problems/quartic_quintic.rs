@@ -1,6 +1,6 @@
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::ReducedBody;
 
 /// A dense quartic and quintic spin equation, to compare integrators: `data/published/quartic_quintic`.

@@ -1,6 +1,7 @@
 use crate::math::polynomial::Series;
 use crate::math::sphere::directions;
-use crate::math::sym::{Sym, add, dot, norm, scale};
+use crate::math::sym3::Sym;
+use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Size of one degree of the reduced equations at the actual spin. (R14)

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::manifold::Manifold;
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym;
+use crate::math::vec3;
 use crate::model::FlexibleBody;
 
 /// Energy on the slow manifold, degrees 2 to `p + 2`. (R10)
@@ -129,7 +129,7 @@ pub(super) fn first_moment(body: &FlexibleBody, q: &Series) -> Series {
     let mut moment = Series::zero(q.degree(), 3);
     for degree in 2..=q.degree() {
         let mut part = q.part(degree).contracted(&invariants.S);
-        for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| sym::norm(pair.S2) > 0.0) {
+        for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| vec3::norm(pair.S2) > 0.0) {
             let product = q.row_product(j, q, k, degree);
             for (axis, curvature) in pair.S2.iter().enumerate() {
                 part.add_row(axis, 0.5 * curvature, (&product, 0));

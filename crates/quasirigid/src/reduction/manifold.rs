@@ -1,5 +1,5 @@
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym::{self, Sym};
+use crate::math::sym3::{self, Sym};
 use crate::math::watch;
 use crate::model::{Advection, FlexibleBody};
 
@@ -39,7 +39,7 @@ impl Manifold {
         let mut recursion = Recursion {
             body,
             order,
-            inverse_inertia: sym::inverse(body.invariants().J),
+            inverse_inertia: sym3::inverse(body.invariants().J),
             manifold: Self {
                 q: Series::zero(order, n),
                 rate: Series::zero(order + 1, n),
@@ -200,13 +200,13 @@ impl Recursion<'_> {
         let invariants = self.body.invariants();
         let mut K = rate.part(degree).contracted(&invariants.h);
         for (j, J1) in invariants.J1.iter().enumerate() {
-            let turned = Homogeneous::linear(&sym::rows(*J1));
+            let turned = Homogeneous::linear(&sym3::rows(*J1));
             for axis in 0..3 {
                 K.add_product(axis, 1.0, (&turned, axis), (q.part(degree - 1), j));
             }
         }
         for (j, k, pair) in invariants.pairs.iter() {
-            let turned = Homogeneous::linear(&sym::rows(pair.J2));
+            let turned = Homogeneous::linear(&sym3::rows(pair.J2));
             let displaced = q.row_product(j, q, k, degree - 1);
             let moving = q.row_product(j, rate, k, degree);
             for (axis, Z) in pair.Z.iter().enumerate() {
@@ -223,7 +223,7 @@ impl Recursion<'_> {
 
 /// `factor · matrix · map`.
 pub(super) fn mapped(matrix: Sym, factor: f64, map: &Homogeneous) -> Homogeneous {
-    let mut image = map.contracted(&sym::rows(matrix));
+    let mut image = map.contracted(&sym3::rows(matrix));
     image.scale(factor);
     image
 }

@@ -1,18 +1,18 @@
 use super::manifold::mapped;
 use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sym::{self, Sym};
+use crate::math::sym3::{self, Sym};
 
 /// Spin as a polynomial in the momentum, `Ω(K)`, by reversion of `K(ω)` to the same degree. (R11)
 ///
 /// `Ω = J⁻¹[K − k − Σ_{d≥2} K_d(Ω)]`, with the momentum `k` of wheels, fixes one more degree of `Ω` each time it is applied,
 /// starting from `Ω₁ = J⁻¹(K − k)`.
 pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
-    let inverse = sym::inverse(J);
+    let inverse = sym3::inverse(J);
     let mut Omega = Series::zero(momentum.degree(), 3);
-    let mut first = Homogeneous::linear(&sym::rows(inverse));
+    let mut first = Homogeneous::linear(&sym3::rows(inverse));
     let mut wheels = momentum.part(1).clone();
-    wheels.add_scaled(-1.0, &Homogeneous::linear(&sym::rows(J)));
+    wheels.add_scaled(-1.0, &Homogeneous::linear(&sym3::rows(J)));
     first.add_scaled(1.0, &mapped(inverse, -1.0, &wheels));
     Omega.set(first);
     let Some(lowest) = (2..=momentum.degree()).find(|d| momentum.part(*d).amax() > 0.0) else {

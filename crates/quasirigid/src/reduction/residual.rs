@@ -1,6 +1,7 @@
 use crate::math::polynomial::Series;
 use crate::math::scalar::Jet;
-use crate::math::sym::{self, Sym, add, cross, norm};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{add, cross, norm};
 use crate::model::{FlexibleBody, Invariants, Motion, ReducedBody};
 
 /// How far the reduced equations are from solving the full ones at one spin. (R12)
@@ -53,7 +54,7 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
 /// The size that the load on each coordinate has where the axis of a spin (rad/s) is in no special place.
 fn possible(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     let Invariants { J, J1, h, .. } = body.invariants();
-    let (spin, wheels) = (norm(omega), norm(sym::times(sym::inverse(*J), body.wheels().momentum(0.0))));
+    let (spin, wheels) = (norm(omega), norm(sym3::times(sym3::inverse(*J), body.wheels().momentum(0.0))));
     let stretch = |J1: &Sym| J1.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
     let load = |(J1, h): (&Sym, &[f64; 3])| spin * (spin * stretch(J1) + (spin + wheels) * norm(*h));
     J1.iter().zip(h).map(load).collect()

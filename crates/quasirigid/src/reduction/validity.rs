@@ -11,7 +11,7 @@ use super::residual::residual;
 use super::resonance::{Resonance, resonances};
 use super::vibration::Vibrations;
 use crate::math::eigen::NoConvergence;
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
 /// How far the reduced equations hold at a spin. (V1)–(V11)

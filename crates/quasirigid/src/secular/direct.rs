@@ -3,7 +3,7 @@ use std::ops::ControlFlow;
 use crate::dynamics::{
     Event, Forced, FullState, Observer, Options, Outcome, PropagateError, Sample, propagate_full,
 };
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::FlexibleBody;
 
 /// History of the full system, followed until its energy reaches a value: the envelope of the wobble is that of the rigid body

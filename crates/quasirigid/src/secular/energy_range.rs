@@ -1,7 +1,8 @@
 use crate::averaging::{FreeRotation, Stage};
 use crate::dynamics::FullState;
 use crate::math::bisection::bisected;
-use crate::math::sym::{self, add, cross, dot, norm, scale, times};
+use crate::math::sym3::{self, times};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Principal};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
@@ -85,7 +86,7 @@ impl EnergyRange {
         let along = |spin: &&RelativeEquilibrium| dot(spin.momentum, K).abs();
         let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
         let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
-        let inverse = sym::inverse(body.inertia_at(&spin.q));
+        let inverse = sym3::inverse(body.inertia_at(&spin.q));
         let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
         self.stage(spin.energy + turning(K) - turning(spin.momentum))
     }
@@ -98,7 +99,7 @@ impl EnergyRange {
         let spin = self.equilibrium(stage.mode)?;
         let wanted = FreeRotation::at_logit(self.moments, self.momentum, stage.mode, stage.xi).energy();
         let J = body.inertia_at(&spin.q);
-        let inverse = sym::inverse(J);
+        let inverse = sym3::inverse(J);
         let along = scale(norm(spin.momentum).recip(), spin.momentum);
         let across = self.across(stage.mode, along);
         let K = |angle: f64| {

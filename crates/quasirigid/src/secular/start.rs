@@ -1,4 +1,5 @@
-use crate::math::sym::{self, add, dot, norm, scale, times};
+use crate::math::sym3::{self, times};
+use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{FlexibleBody, Motion, Principal, ReducedBody};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
@@ -36,10 +37,10 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
 /// # Errors
 /// [`EquilibriumError`] if there is no such steady spin.
 pub fn spun_state(body: &FlexibleBody, momentum: [f64; 3]) -> Result<([f64; 3], Vec<f64>), EquilibriumError> {
-    let mut omega = times(sym::inverse(body.invariants().J), momentum);
+    let mut omega = times(sym3::inverse(body.invariants().J), momentum);
     let mut q = spun_displacements(body, omega)?;
     for _ in 0..STEPS {
-        let next = times(sym::inverse(body.inertia_at(&q)), momentum);
+        let next = times(sym3::inverse(body.inertia_at(&q)), momentum);
         let change = norm(add(next, scale(-1.0, omega)));
         omega = next;
         q = spun_displacements(body, omega)?;

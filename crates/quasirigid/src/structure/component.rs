@@ -14,7 +14,7 @@ use super::solver::{Solver, Unsolved};
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::moment;
 use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
 use crate::structure::Block;

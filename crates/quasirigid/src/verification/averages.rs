@@ -6,7 +6,7 @@ use super::runs::Start;
 use super::verify::{VerificationError, falls, halved};
 use crate::averaging::PolynomialPower;
 use crate::dynamics::Forced;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, Support};
 use crate::modes::{EquilibriumError, ModesError};
 use crate::reduction::reduce;

@@ -1,6 +1,6 @@
 use crate::dynamics::Sample;
 use crate::math::rotation::angle_between;
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 
 /// How far a reduced history is from the full one: the largest difference at any of its times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::compare::Difference;
 use super::runs::{Start, full, reduced};
 use crate::dynamics::{Forced, Form, MAX_FORCED_ORDER, Options, Outcome, PropagateError, takes};
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::FlexibleError;
 use crate::reduction::{MAX_ORDER, ReductionError};
 

@@ -3,9 +3,10 @@
 use quasirigid::averaging::{FreeRotation, HillResponse};
 use quasirigid::dynamics::FullState;
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Spring};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal, Rheology};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::sym3;
+use quasirigid_math::vec3;
 
 /// A motion with a mean spin of about `spin` (rad/s).
 pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {
@@ -53,9 +54,9 @@ pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: 
 pub fn full_start(body: &FlexibleBody, hill: &HillResponse, motion: &FreeRotation) -> FullState {
     let (q, rate) = hill.state(motion, 0.0).unwrap();
     let J = body.invariants().J;
-    let K = sym::times(J, hill.principal().vector(motion.omega(0.0)));
+    let K = sym3::times(J, hill.principal().vector(motion.omega(0.0)));
     let inside = body.momentum(Motion { omega: [0.0; 3], q: &q, rate: &rate });
-    let left = sym::add(K, sym::scale(-1.0, inside));
-    let omega = sym::times(sym::inverse(body.inertia_at(&q)), left);
+    let left = vec3::add(K, vec3::scale(-1.0, inside));
+    let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), left);
     FullState { q, rate, ..FullState::at_rest(body, omega, ALIGNED) }
 }

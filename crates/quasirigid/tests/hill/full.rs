@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 use quasirigid::averaging::{HillResponse, MeanPower, Response};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Mode, Motion, Principal};
+use quasirigid_math::sym3;
+use quasirigid_math::vec3;
 
 use super::bodies::{full_start, lines, motion, skew};
 
@@ -91,7 +92,7 @@ fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
     let both = matrix.lu().solve(&right).unwrap();
     let omega = [both[0], both[1], both[2]];
     let rate = both.rows(3, n).as_slice().to_vec();
-    let turned = sym::cross([K[0], K[1], K[2]], omega);
+    let turned = vec3::cross([K[0], K[1], K[2]], omega);
     let load = body.load(Motion { omega, q: &q, rate: &rate });
     let (springs, dashpots) = (body.stiffness().times(&q), body.damping().times(&rate));
     let force = (0..n).map(|j| load[j] - springs[j] - dashpots[j]);
@@ -188,7 +189,7 @@ fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64
         let rate = rates.rows(3, n).as_slice().to_vec();
         let inside = body.momentum(Motion { omega: [0.0; 3], q: &q, rate: &rate });
         let K = [y[0] - inside[0], y[1] - inside[1], y[2] - inside[2]];
-        let omega = sym::times(sym::inverse(body.inertia_at(&q)), K);
+        let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), K);
         let from = FullState { omega, q, rate, ..start.clone() };
         let mut end = End::default();
         let options = Options { tolerance: 1e-14, ..Options::default() };

@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, HillError, HillResponse, MeanPower, Response};
 use quasirigid::elements::{Assembly, Cavity, CavityShape, Regime, Wheel, WheelSpeed};
-use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{Mode, Principal, Rheology};
 use quasirigid::problems::ring_of_points;
+use quasirigid_math::rotation::ALIGNED;
 
 use super::bodies::{motion, skew};
 use crate::support::rotors::{ball, flywheel};

@@ -3,12 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use quasirigid::elements::{Assembly, Cavity, CavityShape};
-use quasirigid::math::meshing;
-use quasirigid::math::quadrature::gauss_legendre;
-use quasirigid::math::rotation::Turn;
-use quasirigid::math::sym::{add, dot, norm, scale};
 use quasirigid::model::{FlexibleBody, Kinetics, Motion};
 use quasirigid::reduction::{reduce, residual};
+use quasirigid_math::quadrature::gauss_legendre;
+use quasirigid_math::rotation::Turn;
+use quasirigid_math::vec3::{add, dot, norm, scale};
+use quasirigid_mesh::meshing;
 
 use super::bodies::{bare, cavity};
 
@@ -28,7 +28,7 @@ fn body(cavity: Cavity) -> FlexibleBody {
 fn carried(body: &FlexibleBody, omega: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let whole = reduce(body, 3).unwrap();
     let without = reduce(&body.clone().advected(Vec::new()), 3).unwrap();
-    let part = |K: &quasirigid::math::polynomial::Series| {
+    let part = |K: &quasirigid_math::polynomial::Series| {
         let mut value = [0.0; 3];
         K.part(4).add_value(omega, &mut value);
         value

@@ -6,9 +6,9 @@ use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, Sta
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Spring,
 };
-use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
 
 use crate::support::rotors::{ball, flywheel};
 

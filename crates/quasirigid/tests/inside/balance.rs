@@ -1,8 +1,8 @@
 //! Momentum and energy of a free body in which everything turns.
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::math::rotation::{to_inertial, turned};
-use quasirigid::math::sym::{add, norm, scale};
+use quasirigid_math::rotation::{to_inertial, turned};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::everything;
 

@@ -46,12 +46,12 @@ pub fn wheel(axis: [f64; 3], speed: WheelSpeed) -> Wheel {
 }
 
 pub fn start(omega: [f64; 3]) -> Start {
-    let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]);
+    let attitude = quasirigid_math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]);
     Start { omega, attitude, place: [0.0; 3], velocity: [0.0; 3] }
 }
 
 pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
-    let attitude = quasirigid::math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.4, -0.7, 0.2]);
+    let attitude = quasirigid_math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.4, -0.7, 0.2]);
     let shape = CavityShape::Ellipsoid { semi_axes };
     let center = [0.1, -0.3, 0.2];
     Cavity {
@@ -69,7 +69,7 @@ pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {
 
 /// A ball of liquid in line with the axes.
 pub fn tank(center: [f64; 3], radius: f64, density: f64, viscosity: f64) -> Cavity {
-    let attitude = quasirigid::math::rotation::ALIGNED;
+    let attitude = quasirigid_math::rotation::ALIGNED;
     Cavity { center, attitude, ..cavity([radius; 3], density, viscosity) }
 }
 

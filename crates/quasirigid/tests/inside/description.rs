@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
     Assembly, CavityShape, Coefficient, Law, Rotor, RotorKind, SlowLiquid, Wheel, WheelSpeed,
 };
-use quasirigid::math::polynomial::Series;
-use quasirigid::math::{rotation, sym};
 use quasirigid::model::ReducedBody;
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::{rotation, sym3};
 
 /// Turned axes of the file, and the sizes of the old units in the new ones.
 #[derive(Clone, Copy, Debug)]
@@ -102,8 +102,8 @@ impl Description {
     /// largest value of that degree.
     pub fn gaps(&self, found: &ReducedBody, before: &ReducedBody) -> Vec<(&'static str, f64)> {
         let (spin, momentum) = ((SPIN, [0, 0, -1]), (MOMENTUM, [2, 1, -1]));
-        let tensor = self.tensor(sym::rows(before.J), [2, 1, 0]);
-        let mut gaps = vec![("J", matrix_gap(sym::rows(found.J), tensor))];
+        let tensor = self.tensor(sym3::rows(before.J), [2, 1, 0]);
+        let mut gaps = vec![("J", matrix_gap(sym3::rows(found.J), tensor))];
         // At a given momentum whole degrees of the energy cancel: its sizes are those at a given spin.
         let energies = sizes(&before.energy, SPIN);
         for (name, found, before, argument, value) in [

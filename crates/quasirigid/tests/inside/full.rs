@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Method, Options, Outcome, Sample, propagate_full};
 use quasirigid::elements::{Assembly, WheelSpeed};
-use quasirigid::math::expression::Expression;
-use quasirigid::math::sym::{add, norm, scale};
+use quasirigid_math::expression::Expression;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, wheel};
 use super::oracle::Gyrostat;

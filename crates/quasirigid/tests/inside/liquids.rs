@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::elements::{Assembly, Cavity, CavityShape};
-use quasirigid::math::meshing;
 use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::reduction::reduce;
+use quasirigid_mesh::meshing;
 
 use super::bodies::{bare, cavity};
 
@@ -63,7 +63,7 @@ fn the_torque_begins_with_a_cubic() {
     let tank = cavity(semi_axes, DENSITY, VISCOSITY);
     let turn = {
         let attitude = tank.attitude;
-        let column = |axis| Vector3::from(quasirigid::math::rotation::to_inertial(attitude, axis));
+        let column = |axis| Vector3::from(quasirigid_math::rotation::to_inertial(attitude, axis));
         Matrix3::from_columns(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
     };
     let P = |a: f64, b: f64, c: f64| {

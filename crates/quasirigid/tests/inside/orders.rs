@@ -2,10 +2,10 @@
 
 use quasirigid::dynamics::{Form, Options, spin_path, steady_spins};
 use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
-use quasirigid::math::expression::Expression;
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::reduction::reduce;
+use quasirigid_math::expression::Expression;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, everything, orders, sprung, wheel};
 use crate::support::rotors::{ball, flywheel};

@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, CavityShape, Coefficient, End, Law, RotorKind, Spring, WheelSpeed,
 };
-use quasirigid::math::rotation::to_inertial;
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::to_inertial;
 
 use super::bodies::{everything, wheel};
 use super::description::SAME;

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use quasirigid::elements::{Assembly, Cavity, CavityShape, SlowLiquid};
-use quasirigid::math::meshing;
+use quasirigid_mesh::meshing;
 
 use super::bodies::{bare, tank};
 

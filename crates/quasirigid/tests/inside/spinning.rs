@@ -2,9 +2,9 @@
 
 use nalgebra::{Complex, Matrix3, Vector3};
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape};
-use quasirigid::math::rotation::turned;
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
 

@@ -5,9 +5,9 @@ use quasirigid::dynamics::{
     propagate_full, slow_state_point,
 };
 use quasirigid::elements::Assembly;
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::reduce;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, sprung};
 use crate::support::rotors::{ball, flywheel};

@@ -9,12 +9,12 @@ use quasirigid::dynamics::{
     propagate, propagate_forced, propagate_full, spin_path,
 };
 use quasirigid::elements::{Assembly, Carrier, Cavity, WheelSpeed};
-use quasirigid::math::expression::Expression;
-use quasirigid::math::rotation::{ALIGNED, angle_between, turned};
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::reduction::{Validity, Verdict, reduce, residual};
 use quasirigid::verification::{Plan, verify};
+use quasirigid_math::expression::Expression;
+use quasirigid_math::rotation::{ALIGNED, angle_between, turned};
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, start, wheel};
 use super::oracle::Gyrostat;

@@ -3,9 +3,9 @@
 use nalgebra::{Complex, Matrix2};
 use quasirigid::averaging::{Evolution, Response};
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape, Regime};
-use quasirigid::math::rotation::turned;
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
 use crate::support::rotors::ball;

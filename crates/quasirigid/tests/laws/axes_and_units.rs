@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Assembly;
-use quasirigid::math::polynomial::Series;
-use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::{Validity, Vibrations, reduce};
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::sym3;
 
 use super::compare::{angles, difference, displacements, list_gap, scaled_gap, value};
 use super::wobbler;
@@ -55,8 +55,8 @@ proptest! {
     fn rotating_the_axes_of_the_file_rotates_every_result(assembly in bodies(), R in rotation()) {
         let (before, after) = (assembly.body().unwrap(), rotated(&assembly, &R).body().unwrap());
         let (old, new) = (reduce(&before, 4).unwrap(), reduce(&after, 4).unwrap());
-        let J = R * Matrix3::from(sym::rows(old.J)) * R.transpose();
-        let J_gap = (Matrix3::from(sym::rows(new.J)) - J).amax() / J.amax();
+        let J = R * Matrix3::from(sym3::rows(old.J)) * R.transpose();
+        let J_gap = (Matrix3::from(sym3::rows(new.J)) - J).amax() / J.amax();
         prop_assert!(J_gap < 1e-13, "J: {J_gap:e}");
         for (name, found, earlier) in
             [("f", &new.f, &old.f), ("K", &new.K, &old.K), ("Ω", &new.Omega, &old.Omega), ("φ", &new.phi, &old.phi)]

@@ -6,11 +6,11 @@ use quasirigid::dynamics::{
     Forced, Method, Observer, Options, Run, Sample, SpinState, propagate, propagate_full,
 };
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Spring};
-use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::rotation::ALIGNED;
 
 use super::evolution::tumbler;
 use crate::support::transform::{hinge_times, rotated, strengthened};

@@ -1,8 +1,8 @@
 //! Comparison of series degree by degree, each relative to the largest value of its degree on the unit sphere.
 
 use nalgebra::{Matrix3, Vector3};
-use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::{FlexibleBody, ReducedBody};
+use quasirigid_math::polynomial::{Homogeneous, Series};
 
 /// Directions at which polynomials are compared: more than the 55 monomials of degree nine need.
 const DIRECTIONS: u32 = 61;

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use quasirigid::math::polynomial::Series;
-use quasirigid::math::sphere;
 use quasirigid::model::{ReducedBody, Support};
 use quasirigid::reduction::{Comparison, MAX_ORDER, Validity, degree_sizes, reduce};
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::sphere;
 
 use super::compare::{difference, directions, scaled_gap, size, value};
 use crate::support::transform::stiffened;

@@ -7,11 +7,11 @@ use quasirigid::averaging::{
     PolynomialPower, SlowTorque, Stage,
 };
 use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::norm;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::norm;
 
 use super::evolution::tumbler;
 

@@ -6,8 +6,8 @@ use quasirigid::averaging::{
     Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, FreeRotation, MeanPower,
     SlowTorque, Stage,
 };
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
+use quasirigid_math::vec3::norm;
 
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 

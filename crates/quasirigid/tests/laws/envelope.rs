@@ -3,11 +3,11 @@
 use quasirigid::averaging::FreeRotation;
 use quasirigid::dynamics::{Nutations, Observer, Options, Sample, SpinState, propagate, steady_spins};
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
-use quasirigid::math::rotation::angle;
-use quasirigid::math::sym::{dot, norm};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::angle;
+use quasirigid_math::vec3::{dot, norm};
 
 fn rigid(inertia: [[f64; 3]; 3], wheels: Vec<Wheel>) -> ReducedBody {
     let carrier = Carrier { mass: 3.0, center_of_mass: [0.4, -0.2, 0.1], inertia };

@@ -3,12 +3,12 @@
 use quasirigid::averaging::{Evolution, FreeRotation, PolynomialPower, Stage};
 use quasirigid::dynamics::{Forced, Options, Sample, SpinState, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::norm;
 
 use crate::support::{Sprung, sprung_body};
 

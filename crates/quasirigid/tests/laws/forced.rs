@@ -5,9 +5,9 @@ use proptest::array::{uniform2, uniform3, uniform4, uniform7};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::math::expression::Expression;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Situation, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Motion};
+use quasirigid_math::expression::Expression;
 
 use crate::support::transform::Units;
 use crate::support::{direction, vector};

@@ -4,10 +4,10 @@ use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::math::scalar::Smooth;
-use quasirigid::math::taylor::Taylor;
 use quasirigid::model::force::{Axes, Force, Law, Loads, MagneticField, Situation};
 use quasirigid::model::{FlexibleBody, Marker, Motion};
+use quasirigid_math::scalar::Smooth;
+use quasirigid_math::taylor::Taylor;
 
 use super::forced::{BASE, State, forced, formula, numbers, orbit, states};
 use crate::support::transform::{Units, rescaled};

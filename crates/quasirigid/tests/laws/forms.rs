@@ -1,8 +1,8 @@
 //! Two forms of the same equations, and two orders of the same series, differ as their order says.
 
 use quasirigid::dynamics::{Form, Options, spin_path};
-use quasirigid::math::sym::norm;
 use quasirigid::reduction::reduce;
+use quasirigid_math::vec3::norm;
 
 use super::wobbler::{assembly, times_to};
 use crate::support::transform::stiffened;

@@ -6,11 +6,11 @@ use quasirigid::dynamics::{
     steady_spins,
 };
 use quasirigid::elements::{Carrier, Coefficient, End, Law, Spring};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
 

@@ -2,9 +2,9 @@
 
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
-use quasirigid::math::expression::Expression;
 use quasirigid::model::force::{Force, Law, Loads, Orbit};
 use quasirigid::model::{FlexibleBody, Marker, Support};
+use quasirigid_math::expression::Expression;
 
 use super::forced::{Loose, State, orbit, states};
 use super::invariants::Cloud;

@@ -6,10 +6,10 @@ use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage};
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::dot;
 use quasirigid::model::{Measured, Mode, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::dot;
 
 use super::evolution::tumbler;
 use crate::support::transform::{rotated, stiffened};
@@ -196,7 +196,7 @@ fn crossings_are_where_harmonics_meet_elastic_frequencies() {
     let body = with_damper(2e-5 * 0.09, 2e-5 * 0.006, 2e-5).body().unwrap();
     let response = Response::of(&body).unwrap();
     let evolution = Evolution::new(&response, 16.0);
-    let crossings = response.crossings(&evolution);
+    let crossings = response.resonances(&evolution);
     assert!(crossings.len() >= 4, "{crossings:?}");
     for crossing in &crossings {
         let polhode = TAU / evolution.motion(crossing.stage).polhode_period();

@@ -6,8 +6,8 @@
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Motion;
-use quasirigid::math::sym::{self, Sym};
 use quasirigid::model::{FlexibleBody, Support};
+use quasirigid_math::sym3::{self, Sym};
 
 use crate::support::{Mass, Massive, cases, inertia, massive, moments};
 
@@ -111,7 +111,7 @@ where
 }
 
 fn matrix(J: Sym) -> Matrix3<f64> {
-    Matrix3::from(sym::rows(J))
+    Matrix3::from(sym3::rows(J))
 }
 
 /// Scales against which invariants are judged: mass, and mass times size squared, of the whole.

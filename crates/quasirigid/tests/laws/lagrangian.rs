@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::math::scalar::Jet;
 use quasirigid::model::{FlexibleBody, Motion};
+use quasirigid_math::scalar::Jet;
 
 use super::invariants::Cloud;
 use crate::support::transform::rescaled;

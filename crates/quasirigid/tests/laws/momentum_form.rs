@@ -1,9 +1,9 @@
 //! Spin and momentum, energy and power: the series fit each other degree by degree. (R9)–(R11)
 
 use proptest::prelude::*;
-use quasirigid::math::polynomial::{Homogeneous, Series};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
+use quasirigid_math::polynomial::{Homogeneous, Series};
 
 use super::compare::{directions, size};
 use super::ray::{Ray, along};

@@ -2,10 +2,11 @@
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{SteadySpin, steady_spins};
-use quasirigid::math::sym::{cross, dot, norm, times};
-use quasirigid::math::taylor::Taylor;
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::reduce;
+use quasirigid_math::sym3::times;
+use quasirigid_math::taylor::Taylor;
+use quasirigid_math::vec3::{cross, dot, norm};
 
 use crate::support::transform::rescaled;
 use crate::support::{assemblies, cases, direction, units};

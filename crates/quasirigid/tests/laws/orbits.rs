@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use quasirigid::math::scalar::Smooth;
-use quasirigid::math::taylor::Taylor;
 use quasirigid::model::force::{Orbit, Passage};
+use quasirigid_math::scalar::Smooth;
+use quasirigid_math::taylor::Taylor;
 
 use super::forced::orbit;
 use crate::support::cases;

@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::Assembly;
-use quasirigid::math::scalar::Jet;
-use quasirigid::math::sym::{add, norm};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{Vibrations, reduce, residual};
+use quasirigid_math::scalar::Jet;
+use quasirigid_math::vec3::{add, norm};
 
 use super::compare::directions;
 use crate::support::transform::stiffened;

@@ -6,12 +6,12 @@ use quasirigid::elements::{
     Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, Law as SpringLaw, Motion,
     PlaceRef, Point, Prestress, Problem, Spring, Station,
 };
-use quasirigid::math::expression::Expression;
-use quasirigid::math::rotation::Turn;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Situation, Wave};
 use quasirigid::model::{Motion as Moving, Rheology};
 use quasirigid::reduction::frequencies;
 use quasirigid::verification::{Plan, Start, verify};
+use quasirigid_math::expression::Expression;
+use quasirigid_math::rotation::Turn;
 
 use super::wobbler::{assembly, attitude};
 

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 use quasirigid::averaging::{EulerAngles, FreeRotation, ObservedError, ObservedPeriods};
-use quasirigid::math::sym::{add, cross, norm, scale};
 use quasirigid::model::Mode;
+use quasirigid_math::vec3::{add, cross, norm, scale};
 
 fn moments() -> impl Strategy<Value = [f64; 3]> {
     (0.05..1.0_f64, 0.0..1.0_f64, 0.5..2.0_f64).prop_map(|(gap, share, scale)| {

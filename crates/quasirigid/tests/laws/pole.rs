@@ -8,10 +8,10 @@ use quasirigid::dynamics::{
     propagate_full,
 };
 use quasirigid::elements::{Assembly, Carrier, End, Station};
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::force::{Force, Law};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::wobbler::{assembly, attitude, inertial, times_to};
 use crate::support::{Sprung, sprung_body};

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{Form, Options, Outcome, Sample, SpinState, propagate, spin_path};
-use quasirigid::math::sym::{norm, times};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::{Vibrations, reduce};
+use quasirigid_math::sym3::times;
+use quasirigid_math::vec3::norm;
 
 use super::wobbler::{attitude, inertial, reduced, times_to};
 use crate::support::{bodies, cases, direction};
@@ -178,7 +179,7 @@ proptest! {
         prop_assert!(gap(1) < 1e-8, "after a period {:e}, nome {}", gap(1), polhode.nome);
         // Unless the spin stays next to an axis it is elsewhere after half a period.
         let K = times(body.J, omega);
-        let moved = norm(quasirigid::math::sym::cross(omega, K)) / (norm(omega) * norm(K));
+        let moved = norm(quasirigid_math::vec3::cross(omega, K)) / (norm(omega) * norm(K));
         prop_assert!(gap(0) > 0.1 * moved, "after half a period {:e}", gap(0));
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use quasirigid::math::scalar::Scalar;
+use quasirigid_math::scalar::Scalar;
 
 /// Degrees kept.
 const DEGREES: usize = 12;

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 use quasirigid::elements::{Assembly, ElementError, ElementId, ElementKind, End, Field, Problem, Station};
-use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid_math::expression::Expression;
 
 use super::wobbler;
 

@@ -5,9 +5,9 @@ use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::elements::{
     Approximation, Assembly, ElementKind, Ellipsoid, Field, Material, Problem, Surface,
 };
-use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_mesh::surface::ClosedSurface;
 
 fn rock() -> Material {
     Material { density: 3.0, young: 7e3, poisson: 0.2, rheology: Rheology::KelvinVoigt { time: 0.01 } }

@@ -3,10 +3,11 @@
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
 use quasirigid::elements::{Rotor, RotorKind, Wheel, WheelSpeed};
-use quasirigid::math::eigen::{Dense, modes};
-use quasirigid::math::sym::{norm, rows, times};
 use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid_math::eigen::{Dense, modes};
+use quasirigid_math::sym3::{rows, times};
+use quasirigid_math::vec3::norm;
 
 use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, units, vector};
@@ -81,7 +82,7 @@ trait RowDiagonal {
     fn row_diagonal(&self) -> Vec<f64>;
 }
 
-impl RowDiagonal for quasirigid::math::sparse::SparseRows<quasirigid::model::Pair> {
+impl RowDiagonal for quasirigid_math::sparse::SparseRows<quasirigid::model::Pair> {
     fn row_diagonal(&self) -> Vec<f64> {
         (0..self.size()).map(|j| self.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A)).collect()
     }

@@ -4,12 +4,13 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Options, propagate_full};
 use quasirigid::elements::{Assembly, End, Rotor, RotorKind, Station, Wheel, WheelSpeed};
-use quasirigid::math::expression::Expression;
-use quasirigid::math::rotation::{to_inertial, turned};
-use quasirigid::math::sym::{norm, times};
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
+use quasirigid_math::expression::Expression;
+use quasirigid_math::rotation::{to_inertial, turned};
+use quasirigid_math::sym3::times;
+use quasirigid_math::vec3::norm;
 
 use super::forced::formula;
 use super::spin_modes::Last;

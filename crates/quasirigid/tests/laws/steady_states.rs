@@ -3,10 +3,10 @@
 use nalgebra::{Complex, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, Carrier, Station, Wheel, WheelSpeed};
-use quasirigid::math::expression::Expression;
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
+use quasirigid_math::expression::Expression;
 
 use super::forced::formula;
 use crate::support::transform::rescaled;

@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form, Options, SlowState, propagate_forced};
 use quasirigid::elements::{Assembly, Carrier, End, Station};
-use quasirigid::math::expression::Expression;
-use quasirigid::math::rotation::turned;
-use quasirigid::math::sym::{add, norm, scale};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
 use quasirigid::verification::{AverageError, Plan, Start, verify, verify_average};
+use quasirigid_math::expression::Expression;
+use quasirigid_math::rotation::turned;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
 

@@ -2,10 +2,10 @@
 
 use nalgebra::{DMatrix, Matrix3};
 use proptest::prelude::*;
-use quasirigid::math::sparse::SparseRows;
-use quasirigid::math::sym;
 use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::reduction::Vibrations;
+use quasirigid_math::sparse::SparseRows;
+use quasirigid_math::sym3;
 
 use crate::support::{assemblies, cases};
 
@@ -38,7 +38,7 @@ fn rows(vectors: &[[f64; 3]]) -> DMatrix<f64> {
 /// `A − h J⁻¹ hᵀ`.
 fn recoiling(body: &FlexibleBody) -> DMatrix<f64> {
     let h = rows(&body.invariants().h);
-    let inverse = Matrix3::from(sym::rows(body.invariants().J)).try_inverse().unwrap();
+    let inverse = Matrix3::from(sym3::rows(body.invariants().J)).try_inverse().unwrap();
     mass(body) - &h * inverse * h.transpose()
 }
 

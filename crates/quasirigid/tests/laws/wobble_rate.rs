@@ -2,10 +2,10 @@
 
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response};
 use quasirigid::dynamics::steady_spins;
-use quasirigid::math::eigen::{Dense, eigenvalues};
-use quasirigid::math::sym::{add, cross, norm, scale};
 use quasirigid::model::{FlexibleBody, Kinetics, Mode, Principal};
 use quasirigid::reduction::reduce;
+use quasirigid_math::eigen::{Dense, eigenvalues};
+use quasirigid_math::vec3::{add, cross, norm, scale};
 
 use super::evolution::tumbler;
 

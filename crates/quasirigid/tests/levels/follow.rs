@@ -4,11 +4,11 @@ use nalgebra::Matrix3;
 use quasirigid::averaging::{LevelEnding, LevelError, LevelEvolution, Until};
 use quasirigid::dynamics::{Forced, Options, Sample, SpinState, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::norm;
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::norm;
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 use crate::support::sprung_body;

@@ -4,10 +4,10 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::{Evolution, FreeRotation, LevelEvolution, PolynomialPower, Stage, Until};
 use quasirigid::dynamics::{Options, Sample, SpinState, propagate};
 use quasirigid::elements::Assembly;
-use quasirigid::math::rotation::{ALIGNED, to_inertial};
-use quasirigid::math::sym::norm;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::{ALIGNED, to_inertial};
+use quasirigid_math::vec3::norm;
 
 use super::bodies::with_tensor;
 use crate::support::transform::stiffened;

@@ -1,9 +1,9 @@
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::LevelEvolution;
 use quasirigid::dynamics::{all_steady_spins, steady_spins};
-use quasirigid::math::sphere::Kind;
-use quasirigid::math::sym::{cross, norm};
 use quasirigid::reduction::reduce;
+use quasirigid_math::sphere::Kind;
+use quasirigid_math::vec3::{cross, norm};
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 

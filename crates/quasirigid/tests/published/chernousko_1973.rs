@@ -2,13 +2,13 @@
 
 use quasirigid::dynamics::{Forced, Form, Options, Sample, propagate_full, spin_path};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use quasirigid::math::polynomial::Homogeneous;
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym::dot;
 use quasirigid::model::{FlexibleBody, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::polynomial::Homogeneous;
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::dot;
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use quasirigid::dynamics::{Forced, FullState, Options, Outcome, propagate_full};
-use quasirigid::math::rotation::{ALIGNED, angle_between};
 use quasirigid::problems::CommonProblem;
+use quasirigid_math::rotation::{ALIGNED, angle_between};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/published/common_problem");
 

@@ -1,12 +1,12 @@
 //! Explorer 1: with stiffened hinges against the closed form (X3), as it flew against `data/published/explorer_1`.
 
 use quasirigid::dynamics::{Forced, FullState, Options, Run, Sample, propagate_full, steady_spins};
-use quasirigid::math::rotation::{ALIGNED, angle};
-use quasirigid::math::sym::norm;
 use quasirigid::model::Principal;
 use quasirigid::problems::Explorer1;
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
+use quasirigid_math::rotation::{ALIGNED, angle};
+use quasirigid_math::vec3::norm;
 
 #[test]
 fn frozen_satellite_has_the_published_inertia() {

@@ -3,7 +3,6 @@
 mod chernousko_1973;
 mod common_problem;
 mod ellipsoid;
-mod elliptic;
 mod explorer_1;
 mod one_sprung_mass;
 mod quillen_2019;

@@ -2,9 +2,9 @@
 //! `data/published/one_sprung_mass`.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
-use quasirigid::math::polynomial::monomial::count;
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
+use quasirigid_math::polynomial::monomial::count;
 
 const TABLE: &str = include_str!("../../../../data/published/one_sprung_mass/mu_A.csv");
 

@@ -2,9 +2,9 @@
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
-use quasirigid::math::sym::norm;
 use quasirigid::model::Rheology;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid_math::vec3::norm;
 
 const MODES: &str = include_str!("../../../../data/published/spin_modes/modes.csv");
 const EQUILIBRIA: &str = include_str!("../../../../data/published/spin_modes/equilibria.csv");

@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Station,
 };
-use quasirigid::math::sparse::SparseRows;
 use quasirigid::model::force::Force;
-use quasirigid::model::{FlexibleBody, Invariants, Pair, Parts};
+use quasirigid::model::{BodyParts, FlexibleBody, Invariants, Pair};
+use quasirigid_math::sparse::SparseRows;
 
 use super::common::turned_axes;
 
@@ -79,7 +79,7 @@ impl Cantilever {
         };
         let straight = body.invariants().pairs.iter().map(|(j, k, curved)| pair(j, k, curved.A)).collect();
         let pairs = SparseRows::sum(size, straight);
-        FlexibleBody::new(Parts {
+        FlexibleBody::new(BodyParts {
             support: body.support().clone(),
             pole: body.pole(),
             center_of_mass: body.center_of_mass(),

@@ -1,8 +1,8 @@
 //! What the tests of structures share: turned axes, the compliance of a body, and the error beside another matrix.
 
 use nalgebra::{Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3};
-use quasirigid::math::sym;
 use quasirigid::model::FlexibleBody;
+use quasirigid_math::sym3;
 
 /// Axes of a test body: its own as columns, in the file's frame.
 pub fn turned_axes() -> Rotation3<f64> {
@@ -12,7 +12,8 @@ pub fn turned_axes() -> Rotation3<f64> {
 /// Compliance on the products xx, yy, zz, yz, zx, xy of the spin in the body's own axes: half its form is the elastic
 /// energy.
 pub fn compliance(body: &FlexibleBody, axes: Rotation3<f64>) -> Matrix6<f64> {
-    let J1: Vec<Matrix3<f64>> = body.invariants().J1.iter().map(|J1| Matrix3::from(sym::rows(*J1))).collect();
+    let J1: Vec<Matrix3<f64>> =
+        body.invariants().J1.iter().map(|J1| Matrix3::from(sym3::rows(*J1))).collect();
     let loads = loads(&J1, axes);
     let mut answers: Vec<f64> =
         loads.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect();
@@ -32,7 +33,7 @@ pub fn loads(J1: &[Matrix3<f64>], axes: Rotation3<f64>) -> MatrixXx6<f64> {
 
 /// Inertia tensor in the body's own axes.
 pub fn inertia(body: &FlexibleBody, axes: Rotation3<f64>) -> Matrix3<f64> {
-    axes.inverse() * Matrix3::from(sym::rows(body.invariants().J)) * axes
+    axes.inverse() * Matrix3::from(sym3::rows(body.invariants().J)) * axes
 }
 
 /// Largest difference of two matrices over the largest entry of the second.

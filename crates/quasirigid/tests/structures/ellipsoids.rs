@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use quasirigid::elements::{Assembly, Ellipsoid, Material};
-use quasirigid::math::mesh::Shape;
 use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid_mesh::Shape;
 
 use super::common::{compliance, error, inertia, turned_axes};
 use super::meshes::{Hexahedra, solid, throughout};

@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, TipMass,
 };
-use quasirigid::math::eigen::eigenvectors;
 use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid_math::eigen::eigenvectors;
 
 use super::common::turned_axes;
 use super::spinning::{linearised, steady};

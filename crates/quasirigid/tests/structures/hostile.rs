@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Rotation3, Vector3};
 use quasirigid::elements::{Approximation, Problem};
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
-use quasirigid::math::surface::ClosedSurface;
+use quasirigid_mesh::surface::ClosedSurface;
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::meshes::outer;
 use super::necks::{apart, element, of, truth};

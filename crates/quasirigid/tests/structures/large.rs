@@ -5,10 +5,10 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Run, S
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, SectionShape, TipMass,
 };
-use quasirigid::math::rotation::ALIGNED;
-use quasirigid::math::sym;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE, Rheology, Support};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3;
 
 use super::common::turned_axes;
 
@@ -166,7 +166,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
         };
         let expected = (lagrangian(1.0) - lagrangian(-1.0)) / (2.0 * step);
         let damped: f64 = body.damping().row(j).map(|(k, b)| b * rate[k]).sum();
-        let scale = (expected.abs() + damped.abs()).max(1e-3 * sym::norm(K));
+        let scale = (expected.abs() + damped.abs()).max(1e-3 * vec3::norm(K));
         assert!((found[j] + damped - expected).abs() < 1e-6 * scale, "{j}: {} {expected}", found[j] + damped);
     }
 }

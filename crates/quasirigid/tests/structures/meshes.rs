@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 use quasirigid::elements::{Kind, Material, Part, Region, Solid, Substance};
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
-use quasirigid::math::surface::ClosedSurface;
+use quasirigid_mesh::surface::ClosedSurface;
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Hexahedra between nodes, each with its 27 in the order of [`Shape::Hex27`].
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! Which parts of a structure move in a mode, whose coordinates are displacements of all of it. (M5)
 
-use quasirigid::math::sym::dot;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid_math::vec3::dot;
 
 use super::whirl::booms;
 

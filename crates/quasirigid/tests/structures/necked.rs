@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Rotation3, Vector3};
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// A body whose cross-sections are polygons about a line, with a tip at both ends.
 pub struct Necked {

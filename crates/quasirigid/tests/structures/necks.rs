@@ -2,9 +2,9 @@
 
 use nalgebra::Matrix6;
 use quasirigid::elements::{Approximation, Assembly, Material, Problem, Surface};
-use quasirigid::math::mesh::Mesh;
-use quasirigid::math::surface::ClosedSurface;
 use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid_mesh::Mesh;
+use quasirigid_mesh::surface::ClosedSurface;
 
 use super::common::compliance;
 use super::meshes::{outer, refined, solid, throughout, with_middles};

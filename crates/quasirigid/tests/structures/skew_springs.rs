@@ -6,9 +6,9 @@ use quasirigid::elements::{
     Anchor, Assembly, Coefficient, Connection, End, Frame, FrameNode, Kind, Law, Material, Member, Motion,
     NodeRef, Part, Point, Prestress, Reduction, SectionShape, Spring,
 };
-use quasirigid::math::eigen::{Dense, modes};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_math::eigen::{Dense, modes};
 
 use super::common::{Numbers, turned_axes};
 

@@ -5,9 +5,9 @@ use quasirigid::elements::{
     Assembly, Carrier, ElementKind, Field, Frame, FrameNode, Kind, Material, Member, Part, Problem,
     Reduction, SectionShape, Surface, TipMass,
 };
-use quasirigid::math::mesh::{Mesh, Shape};
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
+use quasirigid_mesh::{Mesh, Shape};
 
 use super::common::{compliance, error, turned_axes, vector_error};
 use super::meshes::{Hexahedra, outer, refined, solid, throughout, with_middles};

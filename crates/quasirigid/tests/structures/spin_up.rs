@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
 use quasirigid::elements::{Material, Reduction, SectionShape, Station};
-use quasirigid::math::rotation::ALIGNED;
 use quasirigid::model::force::{Axes, Force, Law, Wave};
 use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid_math::rotation::ALIGNED;
 
 use super::beams::Cantilever;
 use super::common::turned_axes;
@@ -96,7 +96,7 @@ fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (V
         let tip = beam.tip(body, q);
         [tip[0], tip[1]]
     };
-    let spins = states.samples.iter().map(|sample| quasirigid::math::sym::norm(sample.omega)).collect();
+    let spins = states.samples.iter().map(|sample| quasirigid_math::vec3::norm(sample.omega)).collect();
     (states.q.iter().map(tip).collect(), spins)
 }
 

@@ -2,9 +2,9 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use quasirigid::elements::{Material, Reduction, SectionShape};
-use quasirigid::math::eigen::{Dense, eigenvectors};
-use quasirigid::math::sym::cross;
 use quasirigid::model::{FlexibleBody, Kinetics, Motion, Rheology};
+use quasirigid_math::eigen::{Dense, eigenvectors};
+use quasirigid_math::vec3::cross;
 
 use super::beams::Cantilever;
 use super::common::turned_axes;

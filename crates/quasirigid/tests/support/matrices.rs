@@ -1,7 +1,7 @@
 //! Matrices of a body in other dress.
 
 use nalgebra::DMatrix;
-use quasirigid::math::sparse::SparseRows;
+use quasirigid_math::sparse::SparseRows;
 
 /// A matrix over the coordinates of a body, written out.
 pub fn dense(matrix: &SparseRows<f64>) -> DMatrix<f64> {

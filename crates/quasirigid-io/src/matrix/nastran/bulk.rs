@@ -2,7 +2,8 @@ use std::iter::Peekable;
 
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::At;
-use crate::matrix::text::{number, whole};
+use crate::matrix::text::number;
+use crate::text_file::whole;
 
 /// A card with its continuations.
 pub(in crate::matrix) struct Card<'a> {

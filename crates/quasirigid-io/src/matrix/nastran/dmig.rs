@@ -3,8 +3,8 @@ use std::collections::BTreeSet;
 use super::bulk::{Card, Field, cards, integer, real};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::{At, Listed, Symmetry};
-use crate::matrix::text::last_line;
 use crate::matrix::{Freedom, MatrixFile};
+use crate::text_file::last_line;
 
 /// The card that says what kind of matrix it is.
 struct Header {

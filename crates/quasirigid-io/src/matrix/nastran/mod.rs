@@ -7,10 +7,10 @@ mod dmig;
 pub(super) use bulk::{Card, cards, integer, real};
 
 use super::MatrixFile;
-use super::error::{Fault, Place};
-use super::text::text;
+use super::error::{Fault, MatrixProblem, Place};
+use crate::text_file::text;
 
 /// The matrix in `DMIG` cards.
 pub(super) fn read_dmig(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
-    dmig::read(text(bytes)?, name).map_err(|(line, problem)| (Place::Line(line), problem))
+    dmig::read(text::<MatrixProblem>(bytes)?, name).map_err(|(line, problem)| (Place::Line(line), problem))
 }

@@ -2,11 +2,11 @@ use super::{Found, NodeTable};
 use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
 use crate::matrix::listed::At;
 use crate::matrix::nastran::{Card, cards, integer, real};
-use crate::matrix::text::text;
+use crate::text_file::text;
 
 /// `GRID` cards in the basic coordinate system.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
+    nodes(text::<MatrixProblem>(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
 fn nodes(text: &str) -> Result<Found, At> {

@@ -1,11 +1,12 @@
 use super::{Found, NodeTable};
 use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
 use crate::matrix::listed::At;
-use crate::matrix::text::{lines, number, text, whole};
+use crate::matrix::text::number;
+use crate::text_file::{lines, text, whole};
 
 /// `*NODE` blocks.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    nodes(text(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
+    nodes(text::<MatrixProblem>(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
 fn nodes(text: &str) -> Result<Found, At> {

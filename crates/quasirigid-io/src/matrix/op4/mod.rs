@@ -15,7 +15,7 @@ use super::listed::{At, Listed, Symmetry};
 
 /// The matrix of this name, or the only one, in a text.
 pub(super) fn read_text(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
-    let text = super::text::text(bytes)?;
+    let text = crate::text_file::text::<MatrixProblem>(bytes)?;
     read(&mut text::Text::new(text), name).map_err(|(line, problem)| (Place::Line(line), problem))
 }
 

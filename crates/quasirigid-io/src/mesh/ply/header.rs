@@ -127,7 +127,7 @@ impl Header {
             }
         }
         let place = Place::Line(lines);
-        let encoding = encoding.ok_or((place, MeshProblem::Header { found: "end_header".into() }))?;
+        let encoding = encoding.ok_or((place.clone(), MeshProblem::Header { found: "end_header".into() }))?;
         let header = Self { encoding, elements, lines, size };
         header.check().map_err(|problem| (place, problem))?;
         Ok(header)

@@ -1,6 +1,6 @@
 use super::header::{Element, Header, Scalar};
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
-use crate::mesh::text::{number, text};
+use crate::text_file::{number, text};
 
 /// The numbers of a PLY file one after the other, in text or binary.
 pub(super) trait Values {
@@ -47,7 +47,7 @@ pub(super) struct Text<'a> {
 
 impl<'a> Text<'a> {
     pub(super) fn new(bytes: &'a [u8], header: &Header) -> Result<Self, Fault> {
-        let mut lines = text(bytes)?.lines().enumerate();
+        let mut lines = text::<MeshProblem>(bytes)?.lines().enumerate();
         lines.nth(header.lines - 1);
         let progress = Progress { part: Part::Vertices, announced: 0, found: 0 };
         Ok(Self { lines, words: "".split_whitespace(), line: header.lines, taken: 0, progress })

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::problem::VolumeProblem;
 use super::sets::Sets;

@@ -9,11 +9,12 @@ mod vtk;
 
 use std::path::Path;
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
-use super::file::bytes_of;
+use super::file::LARGEST;
 use super::format::start;
+use crate::text_file::{FileError, bytes_of};
 pub use problem::VolumeProblem;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
@@ -29,13 +30,13 @@ pub use problem::VolumeProblem;
 ///   them, and both before the sets. Of a range, a set has what exists.
 ///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
-/// come out in the node order of [`Shape`](quasirigid::math::mesh::Shape); cells of one node are left out. Numbers
+/// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
 /// are taken as they are, in the unit of the file. No geometry is checked here.
 ///
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
-    mesh_of(file, &bytes_of(file)?)
+    mesh_of(file, &bytes_of(file, LARGEST)?)
 }
 
 /// The mesh in the bytes of a file, whose name tells where the files lie that it includes.
@@ -43,7 +44,7 @@ pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
 /// # Errors
 /// Those of [`read_mesh`].
 pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let named = |(place, problem)| MeshError { file: file.to_owned(), place, problem };
+    let named = FileError::new(file);
     let mesh = match Format::of(bytes).map_err(named)? {
         Format::Gmsh => gmsh::read(bytes).map_err(named)?,
         Format::VtkLegacy => vtk::read_legacy(bytes).map_err(named)?,

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use quasirigid::math::mesh::Set;
+use quasirigid_mesh::Set;
 
 use super::MeshProblem;
 use super::problem::VolumeProblem;

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::super::names::suggestion;
 use super::super::value::Value;
@@ -30,7 +30,7 @@ impl Nodes {
     /// Nodes of a mesh: by their numbers, and by its sets, which stand for the nodes of their cells too.
     pub(super) fn of_mesh(mesh: &Mesh) -> Self {
         let labels = mesh.node_labels.iter().enumerate().map(|(index, label)| (*label, index)).collect();
-        let members = |set: &quasirigid::math::mesh::Set| {
+        let members = |set: &quasirigid_mesh::Set| {
             let of_cells = set.cells.iter().flat_map(|cell| mesh.cells[*cell].nodes.iter().copied());
             let mut nodes: Vec<usize> = set.nodes.iter().copied().chain(of_cells).collect();
             nodes.sort_unstable();

@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{ElementKind, Kind, Layer, Panel, Part};
-use quasirigid::math::mesh::{Cell, Mesh, Set, Shape};
-use quasirigid::math::sym::{cross, norm};
+use quasirigid_math::vec3::{cross, norm};
+use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};

@@ -1,7 +1,7 @@
 use std::path::Path;
 
-use quasirigid::math::mesh::Mesh;
-use quasirigid::math::rotation::{ALIGNED, Attitude, to_inertial};
+use quasirigid_math::rotation::{ALIGNED, Attitude, to_inertial};
+use quasirigid_mesh::Mesh;
 
 use super::super::initial::unit_quaternion;
 use super::super::surface::unit;

@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
 use quasirigid::elements::{ElementKind, Kind, Part, Region, Solid};
-use quasirigid::math::mesh::Mesh;
-use quasirigid::math::sym::{cross, dot, norm, scale};
+use quasirigid_math::vec3::{cross, dot, norm, scale};
+use quasirigid_mesh::Mesh;
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};

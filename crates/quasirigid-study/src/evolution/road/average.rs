@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{Evolution, HillResponse, MeanPower, Stage};
-use quasirigid::math::sym::norm;
 use quasirigid::reduction::frequencies;
 use quasirigid::secular::{AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes};
+use quasirigid_math::vec3::norm;
 
 use super::choice::Choice;
 use super::full::REFUSED;

@@ -1,10 +1,10 @@
 //! Levels of the slow energy: when they are followed.
 
 use quasirigid::averaging::{LevelEnding, LevelEvolution, Until};
-use quasirigid::math::sym::norm;
 use quasirigid::model::Principal;
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Target;
+use quasirigid_math::vec3::norm;
 
 use super::choice::Choice;
 use super::verdict::Road;

@@ -12,10 +12,10 @@ use std::ops::ControlFlow;
 
 use quasirigid::averaging::LevelPassage;
 use quasirigid::dynamics::SpinState;
-use quasirigid::math::sym::norm;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError};
 use quasirigid_io::model::EvolveMethod;
+use quasirigid_math::vec3::norm;
 
 use super::Asked;
 use super::ageing::Ageing;

@@ -4,7 +4,7 @@ use super::Drift;
 use crate::averaging::poinsot::FreeRotation;
 use crate::math::ode::System;
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{add, dot, scale};
+use crate::math::vec3::{add, dot, scale};
 use crate::model::Mode;
 
 /// Rates of `ξ`, of the logarithm of `G`, and of the turns, in one mode and on one side.

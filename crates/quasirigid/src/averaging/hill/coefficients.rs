@@ -1,11 +1,12 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::span::span;
+use crate::averaging::loaded_modes::{LoadedMode, loaded_modes_in};
 use crate::averaging::response::{Law, Loss, memories, turned};
-use crate::averaging::rows::{Row, rows_in};
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::dot;
-use crate::math::sym::{self, Sym, add, cross, scale};
+use crate::math::sym3::{self, Sym};
+use crate::math::vec3::{self, add, cross, scale};
 use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal};
 
@@ -16,7 +17,7 @@ const PRODUCTS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1
 #[derive(Clone, Debug)]
 pub(super) struct Coefficients {
     pub principal: Principal,
-    pub rows: Vec<Row>,
+    pub rows: Vec<LoadedMode>,
     /// Number of vibrations, the first rows.
     pub elastic: usize,
     /// `A'`, the body free to recoil.
@@ -44,23 +45,23 @@ impl Coefficients {
     pub fn of(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::of(body.invariants().J);
         let basis = if body.elastic() > whole { Some(span(body, &principal)?) } else { None };
-        let rows = rows_in(body, &principal, |_| basis.clone())?;
+        let rows = loaded_modes_in(body, &principal, |_| basis.clone())?;
         let view = View { body, rows: &rows };
         let elastic = rows.iter().filter(|row| row.square > 0.0).count();
-        let turn = sym::inverse(body.invariants().J);
+        let turn = sym3::inverse(body.invariants().J);
         let inertia: Vec<Sym> = rows.iter().map(|row| inertia(body, &row.shape)).collect();
-        let recoil = |row: usize, column: usize| sym::dot(rows[row].h, sym::times(turn, rows[column].h));
+        let recoil = |row: usize, column: usize| vec3::dot(rows[row].h, sym3::times(turn, rows[column].h));
         let mass = view.matrix(|x| body.mass_times(x)) - view.entries(recoil);
         let Y = principal.axes.map(|axis| {
             let shift =
-                |j: usize, k: usize| sym::dot(sym::times(inertia[j], axis), sym::times(turn, rows[k].h));
+                |j: usize, k: usize| vec3::dot(sym3::times(inertia[j], axis), sym3::times(turn, rows[k].h));
             view.matrix(|x| coupled(body, axis, x)) - view.entries(shift)
         });
         let W = principal.axes.map(|axis| view.matrix(|x| turned(body, axis, x)));
         let centrifugal = PRODUCTS.map(|pair| {
             let [a, b] = pair.map(|axis| principal.axes[axis]);
             let half = |a: [f64; 3], b: [f64; 3], j: usize, k: usize| {
-                sym::dot(sym::times(inertia[j], a), sym::times(turn, sym::times(inertia[k], b)))
+                vec3::dot(sym3::times(inertia[j], a), sym3::times(turn, sym3::times(inertia[k], b)))
             };
             let twice = if pair[0] == pair[1] { 0.5 } else { 1.0 };
             let recoil = |j: usize, k: usize| twice * (half(a, b, j, k) + half(b, a, j, k));
@@ -127,7 +128,7 @@ impl Coefficients {
 /// A body seen from its rows.
 struct View<'a> {
     body: &'a FlexibleBody,
-    rows: &'a [Row],
+    rows: &'a [LoadedMode],
 }
 
 impl View<'_> {
@@ -171,12 +172,12 @@ pub(super) fn coupled(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64
     let mut force = vec![0.0; x.len()];
     let invariants = body.invariants();
     for (j, k, pair) in invariants.pairs.iter().take_while(|(j, ..)| *j < body.elastic()) {
-        force[j] += sym::dot(axis, pair.Z) * x[k];
+        force[j] += vec3::dot(axis, pair.Z) * x[k];
     }
     if let Some(per_mass) = body.translation() {
         let turned = scale(-per_mass, cross(moment(body, x), axis));
         let elastic = force.iter_mut().zip(&invariants.S).take(body.elastic());
-        elastic.for_each(|(force, S)| *force += sym::dot(*S, turned));
+        elastic.for_each(|(force, S)| *force += vec3::dot(*S, turned));
     }
     force
 }
@@ -186,14 +187,14 @@ pub(super) fn softening(body: &FlexibleBody, [a, b]: [[f64; 3]; 2], factor: f64,
     let mut force = vec![0.0; x.len()];
     let invariants = body.invariants();
     for (j, k, pair) in invariants.pairs.iter().take_while(|(j, ..)| *j < body.elastic()) {
-        force[j] += factor * sym::dot(a, sym::times(pair.J2, b)) * x[k];
+        force[j] += factor * vec3::dot(a, sym3::times(pair.J2, b)) * x[k];
     }
     if let Some(per_mass) = body.translation() {
         let s = moment(body, x);
-        let across = scale(-0.5, add(scale(sym::dot(s, b), a), scale(sym::dot(s, a), b)));
-        let change = scale(-per_mass * factor, add(scale(sym::dot(a, b), s), across));
+        let across = scale(-0.5, add(scale(vec3::dot(s, b), a), scale(vec3::dot(s, a), b)));
+        let change = scale(-per_mass * factor, add(scale(vec3::dot(a, b), s), across));
         let elastic = force.iter_mut().zip(&invariants.S).take(body.elastic());
-        elastic.for_each(|(force, S)| *force += sym::dot(*S, change));
+        elastic.for_each(|(force, S)| *force += vec3::dot(*S, change));
     }
     force
 }

@@ -7,7 +7,7 @@ use super::spectrum::Spectrum;
 use crate::averaging::poinsot::FreeRotation;
 use crate::averaging::response::Law;
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 
 /// Stability of the periodic response along a polhode: the multipliers of the free motions of the internal coordinates over a
 /// period. (H7)

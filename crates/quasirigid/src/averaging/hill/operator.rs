@@ -5,7 +5,7 @@ use super::series::{Amplitudes, add_product, derivative};
 use super::spectrum::Spectrum;
 use crate::averaging::response::Law;
 use crate::math::gmres::gmres;
-use crate::math::sym;
+use crate::math::vec3;
 
 /// The system of the harmonics 0 to `N` along a polhode, each harmonic solved for itself in the mean spin. (H4)
 ///
@@ -145,7 +145,7 @@ fn alone(coefficients: &Coefficients, spectrum: &Spectrum, n: usize) -> DMatrix<
 
 fn units(coefficients: &Coefficients, spectrum: &Spectrum, last: usize) -> Amplitudes {
     let mean = spectrum.mean_spin();
-    let spin = sym::norm(mean).max(spectrum.frequency).max(f64::MIN_POSITIVE);
+    let spin = vec3::norm(mean).max(spectrum.frequency).max(f64::MIN_POSITIVE);
     let mut units = Amplitudes::zeros(coefficients.size(), 2 * (last + 1));
     for (row, entry) in coefficients.rows.iter().enumerate() {
         let weight = match coefficients

@@ -5,7 +5,8 @@ use super::operator::Operator;
 use super::series::{Amplitudes, add_product, at, harmonics, value};
 use super::spectrum::Spectrum;
 use crate::averaging::response::Law;
-use crate::math::sym;
+use crate::math::sym3;
+use crate::math::vec3;
 
 /// Periodic motion of the internal coordinates along a polhode: the solution of Hill's equations that all others settle to where
 /// they are stable. (H4)
@@ -138,7 +139,7 @@ impl<'a> PeriodicResponse<'a> {
         let columns = self.x.ncols();
         let mut sum = Amplitudes::zeros(3, columns);
         let shares = |column: &dyn Fn(usize) -> [f64; 3]| {
-            Amplitudes::from_fn(3, rows.len(), |axis, row| sym::dot(principal.axes[axis], column(row)))
+            Amplitudes::from_fn(3, rows.len(), |axis, row| vec3::dot(principal.axes[axis], column(row)))
         };
         sum += shares(&|row| rows[row].h) * &self.v;
         let mut displaced = self.x.clone();
@@ -146,7 +147,7 @@ impl<'a> PeriodicResponse<'a> {
             displaced.row_mut(row).fill(0.0);
         }
         for axis in 0..3 {
-            let J = shares(&|row| sym::times(inertia[row], principal.axes[axis]));
+            let J = shares(&|row| sym3::times(inertia[row], principal.axes[axis]));
             let moved = J * &displaced;
             add_product(&mut sum, &self.spectrum.component(axis), &moved);
             sum += moved * self.spectrum.mean_spin()[axis];

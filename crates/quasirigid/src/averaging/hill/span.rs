@@ -1,9 +1,9 @@
 use super::coefficients::{coupled, softening};
-use crate::averaging::rows::loads;
+use crate::averaging::loaded_modes::loads;
 use crate::math::eigen::NoConvergence;
 use crate::math::krylov::Pencil;
 use crate::math::span::Span;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::{FlexibleBody, Principal};
 
 /// Lowest vibrations that are kept whatever the loads excite.

@@ -1,7 +1,7 @@
 use super::energy::SlowEnergy;
 use crate::math::rotation::angle;
 use crate::math::sphere::{Kind, StationaryPoint};
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 
 /// A way down the slow energy to one of its minima, along which every level of a component is met once.
 #[derive(Clone, Debug)]

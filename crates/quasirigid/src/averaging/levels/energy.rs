@@ -4,7 +4,8 @@ use crate::math::polynomial::monomial::exponents;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Plain;
 use crate::math::sphere::{deviator, directions};
-use crate::math::sym::{self, cross, dot, norm};
+use crate::math::sym3;
+use crate::math::vec3::{cross, dot, norm};
 use crate::model::{Principal, ReducedBody};
 
 /// The slow energy on the sphere `|K| = G`, and how fast the momentum runs along its levels. (N1), (N3)
@@ -42,7 +43,7 @@ impl SlowEnergy {
     pub fn of(body: &ReducedBody, G: f64) -> Self {
         let even = body.energy_of_momentum.even();
         let gradient = deviator(&even.gradient(), G);
-        let half_mean = 0.5 * sym::inverse(body.J)[..3].iter().sum::<f64>() / 3.0;
+        let half_mean = 0.5 * sym3::inverse(body.J)[..3].iter().sum::<f64>() / 3.0;
         let ratio = speed_ratio(body, &gradient, G);
         let mut field = Series::zero(gradient.degree().max(ratio.degree()), 4);
         for degree in 0..=field.degree() {

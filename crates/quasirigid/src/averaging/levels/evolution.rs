@@ -6,7 +6,8 @@ use super::leg::Leg;
 use super::level::{Level, traced};
 use super::separatrix::Saddles;
 use crate::math::sphere::{Kind, StationaryPoint, directions, stationary};
-use crate::math::sym::{self, norm, scale};
+use crate::math::sym3;
+use crate::math::vec3::{norm, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// How the rotation of a free body ages whose moments may be nearly equal: it runs along a level curve of the slow energy on the
@@ -80,7 +81,7 @@ impl LevelEvolution {
         let energy = SlowEnergy::of(body, G);
         let axes = Principal::of(body.J).axes;
         let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
-        let slowness = sym::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         let found = stationary(&energy.gradient, &given, ROUNDING * slowness * G);
         if found.size <= ROUNDING * slowness * G {
             return Err(LevelError::Flat);

@@ -4,7 +4,7 @@ use super::energy::SlowEnergy;
 use crate::math::ode::{Dop853, Solver, System};
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 
 /// One turn of the momentum along a level curve of the slow energy. (N4)
 #[derive(Clone, Copy, Debug, PartialEq)]

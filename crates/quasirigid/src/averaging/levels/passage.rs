@@ -2,7 +2,7 @@ use super::evolution::{LevelError, LevelEvolution};
 use super::leg::{Leg, Piece};
 use super::separatrix::Separatrix;
 use crate::math::bisection::bisected;
-use crate::math::sym::scale;
+use crate::math::vec3::scale;
 
 /// What ends an evolution along levels.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@ use super::descent::unit;
 use super::energy::SlowEnergy;
 use super::level::{Traced, traced};
 use crate::math::sphere::{Kind, StationaryPoint};
-use crate::math::sym::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 
 /// A passage of the energy of saddles, where a level meets itself or its neighbours. (N6)
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,11 @@
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
+use crate::dynamics::conserved::Conserved;
 use crate::dynamics::external::Forced;
-use crate::dynamics::keeper::Keeper;
+use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
-use crate::dynamics::run::{Observer, Options, Outcome, PropagateError, Run, check};
+use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
@@ -12,7 +13,7 @@ use crate::model::FlexibleBody;
 /// Follows the full equations of a body from `t = 0` and observes it at the times asked for (s). (S2)–(S6), (F11)
 ///
 /// # Errors
-/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`].
+/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_full(
     system: Forced,
     initial: &FullState,
@@ -37,12 +38,12 @@ pub fn propagate_full(
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
     let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
-    let mut keeper = Keeper::new(full.clone(), &y, scales.inside, &options, observer);
+    let momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
+    let mut monitor = InvariantMonitor::new(full.clone(), &y, momentum, &options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
-    let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
-    let last = keeper.sample(solver.t(), solver.y());
-    let outcome = keeper.left.map_or_else(|| Outcome::of(ending, keeper.alarm.rung), Outcome::LeftRange);
-    let run = Run { outcome, last, work: solver.work() };
+    let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
+    let last = monitor.sample(solver.t(), solver.y());
+    let run = Run { outcome: monitor.outcome(reason), last, work: solver.work() };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
 }

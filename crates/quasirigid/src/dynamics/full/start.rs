@@ -2,7 +2,7 @@ use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
 use crate::dynamics::run::PropagateError;
 use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
-use crate::math::sym::add;
+use crate::math::vec3::add;
 use crate::model::{FlexibleBody, Motion};
 
 /// Where a full run starts.

@@ -2,7 +2,7 @@ use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
 use crate::math::eigen::Dense;
 use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::sparse::SparseRows;
-use crate::math::sym;
+use crate::math::sym3;
 use crate::model::FlexibleBody;
 
 /// Stiff linear part `L` of the rates of the coordinates and their momenta, as the implicit method solves for it. (T2)
@@ -22,7 +22,7 @@ impl StiffPart {
         let A = SparseRows::sum(n, invariants.pairs.iter().map(|(j, k, pair)| (j, k, pair.A)).collect());
         let rows = invariants.S.iter().zip(&invariants.h).map(|(S, h)| [S[0], S[1], S[2], h[0], h[1], h[2]]);
         let mut weights = [[0.0; 6]; 6];
-        let inverse = sym::rows(sym::inverse(invariants.J));
+        let inverse = sym3::rows(sym3::inverse(invariants.J));
         for i in 0..3 {
             weights[i][i] = body.translation().unwrap_or(0.0);
             weights[3 + i][3..].copy_from_slice(&inverse[i]);

@@ -1,15 +1,16 @@
 use super::stiff_part::StiffPart;
 use crate::dynamics::external::{Forced, Pose};
-use crate::dynamics::keeper::{Invariant, Look, Motion as Followed, Seat};
+use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
+use crate::dynamics::seat::Seat;
 use crate::math::eigen::Dense;
 use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{Displaced, Kinetics, Motion};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
@@ -140,8 +141,10 @@ impl System<Vec<f64>> for FullSystem<'_> {
     }
 }
 
-impl Followed for FullSystem<'_> {
-    fn look(&mut self, t: f64, y: &[f64]) -> Look {
+impl Trajectory for FullSystem<'_> {
+    const ATTITUDE: usize = ATTITUDE;
+
+    fn view(&mut self, t: f64, y: &[f64]) -> StateView {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let mut rate = vec![0.0; self.layout.n];
         let momentum = triple(y, MOMENTUM);
@@ -149,8 +152,28 @@ impl Followed for FullSystem<'_> {
         let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
         let kinetic = dot(omega, own) + product(p, &rate);
         let elastic = product(&self.system.body.stiffness().times(q), q);
-        let seat = Seat::of_center(self.system.body, Motion { omega, q, rate: &rate }, y);
-        Look { omega, momentum, energy: 0.5 * (kinetic + elastic), q: q.to_vec(), rate, seat }
+        let (dissipated, work) = (y[DISSIPATED], y[WORK]);
+        StateView {
+            omega,
+            momentum,
+            energy: 0.5 * (kinetic + elastic),
+            q: q.to_vec(),
+            rate,
+            dissipated,
+            work,
+            explained: [-dissipated, work],
+            angle: y[ANGLE],
+            impulse: triple(y, IMPULSE),
+        }
+    }
+
+    fn momentum(&mut self, _: f64, y: &[f64]) -> [f64; 3] {
+        triple(y, MOMENTUM)
+    }
+
+    fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
+        let motion = Motion { omega: view.omega, q: &view.q, rate: &view.rate };
+        Seat::of_center(self.system.body, motion, y)
     }
 
     fn left(&self, y: &[f64]) -> Option<Displaced> {

@@ -3,8 +3,9 @@ use std::ops::Range;
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::rotation;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, cross, scale, smooth_inverse, smooth_times};
+use crate::math::sym3::{smooth_inverse, smooth_times};
 use crate::math::taylor::Taylor;
+use crate::math::vec3::{add, cross, scale};
 use crate::model::Motion;
 use crate::model::force::Loads;
 

@@ -2,12 +2,14 @@ use super::flow::{MAX_FORCED_ORDER, SlowPoint};
 use super::state::SlowState;
 use super::state::slow_state_point;
 use super::system::SlowSystem;
+use crate::dynamics::conserved::Conserved;
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::keeper::{Keeper, Look, Motion as Followed, Seat};
+use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView, Trajectory};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
-use crate::dynamics::run::{Observer, Options, Outcome, PropagateError, Run, check};
+use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
+use crate::dynamics::seat;
 use crate::math::ode::{Dop853, Solver, integrate};
 use crate::math::simd::Plain;
 use crate::model::Motion;
@@ -32,14 +34,14 @@ pub fn takes(system: Forced, form: Form, order: usize) -> bool {
 fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
     let slow = SlowSystem { system, order, form: Form::Paper };
     let put = |motion: Motion<f64>| {
-        let Seat { pole, pole_velocity, .. } = Seat::of_center(system.body, motion, &center);
+        let [pole, pole_velocity] = seat::pole(system.body, motion, &center);
         let mut y = center;
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&start.omega);
         y[PLACE..PLACE + 3].copy_from_slice(&pole);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&pole_velocity);
         y
     };
-    let Look { omega, q, rate, .. } = { slow }.look(0.0, &put(start.motion()));
+    let StateView { omega, q, rate, .. } = { slow }.view(0.0, &put(start.motion()));
     put(Motion { omega, q: &q, rate: &rate })
 }
 
@@ -49,7 +51,7 @@ fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SL
 /// The momentum form takes orders to [`MAX_FORCED_ORDER`], the paper's form to 3.
 ///
 /// # Errors
-/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`].
+/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_forced(
     system: Forced,
     order: usize,
@@ -84,10 +86,12 @@ pub fn propagate_forced(
     allowed[ATTITUDE..ATTITUDE + 4].fill(options.tolerance);
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
-    let slow = SlowSystem { system, order, form: options.form };
-    let mut keeper = Keeper::new(slow, &y, scales.inside, &options, observer);
+    let mut slow = SlowSystem { system, order, form: options.form };
+    let momentum = slow.view(0.0, &y).momentum;
+    let momentum = Conserved::of(momentum, initial.attitude, scales.inside);
+    let mut monitor = InvariantMonitor::new(slow, &y, momentum, &options, observer);
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
-    let ending = integrate(&mut solver, times, options.most_steps, &mut keeper);
-    let last = keeper.sample(solver.t(), solver.y());
-    Ok(Run { outcome: Outcome::of(ending, keeper.alarm.rung), last, work: solver.work() })
+    let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
+    let last = monitor.sample(solver.t(), solver.y());
+    Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
 }

@@ -2,7 +2,8 @@ use super::flow::{MAX_FORCED_ORDER, SlowPoint, slow_point};
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY, attitude, triple};
 use crate::dynamics::run::PropagateError;
-use crate::math::sym::{add, norm, scale, times};
+use crate::math::sym3::times;
+use crate::math::vec3::{add, norm, scale};
 
 /// A state of the slow motion: the momentum decides everything that is internal.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,12 +3,16 @@ use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::keeper::{Invariant, Look, Motion as Followed, Seat};
-use crate::dynamics::layout::{ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK};
+use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
+use crate::dynamics::layout::{
+    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, triple,
+};
+use crate::dynamics::seat::Seat;
 use crate::math::ode::System;
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
-use crate::math::sym::{add, cross, dot, inverse, norm, times};
+use crate::math::sym3::{inverse, times};
+use crate::math::vec3::{add, cross, dot, norm};
 use crate::model::Motion;
 use crate::model::force::{Loads, Situation};
 
@@ -89,17 +93,43 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
     }
 }
 
-impl Followed for SlowSystem<'_> {
-    fn look(&mut self, t: f64, y: &[f64]) -> Look {
+impl Trajectory for SlowSystem<'_> {
+    const ATTITUDE: usize = ATTITUDE;
+
+    fn view(&mut self, t: f64, y: &[f64]) -> StateView {
         let Rates { omega, q, rate, .. } = self.rates(t, y);
         let motion = Motion { omega, q: &q, rate: &rate };
         let body = self.system.body;
         let momentum = add(body.momentum(motion), body.wheels().momentum(t));
-        let seat = match self.form {
-            Form::Momentum => Seat::of_center(body, motion, y),
-            Form::Paper => Seat::of_pole(body, motion, y),
-        };
-        Look { omega, momentum, energy: body.energy(motion), q, rate, seat }
+        let energy = body.energy(motion);
+        let (dissipated, work) = (y[DISSIPATED], y[WORK]);
+        StateView {
+            omega,
+            momentum,
+            energy,
+            q,
+            rate,
+            dissipated,
+            work,
+            explained: [-dissipated, work],
+            angle: y[ANGLE],
+            impulse: triple(y, IMPULSE),
+        }
+    }
+
+    fn momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3] {
+        match self.form {
+            Form::Momentum => triple(y, MOMENTUM),
+            Form::Paper => self.view(t, y).momentum,
+        }
+    }
+
+    fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
+        let motion = Motion { omega: view.omega, q: &view.q, rate: &view.rate };
+        match self.form {
+            Form::Momentum => Seat::of_center(self.system.body, motion, y),
+            Form::Paper => Seat::of_pole(self.system.body, motion, y),
+        }
     }
 
     fn invariant(&self) -> Invariant {

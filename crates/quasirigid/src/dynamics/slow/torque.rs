@@ -1,8 +1,9 @@
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::rotation::{self, Turn};
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, cross, dot, inverse, scale, times};
+use crate::math::sym3::{inverse, times};
 use crate::math::taylor::Taylor;
+use crate::math::vec3::{add, cross, dot, scale};
 use crate::model::force::{Loads, Situation};
 use crate::model::{Motion, Support};
 

@@ -6,7 +6,7 @@ use super::net::Net;
 use super::{Assembly, Built, Mover};
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::attachment::{Attachment, Attachments};
-use crate::elements::element::{Grip, Preload, Site};
+use crate::elements::element::{Grip, Preload, Role, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::internal::Internal;
 use crate::elements::part::NodeRef;
@@ -14,10 +14,10 @@ use crate::elements::system_matrices::Matrices;
 use crate::elements::{End, Hinged, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Parts, Support, Watched,
+    BodyParts, Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Support, Watched,
 };
 use crate::structure::Block;
 use crate::structure::Component;
@@ -80,7 +80,7 @@ impl Assembly {
         })?;
         let markers = whole.markers(&nodes, pole);
         let forces = self.placed_forces(forces, pole, &attachments)?;
-        let body = FlexibleBody::new(Parts {
+        let body = FlexibleBody::new(BodyParts {
             support: self.support.clone(),
             pole: pole.into(),
             center_of_mass: center_of_mass.into(),
@@ -129,7 +129,7 @@ impl Assembly {
         nodes: &BTreeMap<NodeRef, Attachment>,
     ) -> Result<Attachments, ElementError> {
         let mut attachments = Attachments::default();
-        for (id, _, Grip { field, end, .. }) in self.grips() {
+        for (id, role, Grip { field, end, .. }) in self.grips() {
             if attachments.has(end) {
                 continue;
             }
@@ -139,8 +139,12 @@ impl Assembly {
                 End::Hinged(on) => whole.attachment(ElementKind::Hinged.at(on.hinged), 1 + on.place),
                 End::Node(node) => nodes.get(&node).cloned(),
             };
-            let attachment = moving.map_or_else(|| self.at_rest(end), Ok).map_err(at(id, field))?;
-            attachments.note(end, attachment);
+            match moving.map_or_else(|| self.at_rest(end), Ok) {
+                Ok(attachment) => attachments.note(end, attachment),
+                // a body without its forces does not ask where they act
+                Err(_) if role == Role::External => {}
+                Err(problem) => return Err(at(id, field)(problem)),
+            }
         }
         Ok(attachments)
     }

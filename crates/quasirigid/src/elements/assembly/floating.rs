@@ -8,9 +8,9 @@ use crate::elements::part::{NodeRef, Part};
 use crate::elements::system_matrices::Matrices;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::force::Force;
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Parts, Support, Watched, Wheels};
+use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
 use crate::structure::Component;
 
 impl Assembly {
@@ -48,7 +48,7 @@ impl Assembly {
         }
         let forces = self.placed_forces(forces, center, &attachments)?;
         let markers: Vec<Marker> = nodes.values().map(|node| node.marker(center)).collect();
-        let body = FlexibleBody::new(Parts {
+        let body = FlexibleBody::new(BodyParts {
             support: Support::Free,
             pole: center.into(),
             center_of_mass: center.into(),

@@ -4,7 +4,9 @@ use crate::elements::system_matrices::Matrices;
 use crate::elements::{Assembly, Coefficient, End, Law};
 use crate::finite::{Link, Mass};
 use crate::math::sparse::SparseRows;
-use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Parts, Rheology, Support, Wheels};
+use crate::model::{
+    BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology, Support, Wheels,
+};
 use crate::problems::ring_of_points;
 use crate::reduction::reduce;
 use crate::structure::{Component, Freedoms, Hold, Load, Node, Purpose, Structure};
@@ -57,7 +59,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         .collect();
     let Matrices { stiffness, damping, lossy, dissipators } =
         Matrices::sum(size, component.blocks(0).map(Ok), &[]).unwrap();
-    FlexibleBody::new(Parts {
+    FlexibleBody::new(BodyParts {
         support: Support::Free,
         pole: pole.into(),
         center_of_mass: pole.into(),

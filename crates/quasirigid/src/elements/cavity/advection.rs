@@ -1,6 +1,6 @@
 use super::liquid::Liquid;
 use crate::flow::Velocity;
-use crate::math::sym::dot;
+use crate::math::vec3::dot;
 
 /// Terms below this share of the largest are rounding.
 const ROUNDING: f64 = 1e-10;

@@ -12,7 +12,7 @@ use super::{ideal, layer};
 use crate::elements::error::{Field, Problem};
 use crate::flow::revolution::{self, Fineness, Outline};
 use crate::flow::stokes;
-use crate::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 /// The flows in a cavity, in its axes.
 pub(super) struct Flowing {

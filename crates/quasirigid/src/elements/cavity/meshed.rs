@@ -3,8 +3,8 @@ use super::shape::Extent;
 use crate::flow::Velocity;
 use crate::flow::stokes::{StokesError, StokesFlow};
 use crate::math::krylov::dot;
-use crate::math::mesh::Mesh;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
+use quasirigid_mesh::Mesh;
 
 /// Flows of finite elements in a cavity of any shape.
 pub(super) struct MeshedFlow {

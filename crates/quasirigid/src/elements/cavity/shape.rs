@@ -8,9 +8,9 @@ use crate::elements::coefficient;
 use crate::elements::error::{Field, Problem};
 use crate::flow::revolution::Outline;
 use crate::flow::stokes::Moments;
-use crate::math::mesh::Mesh;
-use crate::math::meshing::{self, MeshingError};
 use crate::model::LiquidFlow;
+use quasirigid_mesh::Mesh;
+use quasirigid_mesh::meshing::{self, MeshingError};
 
 /// Shape of a cavity, about its middle, in axes of its own.
 #[derive(Clone, Debug, PartialEq)]

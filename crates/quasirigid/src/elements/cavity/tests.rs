@@ -11,7 +11,7 @@ use super::revolved::MeridianFlow;
 use super::shape::CavityShape;
 use crate::flow::revolution::Fineness;
 use crate::math::krylov::dot;
-use crate::math::meshing;
+use quasirigid_mesh::meshing;
 
 type C = Complex<f64>;
 

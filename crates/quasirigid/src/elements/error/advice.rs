@@ -2,8 +2,8 @@
 //! what to try there.
 
 use super::{ElementKind, Problem};
-use crate::math::mesh::MeshNote;
 use crate::model::{InertiaError, RheologyError};
+use quasirigid_mesh::MeshNote;
 
 impl Problem {
     /// A few words for the place in a model file at which it stands.

@@ -6,9 +6,9 @@ use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
-use crate::math::mesh::{MeshFault, MeshNote};
-use crate::math::meshing::MeshingError;
 use crate::model::{InertiaError, RheologyError};
+use quasirigid_mesh::meshing::MeshingError;
+use quasirigid_mesh::{MeshFault, MeshNote};
 
 /// What can be wrong with a value of an element.
 #[non_exhaustive]
@@ -422,7 +422,7 @@ pub enum Problem {
         count: usize,
     },
     /// The axes of a hinge do not turn the appendage independently.
-    #[error("the axes are not independent, so two hinge angles would be the same motion")]
+    #[error("the axes are not independent, so two of them would be the same motion")]
     DependentAxes,
     /// A hinge coefficient does not have one value or row per axis.
     #[error("{}, but {}", counted(*axes, "axis", "axes"), counted(*values, "value", "values"))]

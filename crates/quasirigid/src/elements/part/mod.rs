@@ -1,4 +1,4 @@
-//! Parts that are elastic throughout, as a user describes them; finite elements are made of them.
+//! BodyParts that are elastic throughout, as a user describes them; finite elements are made of them.
 
 mod connection;
 mod frame;
@@ -25,9 +25,9 @@ pub use substance::{Orthotropic, Substance};
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, ElementKind, Problem};
 use super::{Assembly, Incomplete, Material};
-use crate::math::mesh::{Mesh, MeshNote};
 use crate::model::Rheology;
 use crate::structure::{Hold, Node, Structure};
+use quasirigid_mesh::{Mesh, MeshNote};
 
 /// A part of a body that is elastic throughout.
 #[derive(Clone, Debug, PartialEq)]
@@ -231,7 +231,7 @@ impl Element for Part {
         Role::Mass
     }
 
-    /// Parts are checked together, since they hold each other.
+    /// BodyParts are checked together, since they hold each other.
     fn check(&self, _: ElementId, _: &Assembly) -> Vec<ElementError> {
         Vec::new()
     }

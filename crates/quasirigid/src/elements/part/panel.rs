@@ -7,8 +7,8 @@ use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::finite::{Element, Grain};
-use crate::math::mesh::{Cell, Mesh, Shape};
 use crate::structure::Structure;
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// A thin plate or shell.
 #[derive(Clone, Debug, PartialEq)]

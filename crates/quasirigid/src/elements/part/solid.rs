@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 use super::{Substance, sound};
 use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
 use crate::finite::{Element, Grain, elasticity, solid};
-use crate::math::mesh::{Mesh, Shape};
 use crate::structure::Structure;
+use quasirigid_mesh::{Mesh, Shape};
 
 /// A solid of cells: tetrahedra, wedges and hexahedra.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,14 +5,14 @@ use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::ritz::Ritz;
-use crate::math::meshing::{Neck, graded, necks};
 use crate::math::watch;
+use quasirigid_mesh::meshing::{Neck, graded, necks};
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
 /// About how many cells a mesh has at first, and those with which more is tried while the error is larger than wanted.
 const CELLS: [usize; 2] = [6_000, 16_000];
-/// Parts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
+/// BodyParts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
 const COARSER: [f64; 2] = [0.25, 0.5];
 /// Error at which no finer mesh is tried, and from which there is no answer unless it was asked for.
 const WANTED: f64 = 0.05;

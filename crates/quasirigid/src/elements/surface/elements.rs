@@ -8,10 +8,10 @@ use crate::elements::assembly::Exact;
 use crate::elements::error::Problem;
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, Part, Region, Solid, Substance};
-use crate::math::meshing::{GradedMesh, Neck, graded};
-use crate::math::sym::Sym;
+use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use crate::structure::Condensation;
+use quasirigid_mesh::meshing::{GradedMesh, Neck, graded};
 
 /// A body made of cells.
 pub(super) struct Meshed {

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use super::compliance;
 use super::elements::Meshed;
-use crate::math::meshing::{GradedMesh, Neck};
-use crate::math::surface::ClosedSurface;
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_mesh::meshing::{GradedMesh, Neck};
+use quasirigid_mesh::surface::ClosedSurface;
 
 /// Growth of the compliance by the last two degrees at which polynomials have converged.
 pub(super) const CONVERGED: f64 = 1e-3;

@@ -12,9 +12,9 @@ use super::material::Material;
 use super::ritz::{Ritz, Solid};
 use super::single_element::{Whole, WholeBody};
 use super::{Assembly, Incomplete, Reduction, compliance};
-use crate::math::surface::ClosedSurface;
 use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
 use crate::structure::Condensation;
+use quasirigid_mesh::surface::ClosedSurface;
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
 ///

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// A shell that no structure can have.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 use super::mass::{Point, points};
 use super::section::ShellSection;
 use crate::finite::{Grain, Site, Turn};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Its mass as material points: two over each point of its surface, at heights that have the first and second moments of
 /// the section, which move by `u + θ × z n`.

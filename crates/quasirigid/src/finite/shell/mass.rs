@@ -4,7 +4,7 @@ use super::error::ShellError;
 use super::plane::Plane;
 use super::quad::{R, S, gauss};
 use super::section::ShellSection;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Mass (kg, kg·m, kg·m²), consistent with `u + θ × z n` where `u` and `θ` are linear or bilinear between the nodes:
 ///

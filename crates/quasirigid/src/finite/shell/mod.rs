@@ -30,7 +30,7 @@ use self::plane::Plane;
 use self::quad::Quad;
 use self::sample::Sample;
 use self::triangle::Triangle;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Stiffness: the forces (N) and moments (N·m) at the nodes per unit of their displacements.
 ///

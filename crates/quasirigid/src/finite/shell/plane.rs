@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector2, Vector3};
 
 use super::error::ShellError;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// The plane of an element: that of a triangle, or the one midway between the diagonals of a quadrilateral.
 ///

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, Vector3};
 
 use super::slopes::{inverse, jacobian};
-use crate::math::mesh::{MOST, Sample, Shape};
+use quasirigid_mesh::{MOST, Sample, Shape};
 
 /// Displacements `1 − ξ²`, `1 − η²`, `1 − ζ²`, in three directions each.
 pub(super) const OWN: usize = 3;

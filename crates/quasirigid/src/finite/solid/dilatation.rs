@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix4, Matrix4xX, Vector4};
 
 use super::slopes::weighted;
-use crate::math::mesh::Sample;
+use quasirigid_mesh::Sample;
 
 /// What the dilatation of each displacement changes in its strain: a third of `d̄_ai − ∂N_a/∂x_i` in each direction,
 /// where `d̄` is the linear function of the reference coordinates that comes nearest to the dilatation in the mean
@@ -31,7 +31,7 @@ pub(super) fn correction(gradients: &DMatrix<f64>, volumes: &[f64], samples: &[S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::mesh::{Rule, Shape};
+    use quasirigid_mesh::{Rule, Shape};
 
     /// Once the dilatation is linear there is nothing left to change, and its mean never changes.
     #[test]

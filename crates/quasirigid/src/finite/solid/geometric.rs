@@ -4,7 +4,7 @@ use super::bending::Enriched;
 use super::slopes::Slopes;
 use super::stiffness::full;
 use crate::finite::elasticity::VOIGT;
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// Geometric stiffness (N/m) of a solid cell for one component of the displacement, node by node: how the stress `σ`
 /// of a displacement `u` (m, node by node x y z) stiffens the cell against further motion.

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::slopes::jacobian;
 use crate::finite::{Grain, Site};
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// The mass of a solid cell as material points, those of the rule that is exact for products of two displacements where
 /// edges are straight and faces flat.

@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::slopes::{jacobian, weighted};
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// Consistent mass (kg) of a solid cell for one component of the displacement, node by node: `∫ ρ N_a N_b dV`.
 ///
@@ -21,6 +21,6 @@ pub(super) fn by_rule(shape: Shape, nodes: &[Vector3<f64>], density: f64, rule: 
     weighted(&functions, &masses) * functions.transpose()
 }
 
-fn sample_volume(nodes: &[Vector3<f64>], sample: &crate::math::mesh::Sample) -> f64 {
+fn sample_volume(nodes: &[Vector3<f64>], sample: &quasirigid_mesh::Sample) -> f64 {
     sample.weight * jacobian(nodes, sample).determinant()
 }

@@ -8,7 +8,7 @@
 //! - tetrahedra of 10 and wedges of 15 nodes need nothing: nearly incompressible material costs them one order.
 //!
 //! Tetrahedra of 4 nodes and wedges of 6 are too stiff in bending, and lock where the material is nearly
-//! incompressible. The cells are those that [`Mesh::check`](crate::math::mesh::Mesh::check) accepts; of others the
+//! incompressible. The cells are those that [`Mesh::check`](quasirigid_mesh::Mesh::check) accepts; of others the
 //! matrices may hold NaN.
 
 mod bending;

@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::{bending, dilatation};
-use crate::math::mesh::{Rule, Sample, Shape};
+use quasirigid_mesh::{Rule, Sample, Shape};
 
 /// Slopes of the displacements of a cell at the points of a rule.
 pub(super) struct Slopes {

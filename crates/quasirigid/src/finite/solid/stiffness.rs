@@ -3,7 +3,7 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use super::bending::Enriched;
 use super::slopes::{Slopes, products};
 use crate::finite::elasticity::VOIGT;
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// Stiffness (N/m) of a solid cell over the displacements of its nodes, node by node x y z.
 ///

@@ -1,5 +1,5 @@
-use crate::math::mesh::{Rule, Sample, Shape};
-use crate::math::sym::{add, cross, dot, scale};
+use crate::math::vec3::{add, cross, dot, scale};
+use quasirigid_mesh::{Rule, Sample, Shape};
 
 /// Nodes of a quadratic tetrahedron.
 pub(super) const NODES: usize = 10;

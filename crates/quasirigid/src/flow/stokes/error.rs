@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::math::mesh::{MeshFault, Shape};
+use quasirigid_mesh::{MeshFault, Shape};
 
 /// Why the flow in a cavity cannot be found. Nodes and cells go by the numbers of their file.
 #[non_exhaustive]

@@ -2,9 +2,9 @@ use std::collections::HashMap;
 
 use super::StokesError;
 use super::cell::NODES;
-use crate::math::mesh::{Cell, Mesh, Shape};
-use crate::math::parts::parts;
-use crate::math::sym::{add, scale};
+use crate::math::connected_components::connected_components;
+use crate::math::vec3::{add, scale};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Ends of the edges of a tetrahedron, in the order of their middle nodes.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
@@ -83,7 +83,7 @@ impl Grid {
                 }
             }
         }
-        let count = parts(self.cells.len(), pairs).len();
+        let count = connected_components(self.cells.len(), pairs).len();
         if count > 1 { Err(StokesError::Pieces { count }) } else { Ok(()) }
     }
 }

@@ -24,8 +24,8 @@ use self::assembly::Assembly;
 use self::cell::{NODES, points};
 use self::grid::Grid;
 use super::Velocity;
-use crate::math::mesh::Mesh;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
+use quasirigid_mesh::Mesh;
 
 /// A cavity full of liquid, discretised.
 ///

@@ -1,6 +1,6 @@
 use super::cell::points;
 use super::grid::Grid;
-use crate::math::sym::{add, scale};
+use crate::math::vec3::{add, scale};
 
 /// Volume of a cavity and what follows from it.
 pub(crate) struct Moments {

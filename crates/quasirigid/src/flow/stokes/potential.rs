@@ -7,9 +7,9 @@ use super::grid::{FACES, Grid};
 use super::moments::Moments;
 use crate::flow::potential_flow::Slip;
 use crate::math::factor::{Factor, Method};
-use crate::math::mesh::{Mesh, Rule, Sample, Shape};
-use crate::math::sym::{add as sum, cross, dot, norm, scale};
 use crate::math::symmetric::Symmetric;
+use crate::math::vec3::{add as sum, cross, dot, norm, scale};
+use quasirigid_mesh::{Mesh, Rule, Sample, Shape};
 
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Corners of the reference cell.

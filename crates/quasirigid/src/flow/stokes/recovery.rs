@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use super::cell::{CORNERS, NODES, Point, points, points_at};
 use super::grid::Grid;
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// Monomials up to the second degree in three coordinates.
 const MONOMIALS: usize = 10;

@@ -2,7 +2,7 @@ use super::gravity::FirstMoment;
 use super::{Axes, Force, Law, Wave};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, cross, dot, scale};
+use crate::math::vec3::{add, cross, dot, scale};
 use crate::model::{FlexibleBody, Marker, Motion, Support};
 
 /// Where the body is and how it moves, as external forces see it.

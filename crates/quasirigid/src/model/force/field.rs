@@ -1,6 +1,6 @@
 use super::Orbit;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, dot, scale};
+use crate::math::vec3::{add, dot, scale};
 
 /// A magnetic field, inertial axes. (F8)
 #[derive(Clone, Copy, Debug, PartialEq)]

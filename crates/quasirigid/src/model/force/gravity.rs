@@ -2,7 +2,8 @@
 
 use super::Loads;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, cross, dot, scale, times};
+use crate::math::sym3::times;
+use crate::math::vec3::{add, cross, dot, scale};
 use crate::model::{FlexibleBody, Invariants};
 
 /// First moment of the displacements (kg·m), `s = S_j q_j + ½ Γ_jk q_j q_k`, and its slopes `∂s/∂q_j`. (F3)

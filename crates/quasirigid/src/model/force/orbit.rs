@@ -1,7 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, scale};
+use crate::math::vec3::{add, scale};
 
 /// A Kepler orbit about a centre of attraction, which is the origin of the inertial axes. (F10)
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@ use super::gravity::FirstMoment;
 use super::{Force, Loads, Situation};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
 use crate::model::{FlexibleBody, Marker, Motion};
 
 /// Where a body is, apart from its spin.

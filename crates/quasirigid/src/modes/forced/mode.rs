@@ -96,7 +96,7 @@ impl SteadyModes {
     /// Frequencies (rad/s) at which a mode is seen from outside: `λ − |ω|` and `λ + |ω|`.
     #[must_use]
     pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
-        let spin = crate::math::sym::norm(self.state.omega);
+        let spin = crate::math::vec3::norm(self.state.omega);
         [(mode.frequency - spin).abs(), mode.frequency + spin]
     }
 }

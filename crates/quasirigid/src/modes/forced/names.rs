@@ -4,7 +4,7 @@ use nalgebra::{Complex, Vector3};
 
 use super::state::SteadyState;
 use super::turning::Turning;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::modes::mode::SpinMode;
 
 /// A mode with what its name follows from.

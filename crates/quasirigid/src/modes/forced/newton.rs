@@ -8,7 +8,7 @@ use super::slopes::{Instant, Slopes};
 use super::state::Near;
 use super::system::{System, length};
 use crate::math::rotation::{self, Attitude, Turn};
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::force::{Force, Loads};
 use crate::model::{FlexibleBody, Marker};
 

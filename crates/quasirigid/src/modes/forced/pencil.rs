@@ -5,7 +5,7 @@ use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
 use super::system::System;
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
-use crate::math::sym::scale;
+use crate::math::vec3::scale;
 use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory};
 use crate::modes::iteration::Nonlinear;

@@ -6,7 +6,7 @@ use super::slopes::Instant;
 use super::steadiness;
 use super::turning::{Turning, effective, rests};
 use crate::math::rotation;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Motion};
 

@@ -6,7 +6,7 @@ use super::error::SteadyError;
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
 use super::state::SteadyState;
 use super::system::length;
-use crate::math::sym::norm;
+use crate::math::vec3::norm;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
-use crate::math::sym::{add, cross, norm, scale};
+use crate::math::vec3::{add, cross, norm, scale};
 use crate::model::{FlexibleBody, Motion, SpinCoefficients};
 use crate::modes::spectrum::{forces, mass};
 

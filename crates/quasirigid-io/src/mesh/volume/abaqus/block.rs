@@ -1,7 +1,7 @@
 use super::kinds::Kind;
 use super::sets::Filling;
 use super::{Draft, MeshProblem, Row, VolumeProblem};
-use crate::mesh::text::{number, whole};
+use crate::text_file::{number, whole};
 
 /// What data lines are for.
 pub(super) enum Block {

@@ -1,4 +1,4 @@
-use quasirigid::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 use super::VolumeProblem;
 

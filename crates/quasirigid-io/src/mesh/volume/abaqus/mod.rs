@@ -7,12 +7,13 @@ mod sets;
 
 use std::path::{Path, PathBuf};
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;
 use crate::mesh::error::{MeshError, MeshProblem, Part, Place, Row};
-use crate::mesh::file::{LARGEST, bytes_of};
+use crate::mesh::file::LARGEST;
+use crate::text_file::bytes_of;
 use block::{Block, Cells};
 use keyword::Keyword;
 use sets::Filling;
@@ -70,7 +71,7 @@ impl Reader {
                 if within.len() >= DEEPEST || within.contains(&included) {
                     return Err(located(VolumeProblem::Include { file: included, limit: DEEPEST }.into()));
                 }
-                let bytes = bytes_of(&included)?;
+                let bytes = bytes_of::<MeshProblem>(&included, LARGEST)?;
                 self.read += bytes.len() as u64;
                 if self.read > LARGEST {
                     return Err(located(MeshProblem::TooLarge { limit: LARGEST }));

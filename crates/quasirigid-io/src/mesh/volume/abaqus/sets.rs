@@ -1,5 +1,5 @@
 use super::{Draft, MeshProblem, Part, Row, VolumeProblem};
-use crate::mesh::text::whole;
+use crate::text_file::whole;
 
 /// A set that is being filled.
 #[derive(Clone, Copy, Debug)]

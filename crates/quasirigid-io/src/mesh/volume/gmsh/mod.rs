@@ -6,7 +6,7 @@ mod source;
 mod version2;
 mod version4;
 
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;
@@ -32,7 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
             || VolumeProblem::Section { found: String::from_utf8_lossy(&line[..line.len().min(80)]).into() };
         let place = source.place();
         let section = line.strip_prefix(b"$").and_then(|name| std::str::from_utf8(name).ok());
-        match (section.ok_or_else(|| (place, unexpected().into()))?, version) {
+        match (section.ok_or_else(|| (place.clone(), unexpected().into()))?, version) {
             ("MeshFormat", None) => version = Some(read_format(&mut source)?),
             ("PhysicalNames", Some(_)) => groups.read_names(&mut source, &mut draft)?,
             ("Nodes", Some(Version::V2)) => version2::read_nodes(&mut source, &mut draft)?,

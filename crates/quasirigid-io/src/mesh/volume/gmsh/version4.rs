@@ -140,7 +140,7 @@ pub(super) fn read_cells(
         let block = Block::read(source, version)?;
         left = block.taken_from(left, source, Part::Cells, announced)?;
         let here = source.place();
-        let nodes = nodes_of(block.kind).map_err(|problem| (here, problem))?;
+        let nodes = nodes_of(block.kind).map_err(|problem| (here.clone(), problem))?;
         let sets =
             groups.sets(draft, block.dimension, block.tag).map_err(|problem| (here, problem.into()))?;
         for _ in 0..block.count {

@@ -179,7 +179,7 @@ fn is_keyword(word: &[u8]) -> bool {
 }
 
 /// Where the values of an array stand.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Origin<'a> {
     /// Words of a text from this byte on, and the line of its first byte.
     Words { bytes: &'a [u8], start: usize, first_line: usize },
@@ -192,14 +192,14 @@ pub(super) enum Origin<'a> {
 impl Origin<'_> {
     /// Where a value stands.
     pub(super) fn place(&self, value: usize) -> Place {
-        match *self {
-            Self::Words { bytes, start, first_line } => {
+        match self {
+            &Self::Words { bytes, start, first_line } => {
                 let mut words = Words { bytes, at: start, first_line };
                 let start = (0..=value).map_while(|_| words.next().map(|(start, _)| start)).last();
                 words.line(start.unwrap_or(bytes.len()))
             }
             Self::Bytes { start, width } => Place::Byte(start + width * value),
-            Self::Somewhere(place) => place,
+            Self::Somewhere(place) => place.clone(),
         }
     }
 }

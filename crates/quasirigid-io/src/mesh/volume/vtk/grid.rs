@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use quasirigid::math::mesh::{Cell, Mesh, Shape};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::array::Array;
 use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite};

@@ -1,4 +1,4 @@
-use quasirigid::math::mesh::Mesh;
+use quasirigid_mesh::Mesh;
 
 use super::array::{Array, Origin, Scalar, Values, Words, cut};
 use super::grid::Grid;
@@ -16,7 +16,7 @@ pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
         file.read_part(line, offsets, &mut parts)?;
     }
     let end = file.end();
-    let missing = |part: &str| (end, VolumeProblem::Missing { keyword: part.to_owned() }.into());
+    let missing = |part: &str| (end.clone(), VolumeProblem::Missing { keyword: part.to_owned() }.into());
     let (corners, ends) = parts.cells.ok_or_else(|| missing("CELLS"))?;
     let grid = Grid {
         points: parts.points.ok_or_else(|| missing("POINTS"))?,
@@ -239,7 +239,7 @@ impl<'a> File<'a> {
             rest = after;
         }
         let (name, origin) = (array.name.clone(), array.origin);
-        let ends = Array { name: name.clone(), values: Values::Whole(ends), origin };
+        let ends = Array { name: name.clone(), values: Values::Whole(ends), origin: origin.clone() };
         Ok((Array { name, values: Values::Whole(corners), origin }, ends))
     }
 

@@ -1,7 +1,7 @@
 use std::borrow::Cow;
 
-use quasirigid::math::memory;
-use quasirigid::math::mesh::Mesh;
+use quasirigid_math::memory;
+use quasirigid_mesh::Mesh;
 use roxmltree::{Document, Node};
 
 use super::array::{Array, Origin, Scalar, Values, Words};
@@ -9,7 +9,7 @@ use super::data::{Encoded, Layout};
 use super::grid::Grid;
 use super::{Fault, MeshProblem, Place, Sets, VolumeProblem};
 use crate::mesh::file::LARGEST;
-use crate::mesh::text::text;
+use crate::text_file::text;
 
 const APPENDED: &[u8] = b"<AppendedData";
 const CLOSING: &[u8] = b"</VTKFile>";

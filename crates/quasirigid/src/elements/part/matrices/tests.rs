@@ -9,9 +9,9 @@ use super::Matrices;
 use crate::elements::error::{Field, Problem};
 use crate::elements::material::Material;
 use crate::elements::part::{Kind, NodalMass, Part, Region, Solid, Substance};
-use crate::math::mesh::{Cell, Mesh, Shape};
 use crate::model::Rheology;
 use crate::structure::Structure;
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Corners of two tetrahedra with a common face, away from the origin.
 const CORNERS: [[f64; 3]; 5] =

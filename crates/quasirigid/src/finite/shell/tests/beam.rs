@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::grid::{Grid, SHAPES, name};
 use super::structure::{Structure, section};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// A beam held at its first column, with a unit force spread over the last: its displacement along the force there.
 fn cantilever(mut beam: Structure, counts: [usize; 2], force: [f64; 3]) -> f64 {

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 
 use super::grid::{Grid, SHAPES, name};
 use super::structure::{Structure, section};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 fn coefficient(shape: Shape, n: usize) -> f64 {
     let (young, poisson, thickness) = (7e10, 0.3, 1e-3);

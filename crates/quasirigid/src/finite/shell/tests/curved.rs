@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::grid::{Grid, SHAPES, name};
 use super::structure::{Structure, section};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-6

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::super::{Ply, ShellError, ShellSection, geometric, mass, stiffness};
 use super::grid::SHAPES;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Carbon fibre in four directions, unsymmetric and off the nodes: every entry of A, B, D is there.
 pub fn laminate(thickness: f64) -> ShellSection {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Nodes in rows, with quadrilaterals between them or two triangles for each.
 pub struct Grid {

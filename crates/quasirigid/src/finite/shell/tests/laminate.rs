@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::super::{Ply, ShellSection};
 use super::grid::{Grid, SHAPES, name};
 use super::structure::Structure;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 const SIDES: [f64; 2] = [1.0, 0.8];
 

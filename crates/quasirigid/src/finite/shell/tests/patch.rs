@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector2, Vector3};
 use super::super::stiffness;
 use super::element::laminate;
 use super::grid::SHAPES;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// The patch of `[@macneal1985]`: four corners, four nodes inside, five quadrilaterals.
 const NODES: [[f64; 2]; 8] = [

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::super::{Ply, ShellSection};
 use super::grid::{Grid, SHAPES, name};
 use super::structure::{Structure, isotropic, section};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// Deflection of the middle in units of `q a⁴ / D`, from a quarter of the plate.
 fn middle(shape: Shape, n: usize, thickness: f64, clamped: bool) -> f64 {

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use super::super::{mass, stiffness};
 use super::grid::{Grid, SHAPES, name};
 use super::structure::section;
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// The entries between some freedoms of all nodes.
 fn between(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 pub const SHAPES: [Shape; 7] =
     [Shape::Tet4, Shape::Tet10, Shape::Wedge6, Shape::Wedge15, Shape::Hex8, Shape::Hex20, Shape::Hex27];

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::finite::elasticity::isotropic;
 use crate::finite::solid::slopes::Slopes;
 use crate::finite::solid::{mass, stiffness};
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 struct Case {
     name: &'static str,

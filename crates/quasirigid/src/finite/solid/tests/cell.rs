@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 use super::block::{Block, SHAPES, distorted, rigid};
 use crate::finite::elasticity::{Orthotropic, isotropic, orthotropic};
 use crate::finite::solid::{geometric, mass, stiffness};
-use crate::math::mesh::Shape;
+use quasirigid_mesh::Shape;
 
 /// An orthotropic material in turned axes.
 pub fn wood() -> Matrix6<f64> {

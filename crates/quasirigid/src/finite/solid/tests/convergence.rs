@@ -6,7 +6,7 @@ use super::block::{Block, SHAPES, solved};
 use crate::finite::elasticity::isotropic;
 use crate::finite::solid::slopes::{inverse, jacobian};
 use crate::finite::solid::{mass, stiffness};
-use crate::math::mesh::{Rule, Shape};
+use quasirigid_mesh::{Rule, Shape};
 
 /// `∇φ` and `∇∇φ` of `φ = e^x sin(0.6 y) cos(0.8 z)`, which is harmonic: a displacement in balance without a force.
 fn smooth(x: Vector3<f64>) -> (Vector3<f64>, Matrix3<f64>) {

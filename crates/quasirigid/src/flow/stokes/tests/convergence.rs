@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use super::super::StokesFlow;
 use super::lattice::{SIDES, ball, block, cylinder, faceted_ball};
 use super::{diagonal, distance, ellipsoid, gap, tensor, turned, turned_tensor};
-use crate::math::mesh::Mesh;
-use crate::math::sym::{add, scale};
+use crate::math::vec3::{add, scale};
+use quasirigid_mesh::Mesh;
 
 /// Errors of the tensor on two meshes and the order in which they fall.
 fn order(counts: [i64; 2], mesh: impl Fn(i64) -> Mesh, exact: [[f64; 3]; 3]) -> ([f64; 2], f64) {

@@ -4,7 +4,7 @@ use super::super::StokesFlow;
 use super::lattice::{ball, block, cylinder};
 use super::{AXES, distance, loads};
 use crate::math::krylov::dot;
-use crate::math::sym::{add, cross, dot as scalar, scale};
+use crate::math::vec3::{add, cross, dot as scalar, scale};
 
 /// `u = −(1 − r²)/10 e × r` in the unit ball.
 #[test]

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::math::mesh::{Cell, Mesh, Shape};
-use crate::math::sym::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Tetrahedra between points with whole coordinates. None has two faces on a wall that is smooth where they meet, which
 /// would be flat there.

@@ -4,8 +4,8 @@ use super::super::StokesFlow;
 use super::lattice::{Lattice, ball, block, cylinder};
 use super::{AXES, diagonal, gap, loads, nodal, tensor, turned, turned_tensor};
 use crate::math::krylov::dot;
-use crate::math::mesh::Shape;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
+use quasirigid_mesh::Shape;
 
 /// An octahedron of eight cells, off the origin, with the share `λ` of its middle at a place.
 fn octahedron() -> (StokesFlow, impl Fn([f64; 3]) -> f64 + Copy) {
@@ -25,18 +25,18 @@ fn integrals_over_straight_cells_are_exact() {
     let (flow, share) = octahedron();
     let [a, b] = [[0.3, -1.0, 0.8], [1.2, 0.5, 0.7]];
     let [u, v] = [a, b].map(|a| nodal(&flow, |x| scale(share(x).powi(2), a)));
-    let product = crate::math::sym::dot(a, b);
+    let product = crate::math::vec3::dot(a, b);
     close(dot(&v, &flow.mass_times(&u)), product * 8.0 * 24.0 / 5040.0);
     close(dot(&v, &flow.stiffness_times(&u)), product * 12.0 * 8.0 * 2.0 / 120.0);
     let axis = [-0.7, 0.9, 0.4];
-    let triple = crate::math::sym::dot(b, cross(axis, a));
+    let triple = crate::math::vec3::dot(b, cross(axis, a));
     assert!(triple.abs() > 0.1);
     close(dot(&v, &flow.turned(axis, &u)), triple * 8.0 * 24.0 / 5040.0);
     // ∫ λ² y² dV = 8·2·2/7! about the middle, where odd powers vanish.
     let load = flow.load(|[x, y, z]| [1.0 + x, y * y, x * z - 3.0]);
     let [whole, square] = [8.0 * 2.0 / 120.0, 8.0 * 4.0 / 5040.0];
     let exact = [1.4 * whole, 4.0 * whole + square, (0.4 * 0.7 - 3.0) * whole];
-    close(dot(&u, &load), crate::math::sym::dot(a, exact));
+    close(dot(&u, &load), crate::math::vec3::dot(a, exact));
 }
 
 #[test]

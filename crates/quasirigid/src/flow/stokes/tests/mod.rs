@@ -9,7 +9,7 @@ mod refusals;
 use super::StokesFlow;
 use super::cell::points;
 use crate::math::krylov::dot;
-use crate::math::sym::{add, cross, scale};
+use crate::math::vec3::{add, cross, scale};
 
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 

@@ -4,7 +4,7 @@ use super::super::assembly::Assembly;
 use super::super::grid::Grid;
 use super::super::{StokesError, StokesFlow};
 use super::lattice::{Lattice, block};
-use crate::math::mesh::{Cell, Mesh, MeshFault, Shape};
+use quasirigid_mesh::{Cell, Mesh, MeshFault, Shape};
 
 fn refusal(mesh: &Mesh) -> StokesError {
     StokesFlow::new(mesh).err().unwrap()
@@ -89,7 +89,7 @@ fn cavities_must_hang_together_by_faces() {
     // Opposite octants touch in the middle; of eight, these are the even ones.
     let mut mesh = octahedron();
     let even = |cell: &Cell| {
-        let sum = cell.nodes.iter().map(|node| mesh.nodes[*node]).fold([0.0; 3], crate::math::sym::add);
+        let sum = cell.nodes.iter().map(|node| mesh.nodes[*node]).fold([0.0; 3], crate::math::vec3::add);
         sum.iter().product::<f64>() > 0.0
     };
     let cells = mesh.cells.iter().filter(|cell| even(cell)).cloned().collect();

@@ -1,0 +1,166 @@
+//! Files of text and bytes: how much of them is read, their lines and numbers, and the place of what is wrong.
+//!
+//! Matrices and meshes share this reader; each words its problems itself, as a [`ReadProblem`].
+
+use std::error;
+use std::fmt;
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+/// A file that cannot be used: where, and what is wrong there.
+#[derive(Clone, Debug, thiserror::Error, PartialEq)]
+#[error("{}{place}: {problem}", file.display())]
+pub struct FileError<P: error::Error> {
+    /// The file.
+    pub file: PathBuf,
+    /// Where in it.
+    pub place: Place,
+    /// What is wrong.
+    pub problem: P,
+}
+
+impl<P: error::Error> FileError<P> {
+    /// Names the file of a fault.
+    pub(crate) fn new(file: &Path) -> impl Fn(Fault<P>) -> Self + Copy {
+        move |(place, problem)| Self { file: file.to_owned(), place, problem }
+    }
+}
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The whole of it.
+    File,
+    /// A line of a text, from 1.
+    Line(usize),
+    /// A byte of a binary file, from 0.
+    Byte(usize),
+    /// A byte, from 0, of a file inside an archive.
+    Member {
+        /// The file inside.
+        name: String,
+        /// The byte.
+        byte: usize,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => Ok(()),
+            Self::Line(line) => write!(f, ":{line}"),
+            Self::Byte(byte) => write!(f, ": byte {byte}"),
+            Self::Member { name, byte } => write!(f, ": {name}: byte {byte}"),
+        }
+    }
+}
+
+/// A problem at a place of a file that is yet to be named.
+pub(crate) type Fault<P> = (Place, P);
+
+/// Problems that every reader of files has, in its own words.
+pub(crate) trait ReadProblem: error::Error {
+    /// A file that is not read; at most `limit` bytes would be.
+    fn unread(unread: Unread, limit: u64) -> Self;
+
+    /// A byte that no text has.
+    fn not_text(byte: u8) -> Self;
+}
+
+/// A kind of line, whose text says how it is written.
+pub(crate) trait Line: Copy {
+    /// Problems of the files that have such lines.
+    type Problem: ReadProblem;
+
+    /// A word that should be a number.
+    fn not_a_number(self, found: String) -> Self::Problem;
+
+    /// A number that is NaN or infinite.
+    fn not_finite(self, found: String) -> Self::Problem;
+}
+
+/// Why a file is not read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Unread {
+    Unreadable(ErrorKind),
+    Folder,
+    /// It is a pipe, a device or the like, which may never end.
+    NoFile,
+    /// It has more bytes than the limit.
+    TooLarge,
+}
+
+/// The bytes of a file on a disk, which are at most `limit`.
+pub(crate) fn bytes_of<P: ReadProblem>(file: &Path, limit: u64) -> Result<Vec<u8>, FileError<P>> {
+    let read = || {
+        let metadata = std::fs::metadata(file).map_err(|error| Unread::Unreadable(error.kind()))?;
+        if !metadata.is_file() && !metadata.is_dir() {
+            return Err(Unread::NoFile);
+        }
+        stream_of(file, limit)
+    };
+    read().map_err(|unread| FileError::new(file)((Place::File, P::unread(unread, limit))))
+}
+
+/// The bytes of a file or a pipe, which are at most `limit`.
+pub(crate) fn stream_of(file: &Path, limit: u64) -> Result<Vec<u8>, Unread> {
+    let unreadable = |error: Error| Unread::Unreadable(error.kind());
+    let metadata = std::fs::metadata(file).map_err(unreadable)?;
+    if metadata.is_dir() {
+        return Err(Unread::Folder);
+    }
+    if metadata.len() > limit {
+        return Err(Unread::TooLarge);
+    }
+    all_of(File::open(file).map_err(unreadable)?, limit)
+}
+
+/// The bytes of a stream to its end, which are at most `limit`.
+pub(crate) fn all_of(stream: impl Read, limit: u64) -> Result<Vec<u8>, Unread> {
+    let mut bytes = Vec::new();
+    let read = stream.take(limit + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Unread::Unreadable(error.kind()))?;
+    if bytes.len() as u64 > limit { Err(Unread::TooLarge) } else { Ok(bytes) }
+}
+
+/// The bytes of a file as text, without a byte order mark.
+pub(crate) fn text<P: ReadProblem>(bytes: &[u8]) -> Result<&str, Fault<P>> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let end = error.valid_up_to();
+        let line = 1 + bytes[..end].iter().filter(|byte| **byte == b'\n').count();
+        (Place::Line(line), P::not_text(bytes[end]))
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+}
+
+/// Lines that are not blank, with their numbers from 1.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    (1..).zip(text.lines().map(str::trim)).filter(|(_, line)| !line.is_empty())
+}
+
+/// The number of the last line.
+pub(crate) fn last_line(text: &str) -> usize {
+    text.lines().count().max(1)
+}
+
+/// A number that counts or labels something.
+pub(crate) fn whole<L: Line>(word: &str, row: L) -> Result<u64, L::Problem> {
+    word.parse().map_err(|_| row.not_a_number(word.to_owned()))
+}
+
+/// A number of rows or columns.
+pub(crate) fn size<L: Line>(word: &str, row: L) -> Result<usize, L::Problem> {
+    word.parse().map_err(|_| row.not_a_number(word.to_owned()))
+}
+
+/// A number; also with the exponent that Fortran writes, `1.5D-3`.
+pub(crate) fn number<L: Line>(word: &str, row: L) -> Result<f64, L::Problem> {
+    let fortran = |_| word.replace(['D', 'd'], "e").parse();
+    word.parse().or_else(fortran).map_err(|_| row.not_a_number(word.to_owned()))
+}
+
+/// The number that a word stands for, if it is finite.
+pub(crate) fn finite<L: Line>(value: f64, word: &str, row: L) -> Result<f64, L::Problem> {
+    if value.is_finite() { Ok(value) } else { Err(row.not_finite(word.to_owned())) }
+}

@@ -1,0 +1,124 @@
+//! A formula as steps on a stack of numbers.
+
+use super::function::{Binary, Operation, Unary};
+use crate::scalar::Smooth;
+
+/// One step.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Constant(f64),
+    Variable(usize),
+    /// Power with a constant exponent.
+    Power(f64),
+    Unary(Unary),
+    Binary(Binary),
+}
+
+/// Steps that leave the value of a formula on a stack.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    steps: Vec<Step>,
+    /// Numbers on the stack after the last step.
+    height: usize,
+    /// The most numbers ever on it.
+    room: usize,
+}
+
+/// Numbers for which no memory is asked; few formulas need more.
+const SHALLOW: usize = 12;
+
+impl Program {
+    /// Appends a constant.
+    pub fn constant(&mut self, value: f64) {
+        self.push(Step::Constant(value));
+    }
+
+    /// Appends a variable.
+    pub fn variable(&mut self, index: usize) {
+        self.push(Step::Variable(index));
+    }
+
+    /// Appends an operation on what the last steps leave; constants are worked out at once.
+    ///
+    /// # Errors
+    /// The result of constants, if it is not a finite number.
+    pub fn apply(&mut self, operation: Operation) -> Result<(), f64> {
+        let step = match operation {
+            Operation::Unary(unary) => Step::Unary(unary),
+            Operation::Binary(Binary::Power) => self.power(),
+            Operation::Binary(binary) => Step::Binary(binary),
+        };
+        let constants = match (step, self.steps.as_slice()) {
+            (Step::Binary(_), [.., Step::Constant(_), Step::Constant(_)]) => 2,
+            (Step::Unary(_) | Step::Power(_), [.., Step::Constant(_)]) => 1,
+            _ => 0,
+        };
+        self.push(step);
+        if constants == 0 {
+            return Ok(());
+        }
+        let folded = self.steps.split_off(self.steps.len() - constants - 1);
+        let value = run(&folded, &[], &mut [0.0; 2]);
+        self.steps.push(Step::Constant(value));
+        if value.is_finite() { Ok(()) } else { Err(value) }
+    }
+
+    /// Whether a variable occurs.
+    pub fn uses(&self, variable: usize) -> bool {
+        self.steps.iter().any(|step| matches!(step, Step::Variable(index) if *index == variable))
+    }
+
+    /// The value at the variables.
+    pub fn value<T: Smooth>(&self, variables: &[T]) -> T {
+        let zero = T::from(0.0);
+        if self.room <= SHALLOW {
+            run(&self.steps, variables, &mut [zero; SHALLOW])
+        } else {
+            run(&self.steps, variables, &mut vec![zero; self.room])
+        }
+    }
+
+    /// The step for a power; takes a constant exponent off the steps.
+    fn power(&mut self) -> Step {
+        let Some(Step::Constant(exponent)) = self.steps.last().copied() else {
+            return Step::Binary(Binary::Power);
+        };
+        self.steps.pop();
+        self.height -= 1;
+        Step::Power(exponent)
+    }
+
+    fn push(&mut self, step: Step) {
+        match step {
+            Step::Constant(_) | Step::Variable(_) => self.height += 1,
+            Step::Power(_) | Step::Unary(_) => {}
+            Step::Binary(_) => self.height -= 1,
+        }
+        self.room = self.room.max(self.height);
+        self.steps.push(step);
+    }
+}
+
+/// Takes the steps and returns the number they leave; the stack has room for the most there ever are.
+fn run<T: Smooth>(steps: &[Step], variables: &[T], stack: &mut [T]) -> T {
+    let mut height = 0;
+    for step in steps {
+        match *step {
+            Step::Constant(value) => {
+                stack[height] = T::from(value);
+                height += 1;
+            }
+            Step::Variable(index) => {
+                stack[height] = variables[index];
+                height += 1;
+            }
+            Step::Power(exponent) => stack[height - 1] = stack[height - 1].powf(exponent),
+            Step::Unary(unary) => stack[height - 1] = unary.of(stack[height - 1]),
+            Step::Binary(binary) => {
+                height -= 1;
+                stack[height - 1] = binary.of(stack[height - 1], stack[height]);
+            }
+        }
+    }
+    stack[0]
+}

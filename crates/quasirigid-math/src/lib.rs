@@ -1,0 +1,27 @@
+//! Mathematics of [`quasirigid`](https://docs.rs/quasirigid) that knows no physics: vectors and symmetric matrices,
+//! rotations, homogeneous polynomials and their series, elliptic functions, quadrature, integrators of differential
+//! equations, and formulas that users write.
+//!
+//! The linear algebra of `quasirigid-linear` is shown here beside it, so that one name reaches both.
+#![allow(non_snake_case)]
+
+pub mod bisection;
+pub mod chebyshev;
+pub mod connected_components;
+pub mod elliptic;
+pub mod expression;
+pub mod gmres;
+pub mod ode;
+pub mod polynomial;
+pub mod quadrature;
+pub mod rotation;
+pub mod scalar;
+pub mod simd;
+pub mod sphere;
+pub mod sym3;
+pub mod taylor;
+pub mod vec3;
+
+pub use quasirigid_linear::{
+    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, watch,
+};

@@ -1,0 +1,88 @@
+use std::ops::ControlFlow;
+
+use super::{Dense, Solver, StepError};
+
+/// Observer of an integration from step to step.
+pub trait StepObserver<M: Solver> {
+    /// The state at an output time.
+    fn output(&mut self, t: f64, y: &M::State);
+
+    /// The time within the last step at which the integration is to end, if there is one.
+    fn event(&mut self, solver: &mut M) -> Option<f64> {
+        let _ = solver;
+        None
+    }
+
+    /// Called after each step, and free to correct the state; `Break` ends the integration.
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()>;
+}
+
+/// Why an integration ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StopReason {
+    /// The last output time was reached.
+    Finished,
+    /// The observer asked for an end.
+    Interrupted,
+    /// An event of the observer happened; the state is the one of that moment.
+    Event,
+    /// The steps allowed were used up.
+    StepLimit,
+    /// No step could be made.
+    Failed(StepError),
+}
+
+/// Integrates to the last of the ascending `times`, with outputs at each of them.
+#[inline(always)]
+pub fn integrate<M: Solver>(
+    solver: &mut M,
+    times: &[f64],
+    most_steps: u64,
+    observer: &mut impl StepObserver<M>,
+) -> StopReason {
+    let mut next = 0;
+    while next < times.len() && times[next] <= solver.t() {
+        observer.output(times[next], solver.y());
+        next += 1;
+    }
+    while next < times.len() {
+        if solver.work().steps >= most_steps {
+            return StopReason::StepLimit;
+        }
+        if let Err(error) = solver.step(times[times.len() - 1]) {
+            return StopReason::Failed(error);
+        }
+        let event = observer.event(solver);
+        let reached = event.unwrap_or(solver.t());
+        if times[next] <= reached || event.is_some() {
+            let dense = solver.dense();
+            next = outputs(solver, &dense, times, next, reached, observer);
+            if event.is_some() {
+                solver.rewind(reached, dense.at(reached));
+                return StopReason::Event;
+            }
+        }
+        if observer.stepped(solver).is_break() {
+            return StopReason::Interrupted;
+        }
+    }
+    StopReason::Finished
+}
+
+/// Outputs at the times up to the one reached; the number of the next time.
+#[inline(always)]
+fn outputs<M: Solver>(
+    solver: &mut M,
+    dense: &Dense<M::State>,
+    times: &[f64],
+    first: usize,
+    reached: f64,
+    observer: &mut impl StepObserver<M>,
+) -> usize {
+    let mut next = first;
+    while next < times.len() && times[next] <= reached {
+        observer.output(times[next], &solver.output(dense, times[next]));
+        next += 1;
+    }
+    next
+}

@@ -1,0 +1,16 @@
+//! Initial value problems.
+
+mod age;
+mod dop853;
+mod dop853_tableau;
+mod integrate;
+mod radau;
+mod radau_stages;
+mod radau_tableau;
+mod system;
+
+pub use dop853::Dop853;
+pub use integrate::{StepObserver, StopReason, integrate};
+pub use radau::Radau;
+pub use radau_stages::Stiff;
+pub use system::{Dense, Solver, State, StepError, System, Work};

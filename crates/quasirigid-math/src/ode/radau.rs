@@ -1,0 +1,236 @@
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use super::age::Age;
+use super::radau_stages::{Attempt, Search, Stages, Stiff};
+use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
+use super::system::{Dense, Solver, State, StepError, Work, accumulate, towards};
+use crate::simd::Arithmetic;
+
+/// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
+/// linear and constant or changes slowly, so that a factorisation lasts as long as the step, or until the iteration slows.
+///
+/// The stages are found by sweeps over what is not stiff, and by the constant linear part on the rest. The step is
+/// controlled by an embedded formula of order 7, as far as the dense output is good; the state at the end of the step is
+/// better by far.
+#[derive(Clone, Debug)]
+pub struct Radau<S, R> {
+    system: S,
+    t: f64,
+    y: Vec<f64>,
+    carry: Vec<f64>,
+    /// One over the error allowed per step in each component; zero where it is not controlled.
+    weights: Vec<f64>,
+    h: f64,
+    work: Work,
+    /// Start and length of the last step.
+    last: (f64, f64),
+    start: Vec<f64>,
+    /// Rate at the state reached.
+    rate: Vec<f64>,
+    stages: Stages,
+    /// Whether the last step continues into the next.
+    continues: bool,
+    /// Step for which the linear part is factored.
+    factored: f64,
+    /// Where the linear part changes: when it was taken.
+    age: Age,
+    error: Vec<f64>,
+    smoothed: Vec<[f64; 2]>,
+    arithmetic: PhantomData<R>,
+}
+
+/// Caution, and the limits of one change of the step.
+const CAUTION: f64 = 0.82;
+const SHRINK: f64 = 0.2;
+const GROW: f64 = 5.0;
+/// Steps that would change by less are kept, and with them the factorisation.
+const KEPT: Range<f64> = 0.93..1.2;
+/// Order of the error estimate plus one.
+const ORDER: f64 = 8.0;
+/// Ratio of consecutive corrections of the stages up to which longer steps pay; far beyond it shorter ones do.
+const CONTRACTION: f64 = 0.12;
+const FAR: f64 = 2.0;
+/// Factor of the step then.
+const SHORTER: f64 = 0.7;
+/// Stage in the middle of a step.
+const MIDDLE: usize = 3;
+
+impl<S: Stiff, R: Arithmetic> Radau<S, R> {
+    /// Starts at a state with a first step (s), and with the error allowed per step in each component.
+    pub fn new(mut system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64) -> Self {
+        let zero = vec![0.0; y.len()];
+        let mut rate = zero.clone();
+        system.rate::<R>(t, &y, &mut rate);
+        let stiff = system.stiff();
+        Self {
+            system,
+            t,
+            carry: zero.clone(),
+            weights: allowed.iter().map(|allowed| 1.0 / allowed).collect(),
+            h,
+            work: Work { evaluations: 1, ..Work::default() },
+            last: (t, 0.0),
+            start: y.clone(),
+            rate,
+            stages: Stages::new(y.len(), stiff),
+            continues: false,
+            factored: 0.0,
+            age: Age::default(),
+            error: zero,
+            smoothed: vec![[0.0; 2]; y.len() - stiff],
+            arithmetic: PhantomData,
+            y,
+        }
+    }
+
+    /// The system followed.
+    pub fn system(&self) -> &S {
+        &self.system
+    }
+
+    /// Step that the method would make next.
+    pub fn h(&self) -> f64 {
+        self.h
+    }
+
+    /// Factors the linear part, taken in the middle of the step where it changes and has aged. (T4)
+    fn factor(&mut self, h: f64) {
+        let renewed = self.system.changes() && self.age.is_due();
+        if renewed {
+            let middle: Vec<f64> =
+                self.y.iter().zip(&self.stages.changes[MIDDLE]).map(|(y, change)| y + change).collect();
+            self.system.renew(self.t + C[MIDDLE] * h, &middle);
+            self.age.steps = Some(0);
+        }
+        if renewed || self.factored != h {
+            self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
+            self.factored = h;
+            self.work.factorizations += 1;
+        }
+    }
+
+    fn find_stages(&mut self, h: f64) -> Search {
+        if self.continues {
+            self.stages.guess_continued(h / self.last.1);
+        } else {
+            self.stages.guess_still(&self.rate);
+        }
+        self.factor(h);
+        let attempt = Attempt { t: self.t, h, y: &self.y, weights: &self.weights };
+        self.stages.find::<S, R>(&mut self.system, attempt)
+    }
+
+    /// Error estimate of the step in units of the error allowed, smoothed by the linear part.
+    fn estimate(&mut self, h: f64) -> f64 {
+        let stiff = self.system.stiff();
+        for (i, error) in self.error.iter_mut().enumerate() {
+            let stages: f64 =
+                self.stages.rates.iter().zip(ERROR).map(|(rate, weight)| weight * rate[i]).sum();
+            *error = h * (stages + START * self.rate[i]);
+        }
+        for (smoothed, error) in self.smoothed.iter_mut().zip(&self.error[stiff..]) {
+            *smoothed = [error / (START * h), 0.0];
+        }
+        self.system.solve(0, &mut self.smoothed);
+        for (error, [smoothed, _]) in self.error[stiff..].iter_mut().zip(&self.smoothed) {
+            *error = *smoothed;
+        }
+        let squares = self.error.iter().zip(&self.weights).map(|(error, weight)| (error * weight).powi(2));
+        squares.sum::<f64>().sqrt()
+    }
+
+    fn accept(&mut self, h: f64, t: f64) {
+        self.last = (self.t, h);
+        self.start.copy_from_slice(&self.y);
+        self.stages.keep(&self.rate);
+        let [.., change] = &self.stages.changes;
+        accumulate(&mut self.y, &mut self.carry, change);
+        let [.., rate] = &self.stages.rates;
+        self.rate.copy_from_slice(rate);
+        self.t = t;
+        self.work.steps += 1;
+        self.work.implicit_steps += 1;
+        self.continues = true;
+        self.age.steps = self.age.steps.map(|steps| steps + 1);
+    }
+
+    /// Growth of the step that the iteration of the stages can afford, where accuracy affords `wanted`; a linear part that has aged is
+    /// taken again first.
+    fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
+        let growth = if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) };
+        let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
+        if aged { growth.max(1.0) } else { growth }
+    }
+}
+
+impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
+    type State = Vec<f64>;
+
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn y(&self) -> &Vec<f64> {
+        &self.y
+    }
+
+    fn work(&self) -> Work {
+        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps, ..self.work }
+    }
+
+    fn step(&mut self, end: f64) -> Result<(), StepError> {
+        let mut rejected = false;
+        let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
+        loop {
+            let (h, reaches) = towards(end, self.t, self.h, undefined)?;
+            let search = self.find_stages(h);
+            undefined = matches!(search, Search::NotFinite);
+            let factor = match search {
+                Search::Found(ratio) => {
+                    let error = self.estimate(h).max(f64::MIN_POSITIVE);
+                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
+                    if error <= 1.0 {
+                        let growth = factor.min(self.affordable(ratio, h, factor));
+                        let growth = if rejected { growth.min(1.0) } else { growth };
+                        let kept = if KEPT.contains(&growth) { 1.0 } else { growth };
+                        self.h = if reaches { self.h.max(h * kept) } else { h * kept };
+                        self.accept(h, if reaches { end } else { self.t + h });
+                        return Ok(());
+                    }
+                    factor
+                }
+                Search::Slow(_) if self.system.changes() && self.age.is_to_blame() => 1.0,
+                Search::Slow(ratio) => (CONTRACTION / ratio).clamp(SHRINK, 0.5),
+                Search::NotFinite => 0.5,
+            };
+            self.h = h * factor;
+            self.work.rejected += 1;
+            rejected = true;
+        }
+    }
+
+    fn dense(&mut self) -> Dense<Vec<f64>> {
+        let (t, h) = self.last;
+        let coefficients = SPLIT.map(|weights| {
+            let mut row = self.start.zeroed();
+            let start = row.clone();
+            row.combine::<R>(&start, 1.0, &weights, &self.stages.changes);
+            row
+        });
+        Dense { t, h, y: self.start.clone(), coefficients }
+    }
+
+    fn correct(&mut self, change: &Vec<f64>) {
+        accumulate(&mut self.y, &mut self.carry, change);
+    }
+
+    fn rewind(&mut self, t: f64, y: Vec<f64>) {
+        self.t = t;
+        self.y = y;
+        self.carry.fill(0.0);
+        self.continues = false;
+        self.system.rate::<R>(self.t, &self.y, &mut self.rate);
+        self.work.evaluations += 1;
+    }
+}

@@ -1,0 +1,286 @@
+use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
+use super::system::System;
+use crate::simd::Arithmetic;
+
+/// A system with a stiff linear part `L` that hardly changes in a step: `rate = L y + (what is not stiff)`.
+pub trait Stiff: System<Vec<f64>> {
+    /// First of the components that `L` acts on; the components before it are not stiff.
+    fn stiff(&self) -> usize;
+
+    /// Whether `L` changes with the state.
+    fn changes(&self) -> bool {
+        false
+    }
+
+    /// Takes `L` at a time and a state, if it changes; [`shift`](Self::shift) is due.
+    fn renew(&mut self, t: f64, y: &[f64]) {
+        let _ = (t, y);
+    }
+
+    /// Prepares to solve `(s − L) x = right` at the shifts `s` (1/s): real and imaginary part.
+    fn shift(&mut self, shifts: [[f64; 2]; SHIFTS]);
+
+    /// Solves `(s − L) x = right` in place, at the shift with this number.
+    fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]);
+}
+
+/// The stages of a step of the method Radau IIA, found by iteration.
+#[derive(Clone, Debug)]
+pub(super) struct Stages {
+    /// Changes of the state from the start of the step to each stage.
+    pub changes: [Vec<f64>; STAGES],
+    /// Rates at the stages.
+    pub rates: [Vec<f64>; STAGES],
+    /// Those of the step before, and the rate at its start.
+    earlier: [[Vec<f64>; STAGES]; 2],
+    earlier_rate: Vec<f64>,
+    place: Vec<f64>,
+    /// Right-hand sides and solutions of the stiff part, at each shift.
+    solutions: [Vec<[f64; 2]>; SHIFTS],
+    /// Sweeps over the stages.
+    pub sweeps: u64,
+}
+
+/// The step whose stages are looked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt<'a> {
+    pub t: f64,
+    pub h: f64,
+    pub y: &'a [f64],
+    /// One over the error allowed in each component.
+    pub weights: &'a [f64],
+}
+
+impl Attempt<'_> {
+    /// The state in units of the error allowed.
+    fn size(&self) -> f64 {
+        self.y.iter().zip(self.weights).map(|(y, weight)| (y * weight).powi(2)).sum::<f64>().sqrt()
+    }
+}
+
+/// How an attempt at the stages ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Search {
+    /// With this ratio of the last two corrections above rounding.
+    Found(f64),
+    Slow(f64),
+    NotFinite,
+}
+
+/// Sweeps over the stages, at most.
+const SWEEPS: usize = 12;
+/// The iteration ends when what is left of it is below this share of the error allowed: the state at the end of the step
+/// is better than the error estimate by that much.
+const CONVERGED: f64 = 3e-5;
+/// What rounding leaves of the iteration, in roundings of the state, and the ratio of corrections that shows it.
+const ROUNDING: f64 = 32.0;
+const STALLED: f64 = 0.3;
+
+/// For each stage, what its value adds to the real and imaginary parts at the shifts; a complex shift counts twice.
+const TO_SHIFTS: [[f64; 2 * SHIFTS]; STAGES] = {
+    let mut rows = [[0.0; 2 * SHIFTS]; STAGES];
+    let (mut stage, mut shift) = (0, 0);
+    while stage < STAGES {
+        while shift < SHIFTS {
+            let twice = if shift == 0 { 1.0 } else { 2.0 };
+            rows[stage][2 * shift] = twice * TO_EIGEN[shift][stage][0];
+            rows[stage][2 * shift + 1] = twice * TO_EIGEN[shift][stage][1];
+            shift += 1;
+        }
+        (stage, shift) = (stage + 1, 0);
+    }
+    rows
+};
+
+/// For each shift, what the real and the imaginary part of its solution add to the stages, filled up with a zero.
+const FROM_SHIFTS: [[[f64; STAGES + 1]; 2]; SHIFTS] = {
+    let mut rows = [[[0.0; STAGES + 1]; 2]; SHIFTS];
+    let (mut shift, mut stage) = (0, 0);
+    while shift < SHIFTS {
+        while stage < STAGES {
+            rows[shift][0][stage] = FROM_EIGEN[shift][stage][0];
+            rows[shift][1][stage] = -FROM_EIGEN[shift][stage][1];
+            stage += 1;
+        }
+        (shift, stage) = (shift + 1, 0);
+    }
+    rows
+};
+
+impl Stages {
+    /// Stages of a system with so many components, of which those from `stiff` on are stiff.
+    pub fn new(components: usize, stiff: usize) -> Self {
+        let list = || std::array::from_fn(|_| vec![0.0; components]);
+        Self {
+            changes: list(),
+            rates: list(),
+            earlier: [list(), list()],
+            earlier_rate: vec![0.0; components],
+            place: vec![0.0; components],
+            solutions: std::array::from_fn(|_| vec![[0.0; 2]; components - stiff]),
+            sweeps: 0,
+        }
+    }
+
+    /// First guess: nothing changes.
+    pub fn guess_still(&mut self, rate: &[f64]) {
+        self.changes.iter_mut().for_each(|change| change.fill(0.0));
+        self.rates.iter_mut().for_each(|row| row.copy_from_slice(rate));
+    }
+
+    /// First guess: the polynomial of the last step continues over one that is `ratio` times as long.
+    pub fn guess_continued(&mut self, ratio: f64) {
+        let [changes, rates] = &self.earlier;
+        for (stage, c) in C.iter().enumerate() {
+            let x = 1.0 + ratio * c;
+            let (start, through_start) = lagrange(x);
+            combine(rates, &through_start, &mut self.rates[stage]);
+            for (rate, earlier) in self.rates[stage].iter_mut().zip(&self.earlier_rate) {
+                *rate += start * earlier;
+            }
+            let mut weights = through_start;
+            weights[STAGES - 1] -= 1.0;
+            combine(changes, &weights, &mut self.changes[stage]);
+        }
+    }
+
+    /// Keeps the stages of a step, with the rate at its start, for the guess of the next.
+    pub fn keep(&mut self, rate: &[f64]) {
+        for (kept, new) in self.earlier.iter_mut().zip([&self.changes, &self.rates]) {
+            kept.iter_mut().zip(new).for_each(|(kept, new)| kept.copy_from_slice(new));
+        }
+        self.earlier_rate.copy_from_slice(rate);
+    }
+
+    /// Improves the guess until it satisfies the equations of the stages.
+    pub fn find<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> Search {
+        let rounding = ROUNDING * f64::EPSILON * attempt.size();
+        let (mut before, mut ratios) = (f64::INFINITY, [0.0; 2]);
+        for sweep in 0..SWEEPS {
+            let rest = self.sweep::<S, R>(system, attempt);
+            let moved = (rest + self.solve_stiff(system, attempt)).sqrt();
+            if !moved.is_finite() {
+                return Search::NotFinite;
+            }
+            ratios = [ratios[1], moved / before];
+            before = moved;
+            let (last, worst) = (ratios[1], ratios[0].max(ratios[1]));
+            let converged = worst < 1.0 && moved * worst / (1.0 - worst) < CONVERGED;
+            let stalled = last > STALLED && moved < rounding;
+            if sweep > 0 && (converged || stalled) {
+                self.close(attempt.h, system.stiff());
+                return Search::Found(if stalled { ratios[0] } else { last });
+            }
+            let remaining = (SWEEPS - sweep - 1) as f64;
+            if sweep > 1 && (last >= 1.0 || moved * last.powf(remaining) > CONVERGED.max(rounding)) {
+                return Search::Slow(last);
+            }
+        }
+        Search::Slow(ratios[1])
+    }
+
+    /// One sweep over the stages, each with the newest rates of the others; the square of how far the components that
+    /// are not stiff moved, in units of the error allowed.
+    fn sweep<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> f64 {
+        let Attempt { t, h, y, weights } = attempt;
+        let stiff = system.stiff();
+        let mut moved = 0.0;
+        for stage in 0..STAGES {
+            let (place, change) = (&mut self.place, &mut self.changes[stage]);
+            combine(&self.rates, &A[stage].map(|weight| h * weight), &mut place[..stiff]);
+            for ((new, change), weight) in place.iter().zip(&mut change[..stiff]).zip(weights) {
+                let step = (new - *change) * weight;
+                moved += step * step;
+                *change = *new;
+            }
+            for ((place, change), y) in place.iter_mut().zip(change).zip(y) {
+                *place = y + *change;
+            }
+            system.rate::<R>(t + C[stage] * h, place, &mut self.rates[stage]);
+        }
+        self.sweeps += 1;
+        moved
+    }
+
+    /// Solves for the stiff components with the rest of the rates as they are; the square of how far they moved.
+    fn solve_stiff(&mut self, system: &mut impl Stiff, attempt: Attempt) -> f64 {
+        let stiff = system.stiff();
+        self.load_shifts(attempt.h, stiff);
+        for (shift, solution) in self.solutions.iter_mut().enumerate() {
+            system.solve(shift, solution);
+        }
+        let mut moved = 0.0;
+        for (i, weight) in attempt.weights[stiff..].iter().enumerate() {
+            let mut corrections = [0.0; STAGES + 1];
+            for (solution, rows) in self.solutions.iter().zip(&FROM_SHIFTS) {
+                for (part, row) in solution[i].iter().zip(rows) {
+                    corrections.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * part);
+                }
+            }
+            for (change, correction) in self.changes.iter_mut().zip(corrections) {
+                moved += (correction * weight).powi(2);
+                change[stiff + i] += correction;
+            }
+        }
+        moved
+    }
+
+    /// What the stiff components lack of the equations of the stages, at each shift.
+    fn load_shifts(&mut self, h: f64, stiff: usize) {
+        let gammas = GAMMA.map(|gamma| gamma.map(|part| part / h));
+        for i in 0..self.place.len() - stiff {
+            let (mut slopes, mut changes) = ([0.0; 2 * SHIFTS], [0.0; 2 * SHIFTS]);
+            for ((rate, change), row) in self.rates.iter().zip(&self.changes).zip(&TO_SHIFTS) {
+                let (rate, change) = (rate[stiff + i], change[stiff + i]);
+                slopes.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * rate);
+                changes.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * change);
+            }
+            for (shift, [re, im]) in gammas.into_iter().enumerate() {
+                let (x, y) = (changes[2 * shift], changes[2 * shift + 1]);
+                self.solutions[shift][i] =
+                    [slopes[2 * shift] - (re * x - im * y), slopes[2 * shift + 1] - (re * y + im * x)];
+            }
+        }
+    }
+
+    /// Makes the changes that are not stiff agree with the last rates.
+    fn close(&mut self, h: f64, stiff: usize) {
+        for (change, weights) in self.changes.iter_mut().zip(&A) {
+            combine(&self.rates, &weights.map(|weight| h * weight), &mut change[..stiff]);
+        }
+    }
+}
+
+/// Weighted sum of rows, as far as the list is long that takes it.
+fn combine(rows: &[Vec<f64>; STAGES], weights: &[f64; STAGES], sums: &mut [f64]) {
+    let rows = rows.each_ref().map(|row| &row[..sums.len()]);
+    for (i, sum) in sums.iter_mut().enumerate() {
+        *sum = 0.0;
+        for (row, weight) in rows.iter().zip(weights) {
+            *sum += weight * row[i];
+        }
+    }
+}
+
+/// Nodes of a step: its start and its stages.
+const NODES: [f64; STAGES + 1] = [0.0, C[0], C[1], C[2], C[3], C[4], C[5], C[6]];
+/// For each node, the product of its distances from the others.
+const DISTANCES: [f64; STAGES + 1] = {
+    let mut products = [1.0; STAGES + 1];
+    let (mut node, mut other) = (0, 0);
+    while node <= STAGES {
+        while other <= STAGES {
+            products[node] *= if other == node { 1.0 } else { NODES[node] - NODES[other] };
+            other += 1;
+        }
+        (node, other) = (node + 1, 0);
+    }
+    products
+};
+
+/// Weights of the values at the start and at the stages in the polynomial through them, at a place `x > 1` in steps.
+fn lagrange(x: f64) -> (f64, [f64; STAGES]) {
+    let whole: f64 = NODES.iter().map(|node| x - node).product();
+    let weight = |node: usize| whole / ((x - NODES[node]) * DISTANCES[node]);
+    (weight(0), std::array::from_fn(|stage| weight(stage + 1)))
+}

@@ -1,0 +1,201 @@
+use thiserror::Error;
+
+use crate::simd::{Arithmetic, Task, scaled_sum};
+
+/// State of a system: a list of numbers, of a length known to the compiler or not.
+pub trait State: Clone + AsRef<[f64]> + AsMut<[f64]> {
+    /// Becomes `base + h Σ weight · stage`.
+    fn combine<R: Arithmetic>(&mut self, base: &Self, h: f64, weights: &[f64], stages: &[Self]);
+
+    /// The same list with every number zero.
+    #[must_use]
+    fn zeroed(&self) -> Self {
+        let mut zero = self.clone();
+        zero.as_mut().fill(0.0);
+        zero
+    }
+}
+
+impl<const N: usize> State for [f64; N] {
+    #[inline(always)]
+    fn combine<R: Arithmetic>(&mut self, base: &Self, h: f64, weights: &[f64], stages: &[Self]) {
+        let mut sum = [0.0; N];
+        for (weight, stage) in weights.iter().zip(stages) {
+            sum = scaled_sum::<R, N>(*stage, *weight, sum);
+        }
+        *self = scaled_sum::<R, N>(sum, h, *base);
+    }
+}
+
+impl State for Vec<f64> {
+    #[inline(always)]
+    fn combine<R: Arithmetic>(&mut self, base: &Self, h: f64, weights: &[f64], stages: &[Self]) {
+        self.fill(0.0);
+        for (weight, stage) in weights.iter().zip(stages).filter(|(weight, _)| **weight != 0.0) {
+            for (sum, entry) in self.iter_mut().zip(stage) {
+                *sum = R::mul_add(*entry, *weight, *sum);
+            }
+        }
+        for (sum, base) in self.iter_mut().zip(base) {
+            *sum = R::mul_add(*sum, h, *base);
+        }
+    }
+}
+
+/// A system `ẏ = rate(t, y)`.
+pub trait System<Y> {
+    /// Writes the rate of the state into `rate`.
+    fn rate<R: Arithmetic>(&mut self, t: f64, y: &Y, rate: &mut Y);
+}
+
+/// The rate of a system where a method asks for it.
+///
+/// A method asks at half a dozen places; [`Arithmetic::call`] compiles a rate once for all of them, as it may be long.
+pub(super) struct Rate<'a, S, Y> {
+    pub system: &'a mut S,
+    pub t: f64,
+    pub y: &'a Y,
+    pub rate: &'a mut Y,
+}
+
+impl<S: System<Y>, Y> Task for Rate<'_, S, Y> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) {
+        self.system.rate::<A>(self.t, self.y, self.rate);
+    }
+}
+
+/// A method that follows a system step by step.
+pub trait Solver {
+    /// State of the system.
+    type State: State;
+
+    /// Time reached.
+    fn t(&self) -> f64;
+
+    /// State reached.
+    fn y(&self) -> &Self::State;
+
+    /// Work done so far.
+    fn work(&self) -> Work;
+
+    /// Makes one step, not beyond `end`.
+    ///
+    /// # Errors
+    /// [`StepError`] if no step can be made; the state is then the last good one.
+    fn step(&mut self, end: f64) -> Result<(), StepError>;
+
+    /// The solution over the last step.
+    fn dense(&mut self) -> Dense<Self::State>;
+
+    /// The state at a time in the last step, whose dense output is given.
+    fn output(&mut self, dense: &Dense<Self::State>, t: f64) -> Self::State {
+        dense.at(t)
+    }
+
+    /// Adds a small change to the state reached, as a projection on a known invariant does: no larger than the error
+    /// of a step.
+    fn correct(&mut self, change: &Self::State);
+
+    /// Goes back to a state within the last step.
+    fn rewind(&mut self, t: f64, y: Self::State);
+}
+
+/// Work done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Steps accepted.
+    pub steps: u64,
+    /// Steps rejected.
+    pub rejected: u64,
+    /// Evaluations of the rate.
+    pub evaluations: u64,
+    /// Factorisations of the linear part; none in an explicit method.
+    pub factorizations: u64,
+    /// Steps made by the implicit method.
+    pub implicit_steps: u64,
+}
+
+/// A step that could not be made.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum StepError {
+    /// The step fell to the rounding of `t`.
+    #[error(
+        "the step at t = {t} s fell below the resolution of time: the solution runs away, or the tolerance is too small"
+    )]
+    TooSmall {
+        /// Time reached (s).
+        t: f64,
+    },
+    /// The rate is NaN or infinite.
+    #[error(
+        "the rates of the system are not finite numbers beyond t = {t} s: look for a square root, logarithm or division in a force that fails there"
+    )]
+    NotFinite {
+        /// Time reached (s).
+        t: f64,
+    },
+}
+
+impl StepError {
+    /// The error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
+    fn at(t: f64, undefined: bool) -> Self {
+        if undefined { Self::NotFinite { t } } else { Self::TooSmall { t } }
+    }
+}
+
+/// The solution over a step, as a polynomial of degree 7 in time.
+#[derive(Clone, Debug)]
+pub struct Dense<Y> {
+    pub(super) t: f64,
+    pub(super) h: f64,
+    pub(super) y: Y,
+    /// Factors of `x`, `x(1−x)`, `x²(1−x)`, `x²(1−x)²`, …
+    pub(super) coefficients: [Y; POWERS],
+}
+
+/// Degree of the dense output.
+pub(super) const POWERS: usize = 7;
+
+impl<Y: State> Dense<Y> {
+    /// The state at a time in the step.
+    #[must_use]
+    pub fn at(&self, t: f64) -> Y {
+        let x = (t - self.t) / self.h;
+        let mut state = self.y.zeroed();
+        for (power, row) in self.coefficients.iter().enumerate().rev() {
+            let factor = if power % 2 == 0 { x } else { 1.0 - x };
+            for (sum, entry) in state.as_mut().iter_mut().zip(row.as_ref()) {
+                *sum = (*sum + entry) * factor;
+            }
+        }
+        for (sum, start) in state.as_mut().iter_mut().zip(self.y.as_ref()) {
+            *sum += start;
+        }
+        state
+    }
+}
+
+/// The step of length `h` from `t`, or what of it there is until `end`, and whether it reaches that; the rate just beyond
+/// `t` is undefined or not.
+#[inline(always)]
+pub(super) fn towards(end: f64, t: f64, h: f64, undefined: bool) -> Result<(f64, bool), StepError> {
+    let remaining = end - t;
+    let reaches = h >= 0.999_999 * remaining;
+    let h = if reaches { remaining } else { h };
+    if h > f64::EPSILON * t.abs() { Ok((h, reaches)) } else { Err(StepError::at(t, undefined)) }
+}
+
+/// Adds a change to a state kept in two parts, so that many small changes lose no digits: `carry` takes what rounding
+/// keeps out of `y`.
+#[inline(always)]
+pub(super) fn accumulate<Y: State>(y: &mut Y, carry: &mut Y, change: &Y) {
+    for ((y, carry), change) in y.as_mut().iter_mut().zip(carry.as_mut()).zip(change.as_ref()) {
+        let change = change + *carry;
+        let sum = *y + change;
+        *carry = change - (sum - *y);
+        *y = sum;
+    }
+}

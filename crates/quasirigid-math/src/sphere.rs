@@ -1,0 +1,221 @@
+//! Where a polynomial field of vectors is normal to a sphere about the origin.
+
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+
+use super::polynomial::{Homogeneous, Series};
+use super::scalar::Jet;
+
+/// What a stationary point of a field is. The names are those for the gradient of a function on the sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Least value: the linearised field is positive definite.
+    Minimum,
+    /// Greatest value.
+    Maximum,
+    /// Neither: its determinant is negative.
+    Saddle,
+}
+
+/// A place on the unit sphere where a field is normal to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StationaryPoint {
+    /// Unit vector to it.
+    pub place: [f64; 3],
+    /// Two unit vectors that make a right-handed frame with the first.
+    pub tangents: [[f64; 3]; 2],
+    /// The linearised tangential field in that frame.
+    pub slope: [[f64; 2]; 2],
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// The stationary points of a field on the unit sphere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stationary {
+    /// The isolated ones.
+    pub points: Vec<StationaryPoint>,
+    /// Whether others form curves, or fill the sphere.
+    pub families: bool,
+    /// Whether the numbers of extrema and of saddles differ by two, as those of all points on a sphere do.
+    pub complete: bool,
+    /// Largest tangential part over a grid of directions.
+    pub size: f64,
+}
+
+/// Directions from which Newton's method starts, and how often they are multiplied by four if points are missing.
+const STARTS: usize = 192;
+const REFINEMENTS: usize = 3;
+const NEWTON_STEPS: usize = 60;
+/// Longest step (rad), and the last one of a search that has arrived.
+const STRIDE: f64 = 0.3;
+const ARRIVED: f64 = 1e-9;
+/// Points nearer to each other than this angle (rad) are one.
+const SAME: f64 = 1e-6;
+/// A determinant below this share of the square of the field belongs to a family.
+const FLAT: f64 = 1e-9;
+
+/// The places on the unit sphere where a map of three rows is normal to it, from a grid of directions and those given.
+///
+/// A tangential part below `rounding` is none. Newton's method in the plane that touches the sphere; the index theorem of
+/// Poincaré and Hopf says whether any is missing. (N2)
+#[must_use]
+pub fn stationary(map: &Series, given: &[[f64; 3]], rounding: f64) -> Stationary {
+    let size = directions(STARTS).map(|x| tangential(map, x).norm()).fold(0.0, f64::max);
+    let mut found = Stationary { points: Vec::new(), families: size <= rounding, complete: false, size };
+    if found.families {
+        return found;
+    }
+    for refinement in 0..REFINEMENTS {
+        let grid = directions(STARTS * 4_usize.pow(refinement as u32));
+        for start in given.iter().copied().filter(|_| refinement == 0).chain(grid) {
+            match search(map, start, size) {
+                Some((point, determinant)) if determinant.abs() > FLAT * size * size => {
+                    let apart = |known: &StationaryPoint| distance(known.place, point.place) > SAME;
+                    if found.points.iter().all(apart) {
+                        found.points.push(point);
+                    }
+                }
+                Some(_) => found.families = true,
+                None => {}
+            }
+        }
+        let index = |point: &StationaryPoint| if point.kind == Kind::Saddle { -1 } else { 1 };
+        found.complete = found.points.iter().map(index).sum::<i32>() == 2;
+        if found.complete || found.families {
+            break;
+        }
+    }
+    found
+}
+
+/// A map with the isotropic part of its linear part left out, which is normal to every sphere, and at a radius: what its value
+/// on the unit sphere loses no digits to.
+#[must_use]
+pub fn deviator(map: &Series, radius: f64) -> Series {
+    let mut scaled = map.stretched(radius);
+    let linear = scaled.part(1);
+    let mean = (0..3).map(|row| linear.row(row)[row]).sum::<f64>() / 3.0;
+    let mut part = linear.clone();
+    part.add_scaled(-mean, &Homogeneous::identity());
+    scaled.set(part);
+    scaled
+}
+
+/// Unit vectors spread evenly over the sphere: a spiral that turns by the golden angle.
+pub fn directions(count: usize) -> impl Iterator<Item = [f64; 3]> {
+    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    (0..count).map(move |i| {
+        let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
+        let (sin, cos) = (golden * i as f64).sin_cos();
+        let radius = (1.0 - z * z).sqrt();
+        [radius * cos, radius * sin, z]
+    })
+}
+
+/// Two unit vectors that with a third make a right-handed frame: `e₁ × e₂ = e`.
+#[must_use]
+pub fn tangents(e: [f64; 3]) -> [[f64; 3]; 2] {
+    let e = Vector3::from(e);
+    let mut helper = [0.0; 3];
+    helper[e.iamin()] = 1.0;
+    let first = Vector3::from(helper).cross(&e).normalize();
+    [first.into(), e.cross(&first).into()]
+}
+
+/// Columns of the Jacobian of a map of three rows: its derivatives along each axis.
+#[must_use]
+pub fn jacobian(map: &Series, x: [f64; 3]) -> [[f64; 3]; 3] {
+    [0, 1, 2].map(|axis| {
+        let direction =
+            std::array::from_fn(|i| Jet { value: x[i], first: f64::from(u8::from(i == axis)), second: 0.0 });
+        map.vector(direction).map(|row| row.first)
+    })
+}
+
+/// Newton's method from a direction: the point, and the determinant of its slope.
+fn search(map: &Series, start: [f64; 3], size: f64) -> Option<(StationaryPoint, f64)> {
+    let mut x = Vector3::from(start).normalize();
+    for _ in 0..NEWTON_STEPS {
+        let (value, slope, [first, second]) = linearised(map, x);
+        let step = slope.lu().solve(&-value)?;
+        let length = step.norm();
+        if length <= ARRIVED && value.norm() <= ARRIVED * size {
+            x = (x + step[0] * first + step[1] * second).normalize();
+            let (_, slope, [first, second]) = linearised(map, x);
+            let kind = kind(&slope);
+            let tangents = [first.into(), second.into()];
+            let slope_rows = [[slope[(0, 0)], slope[(0, 1)]], [slope[(1, 0)], slope[(1, 1)]]];
+            let point = StationaryPoint { place: x.into(), tangents, slope: slope_rows, kind };
+            return Some((point, slope.determinant()));
+        }
+        let step = if length > STRIDE { step * (STRIDE / length) } else { step };
+        x = (x + step[0] * first + step[1] * second).normalize();
+    }
+    None
+}
+
+fn kind(slope: &Matrix2<f64>) -> Kind {
+    if slope.determinant() < 0.0 {
+        Kind::Saddle
+    } else if slope.trace() > 0.0 {
+        Kind::Minimum
+    } else {
+        Kind::Maximum
+    }
+}
+
+/// Tangential part of a field at a unit vector, in its tangents, with its derivative along them.
+fn linearised(map: &Series, x: Vector3<f64>) -> (Vector2<f64>, Matrix2<f64>, [Vector3<f64>; 2]) {
+    let frame = tangents(x.into()).map(Vector3::from);
+    let field = Vector3::from(map.vector(<[f64; 3]>::from(x)));
+    let slope = Matrix3::from(jacobian(map, x.into())) - field.dot(&x) * Matrix3::identity();
+    let value = Vector2::new(frame[0].dot(&field), frame[1].dot(&field));
+    let matrix = Matrix2::from_fn(|i, j| frame[i].dot(&(slope * frame[j])));
+    (value, matrix, frame)
+}
+
+fn tangential(map: &Series, x: [f64; 3]) -> Vector3<f64> {
+    Vector3::from(x).cross(&Vector3::from(map.vector(x)))
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (Vector3::from(a) - Vector3::from(b)).norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `x⁴ + y⁴ + z⁴` on the sphere: six maxima on the axes, eight minima on the diagonals, twelve saddles between them.
+    #[test]
+    fn the_cube_has_twenty_six_stationary_points() {
+        let mut map = Series::zero(3, 3);
+        let mut part = Homogeneous::zero(3, 3);
+        for (row, exponents) in [[3, 0, 0], [0, 3, 0], [0, 0, 3]].into_iter().enumerate() {
+            part.row_mut(row)[crate::polynomial::monomial::index(exponents)] = 4.0;
+        }
+        map.set(part);
+        let found = stationary(&map, &[], 0.0);
+        let count = |kind| found.points.iter().filter(|point| point.kind == kind).count();
+        assert_eq!([Kind::Maximum, Kind::Minimum, Kind::Saddle].map(count), [6, 8, 12]);
+        assert!(found.complete && !found.families);
+    }
+
+    #[test]
+    fn a_body_of_revolution_has_a_family_and_a_sphere_nothing_else() {
+        let linear = |diagonal: [f64; 3]| {
+            let mut map = Series::zero(1, 3);
+            map.set(Homogeneous::linear(&[
+                [diagonal[0], 0.0, 0.0],
+                [0.0, diagonal[1], 0.0],
+                [0.0, 0.0, diagonal[2]],
+            ]));
+            stationary(&deviator(&map, 2.0), &[], 1e-15)
+        };
+        let revolution = linear([1.0, 1.0, 2.0]);
+        assert!(revolution.families);
+        assert_eq!(revolution.points.len(), 2);
+        let sphere = linear([1.5; 3]);
+        assert!(sphere.families && sphere.points.is_empty());
+    }
+}

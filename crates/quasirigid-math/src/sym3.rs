@@ -1,0 +1,52 @@
+//! Symmetric 3×3 matrices as their six entries xx, yy, zz, yz, zx, xy.
+
+use super::scalar::{Scalar, Smooth};
+use super::vec3::dot;
+
+/// Entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
+pub type Sym = [f64; 6];
+
+/// Rows of the matrix.
+#[inline]
+#[must_use]
+pub fn rows([xx, yy, zz, yz, zx, xy]: Sym) -> [[f64; 3]; 3] {
+    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]
+}
+
+/// Matrix times vector.
+#[inline(always)]
+#[must_use]
+pub fn times<T: Scalar>(matrix: Sym, x: [T; 3]) -> [T; 3] {
+    rows(matrix).map(|row| dot(row.map(T::from), x))
+}
+
+/// Inverse of a symmetric positive definite matrix.
+#[inline]
+#[must_use]
+pub fn inverse(matrix: Sym) -> Sym {
+    smooth_inverse(matrix)
+}
+
+/// Inverse of a symmetric matrix of numbers or series.
+#[inline(always)]
+#[must_use]
+pub fn smooth_inverse<T: Smooth>([xx, yy, zz, yz, zx, xy]: [T; 6]) -> [T; 6] {
+    let minors = [yy * zz - yz * yz, zz * xx - zx * zx, xx * yy - xy * xy];
+    let mixed = [zx * xy - yz * xx, xy * yz - zx * yy, yz * zx - xy * zz];
+    let determinant = xx * minors[0] + xy * mixed[2] + zx * mixed[1];
+    [minors[0], minors[1], minors[2], mixed[0], mixed[1], mixed[2]].map(|cofactor| cofactor / determinant)
+}
+
+/// Matrix of numbers or series times vector.
+#[inline(always)]
+#[must_use]
+pub fn smooth_times<T: Scalar>([xx, yy, zz, yz, zx, xy]: [T; 6], x: [T; 3]) -> [T; 3] {
+    [dot([xx, xy, zx], x), dot([xy, yy, yz], x), dot([zx, yz, zz], x)]
+}
+
+/// Products `xx, yy, zz, yz, zx, xy` of the components of a vector.
+#[inline]
+#[must_use]
+pub fn products([x, y, z]: [f64; 3]) -> Sym {
+    [x * x, y * y, z * z, y * z, z * x, x * y]
+}

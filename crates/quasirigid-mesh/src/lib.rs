@@ -1,0 +1,61 @@
+//! Meshes of [`quasirigid`](https://docs.rs/quasirigid): cells between nodes, for finite elements, with their shapes,
+//! points of integration and checks.
+//!
+//! - [`meshing`] fills a shape with curved quadratic tetrahedra,
+//! - [`surface`] integrates over what closed surfaces of triangles enclose.
+//!
+//! Like `quasirigid-math` below it, the crate knows no physics.
+#![allow(non_snake_case)]
+
+mod check;
+mod fault;
+mod functions;
+mod geometry;
+pub mod meshing;
+mod note;
+mod rules;
+mod samples;
+mod shape;
+pub mod surface;
+
+pub use fault::MeshFault;
+pub(crate) use functions::EDGES;
+pub use functions::MOST;
+pub use note::MeshNote;
+pub use samples::{Rule, Sample};
+pub use shape::Shape;
+
+/// Nodes and the cells between them, with the numbers and names that their file gave them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Places of the nodes.
+    pub nodes: Vec<[f64; 3]>,
+    /// Number of each node in its file.
+    pub node_labels: Vec<u64>,
+    /// Cells: solids, faces and lines, in the order of the file.
+    pub cells: Vec<Cell>,
+    /// Named groups of nodes and cells.
+    pub sets: Vec<Set>,
+}
+
+/// A cell between nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Its number in the file.
+    pub label: u64,
+    /// What it is.
+    pub shape: Shape,
+    /// Indices of its nodes, in the order of [`Shape`].
+    pub nodes: Box<[usize]>,
+}
+
+/// A named group of nodes and cells; one of the two is often empty.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Set {
+    /// Its name; where the file has only a number, the number.
+    pub name: String,
+    /// Indices of nodes, ascending.
+    pub nodes: Vec<usize>,
+    /// Indices of cells, ascending.
+    pub cells: Vec<usize>,
+}

@@ -1,0 +1,18 @@
+//! Closed surfaces of triangles, and exact integrals over what they enclose.
+
+mod closed;
+mod crossing;
+mod error;
+mod geometry;
+mod moments;
+mod proximity;
+mod shells;
+#[cfg(test)]
+pub(crate) mod testing;
+mod topology;
+mod tree;
+
+pub use closed::ClosedSurface;
+pub use error::SurfaceError;
+pub use moments::Moments;
+pub(crate) use proximity::Proximity;

@@ -1,0 +1,196 @@
+use std::ops::ControlFlow;
+
+use quasirigid::averaging::{
+    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, LevelPassage, LevelRow, Passage,
+    SlowTorque, Stage,
+};
+
+use quasirigid::model::{Mode, Principal};
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
+use quasirigid_math::vec3::norm;
+
+use super::ageing::Ageing;
+
+/// Place of a state at an axis, as `ξ`.
+const AT_AXIS: f64 = 36.0;
+
+/// The rows of a table: stages of an evolution, or states of a drift.
+pub struct EvolutionTable<'e> {
+    pub first: DriftState,
+    pub states: Vec<DriftState>,
+    /// What the times of the states are still to be found from.
+    evolution: Option<Evolution<'e>>,
+    /// How the drift went, where there is a torque.
+    pub drift: Option<DriftHistory>,
+    pub status: &'static str,
+    /// Estimated error of the time of the last state (s).
+    pub error: f64,
+    /// Powers (W) of a history of the full system, row by row.
+    pub powers: Option<Vec<f64>>,
+    /// Rows at the start whose times are known.
+    known: usize,
+    /// Levels of the slow energy, row by row.
+    pub levels: Option<Vec<LevelRow>>,
+}
+
+impl<'e> EvolutionTable<'e> {
+    /// Stages along the way; the first alone where nothing is dissipated.
+    pub fn of_evolution(evolution: &Evolution<'e>, from: Stage, to: Stage, samples: usize) -> Self {
+        let momentum = evolution.motion(from).momentum();
+        let state = |stage| DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 };
+        let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
+        let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
+        let evolution = Some(*evolution);
+        Self {
+            first: state(from),
+            states,
+            evolution,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: None,
+            known: 1,
+            levels: None,
+        }
+    }
+
+    /// The same rows behind the start of the full system, which has come to the first of them at a time.
+    pub fn behind(mut self, start: Stage, row: &DirectRow) -> Self {
+        self.states[0] = DriftState { t: row.t, turns: row.turns, ..self.states[0] };
+        self.first = DriftState { stage: start, t: 0.0, turns: 0.0, ..self.first };
+        self.states.insert(0, self.first);
+        self.known = 2;
+        self
+    }
+
+    /// Even times up to the end, which is located whatever they are; a drift that ends early is followed once more for them.
+    pub fn of_drift(
+        ageing: &Ageing,
+        torque: SlowTorque,
+        start: DriftState,
+        limits: DriftLimits,
+        samples: usize,
+        mut progress: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Self {
+        let last = samples.saturating_sub(1).max(1);
+        let times = |end: f64| -> Vec<f64> {
+            (0..samples).map(|i| if i == last { end } else { end * i as f64 / last as f64 }).collect()
+        };
+        let drift = Drift::new(ageing.power(), &ageing.principal, torque);
+        let mut history = drift.follow(start, &times(limits.end), &limits, &mut progress);
+        if history.end.t < limits.end && history.ending != DriftEnding::Interrupted {
+            history = drift.follow(start, &times(history.end.t), &limits, &mut progress);
+        }
+        let mut states = std::mem::take(&mut history.states);
+        if states.last().is_none_or(|state| state.t < history.end.t) {
+            states.push(history.end);
+        }
+        let status = history.ending.word();
+        Self {
+            first: start,
+            states,
+            evolution: None,
+            drift: Some(history),
+            status,
+            error: 0.0,
+            powers: None,
+            known: 1,
+            levels: None,
+        }
+    }
+
+    /// Rows of a history of the full system, evenly in time.
+    pub fn of_run(run: &DirectRun, range: &EnergyRange, samples: usize) -> Self {
+        let rows = &run.rows;
+        let end = rows[rows.len() - 1];
+        let last = samples.saturating_sub(1).max(1);
+        let chosen = (0..samples).map(|i| {
+            let t = end.t * i as f64 / last as f64;
+            if i == last { rows.len() - 1 } else { rows.partition_point(|row| row.t < t).min(rows.len() - 1) }
+        });
+        let mut chosen: Vec<usize> = chosen.collect();
+        chosen.dedup();
+        let settled = |mode| Stage { mode, xi: AT_AXIS };
+        let state = |row: &DirectRow| {
+            let mode = range.polhode(row.energy).mode();
+            let stage = range.stage(row.energy).unwrap_or(settled(mode));
+            DriftState { t: row.t, stage, momentum: range.momentum(), side: 1.0, turns: row.turns }
+        };
+        let power = |i: usize| {
+            let half = 0.5 * range.polhode(rows[i].energy).polhode_period().min(end.t);
+            let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
+            let after =
+                rows.partition_point(|row| row.t <= rows[i].t + half).clamp(i + 2, rows.len().max(i + 2)) - 1;
+            let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
+            if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
+        };
+        let states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
+        let powers = chosen.iter().map(|i| power(*i)).collect();
+        Self {
+            first: states[0],
+            states,
+            evolution: None,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: Some(powers),
+            known: 1,
+            levels: None,
+        }
+    }
+
+    /// Rows of an evolution along levels of the slow energy; the axis circled is that of the principal axis next to it.
+    pub fn of_levels(passage: &LevelPassage, principal: &Principal) -> Self {
+        let state = |row: &LevelRow| {
+            let along = principal.components(row.circled).map(f64::abs);
+            let mode = if along[0] > along[2] { Mode::LongAxis } else { Mode::ShortAxis };
+            let momentum = norm(row.momentum);
+            DriftState { t: row.time, stage: Stage { mode, xi: 0.0 }, momentum, side: 1.0, turns: row.turns }
+        };
+        let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
+        Self {
+            first: states[0],
+            states,
+            evolution: None,
+            drift: None,
+            status: "finished",
+            error: 0.0,
+            powers: Some(passage.rows.iter().map(|row| row.power).collect()),
+            known: 1,
+            levels: Some(passage.rows.clone()),
+        }
+    }
+
+    /// Whether the angular momentum stays.
+    pub fn steady(&self) -> bool {
+        self.evolution.is_some()
+    }
+
+    /// The last state.
+    pub fn last(&self) -> DriftState {
+        self.states.last().copied().unwrap_or(self.first)
+    }
+
+    /// Time (s) of the first passage through the separatrix.
+    pub fn crossing(&self) -> Option<f64> {
+        if self.powers.is_some() {
+            let crossed = self.states.iter().find(|state| state.stage.mode != self.first.stage.mode);
+            return crossed.map(|state| state.t);
+        }
+        self.drift.as_ref().and_then(|drift| drift.passages.first()).map(|passage| passage.t)
+    }
+
+    /// A row with its time and turns, from the row before it.
+    pub fn advance(&mut self, i: usize) -> DriftState {
+        if let (Some(evolution), Some(before)) =
+            (&self.evolution, i.checked_sub(1).filter(|_| i >= self.known))
+        {
+            let before = self.states[before];
+            let Passage { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
+            self.states[i].t = before.t + time;
+            self.states[i].turns = before.turns + turns;
+            self.error += error.abs();
+        }
+        self.states[i]
+    }
+}

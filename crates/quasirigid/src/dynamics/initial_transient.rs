@@ -1,0 +1,121 @@
+use nalgebra::Complex;
+
+use super::damped::{DampedMode, damped_modes};
+use super::full::FullState;
+use super::slow::{SlowPoint, SlowState, slow_state_point};
+use super::{Forced, PropagateError};
+use crate::math::rotation;
+use crate::math::sym3::{inverse, times};
+use crate::math::vec3::{add, cross, scale};
+use crate::model::FlexibleBody;
+
+/// The fast part of a motion that does not start on the slow manifold: free vibrations of the body that recoils, which
+/// die out and leave the body turned a little. (B1)
+#[derive(Clone, Debug)]
+pub struct BoundaryLayer {
+    /// The damped modes, slowest decay first.
+    pub modes: Vec<DampedMode>,
+    /// `J⁻¹h_j`.
+    recoil: Vec<[f64; 3]>,
+}
+
+/// Displacements and rates of the fast part at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FastPart {
+    /// Displacements of the coordinates.
+    pub q: Vec<f64>,
+    /// Their rates.
+    pub rate: Vec<f64>,
+    /// Spin that the recoil adds (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Rotation still to come until the vibrations have died out (rad), body axes.
+    pub turn: [f64; 3],
+}
+
+/// Where the slow motion starts that a full motion settles on: the momentum and the attitude turned by what the fast
+/// part will turn the body, `K(0⁺) = K(0) + K(0) × J⁻¹Σ h_j q_fast,j(0)`. (B2)
+///
+/// # Errors
+/// [`PropagateError::Order`] if the order is beyond the reduction of forced bodies.
+pub fn matched_start(system: Forced, order: usize, full: &FullState) -> Result<SlowState, PropagateError> {
+    let body = system.body;
+    let K = full.momentum(body);
+    let state =
+        SlowState { momentum: K, attitude: full.attitude, place: full.place, velocity: full.velocity };
+    let slow = slow_state_point(system, order, &state)?;
+    let turn = turned_by(&recoils(body), &outstanding(body, full, &slow));
+    let rotation_N = rotation::to_inertial(full.attitude, turn);
+    let attitude = rotation::turned(full.attitude, rotation_N);
+    let momentum = rotation::Turn::of(attitude).to_body(rotation::to_inertial(full.attitude, K));
+    Ok(SlowState { momentum, attitude, ..state })
+}
+
+impl BoundaryLayer {
+    /// The fast part of a full state beside the slow motion of this order.
+    ///
+    /// # Errors
+    /// [`PropagateError`] if the order is beyond the reduction of forced bodies, or the modes cannot be found.
+    pub fn of(system: Forced, order: usize, full: &FullState) -> Result<Self, PropagateError> {
+        let matched = matched_start(system, order, full)?;
+        let slow = slow_state_point(system, order, &matched)?;
+        let (q, rate) = (outstanding(system.body, full, &slow), difference(&full.rate, &slow.rate));
+        let modes = damped_modes(system.body, &q, &rate).map_err(|_| PropagateError::NoModes)?;
+        Ok(Self { modes, recoil: recoils(system.body) })
+    }
+
+    /// The fast part at a time (s).
+    #[must_use]
+    pub fn at(&self, t: f64) -> FastPart {
+        let n = self.recoil.len();
+        let (mut q, mut rate) = (vec![0.0; n], vec![0.0; n]);
+        for mode in &self.modes {
+            let lambda = Complex::new(-mode.decay, mode.frequency);
+            let swing = (lambda * t).exp();
+            for ((q, rate), [re, im]) in q.iter_mut().zip(&mut rate).zip(&mode.shape) {
+                let now = Complex::new(*re, *im) * swing;
+                *q += now.re;
+                *rate += (lambda * now).re;
+            }
+        }
+        let omega = scale(-1.0, turned_by(&self.recoil, &rate));
+        let turn = turned_by(&self.recoil, &q);
+        FastPart { q, rate, omega, turn }
+    }
+}
+
+/// What the coordinates still have to go until the fast part has died out, with the sign turned: of elastic ones what they are
+/// displaced, of cyclic ones `−B⁻¹(M q̇ + B q)`, the momentum that friction takes. (B2), (C8)
+fn outstanding(body: &FlexibleBody, full: &FullState, slow: &SlowPoint) -> Vec<f64> {
+    let mut q = difference(&full.q, &slow.q);
+    let cyclic = body.cyclic();
+    if cyclic.is_empty() {
+        return q;
+    }
+    q[cyclic.clone()].fill(0.0);
+    let inertia = body.recoiling_mass_times(&difference(&full.rate, &slow.rate));
+    let braked = body.damping().times(&q);
+    let mut path: Vec<f64> = cyclic.clone().map(|j| -inertia[j] - braked[j]).collect();
+    body.solve_friction(&mut path, 1);
+    q[cyclic].copy_from_slice(&path);
+    q
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn recoils(body: &FlexibleBody) -> Vec<[f64; 3]> {
+    let inverse = inverse(body.invariants().J);
+    body.invariants().h.iter().map(|h| times(inverse, *h)).collect()
+}
+
+fn turned_by(recoil: &[[f64; 3]], q: &[f64]) -> [f64; 3] {
+    recoil.iter().zip(q).fold([0.0; 3], |sum, (recoil, q)| add(sum, scale(*q, *recoil)))
+}
+
+/// Spin of the composite solution: the slow spin, the recoil of the fast part, and the body axes that have not yet turned.
+/// (B3)
+#[must_use]
+pub fn composite_spin(slow: [f64; 3], fast: &FastPart) -> [f64; 3] {
+    add(add(slow, fast.omega), scale(-1.0, cross(slow, fast.turn)))
+}

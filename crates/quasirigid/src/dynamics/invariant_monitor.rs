@@ -1,0 +1,235 @@
+//! Conservation laws and accounts along an integration: momentum and attitude are projected back onto what is constant
+//! (P3), (P6), events are looked for, and states become samples.
+//!
+//! One monitor serves every system that is integrated, which tells it as a [`Trajectory`] what its states mean.
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use super::conserved::Conserved;
+use super::event::EventDetector;
+use super::run::{Observer, Options, Outcome, Pace, Sample};
+use super::seat::Seat;
+use crate::math::ode::{Solver, State, StepObserver, StopReason};
+use crate::math::rotation;
+use crate::math::vec3::{add, norm, scale};
+use crate::model::Displaced;
+
+/// The motion of a system that is integrated. Its state begins with the momentum in body axes, or with the angular velocity.
+pub(super) trait Trajectory {
+    /// Where the attitude begins in the state.
+    const ATTITUDE: usize;
+
+    /// The quantities that a state means.
+    fn view(&mut self, t: f64, y: &[f64]) -> StateView;
+
+    /// Momentum (N·m·s) of a state, body axes.
+    fn momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3];
+
+    /// Place of a state, whose attitude is this one once it is aligned.
+    fn seat(&self, t: f64, y: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat;
+
+    /// Quantity that is constant along the motion.
+    fn invariant(&self) -> Invariant;
+
+    /// The part that a state displaces beyond the range of the equations. (K14)
+    fn left(&self, y: &[f64]) -> Option<Displaced> {
+        let _ = y;
+        None
+    }
+
+    /// Called after each step, with the state corrected.
+    fn stepped(&mut self, t: f64, y: &[f64]) {
+        let _ = (t, y);
+    }
+
+    /// Tells an observer the internal coordinates and their rates.
+    fn show_coordinates(&self, view: &StateView, observer: &mut dyn Observer) {
+        observer.coordinates(&view.q, &view.rate);
+    }
+}
+
+/// The quantities that a state means.
+#[derive(Clone, Debug)]
+pub(super) struct StateView {
+    /// Angular velocity (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Momentum (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Energy of rotation and deformation (J).
+    pub energy: f64,
+    /// Internal coordinates and their rates; empty where they follow the angular velocity.
+    pub q: Vec<f64>,
+    pub rate: Vec<f64>,
+    /// Energy taken by the dashpots (J).
+    pub dissipated: f64,
+    /// Work of the external forces (J).
+    pub work: f64,
+    /// Parts of the change of energy since the start that the accounts of the state explain (J).
+    pub explained: [f64; 2],
+    /// Angle turned (rad).
+    pub angle: f64,
+    /// Impulse of the external moments (N·m·s), inertial axes.
+    pub impulse: [f64; 3],
+}
+
+/// What is constant along a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Invariant {
+    /// The inertial momentum, of which the state holds the body components.
+    Momentum,
+    /// The inertial momentum, which the truncation disturbs.
+    Direction,
+    /// The inertial momentum less the impulse of the external moments.
+    Impulse,
+}
+
+/// Monitor of the invariants and the accounts of a run.
+pub(super) struct InvariantMonitor<'o, T> {
+    pub trajectory: T,
+    /// Momentum at the start.
+    momentum: Conserved,
+    /// Energy at the start.
+    energy: f64,
+    /// `Σ ln(|K|/G)` of the projections made. (P6)
+    drift: f64,
+    detector: EventDetector,
+    /// The part that has left the range of the equations, which ends the run.
+    left: Option<Displaced>,
+    pub observer: &'o mut dyn Observer,
+    pace: Pace,
+}
+
+impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
+    /// From the first state and its momentum.
+    pub fn new(
+        mut trajectory: T,
+        y: &[f64],
+        momentum: Conserved,
+        options: &Options,
+        observer: &'o mut dyn Observer,
+    ) -> Self {
+        let energy = trajectory.view(0.0, y).energy;
+        let (detector, pace) = (EventDetector::new(&options.events), Pace::new());
+        let mut monitor =
+            Self { trajectory, momentum, energy, drift: 0.0, detector, left: None, observer, pace };
+        let start = monitor.sample(0.0, y);
+        monitor.detector.set(&start);
+        monitor
+    }
+
+    /// The sample of a state.
+    pub fn sample(&mut self, t: f64, y: &[f64]) -> Sample {
+        let view = self.trajectory.view(t, y);
+        self.read(t, y, &view)
+    }
+
+    /// Why the run ended.
+    pub fn outcome(&self, reason: StopReason) -> Outcome {
+        self.left.map_or_else(|| Outcome::of(reason, self.detector.triggered), Outcome::LeftRange)
+    }
+
+    fn read(&self, t: f64, y: &[f64], view: &StateView) -> Sample {
+        let attitude = self.aligned(y, view.momentum);
+        let Seat { place, velocity, pole } = self.trajectory.seat(t, y, view, attitude);
+        Sample {
+            t,
+            omega: view.omega,
+            attitude,
+            momentum: view.momentum,
+            energy: view.energy,
+            dissipated: view.dissipated,
+            work: view.work,
+            energy_drift: view.energy - self.energy - view.explained[0] - view.explained[1],
+            momentum_drift: self.momentum_drift(view, attitude),
+            turns: view.angle / TAU,
+            place,
+            velocity,
+            pole,
+        }
+    }
+
+    fn momentum_drift(&self, view: &StateView, attitude: [f64; 4]) -> f64 {
+        match self.trajectory.invariant() {
+            Invariant::Momentum if self.momentum.held() => self.drift,
+            Invariant::Momentum | Invariant::Direction => self.momentum.change(view.momentum),
+            Invariant::Impulse => {
+                let K_N = self.momentum.K_N;
+                let expected = add(K_N, view.impulse);
+                let gap = norm(add(rotation::to_inertial(attitude, view.momentum), scale(-1.0, expected)));
+                if gap > 0.0 { gap / norm(expected).max(norm(K_N)) } else { gap }
+            }
+        }
+    }
+
+    /// The attitude that gives the momentum its inertial direction where that is known (P3); a unit one elsewhere.
+    #[inline(always)]
+    fn aligned(&self, y: &[f64], momentum: [f64; 3]) -> [f64; 4] {
+        let attitude = [0, 1, 2, 3].map(|i| y[T::ATTITUDE + i]);
+        match self.trajectory.invariant() {
+            Invariant::Momentum | Invariant::Direction => self.momentum.aligned(attitude, momentum),
+            Invariant::Impulse => rotation::normalized(attitude),
+        }
+    }
+
+    /// Puts `|K|` back to its value (P6) and the attitude where it belongs (P3).
+    #[inline(always)]
+    fn hold_invariants<M: Solver>(&mut self, solver: &mut M) {
+        let y = solver.y().as_ref();
+        let mut change = solver.y().zeroed();
+        let momentum = match self.trajectory.invariant() {
+            Invariant::Impulse => [0.0; 3],
+            Invariant::Momentum | Invariant::Direction => self.trajectory.momentum(solver.t(), y),
+        };
+        if self.trajectory.invariant() == Invariant::Momentum && self.momentum.held() {
+            let drift = self.momentum.drift(momentum);
+            self.drift += drift;
+            for axis in 0..3 {
+                change.as_mut()[axis] = -drift * momentum[axis];
+            }
+        }
+        for (i, part) in self.aligned(y, momentum).into_iter().enumerate() {
+            change.as_mut()[T::ATTITUDE + i] = part - y[T::ATTITUDE + i];
+        }
+        solver.correct(&change);
+    }
+}
+
+impl<M: Solver, T: Trajectory> StepObserver<M> for InvariantMonitor<'_, T> {
+    fn output(&mut self, t: f64, y: &M::State) {
+        let view = self.trajectory.view(t, y.as_ref());
+        let sample = self.read(t, y.as_ref(), &view);
+        self.trajectory.show_coordinates(&view, self.observer);
+        self.observer.sample(&sample);
+    }
+
+    fn event(&mut self, solver: &mut M) -> Option<f64> {
+        if self.detector.idle() {
+            return None;
+        }
+        let mut detector = std::mem::take(&mut self.detector);
+        let end = self.sample(solver.t(), solver.y().as_ref());
+        let mut dense = None;
+        let event = detector.check(&end, |t| {
+            let dense = dense.get_or_insert_with(|| solver.dense());
+            self.sample(t, dense.at(t).as_ref())
+        });
+        self.detector = detector;
+        event
+    }
+
+    #[inline(always)]
+    fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
+        self.hold_invariants(solver);
+        self.trajectory.stepped(solver.t(), solver.y().as_ref());
+        self.left = self.trajectory.left(solver.y().as_ref());
+        if self.left.is_some() {
+            return ControlFlow::Break(());
+        }
+        if self.pace.due(solver.work().steps) {
+            self.observer.progress(solver.t())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Bodies made of another one: stiffer, or with some of its coordinates locked.
+
+use std::ops::Range;
+
+use super::flexible::BodyParts;
+use super::{FlexibleBody, FlexibleError, Invariants, Marker};
+
+impl FlexibleBody {
+    /// The same body with `C → C/ε²`, `B → B/ε`; paper, (2.2).
+    ///
+    /// # Errors
+    /// [`FlexibleError`] if the stiffness overflows.
+    pub fn stiffened(&self, epsilon: f64) -> Result<Self, FlexibleError> {
+        let (stiffer, rougher) = (epsilon.powi(-2), epsilon.recip());
+        let parts = BodyParts {
+            damping: self.damping().scaled(rougher),
+            stiffness: self.stiffness().scaled(stiffer),
+            lossy: self.lossy().iter().map(|part| part.scaled(stiffer)).collect(),
+            dissipators: self.dissipators().iter().map(|part| part.stiffened(epsilon)).collect(),
+            memories: self.memories().iter().map(|memory| memory.scaled(epsilon)).collect(),
+            ..self.parts.clone()
+        };
+        Ok(Self {
+            paths: self.paths.clone(),
+            advections: self.advections.clone(),
+            watched: self.watched.clone(),
+            part_masses: self.part_masses.clone(),
+            ..Self::new(parts)?
+        })
+    }
+
+    /// The same body with its cyclic coordinates locked.
+    #[must_use]
+    pub fn locked_inside(&self) -> Self {
+        self.with(0..self.elastic())
+    }
+
+    /// The same body with no more of its liquids than the coordinates that stand for them in the equations of motion.
+    #[must_use]
+    pub fn without_memories(&self) -> Self {
+        let mut body = self.clone();
+        body.parts.memories.clear();
+        body
+    }
+
+    /// The same body with its elastic coordinates locked.
+    #[must_use]
+    pub fn stiff_outside(&self) -> Self {
+        self.with(self.cyclic())
+    }
+
+    /// The same body with some of its coordinates and the others locked: all elastic ones or all cyclic ones.
+    fn with(&self, kept: Range<usize>) -> Self {
+        let cyclic = if kept.start == 0 { 0 } else { kept.len() };
+        let memories = self.memories().iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
+        let parts = BodyParts {
+            invariants: self.invariants().block(&kept),
+            damping: self.damping().block(kept.clone()),
+            stiffness: self.stiffness().block(kept.clone()),
+            lossy: self.lossy().iter().map(|part| part.block(kept.clone())).collect(),
+            dissipators: self.dissipators().iter().filter_map(|part| part.block(kept.clone())).collect(),
+            memories: memories.collect(),
+            coordinates: self.coordinates()[kept.clone()].to_vec(),
+            cyclic,
+            markers: self.markers().iter().map(|marker| marker.locked(&kept)).collect(),
+            ..self.parts.clone()
+        };
+        let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates().len(), &kept));
+        let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
+        Self {
+            paths,
+            advections: advections.collect(),
+            watched: self.watched.locked(&kept),
+            part_masses: self.part_masses.iter().map(|part| part.locked(kept.clone())).collect(),
+            ..Self::new(parts).expect("a block of a positive definite matrix is positive definite")
+        }
+    }
+}
+
+impl Invariants {
+    /// Those of the coordinates kept.
+    fn block(&self, kept: &Range<usize>) -> Self {
+        Self {
+            S: self.S[kept.clone()].to_vec(),
+            h: self.h[kept.clone()].to_vec(),
+            J1: self.J1[kept.clone()].to_vec(),
+            pairs: self.pairs.block(kept.clone()),
+            ..*self
+        }
+    }
+}
+
+impl Marker {
+    /// The same with all coordinates locked but those kept.
+    fn locked(&self, kept: &Range<usize>) -> Self {
+        let place = |j: usize| kept.contains(&j).then(|| j - kept.start);
+        let shapes = self.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H)));
+        let pairs = self.curvature.iter();
+        let curvature = pairs.filter_map(|(j, k, G)| Some((place(*j)?, place(*k)?, *G)));
+        Self { shapes: shapes.collect(), curvature: curvature.collect(), ..self.clone() }
+    }
+}

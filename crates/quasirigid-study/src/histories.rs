@@ -264,7 +264,7 @@ impl Study {
         }
         let mut collector = Collector::new(watch, "propagating", &times);
         collector.coordinates = kept.then(Vec::new);
-        let run = motion.follow(table.system, &times, options, &mut collector)?;
+        let run = motion.follow(table.system, &times, &options, &mut collector)?;
         let Collector { samples, budget, coordinates, .. } = collector;
         let rows = coordinates.unwrap_or_default();
         let mut columns = columns(body.support(), &samples, None);

@@ -76,7 +76,7 @@ impl<'a> Motion<'a> {
         &self,
         system: System,
         times: &[f64],
-        options: Options,
+        options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<Run, StudyError> {
         let order = if system == System::Rigid { 0 } else { self.order };
@@ -84,7 +84,7 @@ impl<'a> Motion<'a> {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid if self.system().acts() => {
                 let slow = self.slow(order)?;
-                let options = if order > 1 { self.bounded(options)? } else { options };
+                let options = if order > 1 { &self.bounded(options)? } else { options };
                 Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
             }
             System::Reduced | System::Rigid => {
@@ -104,7 +104,8 @@ impl<'a> Motion<'a> {
 
     /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series
     /// there, and beyond it means nothing.
-    fn bounded(&self, mut options: Options) -> Result<Options, StudyError> {
+    fn bounded(&self, options: &Options) -> Result<Options, StudyError> {
+        let mut options = options.clone();
         let bounded = options.events.iter().any(|event| matches!(event, Event::Validity { .. }));
         if !bounded && let Some(slowest) = frequencies(self.body)?.first() {
             options.events.push(Event::Validity { slowest: *slowest, limit: 1.0 });

@@ -235,7 +235,7 @@ impl<'a> Plan<'a> {
     fn history(&self, system: System, watch: &mut dyn Watch) -> Result<HistoryRecord, StudyError> {
         let name = system.name();
         let mut collector = Collector::new(watch, name, &self.times);
-        let run = self.motion.follow(system, &self.times, self.options.clone(), &mut collector)?;
+        let run = self.motion.follow(system, &self.times, &self.options, &mut collector)?;
         let Collector { samples, budget, .. } = collector;
         let body = self.motion.system().body;
         if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {

@@ -27,7 +27,7 @@ const EVALUATIONS: usize = 100_000;
 fn error(problem: &QuarticQuintic, tolerance: f64) -> (f64, u64) {
     let times: Vec<f64> = problem.reference.iter().map(|(t, _)| *t).collect();
     let options = Options { form: Form::Paper, tolerance, ..Options::default() };
-    let path = spin_path(&problem.body, problem.omega, &times, options).expect("a published problem runs");
+    let path = spin_path(&problem.body, problem.omega, &times, &options).expect("a published problem runs");
     let errors = path
         .omega
         .iter()
@@ -43,7 +43,7 @@ fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
     let options = Options { form: Form::Paper, tolerance, ..Options::default() };
     bencher
         .counter(ItemsCount::new(1000_usize))
-        .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], options.clone()));
+        .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], &options));
 }
 
 /// Many right-hand sides, each waiting for the one before.

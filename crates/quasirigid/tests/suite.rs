@@ -3,6 +3,7 @@
 
 mod support;
 
+mod api;
 mod hill;
 mod inside;
 mod laws;

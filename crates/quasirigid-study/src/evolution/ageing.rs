@@ -1,9 +1,10 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use quasirigid::averaging::{
     DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, InterpolatedPower, LevelRow, MeanPower,
-    PolynomialPower, Response, Stage,
+    PolynomialPower, PowerSource, Response, Stage, harmonic_power,
 };
 use quasirigid::dynamics::SpinState;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
@@ -32,15 +33,15 @@ pub struct Ageing {
     pub principal: Principal,
     pub response: Response,
     pub polynomial: PolynomialPower,
-    /// Whether a liquid makes the harmonics costly.
-    costly: bool,
+    /// The power of the harmonics, interpolated where it costs much.
+    harmonic: Arc<dyn MeanPower>,
     /// Whether the polynomial's power is the one averaged, and whether the user said where it comes from.
     pub by_polynomial: bool,
     pub power_was_asked: bool,
     /// Whether the harmonics are those of the spinning frame.
     pub in_spinning_frame: bool,
     /// The power that is followed.
-    pub source: Box<dyn MeanPower>,
+    pub source: Arc<dyn MeanPower>,
     /// The road, what speaks for it, and what it knows beside the power.
     pub verdict: Verdict,
     /// Rotation of the frozen body with the momentum at the start.
@@ -50,12 +51,6 @@ pub struct Ageing {
     pub lossy: bool,
     /// Frequencies (rad/s) between which materials were measured.
     pub measured: Vec<[f64; 2]>,
-}
-
-/// The power of the harmonics, interpolated where it costs much.
-fn by_harmonics(response: &Response, costly: bool, momentum: f64) -> Box<dyn MeanPower> {
-    let response = Box::new(response.clone());
-    if costly { Box::new(InterpolatedPower::new(response, momentum)) } else { response }
 }
 
 impl Ageing {
@@ -72,18 +67,17 @@ impl Ageing {
         let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
         let (response, polynomial) = (Response::of(body)?, PolynomialPower::of(reduced));
-        let by_polynomial = !lossy && power.is_none() || power == Some(Power::Polynomial);
-        let costly = !body.memories().is_empty();
+        let by_polynomial = match power {
+            Some(power) => power == Power::Polynomial,
+            None => PowerSource::suited_to(body) == PowerSource::Polynomial,
+        };
         let initial = FreeRotation::through(principal.moments, frozen);
+        let harmonic = harmonic_power(body, &response, initial.momentum());
         Ok(Self {
             principal,
-            source: if by_polynomial {
-                Box::new(polynomial.clone())
-            } else {
-                by_harmonics(&response, costly, initial.momentum())
-            },
+            source: if by_polynomial { Arc::new(polynomial.clone()) } else { Arc::clone(&harmonic) },
             response,
-            costly,
+            harmonic,
             polynomial,
             by_polynomial,
             power_was_asked: power.is_some(),
@@ -102,22 +96,18 @@ impl Ageing {
 
     /// Takes the harmonics for the average.
     pub fn take_harmonics(&mut self) {
-        (self.by_polynomial, self.source) = (false, self.by_harmonics());
+        (self.by_polynomial, self.source) = (false, Arc::clone(&self.harmonic));
     }
 
     /// Takes the response in the spinning frame for the average.
     pub fn take_hill(&mut self, hill: HillResponse) {
         self.in_spinning_frame = true;
-        self.source = Box::new(InterpolatedPower::new(Box::new(hill), self.initial.momentum()));
+        self.source = Arc::new(InterpolatedPower::new(hill, self.initial.momentum()));
     }
 
     /// The average as it stands.
-    pub fn copied(&self) -> Box<dyn MeanPower> {
-        if self.by_polynomial { Box::new(self.polynomial.clone()) } else { self.by_harmonics() }
-    }
-
-    fn by_harmonics(&self) -> Box<dyn MeanPower> {
-        by_harmonics(&self.response, self.costly, self.initial.momentum())
+    pub fn shared(&self) -> Arc<dyn MeanPower> {
+        if self.by_polynomial { Arc::new(self.polynomial.clone()) } else { Arc::clone(&self.harmonic) }
     }
 
     /// The record of an evolution that no road leads along: a message, and the rates of the modes.
@@ -160,7 +150,7 @@ impl Ageing {
     }
 
     /// Takes another power, along the equivalent polhodes of the deformed body from an energy (J) on.
-    pub fn take(&mut self, source: Box<dyn MeanPower>, range: &EnergyRange, energy: f64) {
+    pub fn take(&mut self, source: Arc<dyn MeanPower>, range: &EnergyRange, energy: f64) {
         self.principal.moments = range.moments();
         (self.source, self.initial) = (source, range.polhode(energy));
     }
@@ -171,8 +161,8 @@ impl Ageing {
         self.initial = FreeRotation::at_logit(self.principal.moments, self.initial.momentum(), mode, xi);
     }
 
-    pub fn evolution(&self) -> Evolution<'_> {
-        Evolution::new(self.power(), self.initial.momentum())
+    pub fn evolution(&self) -> Evolution {
+        Evolution::new(Arc::clone(&self.source), self.initial.momentum())
     }
 
     /// Where the evolution starts: at a target, or at the initial state.

@@ -6,6 +6,8 @@ mod road;
 mod table;
 mod words;
 
+use std::sync::Arc;
+
 use quasirigid::averaging::{
     DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
     SmallBody, Stage,
@@ -191,12 +193,12 @@ fn estimates(Study { model, body, .. }: &Study, spin: f64) -> Vec<EstimateRecord
 fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], StudyError> {
     let time = |assembly: &Assembly| -> Result<f64, StudyError> {
         let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
-        let power: Box<dyn MeanPower> = if ageing.by_polynomial {
-            Box::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
+        let power: Arc<dyn MeanPower> = if ageing.by_polynomial {
+            Arc::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
         } else {
-            Box::new(Response::of(&body)?)
+            Arc::new(Response::of(&body)?)
         };
-        Ok(Evolution::new(&*power, ageing.initial.momentum()).time(from, to))
+        Ok(Evolution::new(power, ageing.initial.momentum()).time(from, to))
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])

@@ -15,11 +15,11 @@ use super::ageing::Ageing;
 const AT_AXIS: f64 = 36.0;
 
 /// The rows of a table: stages of an evolution, or states of a drift.
-pub struct EvolutionTable<'e> {
+pub struct EvolutionTable {
     pub first: DriftState,
     pub states: Vec<DriftState>,
     /// What the times of the states are still to be found from.
-    evolution: Option<Evolution<'e>>,
+    evolution: Option<Evolution>,
     /// How the drift went, where there is a torque.
     pub drift: Option<DriftHistory>,
     pub status: &'static str,
@@ -33,14 +33,14 @@ pub struct EvolutionTable<'e> {
     pub levels: Option<Vec<LevelRow>>,
 }
 
-impl<'e> EvolutionTable<'e> {
+impl EvolutionTable {
     /// Stages along the way; the first alone where nothing is dissipated.
-    pub fn of_evolution(evolution: &Evolution<'e>, from: Stage, to: Stage, samples: usize) -> Self {
+    pub fn of_evolution(evolution: &Evolution, from: Stage, to: Stage, samples: usize) -> Self {
         let momentum = evolution.motion(from).momentum();
         let state = |stage| DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 };
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
-        let evolution = Some(*evolution);
+        let evolution = Some(evolution.clone());
         Self {
             first: state(from),
             states,

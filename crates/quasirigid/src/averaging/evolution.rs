@@ -1,4 +1,5 @@
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::poinsot::FreeRotation;
 use super::power::MeanPower;
@@ -6,9 +7,11 @@ use crate::math::quadrature::{Integral, integral};
 use crate::model::Mode;
 
 /// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
+///
+/// An evolution owns its power: whatever is one by value, shared in an [`Arc`], or borrowed.
 #[derive(Clone, Copy, Debug)]
-pub struct Evolution<'a> {
-    power: &'a dyn MeanPower,
+pub struct Evolution<P = Arc<dyn MeanPower>> {
+    power: P,
     moments: [f64; 3],
     G: f64,
 }
@@ -65,11 +68,11 @@ const SETTLED: f64 = 1e-9;
 /// Newton's steps towards a time within a piece.
 const STEPS: usize = 60;
 
-impl<'a> Evolution<'a> {
+impl<P: MeanPower> Evolution<P> {
     /// The evolution of a free body with the angular momentum `G` (N·m·s).
     #[must_use]
-    pub fn new(power: &'a dyn MeanPower, G: f64) -> Self {
-        Self { power, moments: power.moments(), G }
+    pub fn new(power: P, G: f64) -> Self {
+        Self { moments: power.moments(), power, G }
     }
 
     /// The rotation at a stage.

@@ -1,4 +1,5 @@
 use super::evolution::{Evolution, Stage};
+use super::power::MeanPower;
 use super::response::Response;
 use crate::math::bisection::bisected;
 use crate::model::Mode;
@@ -28,7 +29,7 @@ const ENDS: [f64; 2] = [-30.0, 30.0];
 impl Response {
     /// Resonances of the polhode's harmonics at one angular momentum, the strongest first. (G8)
     #[must_use]
-    pub fn resonances(&self, evolution: &Evolution) -> Vec<HarmonicResonance> {
+    pub fn resonances(&self, evolution: &Evolution<impl MeanPower>) -> Vec<HarmonicResonance> {
         let mut found = Vec::new();
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
             let step =
@@ -53,7 +54,7 @@ impl Response {
         found
     }
 
-    fn share(&self, evolution: &Evolution, stage: Stage, harmonic: usize) -> f64 {
+    fn share(&self, evolution: &Evolution<impl MeanPower>, stage: Stage, harmonic: usize) -> f64 {
         let powers: Vec<f64> =
             self.harmonic_powers(&evolution.motion(stage)).map(|(_, power)| power).collect();
         powers.get(harmonic - 1).copied().unwrap_or(0.0) / powers.iter().sum::<f64>()

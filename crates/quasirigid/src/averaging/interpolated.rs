@@ -1,5 +1,5 @@
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{FreeRotation, MeanPower};
 use crate::math::chebyshev::Chebyshev;
@@ -11,7 +11,7 @@ use crate::model::Mode;
 /// A resonance narrower than a node's distance may be passed over; the time that it takes from a way is at most its width.
 #[derive(Debug)]
 pub struct InterpolatedPower {
-    source: Box<dyn MeanPower>,
+    source: Arc<dyn MeanPower>,
     momentum: f64,
     pieces: Mutex<BTreeMap<Key, Piece>>,
 }
@@ -39,8 +39,8 @@ const NEAREST: f64 = -8.0;
 impl InterpolatedPower {
     /// From a power at an angular momentum (N·m·s).
     #[must_use]
-    pub fn new(source: Box<dyn MeanPower>, momentum: f64) -> Self {
-        Self { source, momentum, pieces: Mutex::new(BTreeMap::new()) }
+    pub fn new(source: impl MeanPower + 'static, momentum: f64) -> Self {
+        Self { source: Arc::new(source), momentum, pieces: Mutex::new(BTreeMap::new()) }
     }
 
     /// Logarithm of the ratio at a place; none where no polynomial fits.
@@ -124,7 +124,7 @@ mod tests {
         let asked = Arc::new(AtomicUsize::new(0));
         let momentum = 0.5 * response.moments()[2];
         let source = Counted(response.clone(), Arc::clone(&asked));
-        let interpolated = InterpolatedPower::new(Box::new(source), momentum);
+        let interpolated = InterpolatedPower::new(source, momentum);
         let [slow, fast] =
             [&response as &dyn MeanPower, &interpolated].map(|power| Evolution::new(power, momentum));
         let stages = [3.0, -6.0].map(|xi| Stage { mode: Mode::LongAxis, xi });
@@ -178,7 +178,7 @@ mod tests {
                         1.0 / (1.0 + height / (1.0 + off * off))
                     };
                     let expected: f64 = plain.iter().enumerate().map(|(i, time)| time * slower(i)).sum();
-                    let power = InterpolatedPower::new(Box::new(Peaked { width, height, place }), 2.0);
+                    let power = InterpolatedPower::new(Peaked { width, height, place }, 2.0);
                     let found = Evolution::new(&power, 2.0).time(stage(ends[0]), stage(ends[1]));
                     let allowed = if width < 0.01 { width } else { 1e-5 };
                     assert!((found / expected - 1.0).abs() < allowed, "{width} {height} {place}");

@@ -16,6 +16,7 @@ mod power;
 mod published;
 mod response;
 mod slow_torque;
+mod source;
 
 pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, SeparatrixPassage};
 pub use euler_angles::EulerAngles;
@@ -33,3 +34,4 @@ pub use power::{MeanPower, PolynomialPower};
 pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody};
 pub use response::Response;
 pub use slow_torque::{SlowTorque, Unaveraged};
+pub use source::{EvolutionError, PowerSource, harmonic_power};

@@ -1,4 +1,5 @@
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use super::poinsot::FreeRotation;
 use super::response::Response;
@@ -19,6 +20,27 @@ pub trait MeanPower: Debug + Send + Sync {
         Vec::new()
     }
 }
+
+/// Owners and borrowers of a power are that power.
+macro_rules! mean_power_behind {
+    ($($pointer:ty),*) => {$(
+        impl<P: MeanPower + ?Sized> MeanPower for $pointer {
+            fn moments(&self) -> [f64; 3] {
+                (**self).moments()
+            }
+
+            fn mean_power(&self, motion: &FreeRotation) -> f64 {
+                (**self).mean_power(motion)
+            }
+
+            fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
+                (**self).budget(motion)
+            }
+        }
+    )*};
+}
+
+mean_power_behind!(&P, Box<P>, Arc<P>);
 
 impl MeanPower for Response {
     fn moments(&self) -> [f64; 3] {

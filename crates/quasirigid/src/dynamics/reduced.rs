@@ -21,7 +21,7 @@ pub fn propagate(
     body: &ReducedBody,
     initial: SpinState,
     times: &[f64],
-    options: Options,
+    options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     check(norm(initial.omega), initial.attitude, times, options.tolerance)?;
@@ -29,7 +29,7 @@ pub fn propagate(
     let power = Kernel::new(&body.power);
     let inside = inside(body.momentum(initial.omega), body.J, initial.omega);
     let shares = Shares::of(body);
-    let plan = Plan { power: &power, shares, x, inside, initial, times, options: &options, observer };
+    let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
     Ok(match options.form {
         Form::Momentum => dispatch(Propagation { equations: &MomentumForm::new(body), plan }),
         Form::Paper => dispatch(Propagation { equations: &PaperForm::new(body), plan }),

@@ -29,18 +29,14 @@ pub fn spin_path(
     body: &ReducedBody,
     omega: [f64; 3],
     times: &[f64],
-    options: Options,
+    options: &Options,
 ) -> Result<SpinPath, PropagateError> {
     check(norm(omega), ALIGNED, times, options.tolerance)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let error = options.tolerance * options.form.size(x, inside(body.momentum(omega), body.J, omega));
     Ok(match options.form {
-        Form::Momentum => {
-            dispatch(Path { equations: &MomentumForm::new(body), x, error, times, options: &options })
-        }
-        Form::Paper => {
-            dispatch(Path { equations: &PaperForm::new(body), x, error, times, options: &options })
-        }
+        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, error, times, options }),
+        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, error, times, options }),
     })
 }
 

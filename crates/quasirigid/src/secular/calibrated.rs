@@ -1,12 +1,14 @@
+use std::sync::Arc;
+
 use crate::averaging::{Evolution, FreeRotation, MeanPower, Stage};
 use crate::model::Mode;
 
 /// Mean power of an average, times the factors by which the modes at the poles differ from it. (Q5)
 ///
 /// The factors hold where the wobble is small; between the poles they are joined in proportion to the energy.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct CalibratedPower {
-    base: Box<dyn MeanPower>,
+    base: Arc<dyn MeanPower>,
     /// Factors in the long-axis and the short-axis mode.
     factors: [f64; 2],
 }
@@ -15,8 +17,9 @@ impl CalibratedPower {
     /// Factors such that small wobbles change at the rates (1/s) of the modes; a rate that is not known leaves the average as it
     /// is.
     #[must_use]
-    pub fn new(base: Box<dyn MeanPower>, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
-        let average = Evolution::new(&*base, momentum);
+    pub fn new(base: impl MeanPower + 'static, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
+        let base: Arc<dyn MeanPower> = Arc::new(base);
+        let average = Evolution::new(&base, momentum);
         let factor = |mode: Mode| {
             let factor = rate(mode).map(|rate| rate / average.wobble_rate(mode));
             factor.filter(|factor| factor.is_finite() && *factor > 0.0).unwrap_or(1.0)

@@ -86,7 +86,7 @@ const MOST_ROWS: usize = 8000;
 pub fn follow_directly(
     body: &FlexibleBody,
     start: &FullState,
-    options: DirectOptions,
+    options: &DirectOptions,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<DirectRun, PropagateError> {
     let energy = start.energy(body);
@@ -121,7 +121,7 @@ impl DirectRun {
         &mut self,
         body: &FlexibleBody,
         piece: f64,
-        options: DirectOptions,
+        options: &DirectOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<DirectEnding>, PropagateError> {
         let before = self.rows[self.rows.len() - 1];
@@ -140,7 +140,7 @@ impl DirectRun {
             watch: &mut || watch(share),
         };
         let start = self.last.clone();
-        let found = propagate_full(Forced::not(body), &start, &times, settings, &mut collector)?;
+        let found = propagate_full(Forced::not(body), &start, &times, &settings, &mut collector)?;
         self.last = collector.last;
         self.steps += found.work.steps;
         self.energy_drift += found.last.energy_drift;

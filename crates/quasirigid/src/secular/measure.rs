@@ -146,7 +146,7 @@ impl Window {
         let times: Vec<f64> = (0..=count).map(|i| settling + window * i as f64 / count as f64).collect();
         let options = Options { tolerance: plan.tolerance, most_steps: plan.steps, ..Options::default() };
         let mut collector = Collector { body, rows: Vec::with_capacity(count + 1), last: None, watch };
-        let run = propagate_full(Forced::not(body), start, &times, options, &mut collector)?;
+        let run = propagate_full(Forced::not(body), start, &times, &options, &mut collector)?;
         let reason = match run.outcome {
             Outcome::Finished => None,
             Outcome::Interrupted => return Err(MeasureError::Interrupted),

@@ -38,14 +38,14 @@ impl MeasuredPower {
         range: &EnergyRange,
         poles: &Poles,
         [from, to]: [Stage; 2],
-        options: MeasureOptions,
+        options: &MeasureOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
         let mut power =
             Self { moments: range.moments(), curves: [None, None], measurements: Vec::new(), error: 0.0 };
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
             let Some(ends) = span(range, mode, [from, to], NEAREST) else { continue };
-            let mut worker = Worker { body, range, poles, mode, options, power: &mut power, watch };
+            let mut worker = Worker { body, range, poles, mode, options: *options, power: &mut power, watch };
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
         }

@@ -33,10 +33,10 @@ impl Probes {
         range: &EnergyRange,
         poles: &Poles,
         ends: [Stage; 2],
-        options: MeasureOptions,
+        options: &MeasureOptions,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let site = Site { body, range, poles, options };
+        let site = Site { body, range, poles, options: *options };
         let mut probes = Self { momentum: range.momentum(), measurements: Vec::new(), unsettled: 0.0 };
         for stage in places(range, ends) {
             match site.measure(stage, watch) {
@@ -64,10 +64,10 @@ impl Probes {
         range: &EnergyRange,
         poles: &Poles,
         start: FullState,
-        options: MeasureOptions,
+        options: &MeasureOptions,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let found = Site { body, range, poles, options }.measure_from(start, watch)?;
+        let found = Site { body, range, poles, options: *options }.measure_from(start, watch)?;
         Ok(Self { momentum: range.momentum(), measurements: vec![found], unsettled: 0.0 })
     }
 

@@ -118,7 +118,7 @@ fn error(
         return Err(AverageError::Steady);
     }
     let options = MeasureOptions { error: CHANGE, tolerance: TOLERANCE, most_steps };
-    let probes = Probes::from(body, &range, &poles, full, options, watch)?;
+    let probes = Probes::from(body, &range, &poles, full, &options, watch)?;
     let power = PolynomialPower::of(&reduce(body, order).map_err(VerificationError::from)?);
     Ok((probes.error(&power), probes.steps()))
 }

@@ -52,7 +52,7 @@ pub(super) fn full(
     start: &Start,
     order: usize,
     times: &[f64],
-    options: Options,
+    options: &Options,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Truth, VerificationError> {
     let state = start.settled(system, order)?;
@@ -68,7 +68,7 @@ pub(super) fn reduced(
     full: &FullState,
     order: usize,
     times: &[f64],
-    options: Options,
+    options: &Options,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Vec<Sample>, VerificationError> {
     let momentum = full.momentum(system.body);

@@ -148,14 +148,14 @@ pub fn verify(
         let mut share = part(done);
         let options = |form, tolerance: f64| Options { form, tolerance, ..Options::default() };
         let exact = options(Form::Momentum, FULL);
-        let truth = full(scaled, start, highest, &times, exact, &mut |t| watch(share(t)))?;
+        let truth = full(scaled, start, highest, &times, &exact, &mut |t| watch(share(t)))?;
         floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
         steps += truth.steps;
         done += 1.0;
         for row in &mut rows {
             share = part(done);
             let options = options(row.form, REDUCED);
-            let history = reduced(scaled, &truth.start, row.p, &times, options, &mut |t| watch(share(t)))?;
+            let history = reduced(scaled, &truth.start, row.p, &times, &options, &mut |t| watch(share(t)))?;
             row.differences.push(Difference::between(&truth.samples, &history));
             done += 1.0;
         }

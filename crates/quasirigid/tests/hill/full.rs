@@ -49,7 +49,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
             let time = motion.polhode_period();
             let mut samples: Vec<Sample> = Vec::new();
             let options = Options { tolerance: 1e-13, ..Options::default() };
-            let run = propagate_full(Forced::not(&body), &start, &[time], options, &mut samples).unwrap();
+            let run = propagate_full(Forced::not(&body), &start, &[time], &options, &mut samples).unwrap();
             assert_eq!(run.outcome, Outcome::Finished);
             let measured = samples[0].dissipated / time;
             let predicted = hill.mean_power(&motion);
@@ -193,7 +193,7 @@ fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64
         let from = FullState { omega, q, rate, ..start.clone() };
         let mut end = End::default();
         let options = Options { tolerance: 1e-14, ..Options::default() };
-        propagate_full(Forced::not(body), &from, &[period], options, &mut end).unwrap();
+        propagate_full(Forced::not(body), &from, &[period], &options, &mut end).unwrap();
         state(end.sample.omega, &end.q, &end.rate)
     };
     slopes(&state(start.omega, &start.q, &start.rate), steps, end)

@@ -41,7 +41,7 @@ fn liquid(radius: f64) -> f64 {
     DENSITY / VISCOSITY * 8.0 * PI * radius.powi(7) / 525.0
 }
 
-fn stage(evolution: &Evolution, angle: f64) -> Stage {
+fn stage(evolution: &Evolution<impl MeanPower>, angle: f64) -> Stage {
     let stage = evolution.wobbling(angle).unwrap();
     assert_eq!(stage.mode, Mode::ShortAxis);
     stage

@@ -49,7 +49,7 @@ fn momentum_stays_and_friction_takes_the_energy() {
     let times: Vec<f64> = s.iter().map(|s| end * s.powi(3)).collect();
     let mut history = History::default();
     let options = Options { tolerance: 1e-13, ..Options::default() };
-    let run = propagate_full(Forced::not(&body), &released, &times, options, &mut history).unwrap();
+    let run = propagate_full(Forced::not(&body), &released, &times, &options, &mut history).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
 
     let inertial = |state: &FullState| to_inertial(state.attitude, state.momentum(&body));

@@ -33,7 +33,7 @@ fn run(assembly: &Assembly, method: Method) -> Sample {
     built.speeds.iter().for_each(|(coordinate, speed)| start.rate[*coordinate] = *speed);
     let mut samples = Vec::new();
     let options = Options { tolerance: 1e-13, method, ..Options::default() };
-    let run = propagate_full(Forced::not(&built.body), &start, &[END], options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(&built.body), &start, &[END], &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     samples[0]
 }

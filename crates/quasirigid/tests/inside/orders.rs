@@ -87,7 +87,7 @@ fn both_forms_of_the_equations_know_of_the_wheel() {
     let spin = |order: usize, form: Form, epsilon: f64| {
         let reduced = reduce(&body.stiffened(epsilon).unwrap(), order).unwrap();
         let options = Options { form, tolerance: 1e-14, ..Options::default() };
-        spin_path(&reduced, scale(0.5, OMEGA), &[6.0], options).unwrap().omega[0]
+        spin_path(&reduced, scale(0.5, OMEGA), &[6.0], &options).unwrap().omega[0]
     };
     let gap = |order, epsilon| {
         let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| spin(order, form, epsilon));

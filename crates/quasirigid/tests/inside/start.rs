@@ -42,7 +42,7 @@ fn released(body: &FlexibleBody) -> FullState {
 fn full(body: &FlexibleBody, start: &FullState, times: &[f64]) -> Vec<Sample> {
     let mut samples = Vec::new();
     let options = Options { tolerance: 1e-12, ..Options::default() };
-    let run = propagate_full(Forced::not(body), start, times, options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(body), start, times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     samples
 }
@@ -61,7 +61,7 @@ fn the_matched_start_gains_an_order() {
                     if turned { (slow.momentum, slow.attitude) } else { (start.momentum(&body), ALIGNED) };
                 let initial = SpinState::new(reduced.Omega.vector(momentum), attitude);
                 let mut samples = Vec::new();
-                propagate(&reduced, initial, &[END], Options::default(), &mut samples).unwrap();
+                propagate(&reduced, initial, &[END], &Options::default(), &mut samples).unwrap();
                 let truth = full(&body, &start, &[END])[0];
                 norm(add(truth.omega, scale(-1.0, samples[0].omega)))
             })

@@ -73,9 +73,9 @@ fn a_body_without_momentum_turns_evenly() {
             let options = Options { form, most_steps: 10_000, ..Options::default() };
             let initial = SpinState::new(omega, ALIGNED);
             let mut samples = Vec::new();
-            let run = propagate(&reduced, initial, &times, options.clone(), &mut samples).unwrap();
+            let run = propagate(&reduced, initial, &times, &options, &mut samples).unwrap();
             assert_even(&format!("{form:?}"), omega, run, &samples);
-            let path = spin_path(&reduced, omega, &times, options).unwrap();
+            let path = spin_path(&reduced, omega, &times, &options).unwrap();
             assert_eq!(path.outcome, Outcome::Finished);
             assert!(norm(add(path.omega[1], scale(-1.0, omega))) < 1e-12 * norm(omega), "{form:?} {path:?}");
         }
@@ -83,13 +83,13 @@ fn a_body_without_momentum_turns_evenly() {
         for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
             let options = Options { method, ..Options::default() };
             let mut samples = Vec::new();
-            let run = propagate_full(Forced::not(&body), &full, &times, options, &mut samples).unwrap();
+            let run = propagate_full(Forced::not(&body), &full, &times, &options, &mut samples).unwrap();
             assert_even(&format!("{method:?}"), omega, run, &samples);
         }
         let slow: SlowState = matched_start(Forced::not(&body), 3, &full).unwrap();
         let mut samples = Vec::new();
-        let run =
-            propagate_forced(Forced::not(&body), 3, &slow, &times, Options::default(), &mut samples).unwrap();
+        let run = propagate_forced(Forced::not(&body), 3, &slow, &times, &Options::default(), &mut samples)
+            .unwrap();
         assert_even("forced", omega, run, &samples);
     }
 }
@@ -128,11 +128,11 @@ fn little_momentum_is_held_or_not_with_the_same_result() {
         let initial = SpinState::new(omega, ALIGNED);
         let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| {
             let options = Options { form, ..Options::default() };
-            propagate(&reduced, initial, &[END], options, &mut Vec::new()).unwrap()
+            propagate(&reduced, initial, &[END], &options, &mut Vec::new()).unwrap()
         });
         let state = FullState::at_rest(&body, omega, ALIGNED);
         let options = Options::default();
-        let full = propagate_full(Forced::not(&body), &state, &[END], options, &mut Vec::new()).unwrap();
+        let full = propagate_full(Forced::not(&body), &state, &[END], &options, &mut Vec::new()).unwrap();
         let apart = [paper, full].map(|run| angle_between(run.last.attitude, momentum.last.attitude));
         let drifts = [momentum, paper, full].map(|run| run.last.momentum_drift);
         println!("{share}: {apart:?} {drifts:?}");
@@ -187,7 +187,7 @@ fn rotors_come_to_rest_in_a_body_without_momentum() {
     for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
         let mut samples = Vec::new();
         let options = Options { tolerance: 1e-13, method, ..Options::default() };
-        let run = propagate_full(Forced::not(&body), &state, &[end], options, &mut samples).unwrap();
+        let run = propagate_full(Forced::not(&body), &state, &[end], &options, &mut samples).unwrap();
         assert_eq!(run.outcome, Outcome::Finished);
         let last = samples[0];
         println!("{method:?} {last:?} {:?}", run.work);
@@ -213,7 +213,7 @@ fn a_flywheel_takes_up_the_momentum_of_the_body() {
     let left = (-0.7 * END / (2.0 - 4.0 / 16.0)).exp();
     for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
         let options = Options { method, ..Options::default() };
-        let run = propagate_full(Forced::not(&body), &state, &[END], options, &mut Vec::new()).unwrap();
+        let run = propagate_full(Forced::not(&body), &state, &[END], &options, &mut Vec::new()).unwrap();
         println!("{method:?} {run:?}");
         assert_eq!(run.outcome, Outcome::Finished);
         assert!((run.last.omega[2] / 0.75 - left).abs() < 1e-11 && run.last.momentum_drift.abs() < 1e-12);
@@ -249,10 +249,10 @@ fn a_driven_wheel_turns_a_body_from_rest() {
         let options = Options { method, most_steps: 10_000, ..Options::default() };
         check(
             &format!("{method:?}"),
-            propagate_full(system, &full, &[end], options, &mut Vec::new()).unwrap(),
+            propagate_full(system, &full, &[end], &options, &mut Vec::new()).unwrap(),
         );
     }
     let slow = SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let options = Options { most_steps: 10_000, ..Options::default() };
-    check("reduced", propagate_forced(system, 1, &slow, &[end], options, &mut Vec::new()).unwrap());
+    check("reduced", propagate_forced(system, 1, &slow, &[end], &options, &mut Vec::new()).unwrap());
 }

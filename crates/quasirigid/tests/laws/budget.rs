@@ -226,10 +226,10 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     let ended = |run: Run| assert!((run.last.t / duration - 1.0).abs() < 1e-12);
     // Explicit steps are stable to the edge: rates, a thousandth of the spin, flutter by what a step allows.
     let options = Options { method, tolerance: 1e-14, ..Options::default() };
-    ended(propagate_full(Forced::not(&body), &settled, &times, options, &mut seen[0]).unwrap());
+    ended(propagate_full(Forced::not(&body), &settled, &times, &options, &mut seen[0]).unwrap());
     let reduced = reduce(&body, 5).unwrap();
     let spin = SpinState::new(omega, ALIGNED);
-    ended(propagate(&reduced, spin, &times, Options::default(), &mut seen[1]).unwrap());
+    ended(propagate(&reduced, spin, &times, &Options::default(), &mut seen[1]).unwrap());
     let [full, reduced] = seen;
     (body, full, reduced)
 }
@@ -276,7 +276,7 @@ fn one_dissipator_takes_everything() {
         let body = assembly.body().unwrap();
         let mut seen = Seen::default();
         let spin = SpinState::new([0.3, 0.1, 0.9], ALIGNED);
-        propagate(&reduce(&body, 3).unwrap(), spin, &[20.0], Options::default(), &mut seen).unwrap();
+        propagate(&reduce(&body, 3).unwrap(), spin, &[20.0], &Options::default(), &mut seen).unwrap();
         assert_eq!(seen.budget.len(), expected);
         assert!(seen.budget.iter().all(|(_, taken)| *taken == seen.samples[0].dissipated && *taken > 0.0));
         assembly.springs[0].law = strengthened(assembly.springs[0].law, 1.0, 0.0);

@@ -16,7 +16,7 @@ use quasirigid_math::vec3::norm;
 use super::evolution::tumbler;
 
 /// To the last of some times, with nothing to interrupt it.
-fn followed(drift: &Drift, start: DriftState, times: &[f64]) -> DriftHistory {
+fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> DriftHistory {
     drift.follow(start, times, &DriftLimits::until(times[times.len() - 1]), |_| ControlFlow::Continue(()))
 }
 
@@ -110,7 +110,7 @@ fn drift_is_that_of_the_reduced_equations() {
         let slow = still.with_spin(system, 2, omega).unwrap();
         let mut samples = Vec::new();
         let options = Options { tolerance: 1e-11, ..Options::default() };
-        propagate_forced(system, 3, &slow, &[0.0, duration], options, &mut samples).unwrap();
+        propagate_forced(system, 3, &slow, &[0.0, duration], &options, &mut samples).unwrap();
         let G = norm(samples[0].momentum);
         let evolution = Evolution::new(&power, G);
         let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);

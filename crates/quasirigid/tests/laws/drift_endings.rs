@@ -25,9 +25,9 @@ impl MeanPower for Rigid {
     }
 }
 
-fn drift(torque: SlowTorque) -> Drift<'static> {
+fn drift(torque: SlowTorque) -> Drift<Rigid> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    Drift::new(&Rigid, &Principal { moments: MOMENTS, axes }, torque)
+    Drift::new(Rigid, &Principal { moments: MOMENTS, axes }, torque)
 }
 
 fn start(mode: Mode, xi: f64, momentum: f64) -> DriftState {

@@ -68,7 +68,7 @@ fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
     let times: Vec<f64> = (0..=4000).map(|i| 1.1 * period * f64::from(i) / 4000.0).collect();
     let mut seen = Seen::default();
     let start = SpinState::new(omega, [1.0, 0.0, 0.0, 0.0]);
-    propagate(body, start, &times, Options { tolerance: 1e-12, ..Options::default() }, &mut seen).unwrap();
+    propagate(body, start, &times, &Options { tolerance: 1e-12, ..Options::default() }, &mut seen).unwrap();
     let first = Nutations::of(body).at(seen.0[0]).unwrap();
     let angles = seen.0.iter().map(|K| angle(first.axis, *K));
     let (low, high) = angles.fold((f64::INFINITY, 0.0_f64), |(l, h), a| (l.min(a), h.max(a)));

@@ -1,6 +1,6 @@
 //! Averaged ageing against closed forms and against the reduced equations themselves.
 
-use quasirigid::averaging::{Evolution, FreeRotation, PolynomialPower, Stage};
+use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Stage};
 use quasirigid::dynamics::{Forced, Options, Sample, SpinState, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::model::{Mode, Principal, ReducedBody};
@@ -83,14 +83,14 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
         let mut samples = Vec::new();
         let start = SpinState::new(omega, ALIGNED);
         let reduced = reduce(&body, *order).unwrap();
-        propagate(&reduced, start, &grid, options.clone(), &mut samples).unwrap();
+        propagate(&reduced, start, &grid, &options, &mut samples).unwrap();
         histories.push(samples);
     }
     if full {
         let mut samples = Vec::new();
         let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
         let settled = start.settled(Forced::not(&body), 5).unwrap();
-        propagate_full(Forced::not(&body), &settled, &grid, options, &mut samples).unwrap();
+        propagate_full(Forced::not(&body), &settled, &grid, &options, &mut samples).unwrap();
         histories.push(samples);
     }
     let gap = |samples: &Vec<Sample>| {
@@ -104,7 +104,7 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     gaps
 }
 
-fn stage_of(evolution: &Evolution, reduced: &ReducedBody, omega: [f64; 3]) -> Stage {
+fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega: [f64; 3]) -> Stage {
     let G = norm(reduced.momentum(omega));
     evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::of(reduced.J).moments[2])).unwrap()
 }

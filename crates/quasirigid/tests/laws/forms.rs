@@ -14,7 +14,7 @@ const START: [f64; 3] = [1.0, -0.6, 1.6];
 fn spins(order: usize, form: Form, epsilon: f64) -> Vec<[f64; 3]> {
     let body = stiffened(&assembly(), epsilon.powi(-2), epsilon.recip()).body().unwrap();
     let options = Options { form, tolerance: 1e-14, ..Options::default() };
-    spin_path(&reduce(&body, order).unwrap(), START, &times_to(4.0, 8), options).unwrap().omega
+    spin_path(&reduce(&body, order).unwrap(), START, &times_to(4.0, 8), &options).unwrap().omega
 }
 
 /// The power of `ε` with which two sets of runs come together, the linear part of its change with `ε` removed.

@@ -49,7 +49,7 @@ fn at(tolerance: f64) -> Options {
 
 fn full(body: &FlexibleBody, start: &FullState, times: &[f64], options: Options) -> Vec<Sample> {
     let mut samples = Vec::new();
-    let run = propagate_full(Forced::not(body), start, times, options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(body), start, times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     samples
 }
@@ -144,7 +144,7 @@ fn matched_start_gains_an_order() {
                 let initial = SpinState::new(reduced.Omega.vector(momentum), slow.attitude);
                 let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
                 let mut samples: Vec<Sample> = Vec::new();
-                propagate(&reduced, initial, &times, at(1e-13), &mut samples).unwrap();
+                propagate(&reduced, initial, &times, &at(1e-13), &mut samples).unwrap();
                 let truth = full(&body, &start, &times, at(1e-13));
                 let gap = |(a, b): (&Sample, &Sample)| norm(add(a.omega, scale(-1.0, b.omega)));
                 truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
@@ -176,7 +176,7 @@ fn composite_solution_holds_from_the_first_moment() {
                 let layer = BoundaryLayer::of(system, 3, &start).unwrap();
                 let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
                 let mut samples: Vec<Sample> = Vec::new();
-                propagate_forced(system, 3, &slow, &times, at(1e-13), &mut samples).unwrap();
+                propagate_forced(system, 3, &slow, &times, &at(1e-13), &mut samples).unwrap();
                 let truth = full(&body, &start, &times, at(1e-13));
                 let gap = |(a, b): (&Sample, &Sample)| {
                     let part = layer.at(a.t);
@@ -229,8 +229,7 @@ fn events_end_a_run_where_they_happen() {
     let mark = start.energy(&body) - 2e-3;
     let options = Options { events: vec![Event::Energy(mark)], ..at(1e-11) };
     let mut samples: Vec<Sample> = Vec::new();
-    let run =
-        propagate_full(Forced::not(&body), &start, &[1e-3, 1e5], options.clone(), &mut samples).unwrap();
+    let run = propagate_full(Forced::not(&body), &start, &[1e-3, 1e5], &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Event(Event::Energy(mark)));
     assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{} J, asked {mark} J", run.last.energy);
     assert_eq!(samples.len(), 1);
@@ -238,7 +237,7 @@ fn events_end_a_run_where_they_happen() {
     let initial = SpinState::new(CommonProblem::SPIN, ALIGNED);
     for form in [Form::Momentum, Form::Paper] {
         let options = Options { form, ..options.clone() };
-        let run = propagate(&reduced, initial, &[1e-3, 1e5], options, &mut Vec::new()).unwrap();
+        let run = propagate(&reduced, initial, &[1e-3, 1e5], &options, &mut Vec::new()).unwrap();
         assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{form:?}: {:?}", run.outcome);
     }
 }

@@ -171,7 +171,7 @@ fn response_is_that_of_the_full_system_at_resonance() {
         let mut samples = Vec::new();
         let start = FullState::at_rest(&body, omega, ALIGNED);
         let options = Options { tolerance: 1e-13, ..Options::default() };
-        propagate_full(Forced::not(&body), &start, &times, options, &mut samples).unwrap();
+        propagate_full(Forced::not(&body), &start, &times, &options, &mut samples).unwrap();
         let measured = (samples[1].dissipated - samples[0].dissipated) / (times[1] - times[0]);
         let axes = response.principal().axes;
         let motion = |sample: &Sample| {

@@ -37,7 +37,7 @@ impl Observer for Impatient {
 
 fn whole(body: &ReducedBody, times: &[f64]) -> Vec<Sample> {
     let mut samples = Vec::new();
-    let run = propagate(body, state(START), times, Options::default(), &mut samples).unwrap();
+    let run = propagate(body, state(START), times, &Options::default(), &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     assert_eq!(run.last.t, times[times.len() - 1]);
     samples
@@ -49,7 +49,7 @@ fn an_interrupted_run_leaves_valid_samples() {
     let body = reduced(3);
     let times = times_to(3e4, 600);
     let mut observer = Impatient::default();
-    let run = propagate(&body, state(START), &times, Options::default(), &mut observer).unwrap();
+    let run = propagate(&body, state(START), &times, &Options::default(), &mut observer).unwrap();
     assert_eq!(run.outcome, Outcome::Interrupted);
     assert_eq!(observer.asked, 1);
     assert!(run.last.t > 0.0 && run.last.t < 3e4);
@@ -64,13 +64,13 @@ fn a_step_limit_leaves_valid_samples() {
     let times = times_to(100.0, 50);
     let mut samples: Vec<Sample> = Vec::new();
     let options = Options { most_steps: 20, ..Options::default() };
-    let run = propagate(&body, state(START), &times, options.clone(), &mut samples).unwrap();
+    let run = propagate(&body, state(START), &times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::StepLimit);
     assert_eq!(run.work.steps, 20);
     let reached = times.iter().take_while(|t| **t <= run.last.t).count();
     assert!(reached > 0 && reached < 50);
     assert_eq!(samples, whole(&body, &times)[..reached]);
-    let path = spin_path(&body, START, &times, options).unwrap();
+    let path = spin_path(&body, START, &times, &options).unwrap();
     assert_eq!(path.outcome, Outcome::StepLimit);
     assert!(!path.omega.is_empty() && path.omega.len() < 50);
 }
@@ -82,7 +82,7 @@ fn a_runaway_ends_as_a_failure_with_valid_samples() {
     let times = times_to(1e-3, 100);
     let mut samples: Vec<Sample> = Vec::new();
     let options = Options { form: Form::Paper, most_steps: 100_000, ..Options::default() };
-    let run = propagate(&body, state([30.0, 30.0, 30.0]), &times, options, &mut samples).unwrap();
+    let run = propagate(&body, state([30.0, 30.0, 30.0]), &times, &options, &mut samples).unwrap();
     assert!(matches!(run.outcome, Outcome::Failed(_)), "{run:?}");
     assert!(run.last.t < 1e-3 && !samples.is_empty());
     assert_eq!(samples.len(), times.iter().take_while(|t| **t <= run.last.t).count());
@@ -105,7 +105,7 @@ fn samples_stand_at_the_times_asked_for() {
 #[test]
 fn a_run_without_times_ends_at_its_start() {
     let mut samples: Vec<Sample> = Vec::new();
-    let run = propagate(&reduced(3), state(START), &[], Options::default(), &mut samples).unwrap();
+    let run = propagate(&reduced(3), state(START), &[], &Options::default(), &mut samples).unwrap();
     assert_eq!((run.outcome, run.last.t, run.work.steps), (Outcome::Finished, 0.0, 0));
     assert!(samples.is_empty());
 }
@@ -113,10 +113,10 @@ fn a_run_without_times_ends_at_its_start() {
 fn refused(omega: [f64; 3], times: &[f64], options: Options) -> Option<PropagateError> {
     let body = reduced(3);
     let mut samples: Vec<Sample> = Vec::new();
-    let error = propagate(&body, state(omega), times, options.clone(), &mut samples).err();
+    let error = propagate(&body, state(omega), times, &options, &mut samples).err();
     assert!(error.is_none() || samples.is_empty(), "refused before the first step");
     // `spin_path` refuses the same; NaN keeps errors from being compared.
-    let other = spin_path(&body, omega, times, options).err();
+    let other = spin_path(&body, omega, times, &options).err();
     assert_eq!(format!("{error:?}"), format!("{other:?}"));
     error
 }
@@ -163,8 +163,13 @@ fn a_state_of_another_body_is_refused() {
     let good = FullState::at_rest(&body, START, attitude());
     for (coordinates, rates) in [(0, needed), (needed, needed + 1), (0, 0)] {
         let state = FullState { q: vec![0.0; coordinates], rate: vec![0.0; rates], ..good.clone() };
-        let found =
-            propagate_full(Forced::not(&body), &state, &[1.0], Options::default(), &mut Impatient::default());
+        let found = propagate_full(
+            Forced::not(&body),
+            &state,
+            &[1.0],
+            &Options::default(),
+            &mut Impatient::default(),
+        );
         assert_eq!(found.err(), Some(PropagateError::Coordinates { coordinates, rates, needed }));
     }
 }
@@ -175,7 +180,7 @@ fn a_start_that_is_no_state_is_refused() {
     let body = reduced(3);
     let with = |attitude| {
         let initial = SpinState { attitude, ..state(START) };
-        propagate(&body, initial, &[1.0], Options::default(), &mut Vec::<Sample>::new()).err()
+        propagate(&body, initial, &[1.0], &Options::default(), &mut Vec::<Sample>::new()).err()
     };
     assert!(matches!(with([f64::NAN; 4]), Some(PropagateError::Attitude { .. })));
     assert!(matches!(with([0.0; 4]), Some(PropagateError::Attitude { .. })));

@@ -93,15 +93,15 @@ fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
         let start = Start { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
         let full: FullState = start.settled(system, 3).unwrap();
         let mut runs = [Both::default(), Both::default(), Both::default()];
-        propagate_full(system, &full, &times, options(Form::Momentum), &mut runs[0]).unwrap();
+        propagate_full(system, &full, &times, &options(Form::Momentum), &mut runs[0]).unwrap();
         for (run, form) in runs[1..].iter_mut().zip([Form::Momentum, Form::Paper]) {
             if forces.is_empty() {
                 let spin = SpinState { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
-                propagate(&reduce(&body, 3).unwrap(), spin, &times, options(form), run).unwrap();
+                propagate(&reduce(&body, 3).unwrap(), spin, &times, &options(form), run).unwrap();
             } else {
                 let still = SlowState { momentum: [0.0; 3], attitude, place: PLACE, velocity: VELOCITY };
                 let slow = still.with_spin(system, 3, OMEGA).unwrap();
-                propagate_forced(system, 3, &slow, &times, options(form), run).unwrap();
+                propagate_forced(system, 3, &slow, &times, &options(form), run).unwrap();
             }
         }
         for (number, Both(rows, _)) in runs.iter().enumerate() {
@@ -130,7 +130,7 @@ fn the_pole_accelerates_as_its_force_says() {
     let spin = SpinState { place: [0.3, 0.2, 0.1], velocity: VELOCITY, ..SpinState::new(OMEGA, attitude()) };
     let mut samples: Vec<Sample> = Vec::new();
     let options = Options { tolerance: 1e-14, ..Options::default() };
-    propagate(&reduced, spin, &times, options, &mut samples).unwrap();
+    propagate(&reduced, spin, &times, &options, &mut samples).unwrap();
     let weights = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0].map(|weight| weight / (180.0 * h * h));
     let parts = samples.iter().zip(weights);
     let second = parts.fold([0.0; 3], |sum, (sample, weight)| add(sum, scale(weight, sample.pole)));
@@ -154,8 +154,8 @@ fn the_pole_is_right_to_the_order() {
             let (mut truth, mut samples): (Vec<Sample>, Vec<Sample>) = Default::default();
             let options = Options { tolerance: 1e-14, ..Options::default() };
             let times = times_to(6.0, 12);
-            propagate_full(Forced::not(&body), &full, &times, options.clone(), &mut truth).unwrap();
-            propagate(&reduced, spin, &times, options, &mut samples).unwrap();
+            propagate_full(Forced::not(&body), &full, &times, &options, &mut truth).unwrap();
+            propagate(&reduced, spin, &times, &options, &mut samples).unwrap();
             let gap = |(a, b): (&Sample, &Sample)| norm(add(a.pole, scale(-1.0, b.pole)));
             truth.iter().zip(&samples).map(gap).fold(0.0, f64::max)
         });

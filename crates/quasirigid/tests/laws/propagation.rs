@@ -20,7 +20,7 @@ const START: [f64; 3] = [0.5, -0.3, 0.9];
 fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
     let mut samples = Vec::new();
     let initial = SpinState::new(START, attitude());
-    let run = propagate(body, initial, times, options, &mut samples).unwrap();
+    let run = propagate(body, initial, times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     assert_eq!(samples.len(), times.len());
     samples
@@ -84,7 +84,7 @@ fn a_steady_spin_turns_the_attitude_at_its_rate() {
     let times = [1.0, 7.7, 40.0];
     let initial = SpinState::new([0.0, 0.0, 1.3], [1.0, 0.0, 0.0, 0.0]);
     let mut samples = Vec::new();
-    propagate(&body, initial, &times, at(1e-13), &mut samples).unwrap();
+    propagate(&body, initial, &times, &at(1e-13), &mut samples).unwrap();
     for (t, sample) in times.iter().zip(&samples) {
         let (sin, cos) = (0.65 * t).sin_cos();
         let sign = (sample.attitude[0] * cos + sample.attitude[3] * sin).signum();
@@ -174,7 +174,7 @@ proptest! {
         let omega = u.map(|x| x * Vibrations::of(&assembly.body().unwrap()).unwrap().frequencies[0]);
         let polhode = Principal::of(body.J).polhode(omega).unwrap();
         let period = TAU / polhode.frequency;
-        let path = spin_path(&body, omega, &[0.5 * period, period], at(1e-13)).unwrap();
+        let path = spin_path(&body, omega, &[0.5 * period, period], &at(1e-13)).unwrap();
         let gap = |i: usize| norm(std::array::from_fn(|k| path.omega[i][k] - omega[k])) / norm(omega);
         prop_assert!(gap(1) < 1e-8, "after a period {:e}, nome {}", gap(1), polhode.nome);
         // Unless the spin stays next to an axis it is elsewhere after half a period.
@@ -193,10 +193,10 @@ proptest! {
         let times = times_to(100.0 / norm(omega), 7);
         let form = if paper { Form::Paper } else { Form::Momentum };
         let options = Options { form, ..at(1e-13) };
-        let path = spin_path(&body, omega, &times, options.clone()).unwrap();
+        let path = spin_path(&body, omega, &times, &options).unwrap();
         let mut samples = Vec::new();
         let initial = SpinState::new(omega, attitude());
-        propagate(&body, initial, &times, options, &mut samples).unwrap();
+        propagate(&body, initial, &times, &options, &mut samples).unwrap();
         prop_assert_eq!(path.omega.len(), samples.len());
         for (fast, full) in path.omega.iter().zip(&samples) {
             let gap = norm(std::array::from_fn(|i| fast[i] - full.omega[i]));
@@ -216,7 +216,7 @@ proptest! {
         let initial = SpinState::new(omega, attitude());
         let last = |form: Form| {
             let mut samples = Vec::new();
-            propagate(&body, initial, &end, Options { form, ..at(1e-13) }, &mut samples).unwrap();
+            propagate(&body, initial, &end, &Options { form, ..at(1e-13) }, &mut samples).unwrap();
             samples[0].momentum_drift.abs()
         };
         prop_assert!(last(Form::Momentum) < 1e-9, "{:e}", last(Form::Momentum));

@@ -70,7 +70,7 @@ fn difference(body: &FlexibleBody, modes: &SpinModes, mode: &SpinMode) -> f64 {
         FullState { q: sum(&steady.q, &q), rate, ..FullState::at_rest(body, turned, [1.0, 0.0, 0.0, 0.0]) };
     let mut last = Last::default();
     let options = Options { tolerance: 1e-13, ..Options::default() };
-    propagate_full(Forced::not(body), &start, &[t], options, &mut last).unwrap();
+    propagate_full(Forced::not(body), &start, &[t], &options, &mut last).unwrap();
     let (omega, q, _) = at(mode, t, factor);
     let gap = [0, 1, 2].map(|i| last.omega[i] - steady.omega[i] - omega[i]);
     let mut left: Vec<f64> = last.q.iter().zip(sum(&steady.q, &q)).map(|(a, b)| a - b).collect();

@@ -78,7 +78,7 @@ fn difference(
     let t = (1.0 / rate).min(2.0 / growth);
     let mut last = Last::default();
     let options = Options { tolerance: 1e-13, ..Options::default() };
-    propagate_full(Forced { body, forces }, &start, &[t], options, &mut last).unwrap();
+    propagate_full(Forced { body, forces }, &start, &[t], &options, &mut last).unwrap();
     let gap = [0, 1, 2].map(|i| last.omega[i] - state.omega[i] - factor * spin(t)[i]);
     let mut left: Vec<f64> = last.q.iter().zip(sum(&state.q, shape(t))).map(|(a, b)| a - b).collect();
     left[body.cyclic()].fill(0.0);

@@ -152,7 +152,7 @@ fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
             let state = still.with_spin(system, order, omega).unwrap();
             let end = |form| {
                 let options = Options { form, tolerance: 1e-12, ..Options::default() };
-                propagate_forced(system, order, &state, &[4.0], options, &mut Vec::new()).unwrap().last.omega
+                propagate_forced(system, order, &state, &[4.0], &options, &mut Vec::new()).unwrap().last.omega
             };
             norm(add(end(Form::Momentum), scale(-1.0, end(Form::Paper))))
         });

@@ -19,7 +19,7 @@ fn dissipated(reduced: &ReducedBody, omega: [f64; 3], time: f64) -> f64 {
     let mut samples: Vec<Sample> = Vec::new();
     let start = SpinState::new(omega, ALIGNED);
     let options = Options { tolerance: 1e-12, ..Options::default() };
-    propagate(reduced, start, &[time], options, &mut samples).unwrap();
+    propagate(reduced, start, &[time], &options, &mut samples).unwrap();
     samples[0].dissipated
 }
 
@@ -29,7 +29,7 @@ fn dissipated_in_full(body: &FlexibleBody, omega: [f64; 3], time: f64) -> f64 {
     let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let settled = start.settled(Forced::not(body), 5).unwrap();
     let options = Options { tolerance: 1e-12, ..Options::default() };
-    propagate_full(Forced::not(body), &settled, &[time], options, &mut samples).unwrap();
+    propagate_full(Forced::not(body), &settled, &[time], &options, &mut samples).unwrap();
     samples[0].dissipated
 }
 

@@ -102,7 +102,7 @@ fn precession_on_a_level_is_that_of_a_history() {
         let times: Vec<f64> = (0..=turns * 400).map(|i| level.period * f64::from(i) / 400.0).collect();
         let start = SpinState { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
         let mut samples: Vec<Sample> = Vec::new();
-        propagate(&reduced, start, &times, Options { tolerance: 1e-11, ..Options::default() }, &mut samples)
+        propagate(&reduced, start, &times, &Options { tolerance: 1e-11, ..Options::default() }, &mut samples)
             .unwrap();
         let azimuth = |sample: &Sample| {
             let [along, axis] =

@@ -131,7 +131,7 @@ fn axial_mass_keeps_its_law_in_time() {
     let passage = problem.time(G, start, 0.99);
     let times: Vec<f64> = (1..=50).map(|i| passage * f64::from(i) / 50.0).collect();
     let options = Options { form: Form::Paper, tolerance: 1e-13, ..Options::default() };
-    let path = spin_path(&reduced, omega, &times, options).unwrap();
+    let path = spin_path(&reduced, omega, &times, &options).unwrap();
     for (t, omega) in times.iter().zip(&path.omega) {
         let u = (problem.C * omega[2] / G).powi(2);
         let error = (problem.time(G, start, u) - t).abs() / passage;
@@ -149,7 +149,7 @@ fn full_over_reduced(case: &AxialMass, order: usize) -> [f64; 2] {
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.01).collect();
     let options = Options { tolerance: 1e-14, ..Options::default() };
     let mut samples = Vec::new();
-    propagate_full(Forced::not(&body), &full, &times, options, &mut samples).unwrap();
+    propagate_full(Forced::not(&body), &full, &times, &options, &mut samples).unwrap();
     let reduced = reduce(&body, order).unwrap();
     let power = |sample: &Sample| reduced.power.scalar(sample.omega);
     let mean = samples.iter().map(power).sum::<f64>() / samples.len() as f64;

@@ -28,7 +28,7 @@ fn differences(table: &str, tolerance: f64) -> [f64; 3] {
     let times: Vec<f64> = rows.iter().map(|row| row[0]).collect();
     let options = Options { tolerance, ..Options::default() };
     let mut samples = Vec::new();
-    let run = propagate_full(Forced::not(&body), &start, &times, options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(&body), &start, &times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     assert!(run.last.momentum_drift.abs() < 1e-10, "|K| drifts by {:e}", run.last.momentum_drift);
     let mut worst = [0.0_f64; 3];
@@ -66,7 +66,7 @@ fn work_does_not_grow_with_the_stiffness() {
         let body = case.assembly().body().unwrap();
         let start = FullState::at_rest(&body, CommonProblem::SPIN, ALIGNED);
         let options = Options { tolerance: 1e-9, ..Options::default() };
-        let run = propagate_full(Forced::not(&body), &start, &[200.0], options, &mut Vec::new()).unwrap();
+        let run = propagate_full(Forced::not(&body), &start, &[200.0], &options, &mut Vec::new()).unwrap();
         run.work.steps
     };
     let (soft, stiff) = (steps(CommonProblem::A), steps(CommonProblem::C));

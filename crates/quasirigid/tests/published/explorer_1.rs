@@ -58,7 +58,7 @@ fn flown(omega: [f64; 3], times: &[f64]) -> (Vec<Sample>, Run) {
     let start = FullState::at_rest(&body, omega, ALIGNED);
     let options = Options { tolerance: 1e-12, ..Options::default() };
     let mut samples = Vec::new();
-    let run = propagate_full(Forced::not(&body), &start, times, options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(&body), &start, times, &options, &mut samples).unwrap();
     (samples, run)
 }
 
@@ -116,7 +116,7 @@ fn over_closed_form(ratio: f64, zeta: f64) -> [f64; 2] {
     let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.01).collect();
     let options = Options { tolerance: 1e-14, ..Options::default() };
     let mut samples = Vec::new();
-    propagate_full(Forced::not(&body), &full, &times, options, &mut samples).unwrap();
+    propagate_full(Forced::not(&body), &full, &times, &options, &mut samples).unwrap();
     let [along, across] = [body.inertia()[2][2], body.inertia()[0][0]];
     let square =
         |sample: &Sample| (sample.momentum[0].powi(2) + sample.momentum[1].powi(2)) / (across * across);

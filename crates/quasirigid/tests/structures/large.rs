@@ -55,7 +55,7 @@ fn run(body: &FlexibleBody, omega: [f64; 3], duration: f64, tolerance: f64) -> (
     let times: Vec<f64> = (0..=10).map(|i| duration * f64::from(i) / 10.0).collect();
     let options = Options { tolerance, ..Options::default() };
     let mut samples = Vec::new();
-    let run = propagate_full(Forced::not(body), &start, &times, options, &mut samples).unwrap();
+    let run = propagate_full(Forced::not(body), &start, &times, &options, &mut samples).unwrap();
     println!("{:?} at {} s, {:?}", run.outcome, run.last.t, run.work);
     (run, samples)
 }
@@ -245,7 +245,7 @@ fn the_tip_follows_a_chain_of_rigid_links() {
         let options = Options { tolerance: 1e-7, ..Options::default() };
         let mut tip = Tip(&body, Vec::new());
         let system = Forced { body: &body, forces: &forces };
-        let run = propagate_full(system, &start, &[0.5, 1.0, 1.5], options, &mut tip).unwrap();
+        let run = propagate_full(system, &start, &[0.5, 1.0, 1.5], &options, &mut tip).unwrap();
         assert_eq!(run.outcome, Outcome::Finished);
         let share = chain[2] / 6.0;
         for (found, exact) in tip.1.iter().zip(chain) {

@@ -80,7 +80,7 @@ fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (V
     let mut states = States::default();
     let start = FullState::at_rest(body, omega, ALIGNED);
     let times: Vec<f64> = up.iter().copied().chain([DURATION]).collect();
-    let run = propagate_full(Forced { body, forces: &forces }, &start, &times, options.clone(), &mut states);
+    let run = propagate_full(Forced { body, forces: &forces }, &start, &times, &options, &mut states);
     let run = run.unwrap();
     println!("{:?}, {:?}", run.outcome, run.work);
     assert_eq!(run.outcome, Outcome::Finished);
@@ -89,7 +89,7 @@ fn tips(beam: &Cantilever, body: &FlexibleBody, up: &[f64], after: &[f64]) -> (V
     let free = FullState { q: q.clone(), rate: rate.clone(), ..FullState::at_rest(body, omega, attitude) };
     if !after.is_empty() {
         let later: Vec<f64> = after.iter().map(|t| t - DURATION).collect();
-        let run = propagate_full(Forced::not(body), &free, &later, options, &mut states).unwrap();
+        let run = propagate_full(Forced::not(body), &free, &later, &options, &mut states).unwrap();
         assert_eq!(run.outcome, Outcome::Finished);
     }
     let tip = |q: &Vec<f64>| {

@@ -1,6 +1,7 @@
 //! Averages: when they are taken.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use quasirigid::averaging::{Evolution, HillResponse, MeanPower, Stage};
 use quasirigid::reduction::frequencies;
@@ -93,7 +94,7 @@ impl Choice<'_> {
         if !stiff && self.ground.complete(self.way.ends) {
             let Ground { body, range, poles, .. } = self.ground;
             let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
-            let probes = Probes::between(body, range, poles, self.way.ends, options, &mut || watch(0.0));
+            let probes = Probes::between(body, range, poles, self.way.ends, &options, &mut || watch(0.0));
             match probes {
                 Ok(probes) => found = Some(probes),
                 Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
@@ -138,7 +139,7 @@ impl Choice<'_> {
             ageing.take_harmonics();
         }
         let Ground { range, poles, .. } = self.ground;
-        let power = CalibratedPower::new(ageing.copied(), range.momentum(), |mode| poles.rate(mode));
+        let power = CalibratedPower::new(ageing.shared(), range.momentum(), |mode| poles.rate(mode));
         if self.way.ends.iter().any(|stage| poles.rate(stage.mode).is_none_or(|rate| rate <= 0.0)) {
             return Err(
                 "the modes about the steady spins give no rate at which a small wobble changes".into()
@@ -167,6 +168,6 @@ impl Choice<'_> {
             ));
         }
         let least = if self.body.memories().is_empty() { LEAST } else { OF_LIQUIDS };
-        Ok(Road::Calibrated { power: Box::new(power), error: error.max(least).max(liquids) })
+        Ok(Road::Calibrated { power: Arc::new(power), error: error.max(least).max(liquids) })
     }
 }

@@ -34,7 +34,7 @@ impl Choice<'_> {
         let [from, to] = self.way.ends;
         let from = settled.as_ref().and_then(|row| range.stage(row.energy)).unwrap_or(from);
         let options = MeasureOptions::default();
-        let power = MeasuredPower::along(self.body, range, poles, [from, to], options, watch)?;
+        let power = MeasuredPower::along(self.body, range, poles, [from, to], &options, watch)?;
         if power.error > REFUSED {
             return Err(MeasureError::Unsettled { change: power.error });
         }
@@ -58,7 +58,7 @@ impl Choice<'_> {
             most_steps: STEPS,
             tolerance: TOLERANCE,
         };
-        let run = follow_directly(self.body, &self.way.start, options, watch)?;
+        let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         match run.ending {
             DirectEnding::Finished => Ok(run.rows.last().copied()),
             DirectEnding::Interrupted => Err(MeasureError::Interrupted),
@@ -96,7 +96,7 @@ impl Choice<'_> {
             most_steps: STEPS.min(most_steps as u64),
             tolerance: TOLERANCE,
         };
-        let run = follow_directly(self.body, &self.way.start, options, watch)?;
+        let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         let end = run.rows[run.rows.len() - 1];
         let told = |why: &str| {
             let unstable = self.ground.unstable().or_else(|| self.ground.whirl());

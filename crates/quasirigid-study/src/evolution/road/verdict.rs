@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use quasirigid::averaging::{LevelPassage, MeanPower};
 use quasirigid::model::Mode;
 use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
@@ -95,7 +97,7 @@ pub enum Road {
     /// The average that was asked for, although it does not hold.
     Unfounded { criteria: AverageCriteria },
     /// The average at the rates of the modes.
-    Calibrated { power: Box<dyn MeanPower>, error: f64 },
+    Calibrated { power: Arc<dyn MeanPower>, error: f64 },
     /// The power measured by short runs, after the full system has forgotten its start.
     Measured(Box<MeasuredPower>, Option<DirectRow>),
     /// The history of the full system.
@@ -164,7 +166,7 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::default()
             };
-            ageing.take(power, &ground.range, way.energies[0]);
+            ageing.take(Arc::new(*power), &ground.range, way.energies[0]);
             if let Some(row) = settled {
                 return History::Settled(row, ground.range.clone());
             }
@@ -181,7 +183,7 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
                 parametric: ageing.verdict.parametric.take(),
                 ..Verdict::default()
             };
-            ageing.take(Box::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
+            ageing.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
             History::Full(run, ground.range.clone())
         }
         Road::Levels(passage) => {

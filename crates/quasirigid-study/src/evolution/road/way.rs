@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
 use quasirigid::dynamics::FullState;
 
@@ -37,8 +39,8 @@ impl Way {
     pub fn of(ground: &Ground, full: FullState, asked: &Asked, ageing: &Ageing) -> Result<Self, StudyError> {
         let body = ground.body;
         let range = &ground.range;
-        let levels = Levels(range.moments());
-        let evolution = Evolution::new(&levels, range.momentum());
+        let levels: Arc<dyn MeanPower> = Arc::new(Levels(range.moments()));
+        let evolution = Evolution::new(levels, range.momentum());
         let energy = full.energy(body);
         let (start, from) = match asked.from {
             Some(target) => {

@@ -5,6 +5,7 @@ use super::rates::Rates;
 use super::separatrix::SEPARATRIX;
 use super::{Drift, DriftLimits, DriftState};
 use crate::averaging::evolution::Stage;
+use crate::averaging::power::MeanPower;
 use crate::math::bisection::bisected;
 use crate::math::ode::{Dop853, Solver};
 use crate::math::simd::Plain;
@@ -32,8 +33,8 @@ const MARKS: [Mark; 6] =
     [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::Separatrix, Mark::DiedOut, Mark::Unstable];
 
 /// A drift on its way.
-struct Way<'f, 'a> {
-    drift: &'f Drift<'a>,
+struct Way<'f, P> {
+    drift: &'f Drift<P>,
     start: DriftState,
     times: &'f [f64],
     limits: &'f DriftLimits,
@@ -43,7 +44,7 @@ struct Way<'f, 'a> {
     history: DriftHistory,
 }
 
-impl<'a> Drift<'a> {
+impl<P: MeanPower> Drift<P> {
     /// Follows the drift from a state, with the states at ascending times (s), until something ends it. At the separatrix the
     /// most probable region is entered, (A10); of two alike that on the positive side.
     ///
@@ -70,7 +71,7 @@ impl<'a> Drift<'a> {
     }
 }
 
-impl<'f, 'a> Way<'f, 'a> {
+impl<'f, P: MeanPower> Way<'f, P> {
     fn set_out(&mut self) {
         let y = self.y();
         self.below = self.limits.target.is_some_and(|target| along(self.start.stage) < along(target));
@@ -83,7 +84,7 @@ impl<'f, 'a> Way<'f, 'a> {
         [stage.xi.min(SEED), (momentum / self.start.momentum).ln(), turns]
     }
 
-    fn rates(&self) -> Rates<'f, 'a> {
+    fn rates(&self) -> Rates<'f, P> {
         let DriftState { stage, side, .. } = self.history.end;
         Rates {
             drift: self.drift,

@@ -5,6 +5,8 @@ mod follow;
 mod rates;
 mod separatrix;
 
+use std::sync::Arc;
+
 use super::evolution::Stage;
 use super::power::MeanPower;
 use super::slow_torque::SlowTorque;
@@ -15,8 +17,8 @@ pub use separatrix::SeparatrixPassage;
 
 /// Secular evolution of a rotation under a slow torque: energy and angular momentum both drift. (A8)
 #[derive(Clone, Copy, Debug)]
-pub struct Drift<'a> {
-    power: &'a dyn MeanPower,
+pub struct Drift<P = Arc<dyn MeanPower>> {
+    power: P,
     moments: [f64; 3],
     /// Constant torque in principal axes.
     constant: [f64; 3],
@@ -66,10 +68,10 @@ impl DriftLimits {
     }
 }
 
-impl<'a> Drift<'a> {
+impl<P: MeanPower> Drift<P> {
     /// The drift of a free body with these principal axes.
     #[must_use]
-    pub fn new(power: &'a dyn MeanPower, principal: &Principal, torque: SlowTorque) -> Self {
+    pub fn new(power: P, principal: &Principal, torque: SlowTorque) -> Self {
         let constant = principal.components(torque.constant);
         Self { power, moments: principal.moments, constant, drag: torque.drag }
     }

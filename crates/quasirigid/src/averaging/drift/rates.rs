@@ -2,15 +2,15 @@ use std::f64::consts::TAU;
 
 use super::Drift;
 use crate::averaging::poinsot::FreeRotation;
+use crate::averaging::power::MeanPower;
 use crate::math::ode::System;
 use crate::math::simd::Arithmetic;
 use crate::math::vec3::{add, dot, scale};
 use crate::model::Mode;
 
 /// Rates of `ξ`, of the logarithm of `G`, and of the turns, in one mode and on one side.
-#[derive(Clone, Copy)]
-pub(super) struct Rates<'d, 'a> {
-    pub drift: &'d Drift<'a>,
+pub(super) struct Rates<'d, P> {
+    pub drift: &'d Drift<P>,
     pub mode: Mode,
     pub side: f64,
     /// Angular momentum that the logarithm is counted from.
@@ -22,7 +22,7 @@ pub(super) struct Rates<'d, 'a> {
 /// Place, as `ξ`, beyond which nothing but the size of the wobble changes: `e^{−36}` is a rounding.
 const AXIS: f64 = 36.0;
 
-impl System<[f64; 3]> for Rates<'_, '_> {
+impl<P: MeanPower> System<[f64; 3]> for Rates<'_, P> {
     fn rate<R: Arithmetic>(&mut self, _: f64, y: &[f64; 3], rate: &mut [f64; 3]) {
         *rate = self.of(y);
         if self.steady {
@@ -31,7 +31,7 @@ impl System<[f64; 3]> for Rates<'_, '_> {
     }
 }
 
-impl Rates<'_, '_> {
+impl<P: MeanPower> Rates<'_, P> {
     /// The rates at a state, of `ξ` also where the wobble has died out.
     pub fn of(&self, y: &[f64; 3]) -> [f64; 3] {
         self.at(y[0], self.momentum * y[1].exp())

@@ -1,6 +1,7 @@
 use super::rates::Rates;
 use super::{Drift, DriftState};
 use crate::averaging::evolution::Stage;
+use crate::averaging::power::MeanPower;
 use crate::model::Mode;
 
 /// Distance from the separatrix, as `ξ`, where the rotation passes to another region: `e^{−25}` of a time is left out.
@@ -19,7 +20,7 @@ pub struct SeparatrixPassage {
     pub probability: f64,
 }
 
-impl Drift<'_> {
+impl<P: MeanPower> Drift<P> {
     /// The most probable way on from the separatrix, with its state; none if every region leads back. (A10)
     pub(super) fn onward(&self, at: &DriftState) -> Option<(DriftState, SeparatrixPassage)> {
         let regions = [Mode::ShortAxis, Mode::LongAxis].map(|mode| [(mode, 1.0), (mode, -1.0)]);

@@ -18,7 +18,7 @@ pub fn propagate_full(
     system: Forced,
     initial: &FullState,
     times: &[f64],
-    options: Options,
+    options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     let (coordinates, rates) = (initial.q.len(), initial.rate.len());
@@ -39,7 +39,7 @@ pub fn propagate_full(
     let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
     let momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
-    let mut monitor = InvariantMonitor::new(full.clone(), &y, momentum, &options, observer);
+    let mut monitor = InvariantMonitor::new(full.clone(), &y, momentum, options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
     let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());

@@ -57,7 +57,7 @@ pub fn propagate_forced(
     order: usize,
     initial: &SlowState,
     times: &[f64],
-    options: Options,
+    options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     if order > highest(options.form) {
@@ -89,7 +89,7 @@ pub fn propagate_forced(
     let mut slow = SlowSystem { system, order, form: options.form };
     let momentum = slow.view(0.0, &y).momentum;
     let momentum = Conserved::of(momentum, initial.attitude, scales.inside);
-    let mut monitor = InvariantMonitor::new(slow, &y, momentum, &options, observer);
+    let mut monitor = InvariantMonitor::new(slow, &y, momentum, options, observer);
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
     let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());

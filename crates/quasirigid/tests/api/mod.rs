@@ -1,0 +1,3 @@
+//! The library as a program in Rust meets it.
+
+mod threads;

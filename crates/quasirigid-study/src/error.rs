@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
-use quasirigid::averaging::{ObservedError, Unaveraged};
+use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
 use quasirigid::modes::EquilibriumError;
@@ -148,6 +148,8 @@ pub enum StudyError {
         /// Its angle (rad).
         angle: f64,
     },
+    /// A rotation that no rigid body makes.
+    FreeRotation(FreeRotationError),
     /// A target behind the start.
     Backwards {
         /// Start, `D/I₃`.
@@ -198,6 +200,7 @@ impl StudyError {
             Self::Propagate(cause) => cause.to_string(),
             Self::Verification(cause) => cause.to_string(),
             Self::Record(cause) => cause.to_string(),
+            Self::FreeRotation(cause) => cause.to_string(),
             Self::Unaveraged(cause) => format!("{cause} (kinds \"spin-drag\" and \"torque\")"),
             Self::NoSpin { file } => format!(
                 "{}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n",
@@ -320,4 +323,13 @@ causes! {
     Verification: VerificationError,
     Record: RecordError,
     Unaveraged: Unaveraged,
+}
+
+impl From<FreeRotationError> for StudyError {
+    fn from(cause: FreeRotationError) -> Self {
+        match cause {
+            FreeRotationError::Nutation { nutation } => Self::Nutation { angle: nutation },
+            cause => Self::FreeRotation(cause),
+        }
+    }
 }

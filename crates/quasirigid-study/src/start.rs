@@ -35,7 +35,7 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinS
             }
             let size = rate * principal.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
-            momentum(&principal, &motion.ok_or(StudyError::Nutation { angle })?)
+            momentum(&principal, &motion?)
         }
     };
     if let Displacements::Given { q, .. } = &model.initial.displacements {
@@ -72,8 +72,7 @@ fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f
     let axis = Principal::of(body.invariants().J).axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
     let principal = Principal::of(body.inertia_at(&steady.q));
-    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)
-        .ok_or(StudyError::Nutation { angle })?;
+    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)?;
     Ok(momentum(&principal, &motion).0)
 }
 

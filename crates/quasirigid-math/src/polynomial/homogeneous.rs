@@ -73,9 +73,13 @@ impl Homogeneous {
     }
 
     /// Coefficients of a row without the constant.
+    ///
+    /// # Panics
+    /// If there is no such row.
     #[inline]
     #[must_use]
     pub fn row(&self, row: usize) -> &[f64] {
+        assert!(row < self.rows(), "row {row} of {}", self.rows());
         self.pure.row(row)
     }
 
@@ -109,7 +113,11 @@ impl Homogeneous {
     }
 
     /// Adds a multiple of a row of another map, of the same degree or of a lower one that `σ` lifts to it, to a row.
+    ///
+    /// # Panics
+    /// If the other map is of a higher degree, or has no such row.
     pub fn add_row(&mut self, row: usize, factor: f64, (other, other_row): (&Self, usize)) {
+        assert!(other.degree() <= self.degree(), "degree {} does not fit {}", other.degree(), self.degree());
         let lift = self.degree() - other.degree();
         for (power, part) in other.parts().enumerate() {
             self.part_mut(lift + power).add_row(row, factor, (part, other_row));
@@ -129,6 +137,9 @@ impl Homogeneous {
     }
 
     /// Adds a multiple of another map of the same degree and rows.
+    ///
+    /// # Panics
+    /// If the degrees or the rows differ.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) {
         for (power, part) in other.parts().enumerate() {
             self.part_mut(power).add_scaled(factor, part);
@@ -136,6 +147,9 @@ impl Homogeneous {
     }
 
     /// Adds `factor · a · b` to a row, where `a` and `b` are rows of other maps whose degrees add up to this one.
+    ///
+    /// # Panics
+    /// If the degrees do not add up, or there is no such row.
     pub fn add_product(
         &mut self,
         row: usize,
@@ -151,14 +165,22 @@ impl Homogeneous {
     }
 
     /// `matrix · self` for a matrix given by its columns, one per row of `self`.
+    ///
+    /// # Panics
+    /// If there are more or fewer columns than rows.
     #[must_use]
     pub fn contracted(&self, columns: &[[f64; 3]]) -> Self {
+        assert_eq!(columns.len(), self.rows(), "one column per row");
         self.mapped(|part| part.contracted(columns))
     }
 
     /// Cross product of two maps of three rows.
+    ///
+    /// # Panics
+    /// If either has other than three rows.
     #[must_use]
     pub fn cross(&self, other: &Self) -> Self {
+        assert_eq!([self.rows(), other.rows()], [3, 3], "vectors have three rows");
         let mut product = Self::zero(self.degree() + other.degree(), 3);
         for axis in 0..3 {
             let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -169,8 +191,12 @@ impl Homogeneous {
     }
 
     /// Scalar product of two maps of as many rows, as a map of one row.
+    ///
+    /// # Panics
+    /// If the rows differ.
     #[must_use]
     pub fn dot(&self, other: &Self) -> Self {
+        assert_eq!(self.rows(), other.rows(), "a scalar product needs as many rows");
         let mut product = Self::zero(self.degree() + other.degree(), 1);
         for row in 0..self.rows() {
             product.add_product(0, 1.0, (self, row), (other, row));
@@ -214,7 +240,11 @@ impl Homogeneous {
     }
 
     /// Value at a point, added to the first rows of `value`, which may be fewer than all.
+    ///
+    /// # Panics
+    /// If there are more values than rows.
     pub fn add_value<T: Scalar>(&self, x: [T; 3], value: &mut [T]) {
+        assert!(value.len() <= self.rows(), "{} values of {} rows", value.len(), self.rows());
         self.parts().for_each(|part| part.add_value(x, value));
     }
 

@@ -49,6 +49,9 @@ impl Series {
     }
 
     /// Sets the part of one degree.
+    ///
+    /// # Panics
+    /// If the part has another number of rows, or its degree is above [`Self::degree`].
     pub fn set(&mut self, part: Homogeneous) {
         assert_eq!(part.rows(), self.rows);
         let degree = part.degree();
@@ -140,8 +143,12 @@ impl Series {
     }
 
     /// Value at a point of a map with three rows.
+    ///
+    /// # Panics
+    /// If the map has other than three rows.
     #[must_use]
     pub fn vector<T: Scalar>(&self, x: [T; 3]) -> [T; 3] {
+        assert_eq!(self.rows, 3, "a vector has three rows");
         let mut value = [T::from(0.0); 3];
         for part in &self.parts {
             part.add_value(x, &mut value);
@@ -150,8 +157,12 @@ impl Series {
     }
 
     /// Value at a point of a map with one row.
+    ///
+    /// # Panics
+    /// If the map has other than one row.
     #[must_use]
     pub fn scalar<T: Scalar>(&self, x: [T; 3]) -> T {
+        assert_eq!(self.rows, 1, "a scalar has one row");
         let mut value = [T::from(0.0)];
         for part in &self.parts {
             part.add_value(x, &mut value);

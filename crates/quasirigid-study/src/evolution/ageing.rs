@@ -71,7 +71,10 @@ impl Ageing {
             Some(power) => power == Power::Polynomial,
             None => PowerSource::suited_to(body) == PowerSource::Polynomial,
         };
-        let initial = FreeRotation::through(principal.moments, frozen);
+        if !frozen.iter().all(|rate| rate.is_finite()) {
+            return Err(StudyError::BoundlessSpin);
+        }
+        let initial = FreeRotation::through(principal.moments, frozen)?;
         let harmonic = harmonic_power(body, &response, initial.momentum());
         Ok(Self {
             principal,

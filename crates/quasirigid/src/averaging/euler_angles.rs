@@ -1,4 +1,4 @@
-use super::poinsot::FreeRotation;
+use super::poinsot::{FreeRotation, FreeRotationError};
 use crate::math::vec3::norm;
 
 /// Euler angles 3-1-3 of the axes (intermediate, short, long) against axes whose third is the angular momentum. (A9)
@@ -30,8 +30,10 @@ impl EulerAngles {
 
     /// The motion that passes through these angles with the angular momentum `G` (N·m·s), of a body with these principal
     /// moments (kg·m²), ascending.
-    #[must_use]
-    pub fn motion(&self, moments: [f64; 3], G: f64) -> FreeRotation {
+    ///
+    /// # Errors
+    /// [`FreeRotationError`], as of [`FreeRotation::through`].
+    pub fn motion(&self, moments: [f64; 3], G: f64) -> Result<FreeRotation, FreeRotationError> {
         let [sine, cosine] = [self.nutation.sin(), self.nutation.cos()];
         let K = [cosine, sine * self.rotation.sin(), sine * self.rotation.cos()];
         FreeRotation::through(moments, [0, 1, 2].map(|i| G * K[i] / moments[i]))

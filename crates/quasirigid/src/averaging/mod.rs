@@ -29,7 +29,7 @@ pub use levels::{
     Level, LevelEnding, LevelError, LevelEvolution, LevelPassage, LevelRow, Separatrix, Until, Way,
 };
 pub use observed::{ObservedError, ObservedPeriods};
-pub use poinsot::FreeRotation;
+pub use poinsot::{FreeRotation, FreeRotationError};
 pub use power::{MeanPower, PolynomialPower};
 pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody};
 pub use response::Response;

@@ -1,5 +1,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use thiserror::Error;
+
 use crate::math::elliptic::{complete_third_excess, first_of_complement, first_to, jacobi, third_excess_to};
 use crate::math::vec3::{cross, norm, scale};
 use crate::model::Mode;
@@ -25,13 +27,77 @@ pub struct FreeRotation {
     steady: Option<[f64; 3]>,
 }
 
+/// A rotation that no rigid body makes.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum FreeRotationError {
+    /// The moments are not those of a body in ascending order.
+    #[error(
+        "{moments:?} kg·m² are no principal moments of inertia; give three positive ones in ascending order"
+    )]
+    Moments {
+        /// Moments asked for (kg·m²).
+        moments: [f64; 3],
+    },
+    /// The spin is no number.
+    #[error("{omega:?} rad/s is not an angular velocity; give finite numbers")]
+    Omega {
+        /// Spin asked for (rad/s).
+        omega: [f64; 3],
+    },
+    /// The angular momentum is negative or no number.
+    #[error(
+        "{momentum} N·m·s is not the size of an angular momentum; give one that is finite and not negative"
+    )]
+    Momentum {
+        /// Angular momentum asked for (N·m·s).
+        momentum: f64,
+    },
+    /// The angle is out of the range of a mode.
+    #[error(
+        "{nutation} rad is no nutation; give an angle above 0 and below pi/2, and name the other mode for a wider one"
+    )]
+    Nutation {
+        /// Angle asked for (rad).
+        nutation: f64,
+    },
+    /// The body has no axis that the mode circles.
+    #[error(
+        "a body with the moments {moments:?} kg·m² has no axis of its own for the {mode:?} mode: two of them are equal"
+    )]
+    Mode {
+        /// Principal moments (kg·m²).
+        moments: [f64; 3],
+        /// Mode asked for.
+        mode: Mode,
+    },
+}
+
+/// Refuses what are no principal moments in ascending order.
+fn check(moments: [f64; 3]) -> Result<(), FreeRotationError> {
+    let [I1, I2, I3] = moments;
+    let possible = 0.0 < I1 && I1 <= I2 && I2 <= I3 && I3.is_finite();
+    if possible { Ok(()) } else { Err(FreeRotationError::Moments { moments }) }
+}
+
 /// Points of the mean per `K/K′`: harmonic `n` of the spin falls as the power `n/2` of the nome, to 1e-17 with a margin.
 const POINTS: f64 = 32.0;
 
 impl FreeRotation {
     /// The motion through a spin (rad/s) at `t = 0` of a body with these principal moments (kg·m²), ascending.
-    #[must_use]
-    pub fn through(moments: [f64; 3], omega: [f64; 3]) -> Self {
+    ///
+    /// # Errors
+    /// [`FreeRotationError`] if the moments are not positive or do not ascend, or the spin is not finite.
+    pub fn through(moments: [f64; 3], omega: [f64; 3]) -> Result<Self, FreeRotationError> {
+        check(moments)?;
+        if !omega.iter().all(|rate| rate.is_finite()) {
+            return Err(FreeRotationError::Omega { omega });
+        }
+        Ok(Self::passing(moments, omega))
+    }
+
+    /// The motion through a spin (rad/s) that was checked.
+    pub(super) fn passing(moments: [f64; 3], omega: [f64; 3]) -> Self {
         let [I1, I2, I3] = moments;
         let squares = omega.map(|rate| rate * rate);
         let from_long = I2 * (I2 - I1) * squares[1] + I3 * (I3 - I1) * squares[2];
@@ -92,12 +158,28 @@ impl FreeRotation {
     }
 
     /// The motion with this angular momentum (N·m·s) whose greatest angle between the momentum and the circled axis is
-    /// `nutation` (rad). It starts as [`at_ratio`](Self::at_ratio) says. None if the angle is not above 0 and below a right angle, or
-    /// the angular momentum is negative or no number.
-    #[must_use]
-    pub fn at_nutation(moments: [f64; 3], G: f64, mode: Mode, nutation: f64) -> Option<Self> {
-        let possible = G >= 0.0 && nutation > 0.0 && nutation < FRAC_PI_2;
-        possible.then(|| Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation)))
+    /// `nutation` (rad). It starts as [`at_ratio`](Self::at_ratio) says.
+    ///
+    /// # Errors
+    /// [`FreeRotationError`] if the moments are not positive or do not ascend, the mode has no axis, the angle is not above 0 and below
+    /// a right angle, or the angular momentum is negative or no number.
+    pub fn at_nutation(
+        moments: [f64; 3],
+        G: f64,
+        mode: Mode,
+        nutation: f64,
+    ) -> Result<Self, FreeRotationError> {
+        check(moments)?;
+        if !(G >= 0.0 && G.is_finite()) {
+            return Err(FreeRotationError::Momentum { momentum: G });
+        }
+        if !(nutation > 0.0 && nutation < FRAC_PI_2) {
+            return Err(FreeRotationError::Nutation { nutation });
+        }
+        if !mode.exists(moments) {
+            return Err(FreeRotationError::Mode { moments, mode });
+        }
+        Ok(Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation)))
     }
 
     /// The place `ξ` where the greatest angle between the momentum and the circled axis is `nutation` (rad), above 0 and below

@@ -1,3 +1,5 @@
+use std::f64::consts::PI;
+
 use super::Sample;
 use crate::math::rotation::angle;
 use crate::math::vec3::norm;
@@ -24,6 +26,18 @@ pub enum Event {
 }
 
 impl Event {
+    /// Whether the event can happen at all.
+    pub(super) fn possible(&self) -> bool {
+        match *self {
+            Self::Energy(energy) => energy.is_finite(),
+            Self::Nutation { axis, angle } => {
+                let size = norm(axis);
+                size > 0.0 && size.is_finite() && (0.0..=PI).contains(&angle)
+            }
+            Self::Validity { slowest, limit } => slowest > 0.0 && limit > 0.0 && limit.is_finite(),
+        }
+    }
+
     /// A quantity that changes its sign when the event happens.
     fn level(&self, sample: &Sample) -> f64 {
         match self {

@@ -24,7 +24,7 @@ pub fn propagate(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    check(norm(initial.omega), initial.attitude, times, options.tolerance)?;
+    check(norm(initial.omega), initial.attitude, times, options)?;
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let power = Kernel::new(&body.power);
     let inside = inside(body.momentum(initial.omega), body.J, initial.omega);

@@ -210,6 +210,14 @@ pub enum PropagateError {
         /// Attitude asked for.
         attitude: [f64; 4],
     },
+    /// The event can never happen.
+    #[error(
+        "{event:?} can never happen; give an axis that is not zero, an angle from 0 to pi, and finite positive values"
+    )]
+    Event {
+        /// Event asked for.
+        event: Event,
+    },
     /// Coordinates, their rates, the place or its velocity are no numbers.
     #[error(
         "the state at the start holds what is no finite number; give finite coordinates, rates, place and velocity"
@@ -308,17 +316,24 @@ impl Pace {
 /// A unit quaternion, for a motion whose attitude nobody asks for.
 pub(super) const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
+/// Largest difference of the norm of an attitude from one: single precision, and digits that a file prints.
+const NORM: f64 = 1e-6;
+
 /// Refuses what no propagation can start from.
 pub(super) fn check(
     spin: f64,
     attitude: [f64; 4],
     times: &[f64],
-    tolerance: f64,
+    options: &Options,
 ) -> Result<(), PropagateError> {
-    let size = attitude.iter().map(|part| part * part).sum::<f64>();
-    if !(size > 0.0 && size.is_finite()) {
+    let norm = attitude.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if !((norm - 1.0).abs() <= NORM) {
         return Err(PropagateError::Attitude { attitude });
     }
+    if let Some(event) = options.events.iter().find(|event| !event.possible()) {
+        return Err(PropagateError::Event { event: *event });
+    }
+    let tolerance = options.tolerance;
     if !(spin.is_finite() && spin > 0.0) {
         return Err(PropagateError::NoSpin { spin });
     }

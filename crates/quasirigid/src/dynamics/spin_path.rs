@@ -31,7 +31,7 @@ pub fn spin_path(
     times: &[f64],
     options: &Options,
 ) -> Result<SpinPath, PropagateError> {
-    check(norm(omega), ALIGNED, times, options.tolerance)?;
+    check(norm(omega), ALIGNED, times, options)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
     let error = options.tolerance * options.form.size(x, inside(body.momentum(omega), body.J, omega));
     Ok(match options.form {

@@ -46,20 +46,34 @@ impl ReducedBody {
     /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations; of degree 2 it is Euler's `−ω × Jω` itself. (R7)
     ///
     /// # Panics
-    /// If `degree` is above `p + 2`.
+    /// If `degree` is above [`highest_degree`](Self::highest_degree).
     #[must_use]
     pub fn mu(&self, degree: usize) -> Homogeneous {
+        let highest = self.highest_degree();
+        assert!(
+            degree <= highest,
+            "degree {degree} of a body reduced to order {}: at most {highest}",
+            self.order
+        );
         self.f.part(degree).contracted(&sym3::rows(self.J))
+    }
+
+    /// Highest degree of the torque that is known, `p + 2`.
+    #[must_use]
+    pub fn highest_degree(&self) -> usize {
+        self.f.degree()
     }
 
     /// Entry of the tensor of one degree of `μ`, symmetric in the indices of the spin: with indices `k, l, m, n` the
     /// vector `D_{·klmn}` of the paper's (4.4), `μ₄ = D_{·klmn} ω_k ω_l ω_m ω_n`; with five indices `E`. (R7)
     ///
     /// # Panics
-    /// If there are more than `p + 2` indices, or one is above 2.
+    /// If there are fewer than two indices or more than `p + 2`, or one is above 2.
     #[must_use]
     pub fn tensor(&self, indices: &[usize]) -> [f64; 3] {
         let degree = indices.len();
+        assert!(degree >= 2, "the torque begins with degree 2, Euler's; {degree} indices are too few");
+        assert!(indices.iter().all(|axis| *axis < 3), "indices are 0, 1 and 2: {indices:?}");
         let mut exponents = [0; 3];
         indices.iter().for_each(|axis| exponents[*axis] += 1);
         let factorial = |n: usize| (1..=n).product::<usize>() as f64;

@@ -1,3 +1,4 @@
 //! The library as a program in Rust meets it.
 
+mod input;
 mod threads;

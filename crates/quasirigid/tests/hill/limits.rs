@@ -130,7 +130,7 @@ fn ends_of_the_range() {
         assert_eq!(hill.mean_power(&separatrix), 0.0);
         assert_eq!(hill.periodic(&separatrix).unwrap_err(), HillError::NoPeriod);
     }
-    let steady = FreeRotation::through(moments, [0.0, 0.0, 2.0]);
+    let steady = FreeRotation::through(moments, [0.0, 0.0, 2.0]).unwrap();
     let response = hill.periodic(&steady).unwrap();
     assert_eq!((response.power(), response.share()), (0.0, 0.0));
     let (q, rate) = hill.state(&steady, 1.0).unwrap();
@@ -185,7 +185,7 @@ proptest! {
             let body = assembly.body().unwrap();
             let principal = Principal::of(body.invariants().J);
             let omega = principal.components((direction * 3.0 / time).into());
-            let motion = FreeRotation::through(principal.moments, omega);
+            let motion = FreeRotation::through(principal.moments, omega).unwrap();
             let hill = HillResponse::of(&body).unwrap();
             let floquet = hill.floquet(&motion).unwrap();
             let [re, im] = floquet.multipliers.first().copied().unwrap_or_default();

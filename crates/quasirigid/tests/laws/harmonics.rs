@@ -160,7 +160,7 @@ fn response_is_that_of_the_full_system_at_resonance() {
         let polhode = {
             let light = with_damper(1.0, 1.0, mass).body().unwrap();
             let response = Response::of(&light).unwrap();
-            TAU / FreeRotation::through(response.moments(), omega).polhode_period()
+            TAU / FreeRotation::through(response.moments(), omega).unwrap().polhode_period()
         };
         let frequency = tuning * polhode;
         let body =
@@ -176,7 +176,7 @@ fn response_is_that_of_the_full_system_at_resonance() {
         let axes = response.principal().axes;
         let motion = |sample: &Sample| {
             let in_axes = axes.map(|axis| dot(axis, sample.omega));
-            FreeRotation::through(response.moments(), in_axes)
+            FreeRotation::through(response.moments(), in_axes).unwrap()
         };
         let [from, to] = [&samples[0], &samples[1]].map(|sample| response.mean_power(&motion(sample)));
         let predicted = 0.5 * (from + to);

@@ -40,7 +40,7 @@ proptest! {
     ) {
         let spin = norm(omega);
         prop_assume!(spin > 1e-3);
-        let motion = FreeRotation::through(moments, omega);
+        let motion = FreeRotation::through(moments, omega).unwrap();
         prop_assert!(gap(motion.omega(0.0), omega) < 1e-13 * spin, "{:?}", motion.omega(0.0));
         let later = motion.omega(t);
         let G = norm(momentum(moments, omega));
@@ -60,7 +60,7 @@ proptest! {
     ) {
         let spin = norm(omega);
         prop_assume!(spin > 1e-3);
-        let motion = FreeRotation::through(moments, omega);
+        let motion = FreeRotation::through(moments, omega).unwrap();
         let h = 1e-3 / spin;
         let [before, now, after] = [t - h, t, t + h].map(|t| motion.attitude(t));
         let K = momentum(moments, motion.omega(t));
@@ -81,7 +81,7 @@ proptest! {
     ) {
         let spin = norm(omega);
         prop_assume!(spin > 1e-2);
-        let motion = FreeRotation::through(moments, omega);
+        let motion = FreeRotation::through(moments, omega).unwrap();
         let period = motion.polhode_period();
         prop_assume!(period.is_finite() && period * spin < 300.0);
         prop_assert!(gap(motion.omega(period), omega) < 1e-11 * spin);
@@ -114,7 +114,7 @@ fn mean_precession_of_the_long_axis_is_the_quadrature() {
 fn limits_lose_no_digits() {
     let [I1, I2, I3] = [0.7, 0.9, 1.2];
     for small in [1e-3, 1e-8, 1e-60, 1e-150] {
-        let motion = FreeRotation::through([I1, I2, I3], [small, 0.0, 1.0]);
+        let motion = FreeRotation::through([I1, I2, I3], [small, 0.0, 1.0]).unwrap();
         assert!((motion.omega(0.0)[0] / small - 1.0).abs() < 1e-14);
         let sigma = ((I3 - I1) * (I3 - I2) / (I1 * I2)).sqrt();
         let period = motion.polhode_period();
@@ -126,7 +126,7 @@ fn limits_lose_no_digits() {
     // On the separatrix ω₁ and ω₃ die as 1/cosh.
     let third = 1.0;
     let first = third * (I3 * (I3 - I2) / (I1 * (I2 - I1))).sqrt();
-    let motion = FreeRotation::through([I1, I2, I3], [first, 0.0, third]);
+    let motion = FreeRotation::through([I1, I2, I3], [first, 0.0, third]).unwrap();
     assert!(motion.polhode_period() > 60.0);
     let rate = ((I3 - I2) * (I3 - I1) / (I1 * I2)).sqrt() * third;
     let later = motion.omega(5.0 / rate);
@@ -138,7 +138,7 @@ fn limits_lose_no_digits() {
 fn symmetric_bodies_are_no_exceptions() {
     let omega = [0.3, -0.4, 1.1];
     for moments in [[1.0, 1.0, 1.5], [0.5, 1.2, 1.2]] {
-        let motion = FreeRotation::through(moments, omega);
+        let motion = FreeRotation::through(moments, omega).unwrap();
         let axis = motion.mode().circled();
         for t in [0.7, 12.0] {
             let later = motion.omega(t);
@@ -151,7 +151,7 @@ fn symmetric_bodies_are_no_exceptions() {
             assert!((later[(axis + 1) % 3] - expected).abs() < 1e-13, "{later:?} {expected}");
         }
     }
-    let sphere = FreeRotation::through([2.0; 3], omega);
+    let sphere = FreeRotation::through([2.0; 3], omega).unwrap();
     assert!(gap(sphere.omega(7.0), omega) < 1e-15, "{:?}", sphere.omega(7.0));
     let [before, after] = [3.0, 3.002].map(|t| sphere.attitude(t)[0]);
     let slope = scale(1.0 / 0.002, add(after, scale(-1.0, before)));
@@ -213,7 +213,7 @@ fn euler_angles_are_those_of_the_attitude() {
                 assert!((R[(row, column)] - expected).abs() < 1e-14, "{row} {column}");
             }
         }
-        let again = angles.motion([0.31, 0.96, 1.0], 1.3);
+        let again = angles.motion([0.31, 0.96, 1.0], 1.3).unwrap();
         for (found, expected) in again.omega(0.0).iter().zip(motion.omega(t)) {
             assert!((found - expected).abs() < 1e-14);
         }
@@ -228,11 +228,4 @@ fn greatest_nutation_is_the_one_asked_for() {
         assert_eq!(motion.mode(), mode);
         assert!((motion.nutation()[1].to_degrees() / degrees - 1.0).abs() < 1e-12);
     }
-}
-
-#[test]
-fn nutation_that_is_none_has_no_motion() {
-    let at = |G: f64, angle: f64| FreeRotation::at_nutation([0.31, 0.76, 1.0], G, Mode::ShortAxis, angle);
-    assert!(at(2.0, 1.57).is_some() && at(2.0, 1.571).is_none() && at(2.0, 20.0).is_none());
-    assert!(at(2.0, 0.0).is_none() && at(-2.0, 0.3).is_none() && at(f64::NAN, 0.3).is_none());
 }

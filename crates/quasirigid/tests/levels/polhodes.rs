@@ -79,7 +79,7 @@ fn precession_on_a_level_tends_to_that_on_a_polhode() {
             let reduced = reduce(&body(epsilon).body().unwrap(), 3).unwrap();
             let K = reduced.momentum(omega);
             let level = LevelEvolution::new(&reduced, norm(K)).unwrap().level(K).unwrap();
-            let motion = FreeRotation::through([1.5, 2.0, 2.5], reduced.Omega.vector(K));
+            let motion = FreeRotation::through([1.5, 2.0, 2.5], reduced.Omega.vector(K)).unwrap();
             assert_eq!(motion.mode(), mode);
             (level.long_axis_precession_rate / motion.long_axis_precession_rate() - 1.0).abs()
         };

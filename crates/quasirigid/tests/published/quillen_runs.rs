@@ -58,7 +58,7 @@ pub fn power(body: &FlexibleBody, omega: [f64; 3]) -> f64 {
     let response = Response::of(body).unwrap();
     let principal = response.principal();
     let omega = principal.axes.map(|axis| (0..3).map(|i| axis[i] * omega[i]).sum());
-    response.mean_power(&FreeRotation::through(principal.moments, omega))
+    response.mean_power(&FreeRotation::through(principal.moments, omega).unwrap())
 }
 
 /// Median of ratios, and how many are within a fifth of one.

@@ -33,7 +33,7 @@ pub fn propagate_full(
     let y = initial.pack(system.body);
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
-    check(scales.spin, initial.attitude, times, options.tolerance)?;
+    check(scales.spin, initial.attitude, times, options)?;
     let sizes = sizes(system.body, &scales);
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
     let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;

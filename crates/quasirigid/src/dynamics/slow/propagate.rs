@@ -74,7 +74,7 @@ pub fn propagate_forced(
     let omega = start.omega;
     let end = times.last().copied().unwrap_or_default();
     let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0), end);
-    check(scales.spin, initial.attitude, times, options.tolerance)?;
+    check(scales.spin, initial.attitude, times, options)?;
     let mut y = initial.pack();
     let mut first = scales.momentum;
     if options.form == Form::Paper {

@@ -7,7 +7,7 @@ use quasirigid::averaging::{Evolution, EvolutionError, FreeRotation, FreeRotatio
 use quasirigid::dynamics::{
     Event, Forced, FullState, Options, PropagateError, Sample, SpinState, propagate, propagate_full,
 };
-use quasirigid::math::polynomial::{Homogeneous, Series};
+use quasirigid_math::polynomial::{Homogeneous, Series};
 use quasirigid::model::Mode;
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;

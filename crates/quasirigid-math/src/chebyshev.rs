@@ -14,7 +14,7 @@ pub struct Chebyshev<const N: usize> {
 
 impl<const N: usize> Chebyshev<N> {
     /// Interpolates functions on an interval; none if one fails at a node.
-    pub fn of(ends: [f64; 2], mut function: impl FnMut(f64) -> Option<[f64; N]>) -> Option<Self> {
+    pub fn fit(ends: [f64; 2], mut function: impl FnMut(f64) -> Option<[f64; N]>) -> Option<Self> {
         let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
         let angle = |k: usize| PI * (k as f64 + 0.5) / NODES as f64;
         let mut coefficients = [[0.0; NODES]; N];
@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn integrals_of_smooth_functions_are_exact() {
         let ends = [-0.3, 1.4];
-        let fit = Chebyshev::of(ends, |x| Some([x.exp(), (2.0 * x).cos()])).unwrap();
+        let fit = Chebyshev::fit(ends, |x| Some([x.exp(), (2.0 * x).cos()])).unwrap();
         assert!(fit.tail() < 1e-7);
         for x in [-0.3, 0.2, 1.4] {
             let [exponential, cosine] = fit.at(x);
@@ -91,6 +91,6 @@ mod tests {
             assert!((exponential - (x.exp() - ends[0].exp())).abs() < 1e-12);
             assert!((cosine - 0.5 * ((2.0 * x).sin() - (2.0 * ends[0]).sin())).abs() < 1e-9);
         }
-        assert!(Chebyshev::of(ends, |x| (x < 1.0).then_some([x])).is_none());
+        assert!(Chebyshev::fit(ends, |x| (x < 1.0).then_some([x])).is_none());
     }
 }

@@ -7,7 +7,7 @@ use super::scalar::Jet;
 
 /// What a stationary point of a field is. The names are those for the gradient of a function on the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum StationaryKind {
     /// Least value: the linearised field is positive definite.
     Minimum,
     /// Greatest value.
@@ -26,7 +26,7 @@ pub struct StationaryPoint {
     /// The linearised tangential field in that frame.
     pub slope: [[f64; 2]; 2],
     /// What it is.
-    pub kind: Kind,
+    pub kind: StationaryKind,
 }
 
 /// The stationary points of a field on the unit sphere.
@@ -79,7 +79,7 @@ pub fn stationary(map: &Series, given: &[[f64; 3]], rounding: f64) -> Stationary
                 None => {}
             }
         }
-        let index = |point: &StationaryPoint| if point.kind == Kind::Saddle { -1 } else { 1 };
+        let index = |point: &StationaryPoint| if point.kind == StationaryKind::Saddle { -1 } else { 1 };
         found.complete = found.points.iter().map(index).sum::<i32>() == 2;
         if found.complete || found.families {
             break;
@@ -154,13 +154,13 @@ fn search(map: &Series, start: [f64; 3], size: f64) -> Option<(StationaryPoint, 
     None
 }
 
-fn kind(slope: &Matrix2<f64>) -> Kind {
+fn kind(slope: &Matrix2<f64>) -> StationaryKind {
     if slope.determinant() < 0.0 {
-        Kind::Saddle
+        StationaryKind::Saddle
     } else if slope.trace() > 0.0 {
-        Kind::Minimum
+        StationaryKind::Minimum
     } else {
-        Kind::Maximum
+        StationaryKind::Maximum
     }
 }
 
@@ -197,7 +197,10 @@ mod tests {
         map.set(part);
         let found = stationary(&map, &[], 0.0);
         let count = |kind| found.points.iter().filter(|point| point.kind == kind).count();
-        assert_eq!([Kind::Maximum, Kind::Minimum, Kind::Saddle].map(count), [6, 8, 12]);
+        assert_eq!(
+            [StationaryKind::Maximum, StationaryKind::Minimum, StationaryKind::Saddle].map(count),
+            [6, 8, 12]
+        );
         assert!(found.complete && !found.families);
     }
 

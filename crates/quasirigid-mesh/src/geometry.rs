@@ -21,7 +21,7 @@ impl Shape {
     /// Volume of a solid cell, negative if it is inside out, from the places of its nodes.
     #[must_use]
     pub fn volume(self, nodes: &[[f64; 3]]) -> f64 {
-        let part = |sample: &super::Sample| {
+        let part = |sample: &super::CellSample| {
             let [a, b, c] = tangents(nodes, &sample.gradients);
             sample.weight * dot(a, cross(b, c))
         };

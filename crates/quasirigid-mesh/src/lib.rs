@@ -22,7 +22,7 @@ pub use fault::MeshFault;
 pub(crate) use functions::EDGES;
 pub use functions::MOST;
 pub use note::MeshNote;
-pub use samples::{Rule, Sample};
+pub use samples::{CellSample, Rule};
 pub use shape::Shape;
 
 /// Nodes and the cells between them, with the numbers and names that their file gave them.

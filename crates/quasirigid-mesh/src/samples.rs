@@ -17,7 +17,7 @@ pub enum Rule {
 
 /// A place of a quadrature rule, with the shape functions there.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
+pub struct CellSample {
     /// Place on the reference cell.
     pub at: [f64; 3],
     /// Weight on the reference cell.
@@ -34,10 +34,10 @@ const TABLES: usize = 14 * 3;
 impl Shape {
     /// The places of a rule; computed once.
     #[must_use]
-    pub fn samples(self, rule: Rule) -> &'static [Sample] {
-        static KEPT: [OnceLock<Box<[Sample]>>; TABLES] = [const { OnceLock::new() }; TABLES];
+    pub fn samples(self, rule: Rule) -> &'static [CellSample] {
+        static KEPT: [OnceLock<Box<[CellSample]>>; TABLES] = [const { OnceLock::new() }; TABLES];
         KEPT[3 * self as usize + rule as usize].get_or_init(|| {
-            let sample = |(at, weight)| Sample {
+            let sample = |(at, weight)| CellSample {
                 at,
                 weight,
                 functions: self.functions(at),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use quasirigid::dynamics::{Forced, Form, RigidState, SpinState, forced_torque, takes};
+use quasirigid::dynamics::{Forced, Form, RigidState, Start, forced_torque, takes};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{ReductionError, degree_sizes, frequencies, reduce};
 use quasirigid::verification::Start;
@@ -75,7 +75,7 @@ pub(crate) fn of_reduced<'a>(
     study: &'a Study,
     reduced: &'a ReducedBody,
     frequencies: &'a [f64],
-    start: Option<SpinState>,
+    start: Option<Start>,
 ) -> Equations<'a> {
     Equations {
         study,
@@ -87,7 +87,7 @@ pub(crate) fn of_reduced<'a>(
 }
 
 /// What acts on the body, and what it comes to at the start; none where nothing acts.
-pub(crate) fn acting(study: &Study, start: Option<SpinState>) -> Option<Forces> {
+pub(crate) fn acting(study: &Study, start: Option<Start>) -> Option<Forces> {
     let Study { body, forces, order, .. } = study;
     let system = Forced { body, forces };
     let driven = matches!(body.support(), Support::Prescribed { .. }).then(|| "a driven pole".to_owned());
@@ -96,7 +96,7 @@ pub(crate) fn acting(study: &Study, start: Option<SpinState>) -> Option<Forces> 
     system.acts().then(|| Forces { names, start: start.map(|spin| at_start(system, study, spin, *order)) })
 }
 
-fn at_start(system: Forced, study: &Study, spin: SpinState, order: usize) -> StartLoads {
+fn at_start(system: Forced, study: &Study, spin: Start, order: usize) -> StartLoads {
     let Start { omega, attitude, place, velocity } = Motion::new(study, spin).start;
     let state = RigidState { t: 0.0, omega, attitude, pole: place, pole_velocity: velocity };
     let torque = forced_torque(system, order, &state);

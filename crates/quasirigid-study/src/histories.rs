@@ -94,8 +94,8 @@ fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
 
 /// The axis from which nutation is counted, of a body at an angular velocity; that of greatest inertia where the momentum circles none. (P8)
 pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let nutation = Nutations::of(body).at(body.momentum(omega));
-    nutation.map_or_else(|| Principal::of(body.J).axes[2], |nutation| nutation.axis)
+    let nutation = Nutations::new(body).at(body.momentum(omega));
+    nutation.map_or_else(|| Principal::compute(body.J).axes[2], |nutation| nutation.axis)
 }
 
 /// Refuses histories that have no room in memory, with so many internal coordinates kept in each row.
@@ -257,7 +257,7 @@ impl Study {
         let judged = spin.omega != [0.0; 3] || !motion.system().acts();
         if table.system == System::Reduced && judged {
             let reduced = reduce(body, self.order)?;
-            let validity = Validity::of_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
+            let validity = Validity::assess_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
             if validity.verdict() != Verdict::Holds {
                 watch.remark(&format!("{} The check says why.", verdict(&validity)));
             }
@@ -289,7 +289,7 @@ fn stop_axis(study: &Study, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
         return Ok(omega);
     }
     let reduced = reduce(&study.body, study.order)?;
-    let validity = Validity::of_reduced(&study.body, &reduced, omega);
+    let validity = Validity::assess_reduced(&study.body, &reduced, omega);
     let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);
     Ok(circled_axis(&if holds { reduced } else { reduce(&study.body, 0)? }, omega))
 }

@@ -52,7 +52,7 @@ pub fn of_nutation(nutation: &SpinMode) -> f64 {
 
 /// The modes about the axis of extreme inertia next to an angular velocity.
 fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
-    let [mode, _] = Principal::of(study.body.invariants().J).nearest(omega);
+    let [mode, _] = Principal::compute(study.body.invariants().J).nearest(omega);
     let steady = RelativeEquilibrium::extreme(&study.body, mode, Given::Rate(norm(omega))).ok()?;
     SpinModes::about(&study.body, steady).ok()
 }

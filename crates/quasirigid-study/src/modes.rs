@@ -100,7 +100,7 @@ impl Study {
         };
         let spins = match (asked.axis, asked.omega) {
             (Some(axis), _) => {
-                let direction = Principal::of(body.invariants().J).axes[axis as usize];
+                let direction = Principal::compute(body.invariants().J).axes[axis as usize];
                 vec![steady::spin(self, axis.name(), direction, given)]
             }
             (None, Some(_)) => vec![steady::spin(self, "asked", nearest(body, omega), given)],
@@ -121,7 +121,7 @@ fn of_start(study: &Study) -> Result<([f64; 3], Given), StudyError> {
 /// The principal axis next to an angular velocity, on its side.
 fn nearest(body: &FlexibleBody, omega: [f64; 3]) -> [f64; 3] {
     let along = |axis: &[f64; 3]| dot(*axis, omega);
-    let Principal { axes, .. } = Principal::of(body.invariants().J);
+    let Principal { axes, .. } = Principal::compute(body.invariants().J);
     let axis = axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(omega);
     axis.map(|entry| entry * along(&axis).signum())
 }

@@ -2,7 +2,7 @@
 
 use quasirigid::dynamics::{
     Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
-    SpinState, matched_start, propagate, propagate_forced, propagate_full,
+    Start, matched_start, propagate, propagate_forced, propagate_full,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
@@ -46,7 +46,7 @@ pub fn placed(Study { model, body, .. }: &Study) -> ([f64; 3], [f64; 3]) {
 }
 
 impl<'a> Motion<'a> {
-    pub fn new(study: &'a Study, spin: SpinState) -> Self {
+    pub fn new(study: &'a Study, spin: Start) -> Self {
         let Study { model, body, forces, speeds, order, .. } = study;
         let (place, velocity) = placed(study);
         let displaced = match &model.initial.displacements {
@@ -96,7 +96,7 @@ impl<'a> Motion<'a> {
                 } else {
                     (omega, attitude)
                 };
-                let spin = SpinState { omega, attitude, place, velocity };
+                let spin = Start { omega, attitude, place, velocity };
                 Ok(propagate(&reduced, spin, times, options, observer)?)
             }
         }
@@ -188,7 +188,9 @@ impl<'a> Motion<'a> {
             (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
             (_, false, Form::Momentum) => "momentum in body axes, K' = K x Omega(K)",
             (_, true, Form::Momentum) => "momentum in body axes, K' = K x w + M",
-            (_, false, Form::Paper) if !forces.body.wheels().is_none() => "spin, J w' + w x (Jw + k) = mu(w)",
+            (_, false, Form::Paper) if !forces.body.wheels().is_empty() => {
+                "spin, J w' + w x (Jw + k) = mu(w)"
+            }
             (_, false, Form::Paper) => "spin, J w' + w x Jw = mu(w)",
             (_, true, Form::Paper) => "spin, J w' + w x Jw = M + mu",
         }

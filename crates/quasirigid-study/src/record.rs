@@ -3,7 +3,7 @@
 use quasirigid::dynamics::{Event, Nutation, Nutations, Options, Outcome, Run, Sample};
 use quasirigid::model::{Coordinate, FlexibleBody, Marker, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
-use quasirigid::verification::{AverageRow, Difference, OrderRow, Plan};
+use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
     AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
@@ -30,7 +30,7 @@ pub fn model(model: &Model) -> ModelRecord {
 /// The frozen body.
 pub fn body(study: &Study) -> BodyRecord {
     let body = &study.body;
-    let principal = Principal::of(body.invariants().J);
+    let principal = Principal::compute(body.invariants().J);
     BodyRecord {
         mass: body.invariants().mass,
         center_of_mass: body.center_of_mass(),
@@ -106,7 +106,7 @@ pub fn reduction(
 }
 
 /// The reduced equations against the full ones.
-pub fn verification(plan: &Plan, Proof { verification, average }: &Proof) -> VerificationRecord {
+pub fn verification(plan: &VerificationPlan, Proof { verification, average }: &Proof) -> VerificationRecord {
     let row = |row: &OrderRow| {
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
@@ -258,9 +258,9 @@ pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedB
 
 /// The principal axis next to that circled, of least inertia first, and the least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
 fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 3] {
-    let mut nutations = Nutations::of(body);
+    let mut nutations = Nutations::new(body);
     let found: Vec<Option<Nutation>> = samples.iter().map(|sample| nutations.at(sample.momentum)).collect();
-    let axes = Principal::of(body.J).axes;
+    let axes = Principal::compute(body.J).axes;
     let circled = |nutation: &Nutation| {
         let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();
         (0..3).max_by(|a, b| along(a).total_cmp(&along(b))).map_or(f64::NAN, |axis| (axis + 1) as f64)

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use quasirigid::dynamics::{Options, Outcome, PropagateError, SpinState};
+use quasirigid::dynamics::{Options, Outcome, PropagateError, Start};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid_io::model::{Named, System, Verify};
@@ -86,7 +86,7 @@ impl Study {
             Err(StudyError::Propagate(PropagateError::NoMomentum)) => start.omega,
             other => other?,
         };
-        let validity = Validity::of_reduced(body, &reduced, judged)?;
+        let validity = Validity::assess_reduced(body, &reduced, judged)?;
         let rigid = reduce(body, 0)?;
         let holds = validity.verdict() != Verdict::Fails;
         let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
@@ -216,7 +216,7 @@ impl<'a> Plan<'a> {
     /// The averaged rotation, where the file asks for it.
     fn evolution(
         &self,
-        start: SpinState,
+        start: Start,
         notes: &mut Vec<String>,
         watch: &mut dyn Watch,
     ) -> Result<Option<EvolutionRecord>, StudyError> {

@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
-use quasirigid::dynamics::SpinState;
+use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{Given, RelativeEquilibrium};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, residual};
@@ -16,13 +16,13 @@ use crate::error::StudyError;
 use crate::words::significant;
 
 /// The state the file starts from.
-pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinState, StudyError> {
+pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start, StudyError> {
     let file = &model.source.file;
     let rotation = model.initial.rotation.ok_or_else(|| StudyError::NoSpin { file: file.into() })?;
-    let principal = Principal::of(body.invariants().J);
+    let principal = Principal::compute(body.invariants().J);
     let attitude = model.initial.attitude;
     let (K, rigid) = match rotation {
-        Rotation::Spin(omega) => return Ok(SpinState::new(omega, attitude)),
+        Rotation::Spin(omega) => return Ok(Start::new(omega, attitude)),
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
             let motion = observed.motion(principal.moments);
@@ -42,19 +42,19 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<SpinS
         let mut q = q.clone();
         q.resize(body.coordinates().len(), 0.0);
         let omega = times(inverse(body.inertia_at(&q)), K);
-        return Ok(SpinState::new(omega, attitude));
+        return Ok(Start::new(omega, attitude));
     }
     let reduced = reduce(body, slaved_order(body, order, rigid)?)?;
     let omega = reduced.Omega.vector(K);
     if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
-        return Ok(SpinState::new(omega, attitude));
+        return Ok(Start::new(omega, attitude));
     }
     let K = match rotation {
         Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,
         _ => K,
     };
     let (omega, _) = spun_state(body, K).map_err(StudyError::NoStart)?;
-    Ok(SpinState::new(omega, attitude))
+    Ok(Start::new(omega, attitude))
 }
 
 /// An angular velocity this many times that of the frozen body is none that its angular momentum has.
@@ -69,9 +69,9 @@ fn momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]
 
 /// Angular momentum (N·m·s) of a wobble of the body as its steady spin at this rate (rad/s) deforms it. (Q8)
 fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], StudyError> {
-    let axis = Principal::of(body.invariants().J).axes[mode.circled()];
+    let axis = Principal::compute(body.invariants().J).axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
-    let principal = Principal::of(body.inertia_at(&steady.q));
+    let principal = Principal::compute(body.inertia_at(&steady.q));
     let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)?;
     Ok(momentum(&principal, &motion).0)
 }
@@ -122,7 +122,7 @@ impl Display for NoWobble {
 /// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where something turns inside so
 /// freely that the spin does not slave it. It then turns with the body at the start.
 pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
-    let value = Relaxation::of(body)?.longest() * norm(spin);
+    let value = Relaxation::compute(body)?.longest() * norm(spin);
     let criterion = Criterion { comparison: Comparison::Relaxation, value };
     Ok(if criterion.verdict() == Verdict::Fails { 0 } else { order })
 }

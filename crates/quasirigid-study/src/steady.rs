@@ -33,7 +33,7 @@ pub struct Poles {
 /// The steady spins about the axes of greatest and of least inertia, that next to an angular velocity first.
 pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
     let body = &study.body;
-    let nearest = Principal::of(body.invariants().J).nearest(omega);
+    let nearest = Principal::compute(body.invariants().J).nearest(omega);
     let [(first, modes), (second, _)] = nearest.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
         told(study, name, RelativeEquilibrium::extreme(body, mode, given))

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
-use quasirigid::dynamics::SpinState;
+use quasirigid::dynamics::Start;
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker};
@@ -77,7 +77,7 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError`] for a model without a rotation, and for one that its body cannot have.
-    pub fn initial(&self) -> Result<SpinState, StudyError> {
+    pub fn initial(&self) -> Result<Start, StudyError> {
         initial(&self.model, &self.body, self.order)
     }
 }

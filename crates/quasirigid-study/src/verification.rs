@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::secular::MeasureError;
 use quasirigid::verification::{
-    self, AverageError, AverageRow, Plan, Verification, VerificationError, verify_average,
+    self, AverageError, AverageRow, Verification, VerificationError, VerificationPlan, verify_average,
 };
 use quasirigid_io::model::Verify;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
@@ -21,11 +21,11 @@ impl Study {
     /// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
     /// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
     #[must_use]
-    pub fn verification_plan(&self, asked: Verify) -> Plan {
+    pub fn verification_plan(&self, asked: Verify) -> VerificationPlan {
         let lowest = usize::from(self.body.cyclic().is_empty());
         let file = self.model.run.verify.clone().unwrap_or_default();
-        let usual = Plan::default();
-        Plan {
+        let usual = VerificationPlan::default();
+        VerificationPlan {
             orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=self.order).collect()),
             rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
             halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
@@ -41,7 +41,7 @@ impl Study {
     /// [`StudyError`] for a start that is none, and for a plan that means nothing.
     pub fn verify(
         &self,
-        plan: &Plan,
+        plan: &VerificationPlan,
         watch: &mut dyn Watch,
     ) -> Result<Option<VerificationRecord>, StudyError> {
         let motion = Motion::new(self, self.initial()?);
@@ -64,7 +64,7 @@ const STAGE: &str = "verifying";
 /// Runs the verification; none if the watch ended it.
 pub(crate) fn follow(
     motion: &Motion,
-    plan: &Plan,
+    plan: &VerificationPlan,
     watch: &mut dyn Watch,
 ) -> Result<Option<Proof>, StudyError> {
     let (system, start) = (motion.system(), &motion.start);

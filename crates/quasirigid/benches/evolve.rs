@@ -48,14 +48,14 @@ fn ten_billion_years(power: &dyn MeanPower, (G, ratio): (f64, f64)) -> Option<St
 
 #[divan::bench]
 fn by_harmonics(bencher: divan::Bencher) {
-    let response = Response::of(&constant()).expect("modes");
+    let response = Response::compute(&constant()).expect("modes");
     let start = start(response.moments());
     bencher.bench_local(|| ten_billion_years(&response, start));
 }
 
 #[divan::bench]
 fn by_polynomial(bencher: divan::Bencher) {
-    let power = PolynomialPower::of(&reduce(&viscous(), 3).expect("order 3"));
+    let power = PolynomialPower::from_reduced(&reduce(&viscous(), 3).expect("order 3"));
     let start = start(power.moments());
     bencher.bench_local(|| ten_billion_years(&power, start));
 }
@@ -64,7 +64,7 @@ fn by_polynomial(bencher: divan::Bencher) {
 #[divan::bench]
 fn whole_body(bencher: divan::Bencher) {
     bencher.bench_local(|| {
-        let response = Response::of(&constant()).expect("modes");
+        let response = Response::compute(&constant()).expect("modes");
         ten_billion_years(&response, start(response.moments()))
     });
 }
@@ -77,11 +77,11 @@ fn body_alone(bencher: divan::Bencher) {
 #[divan::bench]
 fn modes_alone(bencher: divan::Bencher) {
     let body = constant();
-    bencher.bench_local(|| Response::of(&body));
+    bencher.bench_local(|| Response::compute(&body));
 }
 
 #[divan::bench]
 fn observed_start(bencher: divan::Bencher) {
-    let moments = Response::of(&constant()).expect("modes").moments();
+    let moments = Response::compute(&constant()).expect("modes").moments();
     bencher.bench_local(|| start(moments));
 }

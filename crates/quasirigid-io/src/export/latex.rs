@@ -38,14 +38,14 @@ impl Derived<'_> {
             sum
         };
         let k = self.body.wheels().momentum(0.0);
-        let momentum = if self.body.wheels().is_none() { "J\\omega" } else { "(J\\omega + k)" };
+        let momentum = if self.body.wheels().is_empty() { "J\\omega" } else { "(J\\omega + k)" };
         writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times {momentum} = {sum}, \\qquad")?;
         writeln!(out, "  J = \\begin{{pmatrix}}")?;
         for row in self.body.inertia() {
             writeln!(out, "    {} \\\\", row.map(number).join(" & "))?;
         }
         write!(out, "  \\end{{pmatrix}}")?;
-        if !self.body.wheels().is_none() {
+        if !self.body.wheels().is_empty() {
             let k = k.map(number).join(" \\\\ ");
             write!(out, ", \\quad\n  k = \\begin{{pmatrix}} {k} \\end{{pmatrix}}")?;
         }

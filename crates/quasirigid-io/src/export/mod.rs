@@ -41,7 +41,7 @@ impl Derived<'_> {
 
     /// Whether all that moves inside is elastic.
     fn elastic_only(&self) -> bool {
-        !self.turns_inside() && self.body.wheels().is_none()
+        !self.turns_inside() && self.body.wheels().is_empty()
     }
 
     /// Internal coordinates that springs hold, degree by degree from 2 up. (R4)

@@ -19,10 +19,10 @@ impl Derived<'_> {
 
     fn write(&self, out: &mut String) -> fmt::Result {
         let Derived { name, body, reduced, frequencies, mechanisms, forces } = *self;
-        let principal = Principal::of(reduced.J);
+        let principal = Principal::compute(reduced.J);
         writeln!(out, "{name}: reduced equations of order {}", reduced.order)?;
         let wheels = body.wheels().momentum(0.0);
-        let equation = match (body.wheels().is_none(), forces.is_some()) {
+        let equation = match (body.wheels().is_empty(), forces.is_some()) {
             (true, false) => "J w' + w x Jw = mu(w)        w in rad/s",
             (false, false) => "J w' + w x (Jw + k) = mu(w)  w in rad/s",
             (true, true) if self.turns_inside() => "J w' + w x Jw = M* + ...     w in rad/s",
@@ -48,7 +48,7 @@ impl Derived<'_> {
             writeln!(out, "                  {}", vector(*row))?;
         }
         writeln!(out, "principal moments {} kg m^2", vector(principal.moments))?;
-        if !body.wheels().is_none() {
+        if !body.wheels().is_empty() {
             writeln!(out, "wheels k          {} N m s", vector(wheels))?;
         }
         match frequencies {

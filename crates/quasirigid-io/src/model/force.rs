@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::elements::{ElementKind, Station};
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 
 use super::formula::{PLACE, formulas};
 use super::kinds::{Kind, kind, of_table, opened};
@@ -12,7 +12,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>, &Names<'_>) -> Option<Law<Station>>;
+type Read = fn(&Table<'_>, &Names<'_>) -> Option<ForceLaw<Station>>;
 
 static KINDS: [Kind<Read>; 8] = [
     kind!("[[force]]", "uniform-gravity", &["kind", "name", "acceleration"], uniform_gravity),
@@ -74,43 +74,43 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-fn uniform_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+fn uniform_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
     let acceleration =
         vector(table, "acceleration", Dimension::ACCELERATION, "acceleration = [0, 0, -9.81]")?;
-    Some(Law::UniformGravity { acceleration })
+    Some(ForceLaw::UniformGravity { acceleration })
 }
 
-fn central_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
-    Some(Law::CentralGravity { orbit: required_orbit(table)? })
+fn central_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+    Some(ForceLaw::CentralGravity { orbit: required_orbit(table)? })
 }
 
-fn drag(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+fn drag(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
     let at = station(table, names);
     let coefficient = coefficient(table, Dimension::DAMPING, "coefficient = \"0.2 N s/m\"");
-    Some(Law::Drag { at: at?, coefficient: coefficient? })
+    Some(ForceLaw::Drag { at: at?, coefficient: coefficient? })
 }
 
-fn spin_drag(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+fn spin_drag(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
     let coefficient = coefficient(table, Dimension::ROTATIONAL_DAMPING, "coefficient = \"1e-4 N m s\"")?;
-    Some(Law::SpinDrag { coefficient })
+    Some(ForceLaw::SpinDrag { coefficient })
 }
 
-fn torque(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+fn torque(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
     let torque = vector(table, "torque", Dimension::TORQUE, "torque = [0, 0, \"0.05 N m\"]");
     let axes = axes(table);
     let wave = wave(table);
-    Some(Law::Torque { torque: torque?, axes: axes?, wave: wave? })
+    Some(ForceLaw::Torque { torque: torque?, axes: axes?, wave: wave? })
 }
 
-fn thrust(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+fn thrust(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
     let at = station(table, names);
     let force = vector(table, "force", Dimension::FORCE, "force = [0, 0, \"5 mN\"]");
     let axes = axes(table);
     let wave = wave(table);
-    Some(Law::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
+    Some(ForceLaw::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
 }
 
-fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
+fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
     let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
     let field = match (table.get("field"), table.get("dipole")) {
         (None, Some(dipole)) => {
@@ -125,7 +125,7 @@ fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>) -> Option<Law<Station>> {
         ),
         (_, None) => uniform_field(table),
     };
-    Some(Law::MagneticDipole { moment: moment?, field: field? })
+    Some(ForceLaw::MagneticDipole { moment: moment?, field: field? })
 }
 
 fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
@@ -138,7 +138,7 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
     Some(MagneticField::Uniform(field?))
 }
 
-fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
+fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
     if let Some(torque) = table.get("torque") {
         return torque_expression(table, &torque);
     }
@@ -152,10 +152,10 @@ fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<Law<Station>> {
     let force = table
         .required("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]")
         .and_then(|value| formulas(&value, &PLACE, Dimension::FORCE));
-    Some(Law::Expression { at: at?, force: force? })
+    Some(ForceLaw::Expression { at: at?, force: force? })
 }
 
-fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<Law<Station>> {
+fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<Station>> {
     for key in ["force", "on", "at"] {
         if let Some(value) = table.get(key) {
             let message = format!("`{key}` goes with a `force`, and this is a `torque` on the carrier");
@@ -164,7 +164,7 @@ fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<Law<Statio
         }
     }
     let axes = axes(table);
-    Some(Law::TorqueExpression { torque: formulas(torque, &PLACE, Dimension::TORQUE)?, axes: axes? })
+    Some(ForceLaw::TorqueExpression { torque: formulas(torque, &PLACE, Dimension::TORQUE)?, axes: axes? })
 }
 
 /// Where a force acts: on a point, or at a place of the carrier. Which of them needs a place is for mechanics to say.

@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Motion, Point};
+use quasirigid::elements::{ElementKind, Point, PointMotion};
 
 use super::names::Part;
 use super::reader::{Keyed, Naming, Reader};
@@ -31,13 +31,13 @@ fn point(table: &Table<'_>, name: &str) -> Option<Point> {
     let position = table
         .required("position", "position = [0.8, 0.3, 0.5]")
         .and_then(|value| value.vector(Dimension::LENGTH));
-    let motion = table.get("motion").map_or(Some(Motion::Free), |value| motion(&value));
+    let motion = table.get("motion").map_or(Some(PointMotion::Free), |value| motion(&value));
     Some(Point { name: name.to_owned(), mass: mass?, position: position?, motion: motion? })
 }
 
-fn motion(value: &Value<'_>) -> Option<Motion> {
+fn motion(value: &Value<'_>) -> Option<PointMotion> {
     if value.is_word("free") {
-        return Some(Motion::Free);
+        return Some(PointMotion::Free);
     }
     let help = "write \"free\", { line = [1, 0, 0] } or { plane = [0, 0, 1] }";
     if !value.is_table() {
@@ -46,8 +46,8 @@ fn motion(value: &Value<'_>) -> Option<Motion> {
     let table = value.table("`motion`", &MOTION)?;
     let direction = |value: Value<'_>| value.vector(Dimension::NUMBER);
     match (table.get("line"), table.get("plane")) {
-        (Some(line), None) => direction(line).map(Motion::Line),
-        (None, Some(plane)) => direction(plane).map(Motion::Plane),
+        (Some(line), None) => direction(line).map(PointMotion::Line),
+        (None, Some(plane)) => direction(plane).map(PointMotion::Plane),
         _ => {
             let message = "`motion` needs either a line or a plane".to_owned();
             value.refuse(message, "a line or a plane", Some(help.to_owned()))

@@ -1,4 +1,4 @@
-use quasirigid::elements::{Coefficient, ElementKind, End, Law, Prestress, Spring};
+use quasirigid::elements::{Coefficient, ElementKind, End, Prestress, Spring, SpringLaw};
 
 use super::names::{Fixed, Names, Part};
 use super::reader::{Keyed, Naming, Reader};
@@ -66,7 +66,7 @@ pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option
     Some((Spring { name: name.to_owned(), from, to, law: law?, rheology: known.rheology }, known.extremes))
 }
 
-fn in_space(table: &Table<'_>) -> Option<Law> {
+fn in_space(table: &Table<'_>) -> Option<SpringLaw> {
     let stiffness = stiffness(table).and_then(|value| coefficient(&value, Dimension::STIFFNESS));
     let damping = match table.get("damping") {
         Some(value) => coefficient(&value, Dimension::DAMPING),
@@ -84,10 +84,10 @@ fn in_space(table: &Table<'_>) -> Option<Law> {
             return value.refuse(message, "not for this spring", Some(help));
         }
     }
-    Some(Law::Spatial { stiffness: stiffness?, damping: damping? })
+    Some(SpringLaw::Spatial { stiffness: stiffness?, damping: damping? })
 }
 
-fn along_the_line(table: &Table<'_>) -> Option<Law> {
+fn along_the_line(table: &Table<'_>) -> Option<SpringLaw> {
     let stiffness = stiffness(table).and_then(|value| scalar(&value, Dimension::STIFFNESS));
     let damping = table.get("damping").map_or(Some(0.0), |value| scalar(&value, Dimension::DAMPING));
     let anchor = match table.get("anchor") {
@@ -95,7 +95,12 @@ fn along_the_line(table: &Table<'_>) -> Option<Law> {
         None => Some(None),
     };
     let prestress = prestress(table);
-    Some(Law::Axial { stiffness: stiffness?, damping: damping?, anchor: anchor?, prestress: prestress? })
+    Some(SpringLaw::Axial {
+        stiffness: stiffness?,
+        damping: damping?,
+        anchor: anchor?,
+        prestress: prestress?,
+    })
 }
 
 /// Reads what it pulls with at rest.

@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 use quasirigid::elements::{
-    Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, TipMass,
+    Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape, TipMass,
 };
 use quasirigid::model::Rheology;
 
@@ -59,7 +59,7 @@ fn a_beam_is_read_with_its_nodes_in_the_order_of_the_file() {
     ];
     let expected = Part {
         name: "mast".to_owned(),
-        kind: Kind::Frame(frame),
+        kind: PartKind::Frame(frame),
         masses,
         attached: vec![1],
         rayleigh: [0.02, 3e-3],
@@ -84,18 +84,18 @@ fn what_a_beam_does_not_say_has_defaults() {
     let assembly = read(&model(&format!("{panel}{nameless}{nameless}"))).assembly;
     let names: Vec<&str> = assembly.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["beam 1", "beam 2", "panel 1"]);
-    let Kind::Frame(frame) = &assembly.parts[0].kind else { panic!("a frame") };
+    let PartKind::Frame(frame) = &assembly.parts[0].kind else { panic!("a frame") };
     let Member { up, elements, .. } = frame.members[0];
     assert_eq!((up, elements, assembly.parts[0].masses.len()), (None, 8, 0));
     assert_eq!((assembly.parts[0].attached.len(), assembly.parts[0].rayleigh), (0, [0.0; 2]));
-    assert_eq!(assembly.reduction, Reduction { order: 3, modes: 0 });
+    assert_eq!(assembly.reduction, PartReduction { order: 3, modes: 0 });
 }
 
 #[test]
 fn the_reduction_keeps_as_many_modes_as_the_file_says() {
     let reduced = |lines: &str| read(&model(&format!("[reduction]\n{lines}"))).assembly.reduction;
-    assert_eq!(reduced("modes = 12\n"), Reduction { order: 3, modes: 12 });
-    assert_eq!(reduced(""), Reduction { order: 3, modes: 0 });
+    assert_eq!(reduced("modes = 12\n"), PartReduction { order: 3, modes: 12 });
+    assert_eq!(reduced(""), PartReduction { order: 3, modes: 0 });
     assert_snapshot!(refusal(&model("[reduction]\nmode = 3\n")), @r#"
     model.toml:14:1: unknown key "mode" in [reduction]
       did you mean `modes`? the keys are modes
@@ -136,7 +136,7 @@ fn ranges_of_rheologies_go_to_their_parts() {
             other => panic!("{other:?}"),
         };
         let frames = assembly.parts.iter().map(|part| match &part.kind {
-            Kind::Frame(frame) => frame,
+            PartKind::Frame(frame) => frame,
             other => panic!("{other:?}"),
         });
         let members = frames.flat_map(|frame| &frame.members).map(|member| of(&member.material.rheology));

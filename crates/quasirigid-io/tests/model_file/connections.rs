@@ -2,7 +2,7 @@
 
 use quasirigid::elements::{Anchor, Assembly, Connection, End, NodeRef};
 use quasirigid::model::Rheology;
-use quasirigid::model::force::Law;
+use quasirigid::model::force::ForceLaw;
 
 use super::{ALUMINIUM, BOOM, CARRIER, POINT, TUBE, read};
 
@@ -79,7 +79,7 @@ fn springs_and_forces_act_at_nodes() {
     let [first, second] = &model.assembly.springs[..] else { panic!("two springs") };
     assert_eq!((first.from, first.to), (End::Node(NodeRef { part: 0, node: 1 }), End::Point(0)));
     assert_eq!((second.from, second.to), (End::Carrier, End::Node(NodeRef { part: 1, node: 5 })));
-    let Law::Thrust { at, .. } = &model.assembly.forces[0].law else { panic!("a thrust") };
+    let ForceLaw::Thrust { at, .. } = &model.assembly.forces[0].law else { panic!("a thrust") };
     assert_eq!((at.on, at.at), (End::Node(NodeRef { part: 1, node: 1 }), None));
     assert_eq!(model.assembly.check(), []);
     assert!(model.assembly.body().is_ok());
@@ -94,7 +94,7 @@ fn a_hinge_between_a_node_and_an_edge_turns_the_panel() {
     let rise = |young: &str| {
         let text = model(&format!("{hinge}{force}")).replace(POINT, "").replace("70 GPa", young);
         let built = read(&text).assembly.build().expect("a body");
-        let Law::Thrust { at, .. } = &built.forces[0].law else { panic!("a thrust") };
+        let ForceLaw::Thrust { at, .. } = &built.forces[0].law else { panic!("a thrust") };
         let pole = built.body.pole();
         assert!((0..3).all(|axis| (at.position[axis] + pole[axis] - [5.0, 0.0, 0.0][axis]).abs() < 1e-12));
         let mut answer = vec![0.0; built.body.coordinates().len()];
@@ -140,6 +140,6 @@ fn a_point_beside_a_hinge_of_sets_is_where_it_is() {
     for axis in 0..3 {
         assert!((tip.position[axis] + pole[axis] - [0.8, 0.3, 0.5][axis]).abs() < 1e-12, "{tip:?}");
     }
-    let Law::Thrust { at, .. } = &built.forces[0].law else { panic!("a thrust") };
+    let ForceLaw::Thrust { at, .. } = &built.forces[0].law else { panic!("a thrust") };
     assert_eq!((at.position, at.shapes.is_empty()), (tip.position, false));
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use insta::assert_snapshot;
 use quasirigid::elements::{End, PlaceRef, Prestress, Station};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_math::expression::Expression;
 
 use super::{CARRIER, HINGED, POINT, read, refusal, refusal_of};
@@ -18,7 +18,7 @@ fn forces(lines: &str) -> Vec<Force<Station>> {
 }
 
 /// The only force, of this kind and with these further lines.
-fn law(kind: &str, lines: &str) -> Law<Station> {
+fn law(kind: &str, lines: &str) -> ForceLaw<Station> {
     let [force] = forces(&text(kind, lines)).try_into().expect("one force");
     force.law
 }
@@ -47,35 +47,38 @@ fn orbit(a: f64) -> Orbit {
 #[test]
 fn forces_without_places_are_read() {
     let gravity = law("uniform-gravity", "acceleration = [0, \"1 m/s^2\", -9.81]\n");
-    assert_eq!(gravity, Law::UniformGravity { acceleration: [0.0, 1.0, -9.81] });
+    assert_eq!(gravity, ForceLaw::UniformGravity { acceleration: [0.0, 1.0, -9.81] });
     let drag = law("spin-drag", "coefficient = \"2 mN m s/rad\"\n");
-    assert_eq!(drag, Law::SpinDrag { coefficient: 2e-3 });
+    assert_eq!(drag, ForceLaw::SpinDrag { coefficient: 2e-3 });
     let torque = law("torque", "torque = [0, 1, \"0.05 N m\"]\n");
     let wave = Wave { frequency: 0.0, phase: 0.0 };
-    assert_eq!(torque, Law::Torque { torque: [0.0, 1.0, 0.05], axes: Axes::Body, wave });
+    assert_eq!(torque, ForceLaw::Torque { torque: [0.0, 1.0, 0.05], axes: Axes::Body, wave });
     let pulse = law("torque", "torque = [0, 1, 0]\naxes = \"inertial\"\nfrequency = 3\nphase = \"30 deg\"\n");
     let wave = Wave { frequency: 3.0, phase: 30.0 * PI / 180.0 };
-    assert_eq!(pulse, Law::Torque { torque: [0.0, 1.0, 0.0], axes: Axes::Inertial, wave });
+    assert_eq!(pulse, ForceLaw::Torque { torque: [0.0, 1.0, 0.0], axes: Axes::Inertial, wave });
 }
 
 #[test]
 fn forces_act_at_points_and_at_places_of_the_carrier() {
     let tip = Station { on: End::Point(0), at: None };
     let place = Station { on: End::Carrier, at: Some([0.1, 0.25, 0.0]) };
-    assert_eq!(law("drag", "on = \"tip\"\ncoefficient = 0.3\n"), Law::Drag { at: tip, coefficient: 0.3 });
+    assert_eq!(
+        law("drag", "on = \"tip\"\ncoefficient = 0.3\n"),
+        ForceLaw::Drag { at: tip, coefficient: 0.3 }
+    );
     let drag = law("drag", "on = \"carrier\"\nat = [\"10 cm\", 0.25, 0]\ncoefficient = \"1 lbf s/ft\"\n");
-    let Law::Drag { at, coefficient } = drag else { panic!("a drag") };
+    let ForceLaw::Drag { at, coefficient } = drag else { panic!("a drag") };
     assert_eq!(at, place);
     assert!((coefficient - 14.593_902_937_206_364).abs() < 1e-14 * coefficient); // NIST SP 811, lbf/ft
     let thrust =
         law("thrust", "on = \"tip\"\nforce = [\"5 mN\", 0, 1]\nperiod = \"10 s\"\naxes = \"body\"\n");
     let wave = Wave { frequency: TAU / 10.0, phase: 0.0 };
-    assert_eq!(thrust, Law::Thrust { at: tip, force: [5e-3, 0.0, 1.0], axes: Axes::Body, wave });
+    assert_eq!(thrust, ForceLaw::Thrust { at: tip, force: [5e-3, 0.0, 1.0], axes: Axes::Body, wave });
     let formulas = law(
         "expression",
         "on = \"carrier\"\nat = [0.1, 0.25, 0]\nforce = [\"-0.1*vx\", -2.5e-7, 'sin(2*t)']\n",
     );
-    let Law::Expression { at, force } = formulas else { panic!("an expression") };
+    let ForceLaw::Expression { at, force } = formulas else { panic!("an expression") };
     assert_eq!(at, place);
     assert_eq!(force.each_ref().map(Expression::text), ["-0.1*vx", "-2.5e-7", "sin(2*t)"]);
     let numbers: [f64; 14] = std::array::from_fn(|i| 1.0 + i as f64);
@@ -85,7 +88,7 @@ fn forces_act_at_points_and_at_places_of_the_carrier() {
     time[6] = PI / 4.0;
     assert_eq!(force[2].value(&time), 1.0);
     let torque = law("expression", "torque = [\"-wx*qw\", 0, \"vz + wz*qz\"]\naxes = \"inertial\"\n");
-    let Law::TorqueExpression { torque, axes } = torque else { panic!("a torque") };
+    let ForceLaw::TorqueExpression { torque, axes } = torque else { panic!("a torque") };
     assert_eq!(axes, Axes::Inertial);
     assert_eq!([torque[0].value(&numbers), torque[2].value(&numbers)], [-88.0, 6.0 + 10.0 * 14.0]);
 }
@@ -135,7 +138,7 @@ fn springs_pull_at_rest_as_they_say() {
         )
     };
     let prestress = |line: &str| match read(&axial(line)).assembly.springs[0].law {
-        quasirigid::elements::Law::Axial { prestress, .. } => prestress,
+        quasirigid::elements::SpringLaw::Axial { prestress, .. } => prestress,
         _ => panic!("an axial spring"),
     };
     assert_eq!(prestress(""), Prestress::Relaxed);
@@ -150,7 +153,7 @@ fn springs_pull_at_rest_as_they_say() {
 #[test]
 fn a_frequency_is_in_radians_unless_it_is_in_hertz() {
     let frequency = |lines: &str| match law("torque", &format!("torque = [0, 1, 0]\n{lines}\n")) {
-        Law::Torque { wave, .. } => wave.frequency,
+        ForceLaw::Torque { wave, .. } => wave.frequency,
         _ => panic!("a torque"),
     };
     assert_eq!(frequency("frequency = 2"), 2.0);
@@ -164,7 +167,7 @@ fn a_frequency_is_in_radians_unless_it_is_in_hertz() {
 #[test]
 fn orbits_are_read() {
     let simple = law("central-gravity", ORBIT);
-    assert_eq!(simple, Law::CentralGravity { orbit: orbit(6.778e6) });
+    assert_eq!(simple, ForceLaw::CentralGravity { orbit: orbit(6.778e6) });
     let full = "[force.orbit]\ngravitational_parameter = \"398600.4418 km^3/s^2\"\nsemi_major_axis = 7e6\neccentricity = 0.1\ninclination = \"180 deg\"\nnode = 1\nperiapsis = 2\nmean_anomaly = 3\n";
     let expected = Orbit {
         eccentricity: 0.1,
@@ -174,7 +177,7 @@ fn orbits_are_read() {
         mean_anomaly: 3.0,
         ..orbit(7e6)
     };
-    assert_eq!(law("central-gravity", full), Law::CentralGravity { orbit: expected });
+    assert_eq!(law("central-gravity", full), ForceLaw::CentralGravity { orbit: expected });
 }
 
 /// Against the system of astronomical constants of the IAU (2009): masses as ratios, the Gaussian constant for the Sun,
@@ -184,7 +187,7 @@ fn the_centres_known_by_name_have_their_gravitational_parameters() {
     let parameter = |body: &str| {
         let orbit = format!("orbit = {{ body = \"{body}\", semi_major_axis = 1 }}\n");
         match law("central-gravity", &orbit) {
-            Law::CentralGravity { orbit } => orbit.parameter,
+            ForceLaw::CentralGravity { orbit } => orbit.parameter,
             _ => panic!("gravity"),
         }
     };
@@ -203,11 +206,11 @@ fn magnetic_fields_are_read() {
     let uniform = law("magnetic-dipole", "moment = [0, \"200 mA m^2\", 1]\nfield = [0, 0, \"30 uT\"]\n");
     let moment = [0.0, 0.2, 1.0];
     let field = MagneticField::Uniform([0.0, 0.0, 3e-5]);
-    assert_eq!(uniform, Law::MagneticDipole { moment, field });
+    assert_eq!(uniform, ForceLaw::MagneticDipole { moment, field });
     let dipole =
         law("magnetic-dipole", &format!("moment = [0, 0.2, 1]\ndipole = [0, \"1 T m^3\", -7.8e15]\n{ORBIT}"));
     let field = MagneticField::Dipole { strength: [0.0, 1.0, -7.8e15], orbit: orbit(6.778e6) };
-    assert_eq!(dipole, Law::MagneticDipole { moment, field });
+    assert_eq!(dipole, ForceLaw::MagneticDipole { moment, field });
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use quasirigid::elements::{Kind, Matrices};
+use quasirigid::elements::{Matrices, PartKind};
 use quasirigid_io::model::{Model, ModelError};
 
 use super::same::assert_same;
@@ -23,7 +23,7 @@ fn read(files: &[(&str, String)], lines: &str) -> Model {
 }
 
 fn given(model: &Model) -> &Matrices {
-    let Kind::Matrices(given) = &only_part(&model.assembly).kind else { panic!("matrices") };
+    let PartKind::Matrices(given) = &only_part(&model.assembly).kind else { panic!("matrices") };
     given
 }
 

@@ -1,7 +1,7 @@
 //! Random networks of points and springs.
 
 use insta::assert_snapshot;
-use quasirigid::elements::{End, Law, Motion};
+use quasirigid::elements::{End, PointMotion, SpringLaw};
 use quasirigid::model::Rheology;
 
 use super::{CARRIER, POINT, read, refusal, verdict};
@@ -31,7 +31,7 @@ fn a_network_is_read_as_points_and_springs() {
         let center = [0.0, 2.0, 0.1];
         let inside: f64 =
             (0..3).map(|axis| ((point.position[axis] - center[axis]) / axes[axis]).powi(2)).sum();
-        assert!(inside <= 1.0 && point.motion == Motion::Free);
+        assert!(inside <= 1.0 && point.motion == PointMotion::Free);
     }
     for spring in &assembly.springs {
         let (End::Point(from), End::Point(to)) = (spring.from, spring.to) else { panic!("between points") };
@@ -40,7 +40,7 @@ fn a_network_is_read_as_points_and_springs() {
         assert!(from >= 1 && from < to && distance > 0.5 && distance < 2.3 * 0.5, "{distance}");
         assert_eq!(
             spring.law,
-            Law::Axial {
+            SpringLaw::Axial {
                 stiffness: 2000.0,
                 damping: 0.0,
                 anchor: None,

@@ -1,7 +1,7 @@
 //! Materials with three planes of symmetry, in solids and in the layers of panels.
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Kind, Orthotropic, Substance};
+use quasirigid::elements::{Orthotropic, PartKind, Substance};
 use quasirigid::model::{Measured, Rheology};
 
 use super::{BOOM, CARRIER, TUBE, only_part, read, refusal, verdict};
@@ -24,7 +24,7 @@ fn an_orthotropic_material_is_read_in_the_order_of_its_axes() {
     let rheology = "rheology = { kind = \"kelvin-voigt\", time = \"2 ms\" }\n";
     let model = read(&model(&format!("{PLY}{rheology}")));
     assert_eq!(model.assembly.check(), []);
-    let Kind::Panel(panel) = &only_part(&model.assembly).kind else { panic!("a panel") };
+    let PartKind::Panel(panel) = &only_part(&model.assembly).kind else { panic!("a panel") };
     let expected = Orthotropic {
         density: 1600.0,
         young: [140e9, 9e9, 8e9],
@@ -40,7 +40,7 @@ fn an_orthotropic_material_is_read_in_the_order_of_its_axes() {
 fn a_table_of_an_orthotropic_material_is_relative_to_its_first_modulus() {
     let rows = "rheology = { kind = \"table\", rows = [[1, \"70 GPa\", 0.02], [2, \"140 GPa\", 0.01]] }\n";
     let model = read(&model(&format!("{PLY}{rows}")));
-    let Kind::Panel(panel) = &only_part(&model.assembly).kind else { panic!("a panel") };
+    let PartKind::Panel(panel) = &only_part(&model.assembly).kind else { panic!("a panel") };
     let measured = Measured::new(vec![[1.0, 0.5, 0.02], [2.0, 1.0, 0.01]]).expect("a table");
     assert_eq!(panel.layers[0].substance.rheology(), &Rheology::Table(measured));
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Assembly, Kind, Layer, Panel, Part};
+use quasirigid::elements::{Assembly, Layer, Panel, Part, PartKind};
 use quasirigid_io::model::{Model, ModelError};
 
 use super::{ALUMINIUM, CARRIER, only_part, read, refusal, written};
@@ -20,7 +20,7 @@ fn model(lines: &str) -> String {
 }
 
 fn panel(part: &Part) -> &Panel {
-    let Kind::Panel(panel) = &part.kind else { panic!("a panel") };
+    let PartKind::Panel(panel) = &part.kind else { panic!("a panel") };
     panel
 }
 

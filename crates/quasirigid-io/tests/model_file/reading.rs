@@ -2,7 +2,7 @@ use std::fmt::Write as _;
 
 use insta::assert_snapshot;
 use quasirigid::dynamics::Form;
-use quasirigid::elements::{Coefficient, End, HingeCoefficient, Law, Motion};
+use quasirigid::elements::{Coefficient, End, HingeCoefficient, PointMotion, SpringLaw};
 use quasirigid::model::Support;
 use quasirigid_io::model::Rotation;
 
@@ -72,21 +72,21 @@ form = "momentum"
     assert_eq!(carrier(body).center_of_mass, [0.0, 0.1, 0.0]);
     assert_eq!(carrier(body).inertia, [[9.0, 0.5, 0.0], [0.5, 13.0, 0.0], [0.0, 0.0, 16.0]]);
     assert_eq!(body.points[0].name, "point 1");
-    assert_eq!(body.points[0].motion, Motion::Free);
+    assert_eq!(body.points[0].motion, PointMotion::Free);
     assert_eq!(body.points[1].mass, 0.5);
     assert_eq!(body.points[1].position, [1.0, 0.0, 0.5588]);
-    assert_eq!(body.points[1].motion, Motion::Line([1.0, 0.0, 0.0]));
+    assert_eq!(body.points[1].motion, PointMotion::Line([1.0, 0.0, 0.0]));
     assert_eq!((body.springs[0].from, body.springs[0].to), (End::Point(0), End::Carrier));
     assert_eq!((body.springs[1].from, body.springs[1].to), (End::Point(1), End::Point(0)));
     let [isotropic, full, axial] = [0, 1, 2].map(|index| body.springs[index].law);
     let (stiffness, damping) = (Coefficient::Isotropic(600.0), Coefficient::Isotropic(30.0));
-    assert_eq!(isotropic, Law::Spatial { stiffness, damping });
+    assert_eq!(isotropic, SpringLaw::Spatial { stiffness, damping });
     let stiffness = Coefficient::Diagonal([1.0, 2.0, 3.0]);
     let damping = Coefficient::Full([[1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.5, 3.0]]);
-    assert_eq!(full, Law::Spatial { stiffness, damping });
+    assert_eq!(full, SpringLaw::Spatial { stiffness, damping });
     assert_eq!(
         axial,
-        Law::Axial {
+        SpringLaw::Axial {
             stiffness: 7.0,
             damping: 0.0,
             anchor: Some([0.5, 0.0, 0.0]),

@@ -1,7 +1,7 @@
 //! Sections of beams.
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Kind, SectionShape};
+use quasirigid::elements::{PartKind, SectionShape};
 
 use super::{ALUMINIUM, BOOM, CARRIER, only_part, read, refusal};
 
@@ -13,7 +13,7 @@ fn model(lines: &str) -> String {
 fn section(lines: &str) -> SectionShape {
     let model = read(&model(lines));
     assert_eq!(model.assembly.check(), []);
-    let Kind::Frame(frame) = &only_part(&model.assembly).kind else { panic!("a frame") };
+    let PartKind::Frame(frame) = &only_part(&model.assembly).kind else { panic!("a frame") };
     frame.members[0].section
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Kind, Part, Region, Solid, Substance};
+use quasirigid::elements::{Part, PartKind, Region, Solid, Substance};
 use quasirigid_io::model::{Model, ModelError};
 
 use super::{ALUMINIUM, CARRIER, located, only_part, written};
@@ -32,7 +32,7 @@ fn pair(mesh: &str, lines: &str) -> Result<Model, ModelError> {
 }
 
 fn solid(part: &Part) -> &Solid {
-    let Kind::Solid(solid) = &part.kind else { panic!("a solid") };
+    let PartKind::Solid(solid) = &part.kind else { panic!("a solid") };
     solid
 }
 

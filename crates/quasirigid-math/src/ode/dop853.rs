@@ -1,7 +1,7 @@
 use std::marker::PhantomData;
 
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
-use super::system::{Dense, Rate, Solver, State, StepError, System, Work, accumulate, towards};
+use super::system::{DenseOutput, Rate, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::simd::Arithmetic;
 
 /// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) `[@hairer1993]`.
@@ -226,7 +226,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
     }
 
     #[inline(always)]
-    fn dense(&mut self) -> Dense<Y> {
+    fn dense(&mut self) -> DenseOutput<Y> {
         let (t, h) = self.last;
         for stage in STAGES + 1..=STAGES + EXTRA {
             let Self { system, place, start, stages, .. } = self;
@@ -246,7 +246,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
         for (row, weights) in D.iter().enumerate() {
             coefficients[3 + row].combine::<R>(&zero, h, weights, &self.stages);
         }
-        Dense { t, h, y: self.start.clone(), coefficients }
+        DenseOutput { t, h, y: self.start.clone(), coefficients }
     }
 }
 

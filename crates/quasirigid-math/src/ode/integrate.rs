@@ -1,6 +1,6 @@
 use std::ops::ControlFlow;
 
-use super::{Dense, Solver, StepError};
+use super::{DenseOutput, Solver, StepError};
 
 /// Observer of an integration from step to step.
 pub trait StepObserver<M: Solver> {
@@ -73,7 +73,7 @@ pub fn integrate<M: Solver>(
 #[inline(always)]
 fn outputs<M: Solver>(
     solver: &mut M,
-    dense: &Dense<M::State>,
+    dense: &DenseOutput<M::State>,
     times: &[f64],
     first: usize,
     reached: f64,

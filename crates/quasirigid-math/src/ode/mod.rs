@@ -13,4 +13,4 @@ pub use dop853::Dop853;
 pub use integrate::{StepObserver, StopReason, integrate};
 pub use radau::Radau;
 pub use radau_stages::Stiff;
-pub use system::{Dense, Solver, State, StepError, System, Work};
+pub use system::{DenseOutput, Solver, State, StepError, System, Work};

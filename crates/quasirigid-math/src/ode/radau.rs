@@ -4,7 +4,7 @@ use std::ops::Range;
 use super::age::Age;
 use super::radau_stages::{Attempt, Search, Stages, Stiff};
 use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
-use super::system::{Dense, Solver, State, StepError, Work, accumulate, towards};
+use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
 use crate::simd::Arithmetic;
 
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
@@ -210,7 +210,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
         }
     }
 
-    fn dense(&mut self) -> Dense<Vec<f64>> {
+    fn dense(&mut self) -> DenseOutput<Vec<f64>> {
         let (t, h) = self.last;
         let coefficients = SPLIT.map(|weights| {
             let mut row = self.start.zeroed();
@@ -218,7 +218,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             row.combine::<R>(&start, 1.0, &weights, &self.stages.changes);
             row
         });
-        Dense { t, h, y: self.start.clone(), coefficients }
+        DenseOutput { t, h, y: self.start.clone(), coefficients }
     }
 
     fn correct(&mut self, change: &Vec<f64>) {

@@ -88,10 +88,10 @@ pub trait Solver {
     fn step(&mut self, end: f64) -> Result<(), StepError>;
 
     /// The solution over the last step.
-    fn dense(&mut self) -> Dense<Self::State>;
+    fn dense(&mut self) -> DenseOutput<Self::State>;
 
     /// The state at a time in the last step, whose dense output is given.
-    fn output(&mut self, dense: &Dense<Self::State>, t: f64) -> Self::State {
+    fn output(&mut self, dense: &DenseOutput<Self::State>, t: f64) -> Self::State {
         dense.at(t)
     }
 
@@ -148,7 +148,7 @@ impl StepError {
 
 /// The solution over a step, as a polynomial of degree 7 in time.
 #[derive(Clone, Debug)]
-pub struct Dense<Y> {
+pub struct DenseOutput<Y> {
     pub(super) t: f64,
     pub(super) h: f64,
     pub(super) y: Y,
@@ -159,7 +159,7 @@ pub struct Dense<Y> {
 /// Degree of the dense output.
 pub(super) const POWERS: usize = 7;
 
-impl<Y: State> Dense<Y> {
+impl<Y: State> DenseOutput<Y> {
     /// The state at a time in the step.
     #[must_use]
     pub fn at(&self, t: f64) -> Y {

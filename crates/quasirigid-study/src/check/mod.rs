@@ -54,7 +54,7 @@ impl Study {
         let motion = Motion::new(self, start);
         let reduced = reduce(body, *order)?;
         let omega = motion.settled_spin(&reduced)?;
-        let validity = Validity::of_reduced(body, &reduced, omega)?;
+        let validity = Validity::assess_reduced(body, &reduced, omega)?;
         let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
         let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;

@@ -3,11 +3,11 @@
 use std::fmt::{self, Write};
 
 use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
-use quasirigid::elements::{Condensation, Ellipsoid, Kind, Part};
+use quasirigid::elements::{Condensation, Ellipsoid, Part, PartKind};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_math::rotation::angle;
-use quasirigid_math::sphere::Kind as Stationary;
+use quasirigid_math::sphere::StationaryKind as Stationary;
 use quasirigid_math::sym3;
 use quasirigid_math::vec3::{dot, norm, scale};
 
@@ -160,7 +160,7 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
 }
 
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
-    let principal = Principal::of(reduced.J);
+    let principal = Principal::compute(reduced.J);
     let K = reduced.momentum(omega);
     if norm(K) <= ROUNDING * norm(sym3::times(reduced.J, omega)) {
         return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
@@ -246,7 +246,7 @@ fn condensed(known: &Condensation) -> String {
 
 /// What modes that another program did not export could add.
 fn truncation(part: &Part, pole: [f64; 3]) -> String {
-    let Kind::Modes(modes) = &part.kind else { return String::new() };
+    let PartKind::Modes(modes) = &part.kind else { return String::new() };
     let Some(missing) = modes.missing(pole) else { return String::new() };
     let text = format!(
         "{:?}: modes beyond the last could add {} % to the energy of its answer to the spin, or less.",

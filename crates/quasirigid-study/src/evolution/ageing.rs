@@ -6,7 +6,7 @@ use quasirigid::averaging::{
     DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, InterpolatedPower, LevelRow, MeanPower,
     PolynomialPower, PowerSource, Response, Stage, harmonic_power,
 };
-use quasirigid::dynamics::SpinState;
+use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::secular::EnergyRange;
 use quasirigid_io::model::{Power, Target};
@@ -58,15 +58,15 @@ impl Ageing {
     pub fn new(
         body: &FlexibleBody,
         [reduced, slaved]: [&ReducedBody; 2],
-        start: SpinState,
+        start: Start,
         power: Option<Power>,
     ) -> Result<Self, StudyError> {
         let lossy = !body.lossy().is_empty();
-        let principal = Principal::of(reduced.J);
+        let principal = Principal::compute(reduced.J);
         let K = principal.components(slaved.momentum(start.omega));
         let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
         let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
-        let (response, polynomial) = (Response::of(body)?, PolynomialPower::of(reduced));
+        let (response, polynomial) = (Response::compute(body)?, PolynomialPower::from_reduced(reduced));
         let by_polynomial = match power {
             Some(power) => power == Power::Polynomial,
             None => PowerSource::suited_to(body) == PowerSource::Polynomial,
@@ -184,8 +184,8 @@ impl Ageing {
         }
         match from {
             Some(target) => self.stage(evolution, target),
-            None if free => Stage::of(&self.initial).ok_or(StudyError::Steady),
-            None => Ok(Stage::of(&self.initial).unwrap_or(Stage::steady(self.initial.mode()))),
+            None if free => Stage::from_motion(&self.initial).ok_or(StudyError::Steady),
+            None => Ok(Stage::from_motion(&self.initial).unwrap_or(Stage::steady(self.initial.mode()))),
         }
     }
 

@@ -12,7 +12,7 @@ use quasirigid::averaging::{
     DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
     SmallBody, Stage,
 };
-use quasirigid::dynamics::SpinState;
+use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
@@ -93,7 +93,7 @@ impl Study {
 /// Follows the averaged rotation from a start.
 pub(crate) fn follow(
     study: &Study,
-    start: SpinState,
+    start: Start,
     asked: &Asked,
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
@@ -101,16 +101,16 @@ pub(crate) fn follow(
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
     }
-    if !body.wheels().is_none() {
+    if !body.wheels().is_empty() {
         return Err(StudyError::Wheels);
     }
-    let torque = SlowTorque::of(forces)?;
+    let torque = SlowTorque::from_forces(forces)?;
     let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
     let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
     let mut watch = |share: f64| observer.at("following", share);
-    let run = if torque.is_none() {
+    let run = if torque.is_zero() {
         match road::choose(study, start, asked, &mut ageing, &mut watch)? {
             Ok(history) => history,
             Err(refusal) => return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() }),
@@ -124,7 +124,7 @@ pub(crate) fn follow(
     let evolution = ageing.evolution();
     let from = match &run {
         History::Levels(passage) => EvolutionTable::of_levels(passage, &ageing.principal).first.stage,
-        _ => ageing.start(&evolution, asked.from, torque.is_none())?,
+        _ => ageing.start(&evolution, asked.from, torque.is_zero())?,
     };
     let mut rows = match &run {
         History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
@@ -134,7 +134,7 @@ pub(crate) fn follow(
             let to = ageing.end(&evolution, stage, &asked.after(row.t))?;
             EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
         }
-        History::None if torque.is_none() => EvolutionTable::of_evolution(
+        History::None if torque.is_zero() => EvolutionTable::of_evolution(
             &evolution,
             from,
             ageing.end(&evolution, from, asked)?,
@@ -194,9 +194,9 @@ fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> R
     let time = |assembly: &Assembly| -> Result<f64, StudyError> {
         let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
         let power: Arc<dyn MeanPower> = if ageing.by_polynomial {
-            Arc::new(PolynomialPower::of(&reduce(&body, ageing.order)?))
+            Arc::new(PolynomialPower::from_reduced(&reduce(&body, ageing.order)?))
         } else {
-            Arc::new(Response::of(&body)?)
+            Arc::new(Response::compute(&body)?)
         };
         Ok(Evolution::new(power, ageing.initial.momentum()).time(from, to))
     };

@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, LevelPassage, LevelRow, Passage,
+    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Elapsed, Evolution, LevelPassage, LevelRow,
     SlowTorque, Stage,
 };
 
@@ -186,7 +186,7 @@ impl EvolutionTable {
             (&self.evolution, i.checked_sub(1).filter(|_| i >= self.known))
         {
             let before = self.states[before];
-            let Passage { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
+            let Elapsed { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
             self.states[i].t = before.t + time;
             self.states[i].turns = before.turns + turns;
             self.error += error.abs();

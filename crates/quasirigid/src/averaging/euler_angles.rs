@@ -18,7 +18,7 @@ pub struct EulerAngles {
 impl EulerAngles {
     /// The angles of a motion at a time (s).
     #[must_use]
-    pub fn of(motion: &FreeRotation, t: f64) -> Self {
+    pub fn from_motion(motion: &FreeRotation, t: f64) -> Self {
         let [first, second, vertical] = motion.attitude(t);
         let [along, intermediate, short] = vertical;
         Self {

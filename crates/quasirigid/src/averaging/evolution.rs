@@ -34,7 +34,7 @@ impl Stage {
 
     /// The stage of a motion; none at an axis, where nothing ages.
     #[must_use]
-    pub fn of(motion: &FreeRotation) -> Option<Self> {
+    pub fn from_motion(motion: &FreeRotation) -> Option<Self> {
         let xi = motion.logit();
         (xi < f64::INFINITY).then(|| Self { mode: motion.mode(), xi: xi.max(SEPARATRIX) })
     }
@@ -42,7 +42,7 @@ impl Stage {
 
 /// What lies between two stages; negative from the later one to the earlier.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passage {
+pub struct Elapsed {
     /// Time (s); infinite where nothing is dissipated.
     pub time: f64,
     /// Turns about the angular momentum, `∫ (2E/G) dt / 2π`.
@@ -133,7 +133,7 @@ impl<P: MeanPower> Evolution<P> {
 
     /// What lies between two stages. (A6)
     #[must_use]
-    pub fn passage(&self, from: Stage, to: Stage) -> Passage {
+    pub fn passage(&self, from: Stage, to: Stage) -> Elapsed {
         self.between(along(from), along(to))
     }
 
@@ -225,9 +225,9 @@ impl<P: MeanPower> Evolution<P> {
         0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
     }
 
-    fn between(&self, from: f64, to: f64) -> Passage {
+    fn between(&self, from: f64, to: f64) -> Elapsed {
         let mut slowness = |x: f64| self.slowness(x);
-        let mut passage = Passage { time: 0.0, turns: 0.0, error: 0.0 };
+        let mut passage = Elapsed { time: 0.0, turns: 0.0, error: 0.0 };
         let ends = if from < 0.0 && to > 0.0 { vec![from, 0.0, to] } else { vec![from, to] };
         for [a, b] in ends.array_windows() {
             let Integral { value: [time, turns], error } = integral(&mut slowness, *a, *b, TOLERANCE);

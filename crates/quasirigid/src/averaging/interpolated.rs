@@ -61,7 +61,7 @@ impl InterpolatedPower {
     }
 
     fn piece(&self, mode: Mode, depth: u32, ends: [f64; 2]) -> Piece {
-        let fit = Chebyshev::of(ends, |xi| {
+        let fit = Chebyshev::fit(ends, |xi| {
             let motion = FreeRotation::at_logit(self.moments(), self.momentum, mode, xi);
             let ratio = (self.source.mean_power(&motion) / motion.mean_square_acceleration()).ln();
             ratio.is_finite().then_some([ratio])
@@ -120,7 +120,7 @@ mod tests {
     /// The same times and powers as the source, asked a fraction as often; another momentum is the source's own matter.
     #[test]
     fn times_are_those_of_the_source() {
-        let response = Response::of(&ring_of_points(4).body().unwrap()).unwrap();
+        let response = Response::compute(&ring_of_points(4).body().unwrap()).unwrap();
         let asked = Arc::new(AtomicUsize::new(0));
         let momentum = 0.5 * response.moments()[2];
         let source = Counted(response.clone(), Arc::clone(&asked));

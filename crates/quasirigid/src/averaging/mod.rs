@@ -20,7 +20,7 @@ mod source;
 
 pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, SeparatrixPassage};
 pub use euler_angles::EulerAngles;
-pub use evolution::{Evolution, Passage, Stage};
+pub use evolution::{Elapsed, Evolution, Stage};
 pub use harmonic_resonance::HarmonicResonance;
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};

@@ -48,7 +48,7 @@ const NEAR: f64 = 1e-12;
 impl ObservedPeriods {
     /// The periods of a motion.
     #[must_use]
-    pub fn of(motion: &FreeRotation) -> Self {
+    pub fn from_motion(motion: &FreeRotation) -> Self {
         let precession = TAU / motion.long_axis_precession_rate();
         Self { rotation: motion.polhode_period(), precession, mode: motion.mode() }
     }
@@ -69,7 +69,7 @@ impl ObservedPeriods {
         };
         let at = |share: f64| FreeRotation::at_ratio(moments, I3, axis + share * (separatrix - axis));
         let ratio_at = |share: f64| {
-            let Self { rotation, precession, .. } = Self::of(&at(share));
+            let Self { rotation, precession, .. } = Self::from_motion(&at(share));
             rotation / precession
         };
         let ratio = rotation / precession;

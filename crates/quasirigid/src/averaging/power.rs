@@ -86,8 +86,8 @@ const POINTS: f64 = 6.5;
 impl PolynomialPower {
     /// The power of a reduced body.
     #[must_use]
-    pub fn of(body: &ReducedBody) -> Self {
-        let Principal { moments, axes } = Principal::of(body.J);
+    pub fn from_reduced(body: &ReducedBody) -> Self {
+        let Principal { moments, axes } = Principal::compute(body.J);
         let shares = body.power_shares.iter().map(|(name, power)| (name.clone(), squares(power, axes)));
         Self {
             moments,

@@ -54,13 +54,13 @@ impl Response {
     ///
     /// # Errors
     /// [`NoConvergence`] if the eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+    pub fn compute(body: &FlexibleBody) -> Result<Self, NoConvergence> {
         Self::within(body, WHOLE)
     }
 
     /// The response in every mode of a body of up to `whole` elastic coordinates, of a larger one in those that are excited.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
-        let principal = Principal::of(body.invariants().J);
+        let principal = Principal::compute(body.invariants().J);
         let rows = loaded_modes(body, &principal, whole)?;
         let size = rows.len();
         let in_rows = |times: &dyn Fn(&[f64]) -> Vec<f64>| {

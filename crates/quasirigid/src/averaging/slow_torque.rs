@@ -2,7 +2,7 @@ use thiserror::Error;
 
 use crate::math::vec3::{add, scale};
 use crate::model::Marker;
-use crate::model::force::{Axes, Force, Law};
+use crate::model::force::{Axes, Force, ForceLaw};
 
 /// External torque so weak that a rotation hardly notices it in one turn. (A8)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,12 +28,12 @@ impl SlowTorque {
     ///
     /// # Errors
     /// [`Unaveraged`] names the first force that is neither a drag of the spin nor a constant torque in body axes.
-    pub fn of(forces: &[Force<Marker>]) -> Result<Self, Unaveraged> {
+    pub fn from_forces(forces: &[Force<Marker>]) -> Result<Self, Unaveraged> {
         let mut sum = Self::default();
         for Force { name, law } in forces {
             match law {
-                Law::SpinDrag { coefficient } => sum.drag += coefficient,
-                Law::Torque { torque, axes: Axes::Body, wave } if wave.frequency == 0.0 => {
+                ForceLaw::SpinDrag { coefficient } => sum.drag += coefficient,
+                ForceLaw::Torque { torque, axes: Axes::Body, wave } if wave.frequency == 0.0 => {
                     sum.constant = add(sum.constant, scale(wave.phase.cos(), *torque));
                 }
                 _ => return Err(Unaveraged { name: name.clone() }),
@@ -44,7 +44,7 @@ impl SlowTorque {
 
     /// Whether there is no torque.
     #[must_use]
-    pub fn is_none(&self) -> bool {
+    pub fn is_zero(&self) -> bool {
         *self == Self::default()
     }
 }

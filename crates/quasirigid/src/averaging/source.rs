@@ -68,8 +68,8 @@ impl Evolution {
             return Err(EvolutionError::Momentum { momentum: G });
         }
         let power = match PowerSource::suited_to(body) {
-            PowerSource::Polynomial => Arc::new(PolynomialPower::of(reduced)),
-            PowerSource::Harmonics => harmonic_power(body, &Response::of(body)?, G),
+            PowerSource::Polynomial => Arc::new(PolynomialPower::from_reduced(reduced)),
+            PowerSource::Harmonics => harmonic_power(body, &Response::compute(body)?, G),
         };
         Ok(Self::new(power, G))
     }

@@ -3,7 +3,7 @@ use crate::math::scalar::Smooth;
 use crate::math::vec3::scale;
 pub(super) use crate::model::force::Pose;
 use crate::model::force::{Force, Loads};
-use crate::model::{FlexibleBody, Marker, Motion, Support};
+use crate::model::{FlexibleBody, Marker, MotionState, Support};
 
 /// A body with the external forces on it.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ impl<'a> Forced<'a> {
     }
 
     /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
-    pub(super) fn loads<T: Smooth>(&self, pose: &Pose<T>, motion: Motion<T>) -> Loads<T> {
+    pub(super) fn loads<T: Smooth>(&self, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
         self.body.loads_at(self.forces, pose, motion)
     }
 

@@ -55,7 +55,7 @@ impl BoundaryLayer {
     ///
     /// # Errors
     /// [`PropagateError`] if the order is beyond the reduction of forced bodies, or the modes cannot be found.
-    pub fn of(system: Forced, order: usize, full: &FullState) -> Result<Self, PropagateError> {
+    pub fn compute(system: Forced, order: usize, full: &FullState) -> Result<Self, PropagateError> {
         let matched = matched_start(system, order, full)?;
         let slow = slow_state_point(system, order, &matched)?;
         let (q, rate) = (outstanding(system.body, full, &slow), difference(&full.rate, &slow.rate));

@@ -29,7 +29,7 @@ pub use full::{FullState, propagate_full};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;
-pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, SpinState};
+pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, Start};
 pub use slow::{
     ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced,
     slow_state_point, takes,

@@ -3,7 +3,7 @@ use crate::math::ode::{Dop853, Solver, System};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
-use crate::math::sphere::{Kind, deviator};
+use crate::math::sphere::{StationaryKind, deviator};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::ReducedBody;
 
@@ -72,7 +72,7 @@ impl System<[f64; 3]> for Along<'_> {
 impl<'b> Nutations<'b> {
     /// The nutations of a reduced body.
     #[must_use]
-    pub fn of(body: &'b ReducedBody) -> Self {
+    pub fn new(body: &'b ReducedBody) -> Self {
         let slow_energy = body.energy_of_momentum.even();
         let slope = Kernel::new(&deviator(&slow_energy.gradient(), 1.0));
         Self { body, slope, slow_energy, steady: Vec::new(), last: None }
@@ -100,7 +100,8 @@ impl<'b> Nutations<'b> {
     fn move_steady(&mut self, G: f64) {
         if self.steady.is_empty() {
             let spins = all_steady_spins(self.body, G).isolated.into_iter();
-            self.steady = spins.filter(|spin| spin.kind != Kind::Saddle).map(|spin| spin.momentum).collect();
+            self.steady =
+                spins.filter(|spin| spin.kind != StationaryKind::Saddle).map(|spin| spin.momentum).collect();
         } else if self.steady.iter().any(|K| (norm(*K) - G).abs() > SAME * G) {
             let moved = self.steady.iter().filter_map(|K| {
                 steady_momentum(&self.body.Omega, scale(norm(*K).recip(), *K), G).map(Into::into)

@@ -2,7 +2,7 @@ use super::conserved::{Conserved, inside};
 use super::form::{Equations, Form, MomentumForm, PaperForm};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::quadrature::Quadrature;
-use super::run::{Observer, Options, PropagateError, Run, Sample, SpinState, check};
+use super::run::{Observer, Options, PropagateError, Run, Sample, Start, check};
 use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
@@ -19,7 +19,7 @@ use crate::model::ReducedBody;
 /// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate(
     body: &ReducedBody,
-    initial: SpinState,
+    initial: Start,
     times: &[f64],
     options: &Options,
     observer: &mut dyn Observer,
@@ -42,7 +42,7 @@ struct Plan<'a> {
     shares: Shares<'a>,
     x: [f64; 3],
     inside: [f64; 3],
-    initial: SpinState,
+    initial: Start,
     times: &'a [f64],
     options: &'a Options,
     observer: &'a mut dyn Observer,
@@ -85,7 +85,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
 struct Reduced<'a, E> {
     equations: &'a E,
     form: Form,
-    initial: SpinState,
+    initial: Start,
     shares: Shares<'a>,
     /// What each dissipator has taken, if there are several.
     taken: Option<Quadrature>,
@@ -159,7 +159,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     }
 
     fn seat(&self, t: f64, _: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat {
-        let SpinState { place, velocity, .. } = self.initial;
+        let Start { place, velocity, .. } = self.initial;
         let place = add(place, scale(t, velocity));
         let offset = rotation::to_inertial(attitude, self.shares.body.pole.vector(view.omega));
         Seat { place, velocity, pole: add(place, offset) }

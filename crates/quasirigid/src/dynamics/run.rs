@@ -12,7 +12,7 @@ use crate::model::Displaced;
 
 /// Where a propagation starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpinState {
+pub struct Start {
     /// Spin (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
@@ -23,7 +23,7 @@ pub struct SpinState {
     pub velocity: [f64; 3],
 }
 
-impl SpinState {
+impl Start {
     /// A body that stays where the inertial axes have their origin.
     #[must_use]
     pub fn new(omega: [f64; 3], attitude: [f64; 4]) -> Self {

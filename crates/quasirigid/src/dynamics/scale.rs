@@ -1,7 +1,7 @@
 use super::conserved::{inside, size};
 use super::external::{Forced, Pose};
 use crate::math::vec3::{add, norm, scale};
-use crate::model::{Motion, Support};
+use crate::model::{MotionState, Support};
 
 /// Sizes that errors are measured by.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +42,7 @@ impl Scales {
             let still = vec![0.0; system.body.coordinates().len()];
             let moment = |look: usize| {
                 let t = pose.t + (end - pose.t) * look as f64 / (LOOKS - 1) as f64;
-                let loads = system.loads(&Pose { t, ..pose }, Motion { omega, q: &still, rate: &still });
+                let loads = system.loads(&Pose { t, ..pose }, MotionState { omega, q: &still, rate: &still });
                 norm(add(loads.moment, scale(-1.0, system.body.wheels().torque(t))))
             };
             let largest = (0..LOOKS).map(moment).fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 use super::layout::{PLACE, VELOCITY, attitude, triple};
 use crate::math::rotation::{self, Turn};
 use crate::math::vec3::{add, scale};
-use crate::model::{FlexibleBody, Motion};
+use crate::model::{FlexibleBody, MotionState};
 
 /// Where a body is, inertial axes.
 #[derive(Clone, Copy, Debug)]
@@ -17,13 +17,13 @@ pub(super) struct Seat {
 
 impl Seat {
     /// Of a state that holds the place of the centre of mass of a free body, of the pole of a held one. (P7)
-    pub fn of_center(body: &FlexibleBody, motion: Motion<f64>, y: &[f64]) -> Self {
+    pub fn of_center(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> Self {
         let [pole, _] = pole(body, motion, y);
         Self { place: triple(y, PLACE), velocity: triple(y, VELOCITY), pole }
     }
 
     /// Of a state that holds the place of the pole. (P7)
-    pub fn of_pole(body: &FlexibleBody, motion: Motion<f64>, y: &[f64]) -> Self {
+    pub fn of_pole(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> Self {
         let (pole, pole_velocity) = (triple(y, PLACE), triple(y, VELOCITY));
         let [offset, rate] = pole_from_center(body, motion, y);
         Self { place: add(pole, scale(-1.0, offset)), velocity: add(pole_velocity, scale(-1.0, rate)), pole }
@@ -31,12 +31,12 @@ impl Seat {
 }
 
 /// Place (m) and velocity (m/s) of the pole, of a state as [`Seat::of_center`] takes it. (P7)
-pub(super) fn pole(body: &FlexibleBody, motion: Motion<f64>, y: &[f64]) -> [[f64; 3]; 2] {
+pub(super) fn pole(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> [[f64; 3]; 2] {
     let [offset, rate] = pole_from_center(body, motion, y);
     [add(triple(y, PLACE), offset), add(triple(y, VELOCITY), rate)]
 }
 
-fn pole_from_center(body: &FlexibleBody, motion: Motion<f64>, y: &[f64]) -> [[f64; 3]; 2] {
+fn pole_from_center(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> [[f64; 3]; 2] {
     let turn = Turn::of(rotation::normalized(attitude(y)));
     let (offset, rate) = body.pole_from_center(motion);
     [turn.to_inertial(offset), turn.to_inertial(rate)]

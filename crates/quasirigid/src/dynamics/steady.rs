@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
 use crate::math::polynomial::{Homogeneous, Series};
-use crate::math::sphere::{Kind, deviator, jacobian, stationary, tangents};
+use crate::math::sphere::{StationaryKind, deviator, jacobian, stationary, tangents};
 use crate::math::sym3;
 use crate::math::vec3::{dot, scale};
 use crate::model::{Principal, ReducedBody};
@@ -26,7 +26,7 @@ const ROUNDING: f64 = 1e-12;
 /// determined, as across the axis of a body of revolution, or no steady spin is near it.
 #[must_use]
 pub fn steady_spins(body: &ReducedBody, momentum: f64) -> [Option<SteadySpin>; 3] {
-    let principal = Principal::of(body.J);
+    let principal = Principal::compute(body.J);
     let (determined, axes) = (principal.determined(), principal.axes);
     std::array::from_fn(|i| {
         let K = determined[i].then(|| steady_momentum(&body.Omega, axes[i], momentum))??;
@@ -42,7 +42,7 @@ pub struct IsolatedSpin {
     /// Momentum (N·m·s), body axes.
     pub momentum: [f64; 3],
     /// Least energy attracts, greatest energy repels, a saddle parts the motions about the others.
-    pub kind: Kind,
+    pub kind: StationaryKind,
 }
 
 /// All steady spins with one momentum. (N2)
@@ -62,7 +62,7 @@ const TANGENTIAL: f64 = 1e-14;
 /// All steady spins of a reduced body with the momentum `|K|` (N·m·s), not only those near principal axes. (N2)
 #[must_use]
 pub fn all_steady_spins(body: &ReducedBody, momentum: f64) -> SteadySpins {
-    let axes = Principal::of(body.J).axes;
+    let axes = Principal::compute(body.J).axes;
     let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
     let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
     let rounding = TANGENTIAL * slowness * momentum.abs();

@@ -9,7 +9,7 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::internal::Internal;
 use super::material::Material;
 use super::single_element::WholeBody;
-use super::{Assembly, End, Incomplete, Reduction};
+use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
 
@@ -45,7 +45,7 @@ pub(in crate::elements) trait Element {
     fn whole(
         &self,
         _id: ElementId,
-        _reduction: Reduction,
+        _reduction: PartReduction,
         _told: bool,
     ) -> Result<Option<WholeBody>, ElementError> {
         Ok(None)

@@ -6,7 +6,7 @@ use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, at};
 use super::material::Material;
 use super::single_element::{Whole, WholeBody};
-use super::{Assembly, Incomplete, Reduction, coefficient};
+use super::{Assembly, Incomplete, PartReduction, coefficient};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::moment;
@@ -308,7 +308,7 @@ impl Element for Ellipsoid {
         Some(&self.material)
     }
 
-    fn whole(&self, id: ElementId, _: Reduction, _: bool) -> Result<Option<WholeBody>, ElementError> {
+    fn whole(&self, id: ElementId, _: PartReduction, _: bool) -> Result<Option<WholeBody>, ElementError> {
         Ok(Some(WholeBody { body: self.body(id)?, condensation: None, resolution: None }))
     }
 }

@@ -3,7 +3,7 @@
 use super::element::{Element, Grip, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::{Assembly, Station, coefficient};
-use crate::model::force::{Force, Law, MagneticField, Orbit, Wave};
+use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 
 impl Element for Force<Station> {
     fn name(&self) -> &str {
@@ -34,20 +34,20 @@ pub(super) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -
         station.check(place, body)?;
     }
     match &force.law {
-        Law::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
-        Law::CentralGravity { orbit } => on_orbit(place, orbit),
-        Law::Drag { coefficient, .. } | Law::SpinDrag { coefficient } => {
+        ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
+        ForceLaw::CentralGravity { orbit } => on_orbit(place, orbit),
+        ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => {
             not_driving(*coefficient).map_err(at(place, Field::COEFFICIENT))
         }
-        Law::Torque { torque, wave, .. } => {
+        ForceLaw::Torque { torque, wave, .. } => {
             finite(Field::TORQUE, torque)?;
             varying(place, wave)
         }
-        Law::Thrust { force, wave, .. } => {
+        ForceLaw::Thrust { force, wave, .. } => {
             finite(Field::FORCE, force)?;
             varying(place, wave)
         }
-        Law::MagneticDipole { moment, field } => {
+        ForceLaw::MagneticDipole { moment, field } => {
             finite(Field::MOMENT, moment)?;
             match field {
                 MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
@@ -57,7 +57,7 @@ pub(super) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -
                 }
             }
         }
-        Law::Expression { .. } | Law::TorqueExpression { .. } => Ok(()),
+        ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => Ok(()),
     }
 }
 

@@ -35,7 +35,7 @@ pub use crate::finite::elasticity::{ElasticityError, Modulus};
 pub use crate::finite::shell::{Constant, ShellError};
 pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
-pub use assembly::{Built, Reduction};
+pub use assembly::{Built, PartReduction};
 pub use carrier::Carrier;
 pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
@@ -46,12 +46,12 @@ pub use kinds::ElementId;
 pub use material::Material;
 pub use network::Network;
 pub use part::{
-    Anchor, Connection, Frame, FrameNode, Kind, Layer, Matrices, Member, Modes, NodalMass, NodeRef,
-    Orthotropic, Panel, Part, Region, Solid, Spectrum, Substance, TipMass,
+    Anchor, Connection, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass, NodeRef,
+    Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, Substance, TipMass,
 };
-pub use point::{Motion, Point};
+pub use point::{Point, PointMotion};
 pub use rotor::{Rotor, RotorKind};
-pub use spring::{Coefficient, End, Law, Prestress, Spring};
+pub use spring::{Coefficient, End, Prestress, Spring, SpringLaw};
 pub use station::Station;
 pub use surface::{Approximation, Resolution, Surface};
 pub use wheel::{Wheel, WheelSpeed};

@@ -1,8 +1,8 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-use super::{End, Law, Point, Prestress, Spring};
-use crate::elements::Motion;
+use super::{End, Point, Prestress, Spring, SpringLaw};
+use crate::elements::PointMotion;
 use crate::model::Rheology;
 
 /// A random network of equal masses and springs that fills an ellipsoid: the rubble of N-body simulations
@@ -79,13 +79,13 @@ impl Network {
             name: format!("{} {}", self.name, index + 1),
             mass,
             position: *position,
-            motion: Motion::Free,
+            motion: PointMotion::Free,
         };
         let spring = |[from, to]: &[usize; 2]| Spring {
             name: self.name.clone(),
             from: End::Point(before + from),
             to: End::Point(before + to),
-            law: Law::Axial {
+            law: SpringLaw::Axial {
                 stiffness: self.stiffness,
                 damping: 0.0,
                 anchor: None,

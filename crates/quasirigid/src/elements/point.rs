@@ -17,12 +17,12 @@ pub struct Point {
     /// Equilibrium position (m), in the file's frame.
     pub position: [f64; 3],
     /// Directions in which the point can be displaced from it.
-    pub motion: Motion,
+    pub motion: PointMotion,
 }
 
 /// Directions in which a point can move relative to the carrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion {
+pub enum PointMotion {
     /// Every direction: three coordinates.
     Free,
     /// Along a line with this direction (any length but zero): one coordinate.
@@ -55,9 +55,9 @@ impl Point {
     /// Unit vectors along which the point moves, with the name of each.
     pub(super) fn directions(&self) -> Result<Vec<(Vector3<f64>, &'static str)>, Problem> {
         Ok(match self.motion {
-            Motion::Free => vec![(Vector3::x(), "x"), (Vector3::y(), "y"), (Vector3::z(), "z")],
-            Motion::Line(direction) => vec![(coefficient::unit(direction)?, "along its line")],
-            Motion::Plane(normal) => {
+            PointMotion::Free => vec![(Vector3::x(), "x"), (Vector3::y(), "y"), (Vector3::z(), "z")],
+            PointMotion::Line(direction) => vec![(coefficient::unit(direction)?, "along its line")],
+            PointMotion::Plane(normal) => {
                 let normal = coefficient::unit(normal)?;
                 let first = least_axis(normal).cross(&normal).normalize();
                 vec![(first, "in its plane, first"), (normal.cross(&first), "in its plane, second")]

@@ -24,7 +24,7 @@ pub struct Spring {
     /// The other end.
     pub to: End,
     /// Force per displacement and force per rate.
-    pub law: Law,
+    pub law: SpringLaw,
     /// How the spring itself answers periodic strain, beside the dashpot.
     pub rheology: Rheology,
 }
@@ -44,7 +44,7 @@ pub enum End {
 
 /// Stiffness and damping of a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Law {
+pub enum SpringLaw {
     /// Force `−(stiffness · r + damping · ṙ)` for a relative displacement `r`.
     Spatial {
         /// Stiffness (N/m).
@@ -91,7 +91,7 @@ pub enum Coefficient {
 impl Spring {
     /// Load at rest, if the spring has one. (I10)
     fn tension(&self, id: ElementId, ends: [&Attachment; 2]) -> Result<Option<Tension>, ElementError> {
-        let Law::Axial { stiffness, prestress, .. } = self.law else { return Ok(None) };
+        let SpringLaw::Axial { stiffness, prestress, .. } = self.law else { return Ok(None) };
         if prestress == Prestress::Relaxed {
             return Ok(None);
         }
@@ -126,8 +126,8 @@ impl Spring {
     ) -> Result<(Matrix3<f64>, Matrix3<f64>), ElementError> {
         self.rheology.check().map_err(|error| at(id, Field::RHEOLOGY)(error.into()))?;
         let (stiffness, damping, direction) = match self.law {
-            Law::Spatial { stiffness, damping } => (stiffness, damping, None),
-            Law::Axial { stiffness, damping, .. } => {
+            SpringLaw::Spatial { stiffness, damping } => (stiffness, damping, None),
+            SpringLaw::Axial { stiffness, damping, .. } => {
                 let line =
                     coefficient::unit((to - from).into()).map_err(|_| at(id, Field::TO)(Problem::NoLine))?;
                 (Coefficient::Isotropic(stiffness), Coefficient::Isotropic(damping), Some(line))
@@ -143,7 +143,7 @@ impl Spring {
     fn places(&self, id: ElementId, [from, to]: [&Attachment; 2]) -> Result<[Vector3<f64>; 2], ElementError> {
         let place = |end: End, attachment: &Attachment| {
             let place = match (end, self.law) {
-                (End::Carrier, Law::Axial { anchor, .. }) => anchor.ok_or(Problem::NoAnchor)?.into(),
+                (End::Carrier, SpringLaw::Axial { anchor, .. }) => anchor.ok_or(Problem::NoAnchor)?.into(),
                 _ => attachment.position,
             };
             coefficient::finite(place.as_slice()).map(|()| place)
@@ -213,7 +213,7 @@ impl Element for Spring {
     }
 
     fn incomplete(&self) -> Vec<Incomplete> {
-        let axial = matches!(self.law, Law::Axial { .. }).then_some(Incomplete::AxialSprings);
+        let axial = matches!(self.law, SpringLaw::Axial { .. }).then_some(Incomplete::AxialSprings);
         let placed = [self.from, self.to].iter().any(|end| matches!(end, End::Hinged(_)));
         axial.into_iter().chain(placed.then_some(Incomplete::SpringsOnAppendages)).collect()
     }
@@ -239,7 +239,7 @@ impl Element for Spring {
         if self.from == self.to {
             return Err(at(id, Field::TO)(Problem::SameEnds));
         }
-        if matches!(self.law, Law::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
+        if matches!(self.law, SpringLaw::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
             return Err(at(id, Field::TENSION)(Problem::TensionAfloat));
         }
         let from = net.node_at(self.from).map_err(at(id, Field::FROM))?;

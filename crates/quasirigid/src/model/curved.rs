@@ -1,6 +1,6 @@
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
-use super::{CurvedPaths, FlexibleBody, Invariants, Motion};
+use super::{CurvedPaths, FlexibleBody, Invariants, MotionState};
 use crate::math::sym3::{Sym, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
@@ -246,7 +246,7 @@ impl<'a> CurvedKinetics<'a> {
     }
 
     /// Angular momentum about the pole without that of the wheels, and the generalised momenta of a motion.
-    pub fn momenta(&mut self, Motion { omega, q, rate }: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+    pub fn momenta(&mut self, MotionState { omega, q, rate }: MotionState<f64>) -> ([f64; 3], Vec<f64>) {
         self.placed = None;
         let (J, s) = self.displace(q);
         self.move_on(omega, rate, s);

@@ -9,7 +9,7 @@ use crate::math::vec3::{add, cross, dot, scale};
 ///
 /// The numbers may be truncated Taylor series in time, which gives the rates of everything below.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<'a, T> {
+pub struct MotionState<'a, T> {
     /// Spin `ω` (rad/s).
     pub omega: [T; 3],
     /// Internal coordinates `q`; values of cyclic ones are not looked at.
@@ -48,8 +48,8 @@ impl FlexibleBody {
 
     /// Angular momentum about the pole without that of the wheels, body axes (N·m·s). (S2)
     #[must_use]
-    pub fn momentum<T: Scalar>(&self, motion: Motion<T>) -> [T; 3] {
-        let Motion { omega, q, rate } = motion;
+    pub fn momentum<T: Scalar>(&self, motion: MotionState<T>) -> [T; 3] {
+        let MotionState { omega, q, rate } = motion;
         let invariants = self.invariants();
         let mut K = times(invariants.J, omega);
         for (j, (J1, h)) in invariants.J1.iter().zip(&invariants.h).enumerate() {
@@ -71,8 +71,8 @@ impl FlexibleBody {
 
     /// Generalised momenta `∂L/∂q̇_j = A q̇ + h(q)·ω`. (S4)
     #[must_use]
-    pub fn generalized_momentum<T: Scalar>(&self, motion: Motion<T>) -> Vec<T> {
-        let Motion { omega, q, rate } = motion;
+    pub fn generalized_momentum<T: Scalar>(&self, motion: MotionState<T>) -> Vec<T> {
+        let MotionState { omega, q, rate } = motion;
         let invariants = self.invariants();
         let mut p: Vec<T> = invariants.h.iter().map(|h| dot(h.map(T::from), omega)).collect();
         for (j, k, pair) in invariants.pairs.iter() {
@@ -92,8 +92,8 @@ impl FlexibleBody {
 
     /// Loads `∂L/∂q_j + ∂U/∂q_j`: centrifugal and Coriolis forces on the coordinates, and the advection of liquids, without spring and dashpot. (S4), (L21)
     #[must_use]
-    pub fn load<T: Scalar>(&self, motion: Motion<T>) -> Vec<T> {
-        let Motion { omega, q, rate } = motion;
+    pub fn load<T: Scalar>(&self, motion: MotionState<T>) -> Vec<T> {
+        let MotionState { omega, q, rate } = motion;
         let invariants = self.invariants();
         let half = T::from(0.5);
         let mut Q: Vec<T> = invariants.J1.iter().map(|J1| half * dot(omega, times(*J1, omega))).collect();
@@ -116,8 +116,8 @@ impl FlexibleBody {
 
     /// Energy of the whole system (J), kinetic and elastic, without that of the wheels. (S5), (C5)
     #[must_use]
-    pub fn energy(&self, motion: Motion<f64>) -> f64 {
-        let Motion { omega, q, rate } = motion;
+    pub fn energy(&self, motion: MotionState<f64>) -> f64 {
+        let MotionState { omega, q, rate } = motion;
         let K = self.momentum(motion);
         let p = self.generalized_momentum(motion);
         let kinetic = dot(omega, K) + p.iter().zip(rate).map(|(p, v)| p * v).sum::<f64>();
@@ -131,7 +131,10 @@ impl FlexibleBody {
     }
 
     /// First moment `s = Σ q_j S_j` of the displacement and its inertial rate `u = ṡ + ω × s`. (S6)
-    pub(crate) fn translation_of<T: Scalar>(&self, Motion { omega, q, rate }: Motion<T>) -> ([T; 3], [T; 3]) {
+    pub(crate) fn translation_of<T: Scalar>(
+        &self,
+        MotionState { omega, q, rate }: MotionState<T>,
+    ) -> ([T; 3], [T; 3]) {
         let zero = [T::from(0.0); 3];
         let (mut s, mut u) = (zero, zero);
         for (j, S) in self.invariants().S.iter().enumerate().take(self.elastic()) {

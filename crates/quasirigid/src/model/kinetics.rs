@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::curved::CurvedKinetics;
-use super::{FlexibleBody, Invariants, Motion};
+use super::{FlexibleBody, Invariants, MotionState};
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::{self, Sym, products, times};
@@ -39,7 +39,7 @@ impl FlexibleBody {
     /// Angular momentum about the pole without that of the wheels (N·m·s, body axes), and generalised momenta, of a motion along curved
     /// paths: what [`Kinetics::velocities`] takes. (S2), (S4), (K13)
     #[must_use]
-    pub fn full_momenta(&self, motion: Motion<f64>) -> ([f64; 3], Vec<f64>) {
+    pub fn full_momenta(&self, motion: MotionState<f64>) -> ([f64; 3], Vec<f64>) {
         match self.paths() {
             Some(paths) => CurvedKinetics::new(self, paths).momenta(motion),
             None => (self.momentum(motion), self.generalized_momentum(motion)),
@@ -48,7 +48,7 @@ impl FlexibleBody {
 
     /// Energy of a motion along curved paths (J), kinetic and elastic, without that of the wheels. (S5), (K13)
     #[must_use]
-    pub fn full_energy(&self, motion: Motion<f64>) -> f64 {
+    pub fn full_energy(&self, motion: MotionState<f64>) -> f64 {
         let (K, p) = self.full_momenta(motion);
         let kinetic = dot(motion.omega, K) + p.iter().zip(motion.rate).map(|(p, rate)| p * rate).sum::<f64>();
         let forces = self.stiffness().times(motion.q);

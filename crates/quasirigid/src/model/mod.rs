@@ -28,7 +28,7 @@ mod wheels;
 pub use advection::Advection;
 pub use coordinate::{Coordinate, Marker};
 pub use dissipator::{Dissipator, Lossy};
-pub use equations::Motion;
+pub use equations::MotionState;
 pub use flexible::{BodyParts, FlexibleBody};
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};

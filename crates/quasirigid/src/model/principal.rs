@@ -69,7 +69,7 @@ const DISTINCT: f64 = 1e-9;
 impl Principal {
     /// Principal axes of a tensor.
     #[must_use]
-    pub fn of(J: Sym) -> Self {
+    pub fn compute(J: Sym) -> Self {
         let eigen = Matrix3::from(sym3::rows(J)).symmetric_eigen();
         let mut order = [0, 1, 2];
         order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn small_wobble_has_the_textbook_frequency() {
         let [a, b, c] = [2.0, 3.0, 4.0];
-        let turned = Principal::of([a, b, c, 0.0, 0.0, 0.0]);
+        let turned = Principal::compute([a, b, c, 0.0, 0.0, 0.0]);
         let polhode = turned.polhode([1e-6, 1e-6, 0.7]).unwrap();
         let expected = 0.7 * ((c - a) * (c - b) / (a * b)).sqrt();
         assert!((polhode.frequency / expected - 1.0).abs() < 1e-10);
@@ -155,7 +155,7 @@ mod tests {
             ]
         };
         for start in [[0.4, 0.0, 0.9], [0.9, 0.0, 0.4]] {
-            let polhode = Principal::of([2.0, 3.0, 4.0, 0.0, 0.0, 0.0]).polhode(start).unwrap();
+            let polhode = Principal::compute([2.0, 3.0, 4.0, 0.0, 0.0, 0.0]).polhode(start).unwrap();
             let steps = 20_000;
             let h = std::f64::consts::TAU / polhode.frequency / f64::from(steps);
             let mut w = start;

@@ -1,6 +1,6 @@
 //! Coefficients of the full equations about a steady rotation with displaced coordinates. (M2)
 
-use super::{FlexibleBody, Invariants, Motion};
+use super::{FlexibleBody, Invariants, MotionState};
 use crate::math::eigen::Dense;
 use crate::math::sym3::{self, Sym, times};
 use crate::math::vec3::{add, cross, dot, scale};
@@ -50,7 +50,7 @@ impl FlexibleBody {
         let Invariants { S, J1, h, pairs, .. } = self.invariants();
         let elastic = self.elastic();
         let still = vec![0.0; q.len()];
-        let (s, _) = self.translation_of(Motion { omega, q, rate: &still });
+        let (s, _) = self.translation_of(MotionState { omega, q, rate: &still });
         let mut slopes: Vec<[f64; 3]> = J1.iter().map(|J1| times(*J1, omega)).collect();
         let mut h = h.clone();
         let mut G = Dense::zero(S.len());

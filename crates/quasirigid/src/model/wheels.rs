@@ -26,7 +26,7 @@ pub struct DrivenWheel {
 impl Wheels {
     /// Whether there is no momentum beside that of the body.
     #[must_use]
-    pub fn is_none(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.constant == [0.0; 3] && self.driven.is_empty()
     }
 

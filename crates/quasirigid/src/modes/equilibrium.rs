@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, Mode, Motion, Principal, SpinCoefficients};
+use crate::model::{FlexibleBody, Mode, MotionState, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin with the internal coordinates displaced by it. (M1)
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +99,7 @@ impl RelativeEquilibrium {
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
     pub fn all(body: &FlexibleBody, given: Given) -> [Result<Self, EquilibriumError>; 3] {
-        Principal::of(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
+        Principal::compute(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
     }
 
     /// The relative equilibrium about the axis that a mode circles: where two moments are nearly equal it may lie anywhere between their
@@ -108,7 +108,7 @@ impl RelativeEquilibrium {
     /// # Errors
     /// As [`near`](Self::near).
     pub fn extreme(body: &FlexibleBody, mode: Mode, given: Given) -> Result<Self, EquilibriumError> {
-        let Principal { moments, axes } = Principal::of(body.invariants().J);
+        let Principal { moments, axes } = Principal::compute(body.invariants().J);
         let (own, other, sign) = match mode {
             Mode::ShortAxis => (2, 1, 1.0),
             Mode::LongAxis => (0, 1, -1.0),
@@ -219,7 +219,7 @@ impl Guess {
         let omega: [f64; 3] = self.omega.into();
         let q = body.balanced(omega).map_or_else(Vec::new, |balanced| balanced.q);
         let still = vec![0.0; q.len()];
-        let motion = Motion { omega, q: &q, rate: &still };
+        let motion = MotionState { omega, q: &q, rate: &still };
         let momentum = add(body.momentum(motion), body.wheels().momentum(0.0));
         let energy = body.energy(motion);
         RelativeEquilibrium { omega, momentum, ratio: self.ratio, energy, q }

@@ -190,7 +190,7 @@ impl Frame<'_> {
         let spin = norm(self.equilibrium.omega);
         let axis = scale(spin.recip(), self.equilibrium.omega);
         let J = self.coefficients.inertia;
-        let [I1, I2, I3] = Principal::of(J).moments;
+        let [I1, I2, I3] = Principal::compute(J).moments;
         let along = vec3::dot(axis, sym3::times(J, axis));
         let [A, B] = if along - I1 < I3 - along { [I2, I3] } else { [I1, I2] };
         let rigid = spin * ((along - A) * (along - B) / (A * B)).abs().sqrt();

@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn few_displacements_hold_the_slow_motions() {
         let body = ring_of_points(20).body().unwrap();
-        let axis = crate::model::Principal::of(body.invariants().J).axes[2];
+        let axis = crate::model::Principal::compute(body.invariants().J).axes[2];
         let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.3)).unwrap();
         let coefficients = steady.coefficients(&body);
         let slow = |whole: usize| {

@@ -1,4 +1,4 @@
-use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
 /// A body of revolution with one sprung mass on its axis: solved in closed form (X1), (X2) `[@chernousko1973]`.
@@ -39,13 +39,13 @@ impl AxialMass {
                 name: "mass".into(),
                 mass: self.m,
                 position: [0.0, 0.0, self.rho],
-                motion: Motion::Free,
+                motion: PointMotion::Free,
             }],
             springs: vec![Spring {
                 name: String::new(),
                 from: End::Point(0),
                 to: End::Carrier,
-                law: Law::Spatial {
+                law: SpringLaw::Spatial {
                     stiffness: Coefficient::Isotropic(self.c),
                     damping: Coefficient::Isotropic(self.b),
                 },

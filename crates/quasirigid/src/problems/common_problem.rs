@@ -1,4 +1,4 @@
-use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
 /// One mass on a spring in a tumbling hub: the problem on which programs for stiff bodies are compared.
@@ -59,13 +59,13 @@ impl CommonProblem {
                 name: "mass".into(),
                 mass: 1.0,
                 position: [0.8, 0.3, 0.5],
-                motion: Motion::Free,
+                motion: PointMotion::Free,
             }],
             springs: vec![Spring {
                 name: String::new(),
                 from: End::Point(0),
                 to: End::Carrier,
-                law: Law::Spatial {
+                law: SpringLaw::Spatial {
                     stiffness: Coefficient::Isotropic(self.stiffness),
                     damping: Coefficient::Isotropic(self.damping),
                 },

@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-use crate::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
 /// A free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs:
@@ -12,7 +12,7 @@ pub fn ring_of_points(count: usize) -> Assembly {
         name: format!("point {i}"),
         mass: 0.2 + 0.1 * (3.0 * angle(i)).sin().abs(),
         position: [1.3 * angle(i).cos(), 0.9 * angle(i).sin(), 0.4 * (2.0 * angle(i) + 0.3).sin()],
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     });
     let springs = (0..count).flat_map(|i| {
         let next = (i + 1) % count;
@@ -39,7 +39,7 @@ fn spring(from: usize, to: End, k: f64) -> Spring {
         name: String::new(),
         from: End::Point(from),
         to,
-        law: Law::Spatial {
+        law: SpringLaw::Spatial {
             stiffness: Coefficient::Full(matrix(k)),
             damping: Coefficient::Full(matrix(0.01 * k)),
         },

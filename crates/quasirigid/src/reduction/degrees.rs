@@ -71,7 +71,7 @@ pub(super) fn levels_ratio(f: &Series, J: Sym, omega: [f64; 3]) -> f64 {
     };
     let nothing = ROUNDING * spin * spin;
     let ratio = |rigid: f64, elastic: f64| if elastic > nothing { elastic / rigid.max(nothing) } else { 0.0 };
-    let principal = Principal::of(J);
+    let principal = Principal::compute(J);
     let axes = principal.axes;
     // Rigid spins in the plane of equal moments are all steady: only motions that start there are bent.
     let distinct = |across: &usize| {

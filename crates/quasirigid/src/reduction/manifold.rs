@@ -34,7 +34,7 @@ struct Recursion<'a> {
 
 impl Manifold {
     /// Follows the recursion to order `p`.
-    pub fn of(body: &FlexibleBody, order: usize) -> Self {
+    pub fn compute(body: &FlexibleBody, order: usize) -> Self {
         let n = body.coordinates().len();
         let mut recursion = Recursion {
             body,

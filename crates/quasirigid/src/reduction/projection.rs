@@ -24,7 +24,7 @@ const WHOLE: usize = 600;
 const SLOW: usize = 12;
 
 impl Projection {
-    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+    pub fn compute(body: &FlexibleBody) -> Result<Self, NoConvergence> {
         let size = body.elastic();
         if size <= WHOLE { Ok(Self::whole(body)) } else { Self::slow(body, SLOW) }
     }

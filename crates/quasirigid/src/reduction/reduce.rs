@@ -64,7 +64,7 @@ pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<Manifold, Re
     if order > MAX_ORDER {
         return Err(ReductionError::Order { order });
     }
-    let manifold = Manifold::of(body, order);
+    let manifold = Manifold::compute(body, order);
     match (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {
         Some(degree) => Err(ReductionError::NotFinite { degree }),
         None => Ok(manifold),

@@ -16,7 +16,7 @@ impl Relaxation {
     ///
     /// # Errors
     /// [`NoConvergence`] if the eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+    pub fn compute(body: &FlexibleBody) -> Result<Self, NoConvergence> {
         let cyclic = body.cyclic();
         if cyclic.is_empty() {
             return Ok(Self::default());

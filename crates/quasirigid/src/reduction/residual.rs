@@ -2,7 +2,7 @@ use crate::math::polynomial::Series;
 use crate::math::scalar::Jet;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{add, cross, norm};
-use crate::model::{FlexibleBody, Invariants, Motion, ReducedBody};
+use crate::model::{FlexibleBody, Invariants, MotionState, ReducedBody};
 
 /// How far the reduced equations are from solving the full ones at one spin. (R12)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     let mut rate: Vec<Jet> = q.iter().map(|q| Jet { value: q.first, first: q.second, second: 0.0 }).collect();
     let slaved = reduced.rate.value(spin);
     rate[body.cyclic()].copy_from_slice(&slaved[body.cyclic()]);
-    let motion = Motion { omega: spin, q: &q, rate: &rate };
+    let motion = MotionState { omega: spin, q: &q, rate: &rate };
     let K = body.momentum(motion);
     let whole = add(K.map(|K| K.value), body.wheels().momentum(0.0));
     let torque = norm(add(K.map(|K| K.first), cross(omega, whole)));

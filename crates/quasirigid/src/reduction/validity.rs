@@ -65,15 +65,15 @@ impl Validity {
     ///
     /// # Errors
     /// [`ValidityError`] if the spin is zero or not finite, the order is not offered, or an eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody, order: usize, omega: [f64; 3]) -> Result<Self, ValidityError> {
-        Self::of_reduced(body, &reduce(body, order)?, omega)
+    pub fn assess(body: &FlexibleBody, order: usize, omega: [f64; 3]) -> Result<Self, ValidityError> {
+        Self::assess_reduced(body, &reduce(body, order)?, omega)
     }
 
     /// The same of a body that is reduced already.
     ///
     /// # Errors
-    /// As [`of`](Self::of).
-    pub fn of_reduced(
+    /// As [`assess`](Self::assess).
+    pub fn assess_reduced(
         body: &FlexibleBody,
         reduced: &ReducedBody,
         omega: [f64; 3],
@@ -83,13 +83,13 @@ impl Validity {
             return Err(ValidityError::NoSpin { omega });
         }
         let ahead = manifold(body, (reduced.order + LOOK_AHEAD).min(MAX_ORDER))?;
-        let vibrations = Vibrations::of(body)?;
+        let vibrations = Vibrations::compute(body)?;
         let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
-        let relaxation = Relaxation::of(body)?;
+        let relaxation = Relaxation::compute(body)?;
         let decay = vibrations.decay_rates.first().map_or(f64::INFINITY, |rate| rate.max(0.0));
         let decay = decay.min(relaxation.longest().recip());
-        let resonances = if body.wheels().is_none() {
-            resonances(&Principal::of(reduced.J), &vibrations.free_frequencies, omega)
+        let resonances = if body.wheels().is_empty() {
+            resonances(&Principal::compute(reduced.J), &vibrations.free_frequencies, omega)
         } else {
             Vec::new()
         };

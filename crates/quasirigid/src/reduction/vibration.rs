@@ -24,7 +24,7 @@ pub struct Vibrations {
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
 pub fn frequencies(body: &FlexibleBody) -> Result<Vec<f64>, NoConvergence> {
-    let projection = Projection::of(body)?;
+    let projection = Projection::compute(body)?;
     let held = modes(&projection.A, &projection.C)?;
     Ok(slow(held.frequencies, projection.trusted))
 }
@@ -34,8 +34,8 @@ impl Vibrations {
     ///
     /// # Errors
     /// [`NoConvergence`] if an eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody) -> Result<Self, NoConvergence> {
-        let projection = Projection::of(body)?;
+    pub fn compute(body: &FlexibleBody) -> Result<Self, NoConvergence> {
+        let projection = Projection::compute(body)?;
         let Projection { A, recoiling, B, C, trusted, .. } = &projection;
         let held = modes(A, C)?;
         let softest = projection.largest_share(&held).map(|row| body.coordinates()[row].name.clone());

@@ -23,8 +23,8 @@ impl EnergyRange {
     ///
     /// # Errors
     /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads.
-    pub fn of(body: &FlexibleBody, momentum: f64) -> Result<Self, EquilibriumError> {
-        let frozen = Principal::of(body.invariants().J).moments;
+    pub fn compute(body: &FlexibleBody, momentum: f64) -> Result<Self, EquilibriumError> {
+        let frozen = Principal::compute(body.invariants().J).moments;
         let given = Given::Momentum(momentum);
         let least = RelativeEquilibrium::extreme(body, Mode::LongAxis, given);
         let greatest = RelativeEquilibrium::extreme(body, Mode::ShortAxis, given);
@@ -74,7 +74,7 @@ impl EnergyRange {
     /// The stage at an energy (J); none at a steady spin.
     #[must_use]
     pub fn stage(&self, energy: f64) -> Option<Stage> {
-        Stage::of(&self.polhode(energy))
+        Stage::from_motion(&self.polhode(energy))
     }
 
     /// The stage of a body with an angular momentum `K` (N·m·s, body axes) once its vibrations have died out: that of the energy of the

@@ -23,7 +23,7 @@ impl Poles {
     ///
     /// # Errors
     /// [`ModesError`] if the modes about one are not found.
-    pub fn of(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, ModesError> {
+    pub fn compute(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, ModesError> {
         let pole = |mode: Mode| -> Result<Option<Pole>, ModesError> {
             let equilibrium = range.equilibrium(mode).cloned();
             equilibrium.map(|spin| Ok(Pole { modes: SpinModes::about(body, spin)? })).transpose()

@@ -1,6 +1,6 @@
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, Motion, Principal, ReducedBody};
+use crate::model::{FlexibleBody, MotionState, Principal, ReducedBody};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
 /// Largest difference, relative to itself, between the angular momentum that the series has and that of the state it describes, for the
@@ -16,7 +16,7 @@ const SETTLED: f64 = 1e-14;
 #[must_use]
 pub fn manifold_has_meaning(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> bool {
     let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
-    let momentum = body.momentum(Motion { omega, q: &q, rate: &rate });
+    let momentum = body.momentum(MotionState { omega, q: &q, rate: &rate });
     let momentum = add(momentum, body.wheels().momentum(0.0));
     let said = reduced.momentum(omega);
     let gap = norm(add(said, scale(-1.0, momentum)));
@@ -54,7 +54,7 @@ pub fn spun_state(body: &FlexibleBody, momentum: [f64; 3]) -> Result<([f64; 3], 
 /// The principal axis next to an angular velocity, on its side.
 fn nearest(body: &FlexibleBody, omega: [f64; 3]) -> [f64; 3] {
     let along = |axis: &[f64; 3]| dot(*axis, omega);
-    let axes = Principal::of(body.invariants().J).axes;
+    let axes = Principal::compute(body.invariants().J).axes;
     let axis = axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(omega);
     scale(along(&axis).signum(), axis)
 }

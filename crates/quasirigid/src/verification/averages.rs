@@ -76,7 +76,7 @@ pub fn verify_average(
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<AverageRow, AverageError> {
     let body = system.body;
-    if system.acts() || !matches!(body.support(), Support::Free) || !body.wheels().is_none() {
+    if system.acts() || !matches!(body.support(), Support::Free) || !body.wheels().is_empty() {
         return Err(AverageError::NotFree);
     }
     if !body.lossy().is_empty() || !body.memories().is_empty() {
@@ -112,14 +112,14 @@ fn error(
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<(f64, u64), AverageError> {
     let full = start.settled(Forced::not(body), order)?;
-    let range = EnergyRange::of(body, norm(full.momentum(body)))?;
-    let poles = Poles::of(body, &range)?;
+    let range = EnergyRange::compute(body, norm(full.momentum(body)))?;
+    let poles = Poles::compute(body, &range)?;
     if range.stage(full.energy(body)).is_none() {
         return Err(AverageError::Steady);
     }
     let options = MeasureOptions { error: CHANGE, tolerance: TOLERANCE, most_steps };
     let probes = Probes::from(body, &range, &poles, full, &options, watch)?;
-    let power = PolynomialPower::of(&reduce(body, order).map_err(VerificationError::from)?);
+    let power = PolynomialPower::from_reduced(&reduce(body, order).map_err(VerificationError::from)?);
     Ok((probes.error(&power), probes.steps()))
 }
 

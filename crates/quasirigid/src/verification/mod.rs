@@ -8,4 +8,4 @@ mod verify;
 pub use averages::{AverageError, AverageRow, verify_average};
 pub use compare::Difference;
 pub use runs::Start;
-pub use verify::{OrderRow, Plan, Verification, VerificationError, verify};
+pub use verify::{OrderRow, Verification, VerificationError, VerificationPlan, verify};

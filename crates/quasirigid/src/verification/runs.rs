@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::verify::VerificationError;
 use crate::dynamics::{
-    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, SpinState, propagate,
+    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, Start, propagate,
     propagate_forced, propagate_full,
 };
 use crate::reduction::{MAX_ORDER, reduce};
@@ -80,7 +80,7 @@ pub(super) fn reduced(
     } else {
         let body = reduce(system.body, order)?;
         let FullState { attitude, place, velocity, .. } = *full;
-        let initial = SpinState { omega: body.Omega.vector(momentum), attitude, place, velocity };
+        let initial = Start { omega: body.Omega.vector(momentum), attitude, place, velocity };
         propagate(&body, initial, times, options, &mut collector)?
     };
     finished(run.outcome)?;

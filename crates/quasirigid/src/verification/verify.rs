@@ -12,7 +12,7 @@ use crate::reduction::{MAX_ORDER, ReductionError};
 
 /// What a verification does.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct VerificationPlan {
     /// Orders `p` to verify, from 0.
     pub orders: Vec<usize>,
     /// Turns of the histories at the initial spin.
@@ -25,7 +25,7 @@ pub struct Plan {
     pub forms: Vec<Form>,
 }
 
-impl Default for Plan {
+impl Default for VerificationPlan {
     fn default() -> Self {
         Self {
             orders: vec![1, 2, 3],
@@ -127,7 +127,7 @@ const ROUNDING: f64 = 1e-12;
 pub fn verify(
     system: Forced,
     start: &Start,
-    plan: &Plan,
+    plan: &VerificationPlan,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Verification, VerificationError> {
     let highest = check(system, plan)?;
@@ -167,7 +167,7 @@ pub fn verify(
 }
 
 /// The highest order asked for.
-fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
+fn check(system: Forced, plan: &VerificationPlan) -> Result<usize, VerificationError> {
     let highest = if system.acts() { MAX_FORCED_ORDER - 2 } else { MAX_ORDER - 2 };
     let Some(&most) = plan.orders.iter().max() else {
         return Err(VerificationError::NoOrder { highest });
@@ -175,7 +175,7 @@ fn check(system: Forced, plan: &Plan) -> Result<usize, VerificationError> {
     if most > highest {
         return Err(VerificationError::Order { order: most, highest });
     }
-    let Plan { rotations, halvings, .. } = *plan;
+    let VerificationPlan { rotations, halvings, .. } = *plan;
     if !(rotations > 0.0 && rotations.is_finite() && (1..=12).contains(&halvings)) {
         return Err(VerificationError::Plan { rotations, halvings });
     }

@@ -5,12 +5,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use quasirigid::averaging::{Evolution, EvolutionError, FreeRotation, FreeRotationError};
 use quasirigid::dynamics::{
-    Event, Forced, FullState, Options, PropagateError, Sample, SpinState, propagate, propagate_full,
+    Event, Forced, FullState, Options, PropagateError, Sample, Start, propagate, propagate_full,
 };
-use quasirigid_math::polynomial::{Homogeneous, Series};
 use quasirigid::model::Mode;
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;
+use quasirigid_math::polynomial::{Homogeneous, Series};
 
 const OMEGA: [f64; 3] = [0.2, -0.1, 0.9];
 const TURNED: [f64; 4] = [0.5, -0.5, 0.5, 0.5];
@@ -18,7 +18,7 @@ const TURNED: [f64; 4] = [0.5, -0.5, 0.5, 0.5];
 fn refused(attitude: [f64; 4], events: Vec<Event>) -> Option<PropagateError> {
     let body = reduce(&ring_of_points(4).body().unwrap(), 3).unwrap();
     let options = Options { events, tolerance: 1e-6, ..Options::default() };
-    let start = SpinState::new(OMEGA, attitude);
+    let start = Start::new(OMEGA, attitude);
     propagate(&body, start, &[0.1], &options, &mut Vec::<Sample>::new()).err()
 }
 

@@ -49,15 +49,15 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::HingeCoefficient>();
     crosses::<elements::Hinged>();
     crosses::<elements::Incomplete>();
-    crosses::<elements::Kind>();
-    crosses::<elements::Law>();
+    crosses::<elements::PartKind>();
+    crosses::<elements::SpringLaw>();
     crosses::<elements::Layer>();
     crosses::<elements::Material>();
     crosses::<elements::Matrices>();
     crosses::<elements::Member>();
-    crosses::<elements::Modes>();
+    crosses::<elements::GivenModes>();
     crosses::<elements::Modulus>();
-    crosses::<elements::Motion>();
+    crosses::<elements::PointMotion>();
     crosses::<elements::Network>();
     crosses::<elements::NodalMass>();
     crosses::<elements::NodeRef>();
@@ -69,7 +69,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::Prestress>();
     crosses::<elements::Problem>();
     crosses::<elements::Quantity>();
-    crosses::<elements::Reduction>();
+    crosses::<elements::PartReduction>();
     crosses::<elements::Regime>();
     crosses::<elements::Region>();
     crosses::<elements::Resolution>();
@@ -109,7 +109,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Marker>();
     crosses::<model::Measured>();
     crosses::<model::Mode>();
-    crosses::<model::Motion<f64>>();
+    crosses::<model::MotionState<f64>>();
     crosses::<model::Pair>();
     crosses::<model::PartMass>();
     crosses::<model::Parts>();
@@ -156,7 +156,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<dynamics::SlowPoint>();
     crosses::<dynamics::SlowState>();
     crosses::<dynamics::SpinPath>();
-    crosses::<dynamics::SpinState>();
+    crosses::<dynamics::Start>();
     crosses::<dynamics::SteadySpin>();
     crosses::<dynamics::SteadySpins>();
     crosses::<averaging::Crossing>();
@@ -184,7 +184,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::ObservedError>();
     crosses::<averaging::ObservedPeriods>();
     crosses::<averaging::ParametricResonance>();
-    crosses::<averaging::Passage>();
+    crosses::<averaging::Elapsed>();
     crosses::<averaging::PeriodicResponse<'static>>();
     crosses::<averaging::PolynomialPower>();
     crosses::<averaging::PowerSource>();
@@ -225,7 +225,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<verification::AverageRow>();
     crosses::<verification::Difference>();
     crosses::<verification::OrderRow>();
-    crosses::<verification::Plan>();
+    crosses::<verification::VerificationPlan>();
     crosses::<verification::Start>();
     crosses::<verification::Verification>();
     crosses::<verification::VerificationError>();

@@ -2,15 +2,17 @@
 
 use quasirigid::averaging::{FreeRotation, HillResponse};
 use quasirigid::dynamics::FullState;
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion as Line, Point, Spring};
-use quasirigid::model::{FlexibleBody, Mode, Motion, Principal, Rheology};
+use quasirigid::elements::{
+    Assembly, Carrier, Coefficient, End, Point, PointMotion as Line, Spring, SpringLaw,
+};
+use quasirigid::model::{FlexibleBody, Mode, MotionState, Principal, Rheology};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::sym3;
 use quasirigid_math::vec3;
 
 /// A motion with a mean spin of about `spin` (rad/s).
 pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {
-    let moments = Principal::of(body.invariants().J).moments;
+    let moments = Principal::compute(body.invariants().J).moments;
     FreeRotation::at_logit(moments, spin * moments[mode.circled()], mode, xi)
 }
 
@@ -32,7 +34,7 @@ pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: 
         name: String::new(),
         from: End::Point(i),
         to: End::Carrier,
-        law: Law::Spatial {
+        law: SpringLaw::Spatial {
             stiffness: Coefficient::Isotropic(stiffness[i]),
             damping: Coefficient::Isotropic(2.0 * ratio * (masses[i] * stiffness[i]).sqrt()),
         },
@@ -55,7 +57,7 @@ pub fn full_start(body: &FlexibleBody, hill: &HillResponse, motion: &FreeRotatio
     let (q, rate) = hill.state(motion, 0.0).unwrap();
     let J = body.invariants().J;
     let K = sym3::times(J, hill.principal().vector(motion.omega(0.0)));
-    let inside = body.momentum(Motion { omega: [0.0; 3], q: &q, rate: &rate });
+    let inside = body.momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
     let left = vec3::add(K, vec3::scale(-1.0, inside));
     let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), left);
     FullState { q, rate, ..FullState::at_rest(body, omega, ALIGNED) }

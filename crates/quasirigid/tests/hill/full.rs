@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 use quasirigid::averaging::{HillResponse, MeanPower, Response};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::model::{FlexibleBody, Mode, Motion, Principal};
+use quasirigid::model::{FlexibleBody, Mode, MotionState, Principal};
 use quasirigid_math::sym3;
 use quasirigid_math::vec3;
 
@@ -41,7 +41,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
             let frequency: f64 = 2.0;
             let stiffness = mass * frequency * frequency;
             let body = lines(line, [mass, 0.8 * mass], [1.3 * stiffness, stiffness], 0.15).body().unwrap();
-            let hill = HillResponse::of(&body).unwrap();
+            let hill = HillResponse::compute(&body).unwrap();
             let motion = motion(&body, ratio * frequency, mode, xi);
             let floquet = hill.floquet(&motion).unwrap();
             let start = full_start(&body, &hill, &motion);
@@ -53,7 +53,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
             assert_eq!(run.outcome, Outcome::Finished);
             let measured = samples[0].dissipated / time;
             let predicted = hill.mean_power(&motion);
-            let alone = Response::of(&body).unwrap().mean_power(&motion);
+            let alone = Response::compute(&body).unwrap().mean_power(&motion);
             let share = hill.share(&motion).unwrap();
             let gap = measured / predicted - 1.0;
             println!(
@@ -84,7 +84,7 @@ fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
         } else {
             rate[column - 3] = 1.0
         }
-        let motion = Motion { omega, q: &q, rate: &rate };
+        let motion = MotionState { omega, q: &q, rate: &rate };
         let entries = body.momentum(motion).into_iter().chain(body.generalized_momentum(motion));
         matrix.set_column(column, &DVector::from_iterator(3 + n, entries));
     }
@@ -93,7 +93,7 @@ fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
     let omega = [both[0], both[1], both[2]];
     let rate = both.rows(3, n).as_slice().to_vec();
     let turned = vec3::cross([K[0], K[1], K[2]], omega);
-    let load = body.load(Motion { omega, q: &q, rate: &rate });
+    let load = body.load(MotionState { omega, q: &q, rate: &rate });
     let (springs, dashpots) = (body.stiffness().times(&q), body.damping().times(&rate));
     let force = (0..n).map(|j| load[j] - springs[j] - dashpots[j]);
     DVector::from_iterator(3 + 2 * n, turned.into_iter().chain(rate.iter().copied()).chain(force))
@@ -124,13 +124,13 @@ fn a_small_wobble_has_the_eigenvalue_of_the_full_system() {
     for (mode, spin) in [(Mode::ShortAxis, 1.1), (Mode::ShortAxis, 2.6), (Mode::LongAxis, 1.4)] {
         let gaps = [1e-3, 1e-4].map(|mass| {
             let body = skew([mass, 0.8 * mass], [4.0 * mass, 3.0 * mass], 0.2).body().unwrap();
-            let hill = HillResponse::of(&body).unwrap();
+            let hill = HillResponse::compute(&body).unwrap();
             let motion = motion(&body, spin, mode, 30.0);
             let predicted = hill.mean_power(&motion) / (2.0 * motion.energy_from_axis());
             let start = full_start(&body, &hill, &motion);
             let G = motion.momentum();
             let rate = vec![0.0; 2];
-            let still = Motion { omega: start.omega, q: &start.q, rate: &rate };
+            let still = MotionState { omega: start.omega, q: &start.q, rate: &rate };
             let state = body
                 .momentum(still)
                 .into_iter()
@@ -179,7 +179,7 @@ fn a_small_wobble_has_the_eigenvalue_of_the_full_system() {
 fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64>) -> DMatrix<f64> {
     let n = body.coordinates().len();
     let state = |omega: [f64; 3], q: &[f64], rate: &[f64]| {
-        let motion = Motion { omega, q, rate };
+        let motion = MotionState { omega, q, rate };
         let entries = body.momentum(motion).into_iter().chain(q.iter().copied());
         DVector::from_iterator(3 + 2 * n, entries.chain(body.generalized_momentum(motion)))
     };
@@ -187,7 +187,7 @@ fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64
         let rates = rates(body, y);
         let q = y.rows(3, n).as_slice().to_vec();
         let rate = rates.rows(3, n).as_slice().to_vec();
-        let inside = body.momentum(Motion { omega: [0.0; 3], q: &q, rate: &rate });
+        let inside = body.momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
         let K = [y[0] - inside[0], y[1] - inside[1], y[2] - inside[2]];
         let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), K);
         let from = FullState { omega, q, rate, ..start.clone() };
@@ -206,7 +206,7 @@ fn multipliers_are_those_of_the_full_system() {
     let (mass, spin) = (2e-5, 1.3);
     let light = skew([mass, mass], [1.0, 1.0], 1.0).body().unwrap();
     let motion = motion(&light, spin, Mode::ShortAxis, 5.0);
-    let principal = Principal::of(light.invariants().J);
+    let principal = Principal::compute(light.invariants().J);
     let line = Vector3::new(0.3, -0.4, 0.9).normalize();
     let period = motion.polhode_period();
     let polhode = TAU / period;
@@ -222,7 +222,7 @@ fn multipliers_are_those_of_the_full_system() {
     for (tuning, ratio) in [(0.5, 0.002), (0.8, 0.02), (1.7, 0.02)] {
         let stiffness = mass * (softening(0.0).re + (tuning * polhode).powi(2));
         let body = skew([mass, mass], [stiffness, 40.0 * stiffness], ratio).body().unwrap();
-        let hill = HillResponse::of(&body).unwrap();
+        let hill = HillResponse::compute(&body).unwrap();
         let floquet = hill.floquet(&motion).unwrap();
         let start = full_start(&body, &hill, &motion);
         let (G, momentum) = (motion.momentum(), mass * spin);

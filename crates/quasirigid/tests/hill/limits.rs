@@ -21,8 +21,8 @@ fn slow_spins_take_the_uncoupled_power() {
             let body = skew([1.1, 0.7], [90.0, 70.0], 0.3).body().unwrap().stiffened(epsilon).unwrap();
             let motion = motion(&body, 0.9, mode, xi);
             let [coupled, alone] = [
-                HillResponse::of(&body).unwrap().mean_power(&motion),
-                Response::of(&body).unwrap().mean_power(&motion),
+                HillResponse::compute(&body).unwrap().mean_power(&motion),
+                Response::compute(&body).unwrap().mean_power(&motion),
             ];
             coupled / alone - 1.0
         });
@@ -47,8 +47,8 @@ fn slow_spins_take_the_uncoupled_power_of_materials() {
             let body = assembly.body().unwrap();
             let motion = motion(&body, 0.9, Mode::ShortAxis, 0.7);
             let [coupled, alone] = [
-                HillResponse::of(&body).unwrap().mean_power(&motion),
-                Response::of(&body).unwrap().mean_power(&motion),
+                HillResponse::compute(&body).unwrap().mean_power(&motion),
+                Response::compute(&body).unwrap().mean_power(&motion),
             ];
             coupled / alone - 1.0
         });
@@ -79,7 +79,7 @@ fn balls_about_an_axis_take_the_uncoupled_power() {
     ];
     for assembly in inside {
         let body = assembly.body().unwrap();
-        let (hill, response) = (HillResponse::of(&body).unwrap(), Response::of(&body).unwrap());
+        let (hill, response) = (HillResponse::compute(&body).unwrap(), Response::compute(&body).unwrap());
         let gaps = [30.0, 1.0].map(|xi| {
             let motion = motion(&body, 2.0, Mode::ShortAxis, xi);
             (hill.mean_power(&motion) / response.mean_power(&motion) - 1.0).abs()
@@ -96,7 +96,7 @@ fn balls_about_an_axis_take_the_uncoupled_power() {
 #[test]
 fn a_small_wobble_loses_no_digits() {
     let body = skew([0.2, 0.1], [40.0, 30.0], 0.1).body().unwrap();
-    let hill = HillResponse::of(&body).unwrap();
+    let hill = HillResponse::compute(&body).unwrap();
     let rates = [14.0, 20.0, 36.0].map(|xi| {
         let motion = motion(&body, 5.0, Mode::ShortAxis, xi);
         hill.mean_power(&motion) / (2.0 * motion.energy_from_axis())
@@ -112,7 +112,7 @@ fn a_small_wobble_loses_no_digits() {
 #[test]
 fn ends_of_the_range() {
     let body = skew([0.2, 0.1], [40.0, 30.0], 0.1).body().unwrap();
-    let hill = HillResponse::of(&body).unwrap();
+    let hill = HillResponse::compute(&body).unwrap();
     let moments = hill.principal().moments;
     for mode in [Mode::ShortAxis, Mode::LongAxis] {
         let powers = [-10.0, -20.0, -30.0].map(|xi| {
@@ -142,7 +142,7 @@ fn momentum_wheels_are_refused() {
     let wheel =
         Wheel { name: "wheel".into(), axis: [0.0, 0.3, 1.0], speed: WheelSpeed::Constant { momentum: 2.0 } };
     let body = Assembly { wheels: vec![wheel], ..skew([0.2, 0.1], [40.0, 30.0], 0.1) }.body().unwrap();
-    assert_eq!(HillResponse::of(&body).unwrap_err(), HillError::Wheels);
+    assert_eq!(HillResponse::compute(&body).unwrap_err(), HillError::Wheels);
 }
 
 /// A steady mean rate of a rotor is driven by a wobble, and its friction is part of the power.
@@ -150,7 +150,7 @@ fn momentum_wheels_are_refused() {
 fn powers_of_harmonics_add_up() {
     let rotors = vec![flywheel([0.3, -0.5, 0.8], 0.6, 0.4)];
     let body = Assembly { rotors, ..skew([0.2, 0.1], [40.0, 30.0], 0.1) }.body().unwrap();
-    let hill = HillResponse::of(&body).unwrap();
+    let hill = HillResponse::compute(&body).unwrap();
     let motion = motion(&body, 3.0, Mode::ShortAxis, 0.4);
     let response = hill.periodic(&motion).unwrap();
     let sum: f64 = response.harmonic_powers().map(|(_, power)| power).sum();
@@ -162,8 +162,8 @@ fn powers_of_harmonics_add_up() {
 #[test]
 fn many_coordinates() {
     let body = ring_of_points(13).body().unwrap();
-    let hill = HillResponse::of(&body).unwrap();
-    let lowest = Response::of(&body).unwrap().frequencies().next().unwrap().0;
+    let hill = HillResponse::compute(&body).unwrap();
+    let lowest = Response::compute(&body).unwrap().frequencies().next().unwrap().0;
     for (share, xi) in [(0.1, 0.5), (0.5, 0.5), (0.8, 2.0)] {
         let motion = motion(&body, share * lowest, Mode::ShortAxis, xi);
         let clock = std::time::Instant::now();
@@ -183,10 +183,10 @@ proptest! {
     ) {
         let answers = |assembly: &Assembly, direction: Vector3<f64>, time: f64| {
             let body = assembly.body().unwrap();
-            let principal = Principal::of(body.invariants().J);
+            let principal = Principal::compute(body.invariants().J);
             let omega = principal.components((direction * 3.0 / time).into());
             let motion = FreeRotation::through(principal.moments, omega).unwrap();
-            let hill = HillResponse::of(&body).unwrap();
+            let hill = HillResponse::compute(&body).unwrap();
             let floquet = hill.floquet(&motion).unwrap();
             let [re, im] = floquet.multipliers.first().copied().unwrap_or_default();
             (hill.mean_power(&motion), hill.share(&motion).unwrap(), re.hypot(im))

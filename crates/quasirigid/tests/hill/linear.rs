@@ -13,7 +13,7 @@ use crate::support::{assemblies, cases};
 /// Power, states and multipliers of a body along a polhode, by both roads.
 fn compare(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> Result<(), TestCaseError> {
     let motion = motion(body, spin, mode, xi);
-    let hill = HillResponse::of(body).unwrap();
+    let hill = HillResponse::compute(body).unwrap();
     let linear = Linear::new(body, [1e-3, 1e-2]);
     let fastest = linear.fastest();
     let count = 100 * (1 + (motion.polhode_period() * fastest / 60.0) as usize);
@@ -42,7 +42,7 @@ fn compare(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> Result<(), Te
 }
 
 fn lowest(body: &FlexibleBody) -> f64 {
-    quasirigid::averaging::Response::of(body).unwrap().frequencies().next().unwrap().0
+    quasirigid::averaging::Response::compute(body).unwrap().frequencies().next().unwrap().0
 }
 
 proptest! {
@@ -62,7 +62,7 @@ proptest! {
     #[test]
     fn rotors_turn_along(assembly in assemblies(), share in 0.05..0.6, xi in -1.0..5.0, long in any::<bool>()) {
         let plain = assembly.body().unwrap();
-        let inertia = quasirigid::model::Principal::of(plain.invariants().J).moments[0];
+        let inertia = quasirigid::model::Principal::compute(plain.invariants().J).moments[0];
         let rotors = vec![flywheel([0.3, -0.5, 0.8], 0.1 * inertia, 0.3 * inertia), ball(0.05 * inertia, 0.4 * inertia)];
         let body = Assembly { rotors, ..assembly }.body().unwrap();
         let mode = if long { Mode::LongAxis } else { Mode::ShortAxis };

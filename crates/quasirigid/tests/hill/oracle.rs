@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::averaging::FreeRotation;
-use quasirigid::model::{FlexibleBody, Motion, Principal};
+use quasirigid::model::{FlexibleBody, MotionState, Principal};
 use quasirigid_math::sym3;
 
 use crate::support::matrices::dense;
@@ -43,11 +43,11 @@ impl<'a> Linear<'a> {
 
     /// Momenta and forces of the Routhian at a state.
     fn routhian(&self, K: [f64; 3], q: &[f64], rate: &[f64]) -> [DVector<f64>; 2] {
-        let still = Motion { omega: [0.0; 3], q, rate };
+        let still = MotionState { omega: [0.0; 3], q, rate };
         let inside = Vector3::from(self.body.momentum(still));
         let J = Matrix3::from(sym3::rows(self.body.inertia_at(q)));
         let omega = (J.try_inverse().unwrap() * (Vector3::from(K) - inside)).into();
-        let motion = Motion { omega, q, rate };
+        let motion = MotionState { omega, q, rate };
         [self.body.generalized_momentum(motion), self.body.load(motion)].map(DVector::from_vec)
     }
 
@@ -124,7 +124,7 @@ pub struct Periodic {
 /// Angular momentum in body axes along a motion.
 pub fn momentum(body: &FlexibleBody, motion: &FreeRotation, t: f64) -> [f64; 3] {
     let J = body.invariants().J;
-    sym3::times(J, Principal::of(J).vector(motion.omega(t)))
+    sym3::times(J, Principal::compute(J).vector(motion.omega(t)))
 }
 
 /// The periodic motion by a Runge–Kutta method of order four in `count` double steps, with a Richardson step.

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use quasirigid::elements::{Assembly, Cavity, CavityShape};
-use quasirigid::model::{FlexibleBody, Kinetics, Motion};
+use quasirigid::model::{FlexibleBody, Kinetics, MotionState};
 use quasirigid::reduction::{reduce, residual};
 use quasirigid_math::quadrature::gauss_legendre;
 use quasirigid_math::rotation::Turn;
@@ -143,9 +143,9 @@ fn the_full_system_is_loaded_as_the_equations_say() {
     let mut kinetics = Kinetics::new(&body).unwrap();
     let velocities = kinetics.velocities(K, &p, &q, &mut rate);
     velocities.add_loads(&q, &rate, &mut loads);
-    let expected = body.load(Motion { omega: velocities.omega, q: &q, rate: &rate });
+    let expected = body.load(MotionState { omega: velocities.omega, q: &q, rate: &rate });
     let without =
-        body.clone().advected(Vec::new()).load(Motion { omega: velocities.omega, q: &q, rate: &rate });
+        body.clone().advected(Vec::new()).load(MotionState { omega: velocities.omega, q: &q, rate: &rate });
     let dashpots = body.damping().times(&rate);
     let carried = expected.iter().zip(&without).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
     for ((load, expected), dashpot) in loads.iter().zip(&expected).zip(&dashpots) {

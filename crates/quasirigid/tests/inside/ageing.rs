@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, Stage};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Spring,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
@@ -56,7 +56,7 @@ fn the_tangent_of_the_angle_falls_exponentially() {
     let [A, C] = moments(&body);
     let K = 2.7;
     let rate = liquid(0.11) * (C - A) * K * K / (A.powi(3) * C);
-    let power = PolynomialPower::of(&reduce(&body, 1).unwrap());
+    let power = PolynomialPower::from_reduced(&reduce(&body, 1).unwrap());
     let evolution = Evolution::new(&power, K);
     let (first, last) = (80.0_f64.to_radians(), (80.0_f64.to_radians().tan() * (-10.0_f64).exp()).atan());
     for folds in [0.5, 3.0, 10.0] {
@@ -78,13 +78,13 @@ const AXIAL: f64 = 0.7;
 /// The same with a ring of six sprung masses, one on the axis, a ball and three flywheels with friction.
 fn everything() -> Assembly {
     let point =
-        |position: [f64; 3], name: String| Point { name, mass: SPRUNG, position, motion: Motion::Free };
+        |position: [f64; 3], name: String| Point { name, mass: SPRUNG, position, motion: PointMotion::Free };
     let ring = (0..6).map(|i| {
         let (sin, cos) = (f64::from(i) * PI / 3.0 + 0.2).sin_cos();
         point([RING * cos, RING * sin, 0.0], format!("ring {i}"))
     });
     let points: Vec<Point> = ring.chain([point([0.0, 0.0, AXIAL], "axis".into())]).collect();
-    let law = Law::Spatial {
+    let law = SpringLaw::Spatial {
         stiffness: Coefficient::Isotropic(STIFF),
         damping: Coefficient::Isotropic(TIME * STIFF),
     };
@@ -149,8 +149,8 @@ fn every_mechanism_adds_to_the_law_of_bodies_of_revolution() {
             weight * h / 3.0 * slowness(1.0 / (1.0 + (-(low + h * f64::from(i))).exp()))
         })
         .sum();
-    let polynomial = PolynomialPower::of(&reduce(&body, 3).unwrap());
-    let response = Response::of(&body).unwrap();
+    let polynomial = PolynomialPower::from_reduced(&reduce(&body, 3).unwrap());
+    let response = Response::compute(&body).unwrap();
     for power in [&polynomial as &dyn MeanPower, &response] {
         let evolution = Evolution::new(power, K);
         let time = evolution.time(stage(&evolution, from), stage(&evolution, to));

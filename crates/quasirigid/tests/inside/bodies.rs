@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Law, Motion, Point, Regime, Spring, Wheel,
-    WheelSpeed,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
+    Wheel, WheelSpeed,
 };
 use quasirigid::model::Rheology;
-use quasirigid::verification::{Plan, Start, verify};
+use quasirigid::verification::{Start, VerificationPlan, verify};
 
 use crate::support::rotors::{ball, flywheel};
 
@@ -26,8 +26,9 @@ pub fn bare() -> Assembly {
 
 /// A sprung mass.
 pub fn sprung() -> (Point, Spring) {
-    let point = Point { name: "mass".into(), mass: 1.2, position: [0.8, 0.3, 0.9], motion: Motion::Free };
-    let law = Law::Spatial {
+    let point =
+        Point { name: "mass".into(), mass: 1.2, position: [0.8, 0.3, 0.9], motion: PointMotion::Free };
+    let law = SpringLaw::Spatial {
         stiffness: Coefficient::Diagonal([900.0, 1000.0, 800.0]),
         damping: Coefficient::Diagonal([48.0, 36.0, 40.0]),
     };
@@ -77,7 +78,7 @@ pub fn tank(center: [f64; 3], radius: f64, density: f64, viscosity: f64) -> Cavi
 pub fn everything() -> Assembly {
     let (point, spring) = sprung();
     let other = Point { name: "other".into(), mass: 0.7, position: [-0.5, 0.9, -0.2], ..point.clone() };
-    let law = Law::Spatial {
+    let law = SpringLaw::Spatial {
         stiffness: Coefficient::Isotropic(600.0),
         damping: Coefficient::Diagonal([20.0, 30.0, 25.0]),
     };
@@ -99,7 +100,7 @@ pub fn everything() -> Assembly {
 pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };
-    let plan = Plan {
+    let plan = VerificationPlan {
         orders: (0..=highest).collect(),
         rotations: 1.0,
         halvings: 3,

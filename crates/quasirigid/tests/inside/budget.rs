@@ -30,9 +30,9 @@ fn springs_rotors_and_liquids_share_the_power() {
     let body = assembly.body().unwrap();
     assert_eq!(body.stiff_outside().dissipators().len(), 4);
     assert_eq!(body.locked_inside().dissipators().len(), 3);
-    let Principal { moments, .. } = Principal::of(body.invariants().J);
-    let (response, reduced) = (Response::of(&body).unwrap(), reduce(&body, 3).unwrap());
-    let polynomial = PolynomialPower::of(&reduced);
+    let Principal { moments, .. } = Principal::compute(body.invariants().J);
+    let (response, reduced) = (Response::compute(&body).unwrap(), reduce(&body, 3).unwrap());
+    let polynomial = PolynomialPower::from_reduced(&reduced);
     for (spin, close) in [(0.002, true), (0.3, false), (4.0, false)] {
         let motion = FreeRotation::at_logit(moments, spin * moments[1], Mode::LongAxis, 0.4);
         let [harmonics, low] = [response.budget(&motion), MeanPower::budget(&polynomial, &motion)];

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
-    Assembly, CavityShape, Coefficient, Law, Rotor, RotorKind, SlowLiquid, Wheel, WheelSpeed,
+    Assembly, CavityShape, Coefficient, Rotor, RotorKind, SlowLiquid, SpringLaw, Wheel, WheelSpeed,
 };
 use quasirigid::model::ReducedBody;
 use quasirigid_math::polynomial::Series;
@@ -68,10 +68,10 @@ impl Description {
             point.position = self.vector(point.position, [1, 0, 0]);
         }
         for spring in &mut other.springs {
-            let Law::Spatial { stiffness, damping } = spring.law else { panic!("{:?}", spring.law) };
+            let SpringLaw::Spatial { stiffness, damping } = spring.law else { panic!("{:?}", spring.law) };
             let (stiffness, damping) =
                 (self.coefficient(stiffness, [0, 1, -2]), self.coefficient(damping, [0, 1, -1]));
-            spring.law = Law::Spatial { stiffness, damping };
+            spring.law = SpringLaw::Spatial { stiffness, damping };
         }
         for Rotor { kind, inertia, friction, .. } in &mut other.rotors {
             *inertia *= self.factor([2, 1, 0]);

@@ -143,7 +143,7 @@ fn harmonics_join_the_slow_flow() {
     for shape in [CavityShape::Ellipsoid { semi_axes: [0.3; 3] }, ring] {
         let body = body(Cavity { shape, ..cavity([0.3; 3], 100.0, VISCOSITY) }, 1);
         let (polynomial, response) =
-            (PolynomialPower::of(&reduce(&body, 1).unwrap()), Response::of(&body).unwrap());
+            (PolynomialPower::from_reduced(&reduce(&body, 1).unwrap()), Response::compute(&body).unwrap());
         let gaps = [0.2, 0.1].map(|spin| {
             let motion = FreeRotation::at_logit(response.moments(), spin * 13.0, Mode::ShortAxis, 0.3);
             (response.mean_power(&motion) / polynomial.mean_power(&motion) - 1.0).abs()

@@ -2,7 +2,7 @@
 
 use quasirigid::dynamics::{Form, Options, spin_path, steady_spins};
 use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
-use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::reduction::reduce;
 use quasirigid_math::expression::Expression;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -49,7 +49,7 @@ fn a_momentum_wheel_beside_rotor_and_sprung_mass() {
 #[test]
 fn rotors_under_a_torque_and_a_driven_wheel() {
     let (point, spring) = sprung();
-    let law = Law::<Station>::Torque {
+    let law = ForceLaw::<Station>::Torque {
         torque: [0.8, -0.5, 0.3],
         axes: Axes::Inertial,
         wave: Wave { frequency: 1.3, phase: 0.4 },

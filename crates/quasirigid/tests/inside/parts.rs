@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, CavityShape, Coefficient, End, Law, RotorKind, Spring, WheelSpeed,
+    Assembly, Carrier, CavityShape, Coefficient, End, RotorKind, Spring, SpringLaw, WheelSpeed,
 };
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
@@ -85,17 +85,17 @@ fn cut_mass(assembly: &mut Assembly, index: usize, share: f64) {
     assembly.springs.extend(parts);
 }
 
-fn times(law: Law, factor: f64) -> Law {
+fn times(law: SpringLaw, factor: f64) -> SpringLaw {
     let scaled = |coefficient| match coefficient {
         Coefficient::Isotropic(value) => Coefficient::Isotropic(factor * value),
         Coefficient::Diagonal(values) => Coefficient::Diagonal(values.map(|value| factor * value)),
         Coefficient::Full(rows) => Coefficient::Full(rows.map(|row| row.map(|value| factor * value))),
     };
     match law {
-        Law::Spatial { stiffness, damping } => {
-            Law::Spatial { stiffness: scaled(stiffness), damping: scaled(damping) }
+        SpringLaw::Spatial { stiffness, damping } => {
+            SpringLaw::Spatial { stiffness: scaled(stiffness), damping: scaled(damping) }
         }
-        Law::Axial { .. } => panic!("{law:?}"),
+        SpringLaw::Axial { .. } => panic!("{law:?}"),
     }
 }
 

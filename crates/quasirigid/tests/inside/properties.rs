@@ -26,7 +26,7 @@ fn assert_the_same(description: Description) {
     let mut gaps = description.gaps(&new, &old);
     let liquids = after.liquids.iter().zip(&before.liquids);
     gaps.extend(liquids.map(|(found, before)| ("P", description.liquid_gap(found, before))));
-    let times = |body| Relaxation::of(body).unwrap().times;
+    let times = |body| Relaxation::compute(body).unwrap().times;
     // Eigenvalues, right to the rounding of the largest.
     let (found, known) = (times(&after.body), times(&before.body));
     let longest = description.time * known[0];
@@ -40,7 +40,7 @@ fn assert_the_same(description: Description) {
 /// Criteria are ratios. That of the series looks in fixed directions and may change a little with the axes.
 fn assert_the_same_criteria(description: Description) {
     let criteria = |assembly: Assembly, omega| {
-        Validity::of(&assembly.body().unwrap(), ORDER - 1, omega).unwrap().criteria
+        Validity::assess(&assembly.body().unwrap(), ORDER - 1, omega).unwrap().criteria
     };
     let found = criteria(description.of(&body()), description.vector(OMEGA, [0, 0, -1]));
     for (found, expected) in found.iter().zip(criteria(body(), OMEGA)) {

@@ -1,7 +1,7 @@
 //! Rotors that start with a speed of their own.
 
 use quasirigid::dynamics::{
-    BoundaryLayer, Forced, FullState, Options, Outcome, Sample, SpinState, matched_start, propagate,
+    BoundaryLayer, Forced, FullState, Options, Outcome, Sample, Start, matched_start, propagate,
     propagate_full, slow_state_point,
 };
 use quasirigid::elements::Assembly;
@@ -59,7 +59,7 @@ fn the_matched_start_gains_an_order() {
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
                 let (momentum, attitude) =
                     if turned { (slow.momentum, slow.attitude) } else { (start.momentum(&body), ALIGNED) };
-                let initial = SpinState::new(reduced.Omega.vector(momentum), attitude);
+                let initial = Start::new(reduced.Omega.vector(momentum), attitude);
                 let mut samples = Vec::new();
                 propagate(&reduced, initial, &[END], &Options::default(), &mut samples).unwrap();
                 let truth = full(&body, &start, &[END])[0];
@@ -79,7 +79,7 @@ fn slow_and_fast_part_are_the_start_of_the_full_motion() {
     let gaps = [0.25, 0.125].map(|epsilon| {
         let body = body().stiffened(epsilon).unwrap();
         let start = released(&body);
-        let layer = BoundaryLayer::of(Forced::not(&body), 3, &start).unwrap();
+        let layer = BoundaryLayer::compute(Forced::not(&body), 3, &start).unwrap();
         let at_start = layer.at(0.0);
         let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
         let slaved = slow_state_point(Forced::not(&body), 3, &slow).unwrap().rate;

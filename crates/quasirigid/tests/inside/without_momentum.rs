@@ -5,13 +5,13 @@ use std::ops::ControlFlow;
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::dynamics::{
-    Forced, Form, FullState, Method, Options, Outcome, Run, Sample, SlowState, SpinState, matched_start,
+    Forced, Form, FullState, Method, Options, Outcome, Run, Sample, SlowState, Start, matched_start,
     propagate, propagate_forced, propagate_full, spin_path,
 };
 use quasirigid::elements::{Assembly, Carrier, Cavity, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::reduction::{Validity, Verdict, reduce, residual};
-use quasirigid::verification::{Plan, verify};
+use quasirigid::verification::{VerificationPlan, verify};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::{ALIGNED, angle_between, turned};
 use quasirigid_math::vec3::{add, norm, scale};
@@ -71,7 +71,7 @@ fn a_body_without_momentum_turns_evenly() {
         let reduced = reduce(&body, 3).unwrap();
         for form in [Form::Momentum, Form::Paper] {
             let options = Options { form, most_steps: 10_000, ..Options::default() };
-            let initial = SpinState::new(omega, ALIGNED);
+            let initial = Start::new(omega, ALIGNED);
             let mut samples = Vec::new();
             let run = propagate(&reduced, initial, &times, &options, &mut samples).unwrap();
             assert_even(&format!("{form:?}"), omega, run, &samples);
@@ -101,10 +101,10 @@ fn the_equations_hold_for_a_body_that_turns_evenly() {
     let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)];
     let cavities = vec![cavity([0.4, 0.3, 0.2], 500.0, 0.1)];
     let steady = Assembly { rotors, cavities, ..bare() }.body().unwrap();
-    let axes = Principal::of(steady.invariants().J).axes;
+    let axes = Principal::compute(steady.invariants().J).axes;
     let without_wheels = axes.map(|axis| (steady.clone(), scale(0.7, axis)));
     for (body, omega) in without_wheels.into_iter().chain(without_momentum()) {
-        let validity = Validity::of(&body, 3, omega).unwrap();
+        let validity = Validity::assess(&body, 3, omega).unwrap();
         println!("{:?}", validity.criteria);
         assert!(validity.criteria.iter().all(|criterion| criterion.value.is_finite()));
         assert_eq!(validity.verdict(), Verdict::Holds, "{:?}", validity.criteria);
@@ -125,7 +125,7 @@ fn little_momentum_is_held_or_not_with_the_same_result() {
         let body = assembly.body().unwrap();
         let reduced = reduce(&body, 0).unwrap();
         assert!((norm(reduced.momentum(omega)) / norm(reduced.wheels()) / share - 1.0).abs() < 1e-8);
-        let initial = SpinState::new(omega, ALIGNED);
+        let initial = Start::new(omega, ALIGNED);
         let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| {
             let options = Options { form, ..Options::default() };
             propagate(&reduced, initial, &[END], &options, &mut Vec::new()).unwrap()
@@ -144,8 +144,13 @@ fn little_momentum_is_held_or_not_with_the_same_result() {
 #[test]
 fn a_verification_without_momentum() {
     for (body, omega) in without_momentum() {
-        let plan =
-            Plan { orders: vec![0, 1, 2], rotations: 1.0, halvings: 2, samples: 10, ..Plan::default() };
+        let plan = VerificationPlan {
+            orders: vec![0, 1, 2],
+            rotations: 1.0,
+            halvings: 2,
+            samples: 10,
+            ..VerificationPlan::default()
+        };
         let system = Forced::not(&body);
         let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
         println!("{:?}", verification.rows);

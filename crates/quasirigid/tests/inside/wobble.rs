@@ -26,7 +26,7 @@ fn carrier(moments: [f64; 3]) -> Carrier {
 }
 
 fn rate(assembly: &Assembly) -> f64 {
-    let response = Response::of(&assembly.body().unwrap()).unwrap();
+    let response = Response::compute(&assembly.body().unwrap()).unwrap();
     Evolution::new(&response, C3 * SPIN).wobble_rate(Mode::ShortAxis)
 }
 
@@ -159,7 +159,7 @@ fn a_boundary_layer_at_high_reynolds_numbers() {
         let mut assembly = with_liquid(radius, density, time);
         let liquid = assembly.cavities.remove(0);
         assembly.cavities = vec![Cavity { regime: Regime::BoundaryLayer, modes: 3, ..liquid }];
-        let response = Response::of(&assembly.body().unwrap().without_memories()).unwrap();
+        let response = Response::compute(&assembly.body().unwrap().without_memories()).unwrap();
         let rate = Evolution::new(&response, C3 * SPIN).wobble_rate(Mode::ShortAxis);
         (rate / decay_with_liquid(frozen(radius, density), time) - 1.0).abs()
     });

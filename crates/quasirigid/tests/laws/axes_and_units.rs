@@ -37,7 +37,7 @@ fn scalar_gap(found: &Series, before: &Series, R: &Matrix3<f64>) -> f64 {
 }
 
 fn vibrations_gap(found: &FlexibleBody, expected: &FlexibleBody, time: f64) -> [f64; 4] {
-    let (found, expected) = (Vibrations::of(found).unwrap(), Vibrations::of(expected).unwrap());
+    let (found, expected) = (Vibrations::compute(found).unwrap(), Vibrations::compute(expected).unwrap());
     let slower = |rates: &[f64]| -> Vec<f64> { rates.iter().map(|rate| rate / time).collect() };
     [
         list_gap(&found.frequencies, &slower(&expected.frequencies)),
@@ -148,8 +148,8 @@ proptest! {
 
 fn same_criteria(assembly: &Assembly, units: Units, spin: [f64; 3]) -> Result<(), TestCaseError> {
     let (before, after) = (assembly.body().unwrap(), rescaled(assembly, units).body().unwrap());
-    let old = Validity::of(&before, 3, spin).unwrap();
-    let new = Validity::of(&after, 3, spin.map(|w| w / units.time)).unwrap();
+    let old = Validity::assess(&before, 3, spin).unwrap();
+    let new = Validity::assess(&after, 3, spin.map(|w| w / units.time)).unwrap();
     for (found, expected) in new.criteria.iter().zip(&old.criteria) {
         prop_assert_eq!(found.comparison, expected.comparison);
         let gap = (found.value - expected.value).abs();

@@ -3,9 +3,9 @@
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::dynamics::{
-    Forced, Method, Observer, Options, Run, Sample, SpinState, propagate, propagate_full,
+    Forced, Method, Observer, Options, Run, Sample, Start, propagate, propagate_full,
 };
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Spring};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
@@ -24,7 +24,7 @@ fn sum(budget: &Budget) -> f64 {
 
 /// A tumbling motion of the frozen body.
 fn tumbling(body: &FlexibleBody, spin: f64) -> FreeRotation {
-    let Principal { moments, .. } = Principal::of(body.invariants().J);
+    let Principal { moments, .. } = Principal::compute(body.invariants().J);
     FreeRotation::at_logit(moments, spin * moments[1], Mode::ShortAxis, 0.3)
 }
 
@@ -64,10 +64,10 @@ proptest! {
             }
         }
         let reduced = reduce(&body, 5).unwrap();
-        let response = Response::of(&body).unwrap();
+        let response = Response::compute(&body).unwrap();
         let slowest = response.frequencies().next().unwrap().0;
         let motion = tumbling(&body, 0.05 * slowest);
-        let polynomial = PolynomialPower::of(&reduced);
+        let polynomial = PolynomialPower::from_reduced(&reduced);
         let omega = motion.omega(0.3 * motion.polhode_period());
         let roads = [
             (MeanPower::budget(&polynomial, &motion), polynomial.mean_power(&motion)),
@@ -91,11 +91,11 @@ proptest! {
     fn a_dissipator_alone_keeps_its_share_at_order_three(assembly in assemblies()) {
         let body = assembly.body().unwrap();
         let motion = tumbling(&body, 0.3);
-        let budget = MeanPower::budget(&PolynomialPower::of(&reduce(&body, 3).unwrap()), &motion);
+        let budget = MeanPower::budget(&PolynomialPower::from_reduced(&reduce(&body, 3).unwrap()), &motion);
         for (kept, (name, share)) in budget.iter().enumerate() {
             let only = alone(&assembly, kept).body().unwrap();
             prop_assert_eq!(only.dissipators().len(), 1);
-            let power = PolynomialPower::of(&reduce(&only, 3).unwrap());
+            let power = PolynomialPower::from_reduced(&reduce(&only, 3).unwrap());
             let (found, whole) = (power.mean_power(&motion), sum(&budget));
             prop_assert!((found - share).abs() < 1e-12 * whole, "{}: {} {}", name, found, share);
             let [(only_name, all)] = &MeanPower::budget(&power, &motion)[..] else { panic!("one") };
@@ -110,8 +110,8 @@ proptest! {
         let budgets = bodies.map(|body| {
             let motion = tumbling(&body, 0.3);
             [
-                Response::of(&body).unwrap().budget(&motion),
-                MeanPower::budget(&PolynomialPower::of(&reduce(&body, 4).unwrap()), &motion),
+                Response::compute(&body).unwrap().budget(&motion),
+                MeanPower::budget(&PolynomialPower::from_reduced(&reduce(&body, 4).unwrap()), &motion),
             ]
         });
         for road in 0..2 {
@@ -133,7 +133,7 @@ fn two_masses_on_the_axis_share_as_their_closed_forms_have_it() {
     let mut point = assembly.points[0].clone();
     (point.name, point.mass, point.position) = ("counterweight".to_owned(), m, [0.0, 0.0, z]);
     assembly.points.push(point);
-    let law = Law::Spatial { stiffness: Coefficient::Isotropic(c), damping: Coefficient::Isotropic(b) };
+    let law = SpringLaw::Spatial { stiffness: Coefficient::Isotropic(c), damping: Coefficient::Isotropic(b) };
     let spring = Spring { name: "tail".to_owned(), from: End::Point(1), law, ..assembly.springs[0].clone() };
     assembly.springs.push(spring);
     let body = assembly.body().unwrap();
@@ -144,9 +144,9 @@ fn two_masses_on_the_axis_share_as_their_closed_forms_have_it() {
     ];
     let expected = taken.map(|part| part / (taken[0] + taken[1]));
     let motion = tumbling(&body, 0.02);
-    let polynomial = MeanPower::budget(&PolynomialPower::of(&reduce(&body, 3).unwrap()), &motion);
+    let polynomial = MeanPower::budget(&PolynomialPower::from_reduced(&reduce(&body, 3).unwrap()), &motion);
     assert_eq!((polynomial[0].0.as_str(), polynomial[1].0.as_str()), ("spring mass-carrier", "tail"));
-    let response = Response::of(&body).unwrap().budget(&motion);
+    let response = Response::compute(&body).unwrap().budget(&motion);
     for (budget, tolerance) in [(polynomial, 1e-12), (response, 1e-4)] {
         for ((name, power), expected) in budget.iter().zip(expected) {
             let share = power / sum(&budget);
@@ -162,7 +162,7 @@ fn materials_take_their_share_of_the_harmonics() {
     assembly.springs[1].rheology = Rheology::QualityFactor { factor: 20.0 };
     assembly.springs[1].law = strengthened(assembly.springs[1].law, 1.0, 0.0);
     let body = assembly.body().unwrap();
-    let response = Response::of(&body).unwrap();
+    let response = Response::compute(&body).unwrap();
     let motion = tumbling(&body, 0.4);
     let budget = response.budget(&motion);
     let whole = response.mean_power(&motion);
@@ -173,7 +173,7 @@ fn materials_take_their_share_of_the_harmonics() {
     // The spring with a dashpot beside it moves as it would without the loss of the other, but for squares of the loss.
     let mut only = assembly.clone();
     only.springs[1].rheology = Rheology::Elastic;
-    let only = Response::of(&only.body().unwrap()).unwrap().mean_power(&motion);
+    let only = Response::compute(&only.body().unwrap()).unwrap().mean_power(&motion);
     assert!((budget[0].1 / only - 1.0).abs() < 0.01, "{budget:?} {only}");
 }
 
@@ -208,7 +208,7 @@ fn simpson(values: &[f64], step: f64) -> f64 {
 /// A tumbler with three dashpots and a boom, and what became of it.
 fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, Seen) {
     let mut assembly = tumbler(epsilon);
-    let between = Law::Axial {
+    let between = SpringLaw::Axial {
         stiffness: 60.0 / epsilon.powi(2),
         damping: 25.0 / epsilon,
         anchor: None,
@@ -228,7 +228,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     let options = Options { method, tolerance: 1e-14, ..Options::default() };
     ended(propagate_full(Forced::not(&body), &settled, &times, &options, &mut seen[0]).unwrap());
     let reduced = reduce(&body, 5).unwrap();
-    let spin = SpinState::new(omega, ALIGNED);
+    let spin = Start::new(omega, ALIGNED);
     ended(propagate(&reduced, spin, &times, &Options::default(), &mut seen[1]).unwrap());
     let [full, reduced] = seen;
     (body, full, reduced)
@@ -275,7 +275,7 @@ fn one_dissipator_takes_everything() {
     for expected in [1, 0] {
         let body = assembly.body().unwrap();
         let mut seen = Seen::default();
-        let spin = SpinState::new([0.3, 0.1, 0.9], ALIGNED);
+        let spin = Start::new([0.3, 0.1, 0.9], ALIGNED);
         propagate(&reduce(&body, 3).unwrap(), spin, &[20.0], &Options::default(), &mut seen).unwrap();
         assert_eq!(seen.budget.len(), expected);
         assert!(seen.budget.iter().all(|(_, taken)| *taken == seen.samples[0].dissipated && *taken > 0.0));

@@ -1,7 +1,7 @@
 //! The same body described by other parts: equal in everything that does not name the coordinates.
 
 use proptest::prelude::*;
-use quasirigid::elements::{Assembly, HingeCoefficient, Law, Motion};
+use quasirigid::elements::{Assembly, HingeCoefficient, PointMotion, SpringLaw};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
 
@@ -126,7 +126,7 @@ proptest! {
     fn the_sense_of_a_direction_means_nothing(assembly in bodies()) {
         let mut other = assembly.clone();
         for point in &mut other.points {
-            if let Motion::Line(direction) | Motion::Plane(direction) = &mut point.motion {
+            if let PointMotion::Line(direction) | PointMotion::Plane(direction) = &mut point.motion {
                 *direction = direction.map(|x| -3.0 * x);
             }
         }
@@ -136,7 +136,7 @@ proptest! {
             hinged.damping = reversed(&hinged.damping);
         }
         for spring in &mut other.springs {
-            if let Law::Axial { anchor: Some(anchor), .. } = &mut spring.law {
+            if let SpringLaw::Axial { anchor: Some(anchor), .. } = &mut spring.law {
                 let quasirigid::elements::End::Point(index) = spring.from else { continue };
                 let place = assembly.points[index].position;
                 *anchor = std::array::from_fn(|i| place[i] - 2.0 * (anchor[i] - place[i]));

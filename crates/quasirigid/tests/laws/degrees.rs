@@ -173,7 +173,7 @@ proptest! {
         let body = assembly.body().unwrap();
         let omega = u.map(|u| 0.1 * u);
         let spin = Vector3::from(omega).norm();
-        let validity = Validity::of(&body, order, omega).unwrap();
+        let validity = Validity::assess(&body, order, omega).unwrap();
         let ahead = reduce(&body, (order + 4).min(MAX_ORDER)).unwrap();
         prop_assert_eq!(&validity.degrees, &degree_sizes(&ahead, omega));
         let reduced = reduce(&body, order).unwrap();
@@ -196,10 +196,10 @@ proptest! {
     fn what_is_handed_in_is_judged(assembly in bodies(), u in direction()) {
         let body = assembly.body().unwrap();
         let mut reduced = reduce(&body, 3).unwrap();
-        let own = Validity::of_reduced(&body, &reduced, u).unwrap();
-        prop_assert_eq!(&own, &Validity::of(&body, 3, u).unwrap());
+        let own = Validity::assess_reduced(&body, &reduced, u).unwrap();
+        prop_assert_eq!(&own, &Validity::assess(&body, 3, u).unwrap());
         reduced.q = reduced.q.scaled(2.0);
-        let doubled = Validity::of_reduced(&body, &reduced, u).unwrap();
+        let doubled = Validity::assess_reduced(&body, &reduced, u).unwrap();
         let [before, after] = [own, doubled].map(|validity| criterion(&validity, Comparison::Linearity));
         prop_assert!((after / before - 2.0).abs() < 1e-12, "{after} {before}");
     }

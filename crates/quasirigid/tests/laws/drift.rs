@@ -7,7 +7,7 @@ use quasirigid::averaging::{
     PolynomialPower, SlowTorque, Stage,
 };
 use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
-use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
@@ -28,9 +28,9 @@ fn start(stage: Stage, momentum: f64) -> DriftState {
 #[test]
 fn drift_without_torque_is_the_evolution() {
     let reduced = reduce(&tumbler(0.5).body().unwrap(), 3).unwrap();
-    let power = PolynomialPower::of(&reduced);
+    let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, 15.0);
-    let drift = Drift::new(&power, &Principal::of(reduced.J), SlowTorque::default());
+    let drift = Drift::new(&power, &Principal::compute(reduced.J), SlowTorque::default());
     let [long, short] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| move |xi| Stage { mode, xi });
     for (from, to) in [(short(-1.0), short(3.0)), (long(2.0), long(-3.0)), (long(1.0), short(2.0))] {
         let passage = evolution.passage(from, to);
@@ -96,14 +96,14 @@ fn drift_is_that_of_the_reduced_equations() {
     let gap = |weakness: f64| {
         let body = tumbler(0.5).body().unwrap();
         let reduced = reduce(&body, 3).unwrap();
-        let power = PolynomialPower::of(&reduced);
-        let principal = Principal::of(reduced.J);
+        let power = PolynomialPower::from_reduced(&reduced);
+        let principal = Principal::compute(reduced.J);
         let torque = SlowTorque { constant: [0.0, 0.0, 4e-3 / weakness], drag: 6e-3 / weakness };
         let (omega, duration) = ([0.4, 0.2, 0.9], 600.0 * weakness);
         let named = |law| Force { name: String::new(), law };
         let forces = [
-            named(Law::SpinDrag { coefficient: torque.drag }),
-            named(Law::Torque { torque: torque.constant, axes: Axes::Body, wave: Wave::default() }),
+            named(ForceLaw::SpinDrag { coefficient: torque.drag }),
+            named(ForceLaw::Torque { torque: torque.constant, axes: Axes::Body, wave: Wave::default() }),
         ];
         let system = Forced { body: &body, forces: &forces };
         let still = SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };

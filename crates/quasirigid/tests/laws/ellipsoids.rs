@@ -65,7 +65,7 @@ fn markers_move_as_the_shapes_say() {
 #[test]
 fn slow_rotation_is_in_the_range_of_the_theory() {
     let body = body(rock());
-    let validity = Validity::of(&body, 3, [0.3, 0.2, 0.4]).unwrap();
+    let validity = Validity::assess(&body, 3, [0.3, 0.2, 0.4]).unwrap();
     assert!(validity.verdict() != Verdict::Fails, "{:?}", validity.criteria);
     let reduced = reduce(&body, 3).unwrap();
     assert!(reduced.power.scalar([0.3, 0.2, 0.4]) > 0.0 && reduced.power.scalar([0.0, 0.0, 0.4]) < 1e-30);
@@ -78,7 +78,7 @@ proptest! {
     #[test]
     fn power_does_not_know_axes_or_units(turn in 0..3usize, length in -9.0..9.0, mass in -9.0..9.0, time in -9.0..9.0, xi in -2.0..4.0) {
         let power = |ellipsoid: Ellipsoid, time: f64| {
-            let response = Response::of(&body(ellipsoid)).unwrap();
+            let response = Response::compute(&body(ellipsoid)).unwrap();
             let motion =
                 FreeRotation::at_logit(response.moments(), 0.4 * response.moments()[2] / time, Mode::ShortAxis, xi);
             response.mean_power(&motion)

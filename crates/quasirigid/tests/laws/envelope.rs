@@ -1,7 +1,7 @@
 //! Nutation as an envelope: against rigid bodies in closed form, against the motion itself, and with momentum wheels. (P8)
 
 use quasirigid::averaging::FreeRotation;
-use quasirigid::dynamics::{Nutations, Observer, Options, Sample, SpinState, propagate, steady_spins};
+use quasirigid::dynamics::{Nutations, Observer, Options, Sample, Start, propagate, steady_spins};
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::ring_of_points;
@@ -19,13 +19,13 @@ fn rigid(inertia: [[f64; 3]; 3], wheels: Vec<Wheel>) -> ReducedBody {
 #[test]
 fn a_rigid_body_nutates_as_in_closed_form() {
     let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], Vec::new());
-    let Principal { moments, axes } = Principal::of(body.J);
+    let Principal { moments, axes } = Principal::compute(body.J);
     for (mode, degrees) in [(Mode::ShortAxis, 1e-3), (Mode::ShortAxis, 50.0), (Mode::LongAxis, 30.0)] {
         let motion = FreeRotation::at_nutation(moments, 7.0, mode, f64::to_radians(degrees)).unwrap();
         for share in [0.0, 0.13, 0.71] {
             let omega = motion.omega(share * motion.polhode_period());
             let K = [0, 1, 2].map(|i| (0..3).map(|k| moments[k] * omega[k] * axes[k][i]).sum());
-            let found = Nutations::of(&body).at(K).unwrap();
+            let found = Nutations::new(&body).at(K).unwrap();
             let [least, greatest] = motion.nutation();
             assert!((found.least / least - 1.0).abs() < 1e-7, "{mode:?} {degrees}: {found:?} {least}");
             assert!((found.greatest / greatest - 1.0).abs() < 1e-7, "{mode:?} {degrees}: {found:?}");
@@ -41,7 +41,7 @@ fn a_body_of_revolution_keeps_its_angle() {
         let body = rigid([[5.0, 0.0, 0.0], [0.0, axial, 0.0], [0.0, 0.0, 5.0]], Vec::new());
         for degrees in [0.01_f64, 20.0, 70.0, 90.0] {
             let (sine, cosine) = degrees.to_radians().sin_cos();
-            let found = Nutations::of(&body).at([0.6 * sine, cosine, 0.8 * sine]).unwrap();
+            let found = Nutations::new(&body).at([0.6 * sine, cosine, 0.8 * sine]).unwrap();
             for angle in [found.least, found.greatest] {
                 assert!(
                     (angle.to_degrees() - degrees).abs() < 1e-8 * degrees,
@@ -67,14 +67,14 @@ impl Observer for Seen {
 fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
     let times: Vec<f64> = (0..=4000).map(|i| 1.1 * period * f64::from(i) / 4000.0).collect();
     let mut seen = Seen::default();
-    let start = SpinState::new(omega, [1.0, 0.0, 0.0, 0.0]);
+    let start = Start::new(omega, [1.0, 0.0, 0.0, 0.0]);
     propagate(body, start, &times, &Options { tolerance: 1e-12, ..Options::default() }, &mut seen).unwrap();
-    let first = Nutations::of(body).at(seen.0[0]).unwrap();
+    let first = Nutations::new(body).at(seen.0[0]).unwrap();
     let angles = seen.0.iter().map(|K| angle(first.axis, *K));
     let (low, high) = angles.fold((f64::INFINITY, 0.0_f64), |(l, h), a| (l.min(a), h.max(a)));
     println!("{:?} {low} {high}", first);
     assert!((first.least / low - 1.0).abs() < 2e-4 && (first.greatest / high - 1.0).abs() < 2e-4);
-    let mut nutations = Nutations::of(body);
+    let mut nutations = Nutations::new(body);
     for K in seen.0.iter().step_by(500) {
         let found = nutations.at(*K).unwrap();
         assert!((found.least / first.least - 1.0).abs() < 2e-4, "{found:?} {first:?}");
@@ -89,8 +89,8 @@ fn momentum_wheels_turn_the_axis_that_is_circled() {
         Wheel { name: "wheel".into(), axis: [0.5, 1.0, 0.2], speed: WheelSpeed::Constant { momentum: 6.0 } };
     let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], vec![wheel]);
     let omega = [0.05, 0.1, 0.7];
-    let axis = Nutations::of(&body).at(body.momentum(omega)).unwrap().axis;
-    assert!(Principal::of(body.J).axes.iter().all(|principal| dot(*principal, axis).abs() < 0.99));
+    let axis = Nutations::new(&body).at(body.momentum(omega)).unwrap().axis;
+    assert!(Principal::compute(body.J).axes.iter().all(|principal| dot(*principal, axis).abs() < 0.99));
     let spin = body.Omega.vector(axis.map(|entry| norm(body.momentum(omega)) * entry));
     assert!(angle(spin, axis).min(angle(spin, axis.map(|entry| -entry))) < 1e-9, "a steady spin");
     assert_seen(&body, omega, 60.0);
@@ -101,7 +101,7 @@ fn momentum_wheels_turn_the_axis_that_is_circled() {
 fn the_axis_is_that_of_the_deformed_body() {
     let body = reduce(&ring_of_points(7).body().unwrap(), 2).unwrap();
     let omega = [0.03, 0.05, 0.9];
-    let found = Nutations::of(&body).at(body.momentum(omega)).unwrap();
+    let found = Nutations::new(&body).at(body.momentum(omega)).unwrap();
     let steady = steady_spins(&body, norm(body.momentum(omega)));
     let nearest = steady.iter().flatten().map(|spin| {
         let K = body.momentum(spin.omega);

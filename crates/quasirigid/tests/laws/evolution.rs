@@ -1,7 +1,7 @@
 //! Averaged ageing against closed forms and against the reduced equations themselves.
 
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Stage};
-use quasirigid::dynamics::{Forced, Options, Sample, SpinState, propagate, propagate_full};
+use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
@@ -20,7 +20,7 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     let body = AXIAL.assembly().body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
     let G = 1.4;
-    let power = PolynomialPower::of(&reduced);
+    let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, G);
     // u = cos² of the nutation; 1/D = u/C + (1 − u)/A.
     let ratio = |u: f64| 1.0 / (AXIAL.C * (u / AXIAL.C + (1.0 - u) / AXIAL.A));
@@ -37,7 +37,7 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
 fn without_power_no_stage_is_ever_reached() {
     let undamped = AxialMass { b: 0.0, ..AXIAL };
     let reduced = reduce(&undamped.assembly().body().unwrap(), 3).unwrap();
-    let power = PolynomialPower::of(&reduced);
+    let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, 1.4);
     let [from, to] = [0.3, 0.7].map(|share| evolution.stage(1.0 / 1.5 + share / 3.0).unwrap());
     assert!(evolution.power(from) == 0.0 && evolution.power(from).is_sign_positive());
@@ -65,9 +65,9 @@ pub fn tumbler(epsilon: f64) -> Assembly {
 fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], full: bool) -> Vec<[f64; 2]> {
     let body = tumbler(epsilon).body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
-    let Principal { moments, .. } = Principal::of(reduced.J);
+    let Principal { moments, .. } = Principal::compute(reduced.J);
     let G = norm(reduced.momentum(omega));
-    let power = PolynomialPower::of(&reduced);
+    let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, G);
     let ratio = |sample: &Sample| norm(sample.momentum).powi(2) / (2.0 * sample.energy * moments[2]);
     let averaged = |start: &Sample| {
@@ -81,7 +81,7 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     let mut histories = Vec::new();
     for order in orders {
         let mut samples = Vec::new();
-        let start = SpinState::new(omega, ALIGNED);
+        let start = Start::new(omega, ALIGNED);
         let reduced = reduce(&body, *order).unwrap();
         propagate(&reduced, start, &grid, &options, &mut samples).unwrap();
         histories.push(samples);
@@ -106,7 +106,7 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
 
 fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega: [f64; 3]) -> Stage {
     let G = norm(reduced.momentum(omega));
-    evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::of(reduced.J).moments[2])).unwrap()
+    evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::compute(reduced.J).moments[2])).unwrap()
 }
 
 /// What averaging over rigid polhodes neglects, the elastic part of energy and momentum, falls as `ε²`.

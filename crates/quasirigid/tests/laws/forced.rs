@@ -5,8 +5,8 @@ use proptest::array::{uniform2, uniform3, uniform4, uniform7};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Situation, Wave};
-use quasirigid::model::{FlexibleBody, Marker, Motion};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Situation, Wave};
+use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::expression::Expression;
 
 use crate::support::transform::Units;
@@ -64,7 +64,7 @@ impl State {
             attitude: self.attitude,
             pole: self.pole,
             pole_velocity: self.velocity,
-            motion: Motion { omega: self.omega, q: &self.q, rate: &self.rate },
+            motion: MotionState { omega: self.omega, q: &self.q, rate: &self.rate },
         }
     }
 
@@ -182,18 +182,18 @@ impl Numbers {
             formula(&format!("-{k:e} * {axis} * sqrt(x^2 + y^2 + z^2) - {c:e} * v{axis}"))
         });
         let laws = [
-            Law::UniformGravity { acceleration: times(turned(g), units.factor([1, 0, -2])) },
-            Law::CentralGravity { orbit },
-            Law::Drag { at: carrier, coefficient: drag * drag_unit },
-            Law::Drag { at: point, coefficient: drag * drag_unit },
-            Law::SpinDrag { coefficient: spin * units.factor([2, 1, -1]) },
-            Law::Torque { torque: times(torque, units.length * newton), axes: torque_axes, wave },
-            Law::Thrust { at: carrier, force: times(thrust, newton), axes: thrust_axes, wave },
-            Law::Thrust { at: point, force: times(thrust, newton), axes: thrust_axes, wave },
-            Law::MagneticDipole { moment, field: uniform },
-            Law::MagneticDipole { moment, field: MagneticField::Dipole { strength, orbit } },
-            Law::Expression { at: carrier, force: central.clone() },
-            Law::Expression { at: point, force: central },
+            ForceLaw::UniformGravity { acceleration: times(turned(g), units.factor([1, 0, -2])) },
+            ForceLaw::CentralGravity { orbit },
+            ForceLaw::Drag { at: carrier, coefficient: drag * drag_unit },
+            ForceLaw::Drag { at: point, coefficient: drag * drag_unit },
+            ForceLaw::SpinDrag { coefficient: spin * units.factor([2, 1, -1]) },
+            ForceLaw::Torque { torque: times(torque, units.length * newton), axes: torque_axes, wave },
+            ForceLaw::Thrust { at: carrier, force: times(thrust, newton), axes: thrust_axes, wave },
+            ForceLaw::Thrust { at: point, force: times(thrust, newton), axes: thrust_axes, wave },
+            ForceLaw::MagneticDipole { moment, field: uniform },
+            ForceLaw::MagneticDipole { moment, field: MagneticField::Dipole { strength, orbit } },
+            ForceLaw::Expression { at: carrier, force: central.clone() },
+            ForceLaw::Expression { at: point, force: central },
         ];
         laws.into_iter().map(|law| Force { name: "force".into(), law }).collect()
     }

@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::model::force::{Axes, Force, Law, Loads, MagneticField, Situation};
-use quasirigid::model::{FlexibleBody, Marker, Motion};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Loads, MagneticField, Situation};
+use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::scalar::Smooth;
 use quasirigid_math::taylor::Taylor;
 
@@ -51,7 +51,7 @@ fn drifting<T: Smooth>(
         attitude: state.attitude.map(&mut moved),
         pole: state.pole.map(&mut moved),
         pole_velocity: state.velocity.map(&mut moved),
-        motion: Motion { omega: state.omega.map(&mut moved), q: &q, rate: &rate },
+        motion: MotionState { omega: state.omega.map(&mut moved), q: &q, rate: &rate },
     };
     body.loads(forces, &situation)
 }
@@ -78,14 +78,14 @@ proptest! {
             let power = loads.power(state.situation().motion, V_B);
             let omega = V::from(state.omega);
             let expected = match &force.law {
-                Law::Drag { at, coefficient } => -coefficient * state.velocity(at).norm_squared(),
-                Law::SpinDrag { coefficient } => -coefficient * omega.norm_squared(),
-                Law::Thrust { at, force, axes, wave } => {
+                ForceLaw::Drag { at, coefficient } => -coefficient * state.velocity(at).norm_squared(),
+                ForceLaw::SpinDrag { coefficient } => -coefficient * omega.norm_squared(),
+                ForceLaw::Thrust { at, force, axes, wave } => {
                     let now = (wave.frequency * state.t + wave.phase).cos() * V::from(*force);
                     let now = if *axes == Axes::Body { turn * now } else { now };
                     now.dot(&state.velocity(at))
                 }
-                Law::Torque { torque, axes, wave } => {
+                ForceLaw::Torque { torque, axes, wave } => {
                     let now = (wave.frequency * state.t + wave.phase).cos() * V::from(*torque);
                     now.dot(&if *axes == Axes::Body { omega } else { turn * omega })
                 }
@@ -93,7 +93,7 @@ proptest! {
             };
             let scale = size(&loads) * 10.0;
             prop_assert!((power - expected).abs() < ROUNDING * scale, "{:?}: {power} {expected}", force.law);
-            if matches!(force.law, Law::Drag { .. } | Law::SpinDrag { .. }) {
+            if matches!(force.law, ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. }) {
                 prop_assert!(power <= 0.0, "{:?} gives {power}", force.law);
             }
         }
@@ -106,7 +106,7 @@ proptest! {
     ) {
         let force = ["1.5*x*vy - z*t", "vx^2 - 0.7*y + cos(t)", "vz*(x + 2) + 0.3*y*z"].map(formula);
         let (on, at) = if on_point { (End::Point(0), None) } else { (End::Carrier, Some(on_carrier)) };
-        let law = Law::Expression { at: Station { on, at }, force };
+        let law = ForceLaw::Expression { at: Station { on, at }, force };
         let (body, forces) = resolved(&forced(&assembly, vec![Force { name: "own".into(), law }]));
         let state = State::of(&body, &loose, 0.5);
         let at = forces[0].law.place().unwrap();
@@ -130,7 +130,7 @@ proptest! {
     fn magnetic_torque_works_as_the_energy_of_the_dipole_falls(
         assembly in assemblies(), loose in states(), moment in vector(), strength in vector(), orbit in orbit()
     ) {
-        let field = |law: MagneticField| Force { name: "coil".into(), law: Law::MagneticDipole { moment, field: law } };
+        let field = |law: MagneticField| Force { name: "coil".into(), law: ForceLaw::MagneticDipole { moment, field: law } };
         let (body, _) = resolved(&assembly);
         let state = State::of(&body, &loose, 0.5);
         let R = V::from(orbit.at(state.t).place);
@@ -233,8 +233,8 @@ proptest! {
     ) {
         let (body, forces) = resolved(&forced(&assembly, numbers.forces(BASE, &Matrix3::identity())));
         let mut state = State::of(&body, &loose, 0.5);
-        let fixed = |law: &Law<Marker>| {
-            matches!(law, Law::Thrust { axes: Axes::Body, .. } | Law::Torque { axes: Axes::Body, .. })
+        let fixed = |law: &ForceLaw<Marker>| {
+            matches!(law, ForceLaw::Thrust { axes: Axes::Body, .. } | ForceLaw::Torque { axes: Axes::Body, .. })
         };
         let forces: Vec<_> = forces.into_iter().filter(|force| fixed(&force.law)).collect();
         let before = body.loads(&forces, &state.situation());

@@ -1,11 +1,11 @@
 //! The full system: what it keeps, what it does not dissipate, and where its fast part goes.
 
 use quasirigid::dynamics::{
-    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState, SpinState,
+    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState, Start,
     composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
     steady_spins,
 };
-use quasirigid::elements::{Carrier, Coefficient, End, Law, Spring};
+use quasirigid::elements::{Carrier, Coefficient, End, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
@@ -109,7 +109,7 @@ fn chain() -> FlexibleBody {
         name: String::new(),
         from: End::Point(next - 1),
         to: End::Point(next),
-        law: Law::Spatial {
+        law: SpringLaw::Spatial {
             stiffness: Coefficient::Diagonal([60.0, 50.0, 40.0]),
             damping: Coefficient::Diagonal([0.6, 0.5, 0.4]),
         },
@@ -141,7 +141,7 @@ fn matched_start_gains_an_order() {
                 let reduced = reduce(&body, 3).unwrap();
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
                 let momentum = if turned { slow.momentum } else { start.momentum(&body) };
-                let initial = SpinState::new(reduced.Omega.vector(momentum), slow.attitude);
+                let initial = Start::new(reduced.Omega.vector(momentum), slow.attitude);
                 let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
                 let mut samples: Vec<Sample> = Vec::new();
                 propagate(&reduced, initial, &times, &at(1e-13), &mut samples).unwrap();
@@ -173,7 +173,7 @@ fn composite_solution_holds_from_the_first_moment() {
                 let start = FullState::at_rest(&body, OMEGA, ALIGNED);
                 let system = Forced::not(&body);
                 let slow = matched_start(system, 3, &start).unwrap();
-                let layer = BoundaryLayer::of(system, 3, &start).unwrap();
+                let layer = BoundaryLayer::compute(system, 3, &start).unwrap();
                 let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
                 let mut samples: Vec<Sample> = Vec::new();
                 propagate_forced(system, 3, &slow, &times, &at(1e-13), &mut samples).unwrap();
@@ -234,7 +234,7 @@ fn events_end_a_run_where_they_happen() {
     assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{} J, asked {mark} J", run.last.energy);
     assert_eq!(samples.len(), 1);
     let reduced = reduce(&body, 3).unwrap();
-    let initial = SpinState::new(CommonProblem::SPIN, ALIGNED);
+    let initial = Start::new(CommonProblem::SPIN, ALIGNED);
     for form in [Form::Momentum, Form::Paper] {
         let options = Options { form, ..options.clone() };
         let run = propagate(&reduced, initial, &[1e-3, 1e5], &options, &mut Vec::new()).unwrap();

@@ -2,7 +2,7 @@
 
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
-use quasirigid::model::force::{Force, Law, Loads, Orbit};
+use quasirigid::model::force::{Force, ForceLaw, Loads, Orbit};
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid_math::expression::Expression;
 
@@ -52,7 +52,7 @@ fn gap(loads: &Loads<f64>, slopes: &Slopes) -> (f64, f64) {
     ((V::from(loads.moment) - slopes.moment).norm(), generalized.fold(0.0, f64::max))
 }
 
-fn one(law: Law<Marker>) -> [Force<Marker>; 1] {
+fn one(law: ForceLaw<Marker>) -> [Force<Marker>; 1] {
     [Force { name: "gravity".into(), law }]
 }
 
@@ -102,8 +102,8 @@ proptest! {
             massive.assembly.support = Support::FixedPoint { point };
         }
         let (body, free, cloud, state) = at_rest(&massive, &loose, 1.0);
-        let uniform = body.loads(&one(Law::UniformGravity { acceleration: g }), &state.situation());
-        let central = body.loads(&one(Law::CentralGravity { orbit }), &state.situation());
+        let uniform = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.situation());
+        let central = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.situation());
         let (mass, J) = (body.invariants().mass, body.invariants().J[0] + body.invariants().J[1]);
         let (moment, generalized) = gap(&uniform, &slopes(&cloud, &state, weight(g)));
         prop_assert!(moment.max(generalized) < DIFFERENCES * mass, "{moment:e} {generalized:e}");
@@ -122,7 +122,7 @@ proptest! {
         massive in massive().prop_filter("a hinge", |m| !m.appendages.is_empty()), g in vector(), orbit in orbit(),
         loose in states()
     ) {
-        let laws = [Law::UniformGravity { acceleration: g }, Law::CentralGravity { orbit }];
+        let laws = [ForceLaw::UniformGravity { acceleration: g }, ForceLaw::CentralGravity { orbit }];
         for (which, law) in laws.into_iter().enumerate() {
             // Sums over several states, in which no term of the error vanishes by accident.
             let error = |amount: f64| {
@@ -169,7 +169,7 @@ proptest! {
             let pull = |d: V| -orbit.parameter * (R + d) / (R + d).norm().powi(3);
             let moment: V =
                 masses.iter().map(|(m, u)| *m * (u - middle).cross(&(pull(u - middle) - pull(V::zeros())))).sum();
-            let loads = body.loads(&one(Law::CentralGravity { orbit }), &state.situation());
+            let loads = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.situation());
             let kappa = orbit.parameter / R.norm().powi(3);
             (moment - V::from(loads.moment)).norm() / (kappa * largest) * (R.norm() / distance)
         };
@@ -186,7 +186,7 @@ proptest! {
         assembly.support = Support::Free;
         let body = assembly.body().unwrap();
         let state = State::of(&body, &loose, 0.5);
-        let loads = body.loads(&one(Law::UniformGravity { acceleration: g }), &state.situation());
+        let loads = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.situation());
         let felt = loads.about_center(&body, &state.q);
         let rounding = 1e-15 * V::from(g).norm();
         let invariants = body.invariants();
@@ -216,7 +216,7 @@ proptest! {
         let acceleration = g.map(|a| Expression::parse(&format!("{:e} * t", -a), &["t"]).unwrap());
         let driven = held(Support::Prescribed { point, acceleration, velocity: [0.0; 3], position: [0.0; 3] });
         let state = State::of(&fixed, &loose, 0.5);
-        let weight = one(Law::UniformGravity { acceleration: g.map(|a| a * state.t) });
+        let weight = one(ForceLaw::UniformGravity { acceleration: g.map(|a| a * state.t) });
         let loads = driven.loads(&[], &state.situation());
         prop_assert_eq!(&loads, &fixed.loads(&weight, &state.situation()));
         prop_assert_eq!(&loads.about_center(&driven, &state.q), &loads);

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage};
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use quasirigid::model::{Measured, Mode, Rheology};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
@@ -66,8 +66,10 @@ fn response_becomes_the_polynomial_power_at_low_frequencies() {
     for (mode, xi) in [(Mode::ShortAxis, 0.5), (Mode::LongAxis, 1.0)] {
         let gaps = [1.0, 0.5, 0.25].map(|epsilon| {
             let body = tumbler(0.5 * epsilon).body().unwrap();
-            let (polynomial, response) =
-                (PolynomialPower::of(&reduce(&body, 3).unwrap()), Response::of(&body).unwrap());
+            let (polynomial, response) = (
+                PolynomialPower::from_reduced(&reduce(&body, 3).unwrap()),
+                Response::compute(&body).unwrap(),
+            );
             let motion = FreeRotation::at_logit(response.moments(), 18.0, mode, xi);
             response.mean_power(&motion) / polynomial.mean_power(&motion) - 1.0
         });
@@ -86,13 +88,13 @@ proptest! {
         let assembly = stiffened(&assembly, 1e8, 1e4);
         let body = assembly.body().unwrap();
         let (polynomial, response) =
-            (PolynomialPower::of(&reduce(&body, 3).unwrap()), Response::of(&body).unwrap());
+            (PolynomialPower::from_reduced(&reduce(&body, 3).unwrap()), Response::compute(&body).unwrap());
         let mode = if long { Mode::LongAxis } else { Mode::ShortAxis };
         let slow = 1e-3 * response.frequencies().next().unwrap().0 * response.moments()[0];
         let motion = FreeRotation::at_logit(response.moments(), slow, mode, xi);
         let [expected, found] = [&polynomial as &dyn MeanPower, &response].map(|power| power.mean_power(&motion));
         prop_assert!((found / expected - 1.0).abs() < 1e-4, "{found:e} {expected:e}");
-        let turned = Response::of(&rotated(&assembly, &R).body().unwrap()).unwrap();
+        let turned = Response::compute(&rotated(&assembly, &R).body().unwrap()).unwrap();
         let again = turned.mean_power(&FreeRotation::at_logit(turned.moments(), slow, mode, xi));
         prop_assert!((again / found - 1.0).abs() < 1e-8, "{again:e} {found:e}");
     }
@@ -108,10 +110,10 @@ fn laws_may_differ_from_spring_to_spring() {
         let mut assembly = tumbler(1.0);
         for (spring, rheology) in assembly.springs.iter_mut().zip(rheologies) {
             spring.rheology = rheology.clone();
-            let Law::Spatial { damping, .. } = &mut spring.law else { panic!("a spatial law") };
+            let SpringLaw::Spatial { damping, .. } = &mut spring.law else { panic!("a spatial law") };
             *damping = Coefficient::Isotropic(0.0);
         }
-        let response = Response::of(&assembly.body().unwrap()).unwrap();
+        let response = Response::compute(&assembly.body().unwrap()).unwrap();
         response.mean_power(&FreeRotation::at_logit(response.moments(), 18.0, Mode::ShortAxis, 0.5))
     };
     let [one, other, mixed] =
@@ -133,13 +135,13 @@ fn with_damper(stiffness: f64, damping: f64, mass: f64) -> Assembly {
             name: "damper".into(),
             mass,
             position: [1.5, 0.4, 0.0],
-            motion: Motion::Line([0.0, 0.0, 1.0]),
+            motion: PointMotion::Line([0.0, 0.0, 1.0]),
         }],
         springs: vec![Spring {
             name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
-            law: Law::Spatial {
+            law: SpringLaw::Spatial {
                 stiffness: Coefficient::Isotropic(stiffness),
                 damping: Coefficient::Isotropic(damping),
             },
@@ -159,13 +161,13 @@ fn response_is_that_of_the_full_system_at_resonance() {
     for tuning in [0.7, 0.95, 1.0, 1.05, 1.6] {
         let polhode = {
             let light = with_damper(1.0, 1.0, mass).body().unwrap();
-            let response = Response::of(&light).unwrap();
+            let response = Response::compute(&light).unwrap();
             TAU / FreeRotation::through(response.moments(), omega).unwrap().polhode_period()
         };
         let frequency = tuning * polhode;
         let body =
             with_damper(mass * frequency * frequency, 2.0 * ratio * mass * frequency, mass).body().unwrap();
-        let response = Response::of(&body).unwrap();
+        let response = Response::compute(&body).unwrap();
         let period = TAU / polhode;
         let times = [40.0 * period, 60.0 * period];
         let mut samples = Vec::new();
@@ -180,7 +182,8 @@ fn response_is_that_of_the_full_system_at_resonance() {
         };
         let [from, to] = [&samples[0], &samples[1]].map(|sample| response.mean_power(&motion(sample)));
         let predicted = 0.5 * (from + to);
-        let polynomial = PolynomialPower::of(&reduce(&body, 3).unwrap()).mean_power(&motion(&samples[0]));
+        let polynomial =
+            PolynomialPower::from_reduced(&reduce(&body, 3).unwrap()).mean_power(&motion(&samples[0]));
         println!(
             "tuned to {tuning}: full {measured:.5e} W, response {predicted:.5e} W ({:+.3} %), polynomial {polynomial:.3e} W",
             100.0 * (measured / predicted - 1.0)
@@ -194,7 +197,7 @@ fn response_is_that_of_the_full_system_at_resonance() {
 #[test]
 fn crossings_are_where_harmonics_meet_elastic_frequencies() {
     let body = with_damper(2e-5 * 0.09, 2e-5 * 0.006, 2e-5).body().unwrap();
-    let response = Response::of(&body).unwrap();
+    let response = Response::compute(&body).unwrap();
     let evolution = Evolution::new(&response, 16.0);
     let crossings = response.resonances(&evolution);
     assert!(crossings.len() >= 4, "{crossings:?}");

@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
-use quasirigid::elements::Motion;
+use quasirigid::elements::PointMotion;
 use quasirigid::model::{FlexibleBody, Support};
 use quasirigid_math::sym3::{self, Sym};
 
@@ -201,12 +201,12 @@ proptest! {
                 }
             }
             match point.motion {
-                Motion::Free => prop_assert_eq!(shapes.len(), 3),
-                Motion::Line(direction) => {
+                PointMotion::Free => prop_assert_eq!(shapes.len(), 3),
+                PointMotion::Line(direction) => {
                     prop_assert_eq!(shapes.len(), 1);
                     prop_assert!(shapes[0].cross(&V::from(direction).normalize()).norm() < 4e-16);
                 }
-                Motion::Plane(normal) => {
+                PointMotion::Plane(normal) => {
                     prop_assert_eq!(shapes.len(), 2);
                     let normal = V::from(normal).normalize();
                     prop_assert!(shapes.iter().all(|e| e.dot(&normal).abs() < 4e-16));

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::model::{FlexibleBody, Motion};
+use quasirigid::model::{FlexibleBody, MotionState};
 use quasirigid_math::scalar::Jet;
 
 use super::invariants::Cloud;
@@ -31,8 +31,8 @@ impl State {
         Self { omega, q: some(0), rate: some(1) }
     }
 
-    fn motion(&self) -> Motion<'_, f64> {
-        Motion { omega: self.omega, q: &self.q, rate: &self.rate }
+    fn motion(&self) -> MotionState<'_, f64> {
+        MotionState { omega: self.omega, q: &self.q, rate: &self.rate }
     }
 }
 
@@ -136,7 +136,7 @@ proptest! {
         let spin: [Jet; 3] = std::array::from_fn(|i| jet(omega[i], turning[i], 0.0));
         let q: Vec<Jet> = (0..n).map(|j| jet(some(j, 0), some(j, 1), some(j, 2))).collect();
         let rate: Vec<Jet> = (0..n).map(|j| jet(some(j, 1), some(j, 2), 0.0)).collect();
-        let motion = Motion { omega: spin, q: &q, rate: &rate };
+        let motion = MotionState { omega: spin, q: &q, rate: &rate };
         let K = body.momentum(motion);
         let (momenta, loads) = (body.generalized_momentum(motion), body.load(motion));
         let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());

@@ -2,20 +2,20 @@
 
 use proptest::prelude::*;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, HingeCoefficient, Law, Motion,
-    Point, Prestress, Problem, Spring,
+    Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, HingeCoefficient, Point,
+    PointMotion, Prestress, Problem, Spring, SpringLaw,
 };
 use quasirigid::model::Rheology;
 
 use super::wobbler;
 use crate::support::{bodies, cases};
 
-fn point(name: &str, position: [f64; 3], motion: Motion) -> Point {
+fn point(name: &str, position: [f64; 3], motion: PointMotion) -> Point {
     Point { name: name.into(), mass: 0.2, position, motion }
 }
 
 fn isotropic(from: End, to: End, stiffness: f64) -> Spring {
-    let law = Law::Spatial {
+    let law = SpringLaw::Spatial {
         stiffness: Coefficient::Isotropic(stiffness),
         damping: Coefficient::Isotropic(0.01 * stiffness),
     };
@@ -27,7 +27,7 @@ fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
         name: String::new(),
         from,
         to,
-        law: Law::Axial { stiffness: 5.0, damping: 0.1, anchor, prestress: Prestress::Relaxed },
+        law: SpringLaw::Axial { stiffness: 5.0, damping: 0.1, anchor, prestress: Prestress::Relaxed },
         rheology: Rheology::Elastic,
     }
 }
@@ -47,8 +47,10 @@ fn named(assembly: &Assembly) -> (ElementId, String) {
 
 #[test]
 fn a_point_without_a_spring_is_a_mechanism() {
-    let points =
-        vec![point("held", [0.5, 0.0, 0.2], Motion::Free), point("loose", [0.0, 0.7, 0.1], Motion::Free)];
+    let points = vec![
+        point("held", [0.5, 0.0, 0.2], PointMotion::Free),
+        point("loose", [0.0, 0.7, 0.1], PointMotion::Free),
+    ];
     let mut assembly = body(points, vec![isotropic(End::Point(0), End::Carrier, 9.0)]);
     let (place, coordinates) = named(&assembly);
     assert_eq!(place, ElementKind::Point.at(1));
@@ -61,7 +63,7 @@ fn a_point_without_a_spring_is_a_mechanism() {
 fn a_point_on_an_axial_spring_alone_moves_across_it() {
     let place = [0.5, 0.3, 0.2];
     let free = body(
-        vec![point("tip", place, Motion::Free)],
+        vec![point("tip", place, PointMotion::Free)],
         vec![axial(End::Point(0), End::Carrier, Some([0.1, 0.3, 0.2]))],
     );
     let (blamed, coordinates) = named(&free);
@@ -69,23 +71,23 @@ fn a_point_on_an_axial_spring_alone_moves_across_it() {
     assert!(coordinates.contains("\"tip\" y") || coordinates.contains("\"tip\" z"), "{coordinates}");
     assert!(!coordinates.contains("\"tip\" x"), "the spring lies along x: {coordinates}");
     let skew = body(
-        vec![point("tip", place, Motion::Free)],
+        vec![point("tip", place, PointMotion::Free)],
         vec![axial(End::Point(0), End::Carrier, Some([-0.3, 0.1, 0.9]))],
     );
     assert_eq!(named(&skew).0, ElementKind::Point.at(0));
-    let line = Motion::Line([1.0, 0.2, 0.0]);
+    let line = PointMotion::Line([1.0, 0.2, 0.0]);
     let held = body(vec![point("tip", place, line)], free.springs.clone());
     assert!(held.body().is_ok(), "a line along the spring is held");
-    let across = body(vec![point("tip", place, Motion::Line([0.0, 1.0, 0.0]))], free.springs);
+    let across = body(vec![point("tip", place, PointMotion::Line([0.0, 1.0, 0.0]))], free.springs);
     assert_eq!(named(&across).1, "\"tip\" along its line");
 }
 
 #[test]
 fn two_points_joined_only_to_each_other_are_a_mechanism() {
     let points = vec![
-        point("one", [0.5, 0.0, 0.2], Motion::Free),
-        point("two", [0.0, 0.7, 0.1], Motion::Free),
-        point("held", [0.2, 0.2, 0.9], Motion::Free),
+        point("one", [0.5, 0.0, 0.2], PointMotion::Free),
+        point("two", [0.0, 0.7, 0.1], PointMotion::Free),
+        point("held", [0.2, 0.2, 0.9], PointMotion::Free),
     ];
     let springs =
         vec![isotropic(End::Point(0), End::Point(1), 9.0), isotropic(End::Point(2), End::Carrier, 9.0)];
@@ -114,7 +116,8 @@ fn a_hinge_axis_without_stiffness_is_a_mechanism() {
 /// Dashpots hold nothing still.
 #[test]
 fn a_dashpot_alone_is_a_mechanism() {
-    let law = Law::Spatial { stiffness: Coefficient::Isotropic(0.0), damping: Coefficient::Isotropic(3.0) };
+    let law =
+        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(0.0), damping: Coefficient::Isotropic(3.0) };
     let spring = Spring {
         name: String::new(),
         from: End::Point(0),
@@ -122,7 +125,8 @@ fn a_dashpot_alone_is_a_mechanism() {
         law,
         rheology: Rheology::Elastic,
     };
-    let assembly = body(vec![point("slow", [0.5, 0.0, 0.2], Motion::Plane([0.0, 0.3, 1.0]))], vec![spring]);
+    let assembly =
+        body(vec![point("slow", [0.5, 0.0, 0.2], PointMotion::Plane([0.0, 0.3, 1.0]))], vec![spring]);
     let (_, coordinates) = named(&assembly);
     assert!(coordinates.starts_with("\"slow\" in its plane"), "{coordinates}");
 }
@@ -131,7 +135,9 @@ fn a_dashpot_alone_is_a_mechanism() {
 fn many_loose_coordinates_are_counted_rather_than_named() {
     let names = ["a", "b", "c", "d"];
     let points: Vec<_> = (0..4u8)
-        .map(|i| point(names[usize::from(i)], [0.3 * f64::from(i), 0.2, -0.4], Motion::Line([1.0, 1.0, 1.0])))
+        .map(|i| {
+            point(names[usize::from(i)], [0.3 * f64::from(i), 0.2, -0.4], PointMotion::Line([1.0, 1.0, 1.0]))
+        })
         .collect();
     let springs = (1..4).map(|i| isotropic(End::Point(i - 1), End::Point(i), 1.0)).collect();
     let (_, coordinates) = named(&body(points, springs));
@@ -139,7 +145,7 @@ fn many_loose_coordinates_are_counted_rather_than_named() {
     let points: Vec<_> = (0..4u8)
         .flat_map(|i| {
             let place = [0.3 * f64::from(i), 0.2, -0.4];
-            [0, 1].map(|k| point(&format!("{i}{k}"), place, Motion::Line([1.0, 1.0, 1.0])))
+            [0, 1].map(|k| point(&format!("{i}{k}"), place, PointMotion::Line([1.0, 1.0, 1.0])))
         })
         .collect();
     let springs = (1..8).map(|i| isotropic(End::Point(i - 1), End::Point(i), 1.0)).collect();
@@ -156,7 +162,7 @@ proptest! {
         let mut loose = assembly;
         let position = loose.points[0].position;
         let mass = loose.points[0].mass;
-        loose.points.push(Point { name: "loose".into(), mass, position, motion: Motion::Free });
+        loose.points.push(Point { name: "loose".into(), mass, position, motion: PointMotion::Free });
         let (place, coordinates) = named(&loose);
         prop_assert_eq!(place, ElementKind::Point.at(loose.points.len() - 1));
         prop_assert!(coordinates.starts_with("\"loose\""), "{coordinates}");

@@ -155,7 +155,7 @@ proptest! {
     fn dashpots_never_give_energy(assembly in bodies(), p in 3..9usize, u in vector(), decades in -3.0..3.0) {
         let body = assembly.body().unwrap();
         let reduced = reduce(&body, p).unwrap();
-        let frequency = quasirigid::reduction::Vibrations::of(&body).unwrap().frequencies[0];
+        let frequency = quasirigid::reduction::Vibrations::compute(&body).unwrap().frequencies[0];
         let omega = u.map(|x| 10f64.powf(decades) * frequency * x);
         let length = omega.iter().map(|x| x.abs()).sum::<f64>();
         let parts = (6..=2 * p).map(|d| reduced.power.part(d).amax() * length.powi(d as i32)).fold(0.0, f64::max);

@@ -58,7 +58,7 @@ proptest! {
     ) {
         let body = reduce(&rescaled(&assembly, units).body().unwrap(), p).unwrap();
         let momentum = norm(times(body.J, spin.map(|w| w / units.time)));
-        let axes = Principal::of(body.J).axes;
+        let axes = Principal::compute(body.J).axes;
         let spins = steady_spins(&body, momentum).map(|spin| spin.expect("distinct moments"));
         for (spin, axis) in spins.into_iter().zip(axes) {
             let fault = fault(&body, spin, axis, momentum);

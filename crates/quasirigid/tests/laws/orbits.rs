@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use quasirigid::model::force::{Orbit, Passage};
+use quasirigid::model::force::{Orbit, OrbitPoint};
 use quasirigid_math::scalar::Smooth;
 use quasirigid_math::taylor::Taylor;
 
@@ -12,7 +12,7 @@ use crate::support::cases;
 type V = Vector3<f64>;
 
 fn at(orbit: &Orbit, t: f64) -> (V, V) {
-    let Passage { place, velocity, .. } = orbit.at(t);
+    let OrbitPoint { place, velocity, .. } = orbit.at(t);
     (place.into(), velocity.into())
 }
 
@@ -78,7 +78,7 @@ proptest! {
 
 /// `(k + 1)(k + 2) R_{k+2} = −μ₀ [R/r³]_k` for every Taylor coefficient in time, and the velocity is the derivative.
 fn obeys_the_law<const N: usize>(orbit: Orbit, t: f64) -> Result<(), TestCaseError> {
-    let Passage { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
+    let OrbitPoint { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
     // Coefficients grow by powers of the rate at which the body passes; the factor covers those that vanish by chance.
     let unit = 0.3 * radius.value() / V::from(velocity.map(|v| v.value())).norm();
     let pull = Taylor::from(-orbit.parameter) / (radius * radius * radius);

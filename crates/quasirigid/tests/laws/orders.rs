@@ -49,7 +49,7 @@ fn damped(assembly: &Assembly) -> FlexibleBody {
 }
 
 fn lowest(body: &FlexibleBody) -> f64 {
-    Vibrations::of(body).unwrap().frequencies[0]
+    Vibrations::compute(body).unwrap().frequencies[0]
 }
 
 /// Minus the second inertial derivative of the first moment of the displacements, for `q` of the slow manifold.

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{
-    Forced, Form, FullState, Observer, Options, Outcome, PropagateError, Sample, SpinState, propagate,
+    Forced, Form, FullState, Observer, Options, Outcome, PropagateError, Sample, Start, propagate,
     propagate_full, spin_path,
 };
 use quasirigid::model::ReducedBody;
@@ -12,8 +12,8 @@ use super::wobbler::{attitude, reduced, times_to};
 
 const START: [f64; 3] = [0.5, -0.3, 0.9];
 
-fn state(omega: [f64; 3]) -> SpinState {
-    SpinState::new(omega, attitude())
+fn state(omega: [f64; 3]) -> Start {
+    Start::new(omega, attitude())
 }
 
 /// Keeps samples and ends the run at the first sign of progress.
@@ -179,7 +179,7 @@ fn a_state_of_another_body_is_refused() {
 fn a_start_that_is_no_state_is_refused() {
     let body = reduced(3);
     let with = |attitude| {
-        let initial = SpinState { attitude, ..state(START) };
+        let initial = Start { attitude, ..state(START) };
         propagate(&body, initial, &[1.0], &Options::default(), &mut Vec::<Sample>::new()).err()
     };
     assert!(matches!(with([f64::NAN; 4]), Some(PropagateError::Attitude { .. })));

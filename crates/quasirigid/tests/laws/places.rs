@@ -3,13 +3,13 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::dynamics::Forced;
 use quasirigid::elements::{
-    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, Law as SpringLaw, Motion,
-    PlaceRef, Point, Prestress, Problem, Spring, Station,
+    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Point,
+    PointMotion, Prestress, Problem, Spring, SpringLaw, Station,
 };
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Situation, Wave};
-use quasirigid::model::{Motion as Moving, Rheology};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Situation, Wave};
+use quasirigid::model::{MotionState as Moving, Rheology};
 use quasirigid::reduction::frequencies;
-use quasirigid::verification::{Plan, Start, verify};
+use quasirigid::verification::{Start, VerificationPlan, verify};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::Turn;
 
@@ -33,7 +33,7 @@ const ON_TIP: End = End::Hinged(PlaceRef { hinged: 0, place: 1 });
 #[test]
 fn a_place_on_an_appendage_turns_with_it() {
     let mut assembly = placed();
-    let drag = Law::Expression {
+    let drag = ForceLaw::Expression {
         at: Station { on: ON_TIP, at: None },
         force: ["2*x + y*vz", "0.3*vx - y", "z*x"].map(formula),
     };
@@ -138,9 +138,9 @@ fn orders_are_reached_with_places_and_formulas() {
     });
     let at = Station { on: ON_TIP, at: None };
     let laws = [
-        Law::Drag { at, coefficient: 0.05 },
-        Law::Expression { at, force: ["0.1*qx*wz", "0.05*wy*qw", "-0.1*qz"].map(formula) },
-        Law::TorqueExpression {
+        ForceLaw::Drag { at, coefficient: 0.05 },
+        ForceLaw::Expression { at, force: ["0.1*qx*wz", "0.05*wy*qw", "-0.1*qz"].map(formula) },
+        ForceLaw::TorqueExpression {
             torque: ["-0.1*wx*wz", "0.05*qy", "-0.02*wz^3"].map(formula),
             axes: Axes::Inertial,
         },
@@ -153,7 +153,13 @@ fn orders_are_reached_with_places_and_formulas() {
         place: [0.3, 0.1, 0.2],
         velocity: [0.2, -0.1, 0.3],
     };
-    let plan = Plan { orders: vec![1, 2, 3], rotations: 0.5, halvings: 4, samples: 20, ..Plan::default() };
+    let plan = VerificationPlan {
+        orders: vec![1, 2, 3],
+        rotations: 0.5,
+        halvings: 4,
+        samples: 20,
+        ..VerificationPlan::default()
+    };
     let system = Forced { body: &body, forces: &forces };
     let found = verify(system, &start, &plan, &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
     for row in &found.rows {
@@ -173,22 +179,23 @@ fn formulas_of_torques_are_torques() {
     let situation =
         Situation { t: 0.7, attitude, pole: [0.3, 1.0, -2.0], pole_velocity: [0.1, 0.2, 0.5], motion };
     let moment = |law| body.loads(&[Force { name: "own".into(), law }], &situation).moment;
-    let own = |torque: [&str; 3], axes| moment(Law::TorqueExpression { torque: torque.map(formula), axes });
+    let own =
+        |torque: [&str; 3], axes| moment(ForceLaw::TorqueExpression { torque: torque.map(formula), axes });
     let near = |a: [f64; 3], b: [f64; 3]| {
         let gap = (V::from(a) - V::from(b)).norm();
         assert!(gap < 1e-14 * V::from(b).norm().max(1.0), "{a:?} {b:?}");
     };
-    near(own(["-0.3*wx", "-0.3*wy", "-0.3*wz"], Axes::Body), moment(Law::SpinDrag { coefficient: 0.3 }));
+    near(own(["-0.3*wx", "-0.3*wy", "-0.3*wz"], Axes::Body), moment(ForceLaw::SpinDrag { coefficient: 0.3 }));
     let wave = Wave { frequency: 2.0, phase: 0.4 };
     let torque = [0.5, -0.4, 0.3];
     for axes in [Axes::Body, Axes::Inertial] {
         let texts = ["0.5*cos(2*t+0.4)", "-0.4*cos(2*t+0.4)", "0.3*cos(2*t+0.4)"];
-        near(own(texts, axes), moment(Law::Torque { torque, axes, wave }));
+        near(own(texts, axes), moment(ForceLaw::Torque { torque, axes, wave }));
     }
     // dipole along z in a field along the inertial x: the first row of the rotation matrix is the field in body axes
     let field = ["1 - 2*(qy^2 + qz^2)", "2*(qx*qy - qw*qz)"];
     let dipole =
-        Law::MagneticDipole { moment: [0.0, 0.0, 1.0], field: MagneticField::Uniform([1.0, 0.0, 0.0]) };
+        ForceLaw::MagneticDipole { moment: [0.0, 0.0, 1.0], field: MagneticField::Uniform([1.0, 0.0, 0.0]) };
     near(own([&format!("-({})", field[1]), field[0], "0"], Axes::Body), moment(dipole));
     let place = own(["x", "vy", "0"], Axes::Inertial);
     near(place, Turn::of(attitude).to_body([0.3, 0.2, 0.0]));
@@ -205,7 +212,7 @@ fn string(prestress: Prestress) -> Assembly {
     let middle = V::new(0.4, -0.2, 0.3);
     let along = 0.5 * V::new(2.0, -1.0, 0.5).normalize();
     assembly.points =
-        vec![Point { name: "bead".into(), mass: 0.2, position: middle.into(), motion: Motion::Free }];
+        vec![Point { name: "bead".into(), mass: 0.2, position: middle.into(), motion: PointMotion::Free }];
     let half = |end: V| Spring {
         name: String::new(),
         from: End::Point(0),

@@ -164,7 +164,7 @@ fn observed_periods_are_those_of_the_motion_found() {
     let moments = [2.1, 3.3, 3.5];
     for (ratio, G) in [(0.999, 2.0), (0.96, 3.0), (0.9, 0.1), (0.65, 5.0)] {
         let motion = FreeRotation::at_ratio(moments, G, ratio);
-        let observed = ObservedPeriods::of(&motion);
+        let observed = ObservedPeriods::from_motion(&motion);
         let found = observed.motion(moments).unwrap();
         assert!((found.momentum() / G - 1.0).abs() < 1e-9, "{} {G}", found.momentum());
         assert!((found.energy() / motion.energy() - 1.0).abs() < 1e-9);
@@ -179,7 +179,7 @@ fn observed_periods_are_those_of_the_motion_found() {
 #[test]
 fn apophis_has_the_published_ratio_of_periods() {
     let motion = FreeRotation::at_ratio([0.61, 0.965, 1.0], 1.0, 1.0 / 1.024);
-    let ObservedPeriods { rotation, precession, mode } = ObservedPeriods::of(&motion);
+    let ObservedPeriods { rotation, precession, mode } = ObservedPeriods::from_motion(&motion);
     assert_eq!(mode, Mode::ShortAxis);
     assert!((rotation / precession - 8.7).abs() < 0.05, "{}", rotation / precession);
 }
@@ -202,7 +202,7 @@ fn euler_angles_are_those_of_the_attitude() {
         [(Mode::ShortAxis, 0.3, 1.7), (Mode::LongAxis, 1.0, 4.4), (Mode::LongAxis, -3.0, 0.2)]
     {
         let motion = FreeRotation::at_logit([0.31, 0.96, 1.0], 1.3, mode, xi);
-        let angles = EulerAngles::of(&motion, t);
+        let angles = EulerAngles::from_motion(&motion, t);
         let about = |angle: f64, axis: Vector3<f64>| *Rotation3::new(angle * axis).matrix();
         let (z, x) = (Vector3::z(), Vector3::x());
         let R = about(angles.precession, z) * about(angles.nutation, x) * about(angles.rotation, z);

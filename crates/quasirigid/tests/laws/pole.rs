@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 
 use nalgebra::Vector3;
 use quasirigid::dynamics::{
-    Forced, Form, FullState, Observer, Options, Sample, SlowState, SpinState, propagate, propagate_forced,
+    Forced, Form, FullState, Observer, Options, Sample, SlowState, Start, propagate, propagate_forced,
     propagate_full,
 };
 use quasirigid::elements::{Assembly, Carrier, End, Station};
-use quasirigid::model::force::{Force, Law};
+use quasirigid::model::force::{Force, ForceLaw};
 use quasirigid::reduction::reduce;
 use quasirigid::verification::Start;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -35,7 +35,7 @@ fn body(forces: bool) -> Assembly {
         sprung(0.5, [0.9, 0.3, 0.4], [200.0, 300.0, 250.0]),
         sprung(0.3, [-0.5, 0.8, -0.6], [150.0, 180.0, 130.0]),
     ];
-    let drag = |on| Law::Drag {
+    let drag = |on| ForceLaw::Drag {
         at: Station { on, at: matches!(on, End::Carrier).then_some([0.4, 0.3, -0.2]) },
         coefficient: 0.2,
     };
@@ -96,7 +96,7 @@ fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
         propagate_full(system, &full, &times, &options(Form::Momentum), &mut runs[0]).unwrap();
         for (run, form) in runs[1..].iter_mut().zip([Form::Momentum, Form::Paper]) {
             if forces.is_empty() {
-                let spin = SpinState { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
+                let spin = Start { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
                 propagate(&reduce(&body, 3).unwrap(), spin, &times, &options(form), run).unwrap();
             } else {
                 let still = SlowState { momentum: [0.0; 3], attitude, place: PLACE, velocity: VELOCITY };
@@ -127,7 +127,7 @@ fn the_pole_accelerates_as_its_force_says() {
     let reduced = reduce(&assembly.body().unwrap(), 9).unwrap();
     let h = 0.02;
     let times: Vec<f64> = (0..7).map(|i| 1.0 + h * f64::from(i)).collect();
-    let spin = SpinState { place: [0.3, 0.2, 0.1], velocity: VELOCITY, ..SpinState::new(OMEGA, attitude()) };
+    let spin = Start { place: [0.3, 0.2, 0.1], velocity: VELOCITY, ..Start::new(OMEGA, attitude()) };
     let mut samples: Vec<Sample> = Vec::new();
     let options = Options { tolerance: 1e-14, ..Options::default() };
     propagate(&reduced, spin, &times, &options, &mut samples).unwrap();
@@ -150,7 +150,7 @@ fn the_pole_is_right_to_the_order() {
             let start = Start { omega: OMEGA, attitude: attitude(), place: [0.0; 3], velocity: [0.0; 3] };
             let full = start.settled(Forced::not(&body), p).unwrap();
             let reduced = reduce(&body, p).unwrap();
-            let spin = SpinState::new(reduced.Omega.vector(full.momentum(&body)), full.attitude);
+            let spin = Start::new(reduced.Omega.vector(full.momentum(&body)), full.attitude);
             let (mut truth, mut samples): (Vec<Sample>, Vec<Sample>) = Default::default();
             let options = Options { tolerance: 1e-14, ..Options::default() };
             let times = times_to(6.0, 12);

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use quasirigid::dynamics::{Form, Options, Outcome, Sample, SpinState, propagate, spin_path};
+use quasirigid::dynamics::{Form, Options, Outcome, Sample, Start, propagate, spin_path};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::{Vibrations, reduce};
@@ -19,7 +19,7 @@ const START: [f64; 3] = [0.5, -0.3, 0.9];
 
 fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
     let mut samples = Vec::new();
-    let initial = SpinState::new(START, attitude());
+    let initial = Start::new(START, attitude());
     let run = propagate(body, initial, times, &options, &mut samples).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
     assert_eq!(samples.len(), times.len());
@@ -82,7 +82,7 @@ fn a_steady_spin_turns_the_attitude_at_its_rate() {
     let problem = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
     let body = reduce(&problem.assembly().body().unwrap(), 3).unwrap();
     let times = [1.0, 7.7, 40.0];
-    let initial = SpinState::new([0.0, 0.0, 1.3], [1.0, 0.0, 0.0, 0.0]);
+    let initial = Start::new([0.0, 0.0, 1.3], [1.0, 0.0, 0.0, 0.0]);
     let mut samples = Vec::new();
     propagate(&body, initial, &times, &at(1e-13), &mut samples).unwrap();
     for (t, sample) in times.iter().zip(&samples) {
@@ -171,8 +171,8 @@ proptest! {
     #[test]
     fn the_rigid_spin_returns_after_its_period(assembly in bodies(), u in direction()) {
         let body = reduce(&assembly.body().unwrap(), 1).unwrap();
-        let omega = u.map(|x| x * Vibrations::of(&assembly.body().unwrap()).unwrap().frequencies[0]);
-        let polhode = Principal::of(body.J).polhode(omega).unwrap();
+        let omega = u.map(|x| x * Vibrations::compute(&assembly.body().unwrap()).unwrap().frequencies[0]);
+        let polhode = Principal::compute(body.J).polhode(omega).unwrap();
         let period = TAU / polhode.frequency;
         let path = spin_path(&body, omega, &[0.5 * period, period], &at(1e-13)).unwrap();
         let gap = |i: usize| norm(std::array::from_fn(|k| path.omega[i][k] - omega[k])) / norm(omega);
@@ -187,7 +187,7 @@ proptest! {
     #[test]
     fn spin_path_is_the_spin_of_propagate(assembly in bodies(), u in direction(), paper in any::<bool>()) {
         let body = assembly.body().unwrap();
-        let frequency = Vibrations::of(&body).unwrap().frequencies[0];
+        let frequency = Vibrations::compute(&body).unwrap().frequencies[0];
         let body = reduce(&body, 3).unwrap();
         let omega = u.map(|x| 0.05 * frequency * x);
         let times = times_to(100.0 / norm(omega), 7);
@@ -195,7 +195,7 @@ proptest! {
         let options = Options { form, ..at(1e-13) };
         let path = spin_path(&body, omega, &times, &options).unwrap();
         let mut samples = Vec::new();
-        let initial = SpinState::new(omega, attitude());
+        let initial = Start::new(omega, attitude());
         propagate(&body, initial, &times, &options, &mut samples).unwrap();
         prop_assert_eq!(path.omega.len(), samples.len());
         for (fast, full) in path.omega.iter().zip(&samples) {
@@ -209,11 +209,11 @@ proptest! {
     #[test]
     fn only_the_momentum_form_keeps_the_momentum(assembly in bodies(), u in direction(), p in 2..6usize) {
         let body = assembly.body().unwrap();
-        let frequency = Vibrations::of(&body).unwrap().frequencies[0];
+        let frequency = Vibrations::compute(&body).unwrap().frequencies[0];
         let body = reduce(&body, p).unwrap();
         let omega = u.map(|x| 0.1 * frequency * x);
         let end = [200.0 / norm(omega)];
-        let initial = SpinState::new(omega, attitude());
+        let initial = Start::new(omega, attitude());
         let last = |form: Form| {
             let mut samples = Vec::new();
             propagate(&body, initial, &end, &Options { form, ..at(1e-13) }, &mut samples).unwrap();

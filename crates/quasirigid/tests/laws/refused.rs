@@ -1,8 +1,8 @@
 //! What no body can have is refused, with the place and the value; nothing is repaired. Thresholds on both sides.
 
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, Field, HingeCoefficient, Law,
-    Motion, Point, Prestress, Problem, Spring,
+    Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, Field, HingeCoefficient,
+    Point, PointMotion, Prestress, Problem, Spring, SpringLaw,
 };
 use quasirigid::model::{InertiaError, Rheology, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
@@ -43,15 +43,16 @@ fn carrier(assembly: &mut Assembly) -> &mut Carrier {
 }
 
 fn spatial(assembly: &mut Assembly, coefficient: Coefficient) {
-    assembly.springs[0].law = Law::Spatial { stiffness: coefficient, damping: Coefficient::Isotropic(0.0) };
+    assembly.springs[0].law =
+        SpringLaw::Spatial { stiffness: coefficient, damping: Coefficient::Isotropic(0.0) };
 }
 
-fn axial(anchor: Option<[f64; 3]>) -> Law {
-    Law::Axial { stiffness: 1.0, damping: 0.0, anchor, prestress: Prestress::Relaxed }
+fn axial(anchor: Option<[f64; 3]>) -> SpringLaw {
+    SpringLaw::Axial { stiffness: 1.0, damping: 0.0, anchor, prestress: Prestress::Relaxed }
 }
 
 /// A second spring beside the good one.
-fn second(assembly: &mut Assembly, from: End, to: End, law: Law) {
+fn second(assembly: &mut Assembly, from: End, to: End, law: SpringLaw) {
     assembly.springs.push(Spring { name: String::new(), from, to, law, rheology: Rheology::Elastic });
 }
 
@@ -80,7 +81,7 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
     );
     refused!(|a| a.points[0].mass = INFINITE, ElementKind::Point.at(0), Field::MASS, NotFinite { .. });
     refused!(|a| a.points[0].position[2] = NAN, ElementKind::Point.at(0), Field::POSITION, NotFinite { .. });
-    let line = |a: &mut Assembly| a.points[0].motion = Motion::Line([0.0, NAN, 1.0]);
+    let line = |a: &mut Assembly| a.points[0].motion = PointMotion::Line([0.0, NAN, 1.0]);
     refused!(line, ElementKind::Point.at(0), Field::MOTION, NotFinite { .. });
     let stiffness = |a: &mut Assembly| spatial(a, Coefficient::Diagonal([1.0, NAN, 1.0]));
     refused!(stiffness, ElementKind::Spring.at(0), Field::STIFFNESS, NotFinite { .. });
@@ -152,10 +153,15 @@ fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
 
 #[test]
 fn directions_need_a_length() {
-    let motion = |motion: Motion| move |a: &mut Assembly| a.points[0].motion = motion;
-    refused!(motion(Motion::Line([0.0; 3])), ElementKind::Point.at(0), Field::MOTION, Problem::ZeroDirection);
+    let motion = |motion: PointMotion| move |a: &mut Assembly| a.points[0].motion = motion;
     refused!(
-        motion(Motion::Plane([0.0; 3])),
+        motion(PointMotion::Line([0.0; 3])),
+        ElementKind::Point.at(0),
+        Field::MOTION,
+        Problem::ZeroDirection
+    );
+    refused!(
+        motion(PointMotion::Plane([0.0; 3])),
         ElementKind::Point.at(0),
         Field::MOTION,
         Problem::ZeroDirection
@@ -166,8 +172,8 @@ fn directions_need_a_length() {
         Field::AXES,
         Problem::ZeroDirection
     );
-    assert_eq!(error(motion(Motion::Line([0.0, 1e-300, 0.0]))), None);
-    assert_eq!(error(motion(Motion::Plane([1e300, 1e300, 0.0]))), None);
+    assert_eq!(error(motion(PointMotion::Line([0.0, 1e-300, 0.0]))), None);
+    assert_eq!(error(motion(PointMotion::Plane([1e300, 1e300, 0.0]))), None);
 }
 
 #[test]
@@ -206,10 +212,10 @@ trait WithStiffness {
     fn with_stiffness(self, value: f64) -> Self;
 }
 
-impl WithStiffness for Law {
+impl WithStiffness for SpringLaw {
     fn with_stiffness(self, value: f64) -> Self {
-        let Law::Axial { damping, anchor, .. } = self else { return self };
-        Law::Axial { stiffness: value, damping, anchor, prestress: Prestress::Relaxed }
+        let SpringLaw::Axial { damping, anchor, .. } = self else { return self };
+        SpringLaw::Axial { stiffness: value, damping, anchor, prestress: Prestress::Relaxed }
     }
 }
 
@@ -217,11 +223,11 @@ impl WithStiffness for Law {
 fn springs_need_two_ends_and_axial_ones_a_line() {
     let (point, carrier) = (End::Point(0), End::Carrier);
     let place = wobbler::assembly().points[0].position;
-    let with = |from: End, to: End, law: Law| move |a: &mut Assembly| second(a, from, to, law);
+    let with = |from: End, to: End, law: SpringLaw| move |a: &mut Assembly| second(a, from, to, law);
     refused!(with(point, point, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
     refused!(with(carrier, carrier, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
     let isotropic =
-        Law::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
+        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
     refused!(
         with(carrier, End::Point(7), isotropic),
         ElementKind::Spring.at(1),
@@ -338,10 +344,12 @@ fn a_floating_line_of_points_is_refused() {
             name: format!("at {x}"),
             mass: 2.0,
             position: [0.3 + x, 0.1 + y, -0.7],
-            motion: Motion::Free,
+            motion: PointMotion::Free,
         };
-        let law =
-            Law::Spatial { stiffness: Coefficient::Isotropic(50.0), damping: Coefficient::Isotropic(0.0) };
+        let law = SpringLaw::Spatial {
+            stiffness: Coefficient::Isotropic(50.0),
+            damping: Coefficient::Isotropic(0.0),
+        };
         let spring = |from: usize, to: usize| Spring {
             name: String::new(),
             from: End::Point(from),
@@ -364,10 +372,10 @@ fn orders_above_the_highest_are_refused() {
     let body = wobbler::assembly().body().unwrap();
     let order = MAX_ORDER + 1;
     assert_eq!(reduce(&body, order).unwrap_err(), ReductionError::Order { order });
-    let error = Validity::of(&body, order, [0.0, 0.0, 1.0]).unwrap_err();
+    let error = Validity::assess(&body, order, [0.0, 0.0, 1.0]).unwrap_err();
     assert_eq!(error, ValidityError::Reduction(ReductionError::Order { order }));
     assert!(reduce(&body, 0).is_ok() && reduce(&body, MAX_ORDER).is_ok());
     for omega in [[0.0; 3], [f64::NAN; 3], [f64::INFINITY, 0.0, 0.0]] {
-        assert!(matches!(Validity::of(&body, 3, omega), Err(ValidityError::NoSpin { .. })));
+        assert!(matches!(Validity::assess(&body, 3, omega), Err(ValidityError::NoSpin { .. })));
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use quasirigid::elements::{Assembly, ElementError, ElementId, ElementKind, End, Field, Problem, Station};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_math::expression::Expression;
 
 use super::wobbler;
@@ -24,14 +24,17 @@ const ORBIT: Orbit = Orbit {
     mean_anomaly: 0.5,
 };
 
-fn body(law: Law<Station>) -> Assembly {
+fn body(law: ForceLaw<Station>) -> Assembly {
     let force = |law| Force { name: "wind".into(), law };
     // The second force is the one tried.
-    Assembly { forces: vec![force(Law::SpinDrag { coefficient: 1.0 }), force(law)], ..wobbler::assembly() }
+    Assembly {
+        forces: vec![force(ForceLaw::SpinDrag { coefficient: 1.0 }), force(law)],
+        ..wobbler::assembly()
+    }
 }
 
 /// The error of a force; [`Assembly::check`] finds the same one and no other, and the body is none the worse for it.
-fn error(law: Law<Station>) -> Option<ElementError> {
+fn error(law: ForceLaw<Station>) -> Option<ElementError> {
     let assembly = body(law);
     assert!(assembly.body().is_ok());
     let error = assembly.forces().err();
@@ -52,10 +55,10 @@ macro_rules! refused {
 #[test]
 fn amplitudes_that_are_not_finite_are_refused() {
     use Problem::NotFinite;
-    let torque = |torque, wave| Law::Torque { torque, axes: Axes::Body, wave };
-    let thrust = |force, wave| Law::Thrust { at: POINT, force, axes: Axes::Inertial, wave };
-    let magnet = |moment, field| Law::MagneticDipole { moment, field };
-    refused!(Law::UniformGravity { acceleration: BAD }, Field::ACCELERATION, NotFinite { .. });
+    let torque = |torque, wave| ForceLaw::Torque { torque, axes: Axes::Body, wave };
+    let thrust = |force, wave| ForceLaw::Thrust { at: POINT, force, axes: Axes::Inertial, wave };
+    let magnet = |moment, field| ForceLaw::MagneticDipole { moment, field };
+    refused!(ForceLaw::UniformGravity { acceleration: BAD }, Field::ACCELERATION, NotFinite { .. });
     refused!(torque(BAD, STEADY), Field::TORQUE, NotFinite { .. });
     refused!(thrust(BAD, STEADY), Field::FORCE, NotFinite { .. });
     refused!(thrust(GOOD, Wave { frequency: NAN, phase: 0.0 }), Field::FREQUENCY, NotFinite { .. });
@@ -67,7 +70,7 @@ fn amplitudes_that_are_not_finite_are_refused() {
     let low = Orbit { semi_major_axis: 0.0, ..ORBIT };
     refused!(dipole(GOOD, low), Field::SEMI_MAJOR_AXIS, Problem::NotPositive { .. });
     for law in [
-        Law::UniformGravity { acceleration: [0.0; 3] },
+        ForceLaw::UniformGravity { acceleration: [0.0; 3] },
         torque(GOOD, Wave { frequency: -1.0, phase: -9.0 }),
         thrust(GOOD, STEADY),
         dipole(GOOD, ORBIT),
@@ -79,17 +82,17 @@ fn amplitudes_that_are_not_finite_are_refused() {
 #[test]
 fn a_drag_must_not_drive() {
     for value in [-1e-300, -1.0] {
-        let drag = Law::Drag { at: CARRIER, coefficient: value };
+        let drag = ForceLaw::Drag { at: CARRIER, coefficient: value };
         refused!(drag, Field::COEFFICIENT, Problem::Driving { .. });
-        refused!(Law::SpinDrag { coefficient: value }, Field::COEFFICIENT, Problem::Driving { .. });
+        refused!(ForceLaw::SpinDrag { coefficient: value }, Field::COEFFICIENT, Problem::Driving { .. });
     }
-    refused!(Law::Drag { at: POINT, coefficient: NAN }, Field::COEFFICIENT, Problem::NotFinite { .. });
-    assert_eq!(error(Law::Drag { at: CARRIER, coefficient: 0.0 }), None);
+    refused!(ForceLaw::Drag { at: POINT, coefficient: NAN }, Field::COEFFICIENT, Problem::NotFinite { .. });
+    assert_eq!(error(ForceLaw::Drag { at: CARRIER, coefficient: 0.0 }), None);
 }
 
 #[test]
 fn an_orbit_is_an_ellipse_about_something() {
-    let on = |orbit| Law::CentralGravity { orbit };
+    let on = |orbit| ForceLaw::CentralGravity { orbit };
     for value in [0.0, -1.0] {
         let centre = Orbit { parameter: value, ..ORBIT };
         refused!(on(centre), Field::GRAVITATIONAL_PARAMETER, Problem::NotPositive { .. });
@@ -118,7 +121,7 @@ fn an_orbit_is_an_ellipse_about_something() {
 
 #[test]
 fn a_force_acts_somewhere() {
-    let drag = |on, at| Law::Drag { at: Station { on, at }, coefficient: 1.0 };
+    let drag = |on, at| ForceLaw::Drag { at: Station { on, at }, coefficient: 1.0 };
     refused!(drag(End::Carrier, None), Field::AT, Problem::NoStation);
     refused!(drag(End::Carrier, Some(BAD)), Field::AT, Problem::NotFinite { .. });
     refused!(drag(End::Point(0), Some(GOOD)), Field::AT, Problem::StationOnPoint);
@@ -145,7 +148,7 @@ fn the_start_of_a_driven_pole_is_finite() {
 /// Places are from the pole, wherever the body is held, and those on a point move with it.
 #[test]
 fn forces_act_at_their_stations() {
-    let drag = |at| Law::Drag { at, coefficient: 1.0 };
+    let drag = |at| ForceLaw::Drag { at, coefficient: 1.0 };
     for support in [Support::Free, Support::FixedPoint { point: [0.7, -0.4, 0.2] }] {
         let mut assembly = body(drag(CARRIER));
         assembly.forces.push(Force { name: "tip".into(), law: drag(POINT) });

@@ -61,7 +61,7 @@ fn stretched([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 fn power(body: &FlexibleBody) -> f64 {
-    let response = Response::of(body).unwrap();
+    let response = Response::compute(body).unwrap();
     let [I1, .., I3] = response.moments();
     let motion = FreeRotation::at_logit(response.moments(), 0.3 * I3, Mode::ShortAxis, 0.4);
     assert!(I1 > 0.0);
@@ -117,8 +117,8 @@ fn power_does_not_know_axes_or_units() {
     let (one, other) = (power(&straight), power(&turned));
     assert!((one / other - 1.0).abs() < 1e-8, "{one} {other}");
     // The reduced equations, at low frequency, take the same power from the same body.
-    let polynomial = PolynomialPower::of(&reduce(&straight, 3).unwrap());
-    let response = Response::of(&straight).unwrap();
+    let polynomial = PolynomialPower::from_reduced(&reduce(&straight, 3).unwrap());
+    let response = Response::compute(&straight).unwrap();
     let motion =
         FreeRotation::at_logit(response.moments(), 1e-3 * response.moments()[2], Mode::LongAxis, 0.4);
     let ratio = response.mean_power(&motion) / polynomial.mean_power(&motion);

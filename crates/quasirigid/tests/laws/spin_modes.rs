@@ -133,7 +133,7 @@ proptest! {
         // Modes and full system share the paths of hinges, also beyond the range in which they are those of a body.
         let Ok(body) = assembly.body().map(|body| body.watching(Watched::default())) else { return Ok(()) };
         let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
-        let axis = Principal::of(body.invariants().J).axes[axis];
+        let axis = Principal::compute(body.invariants().J).axes[axis];
         let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };
         let modes = SpinModes::about(&body, steady).unwrap();
         for mode in &modes.modes {
@@ -152,7 +152,7 @@ proptest! {
         let near = |body: &FlexibleBody, axis: [f64; 3], rate: f64| {
             RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map(|steady| SpinModes::about(body, steady).unwrap())
         };
-        let principal = Principal::of(body.invariants().J);
+        let principal = Principal::compute(body.invariants().J);
         let axis = principal.axes[if direction[0] > 0.0 { 2 } else { 0 }];
         let Ok(found) = near(&body, axis, 0.3 * lowest) else { return Ok(()) };
         let turned = <[f64; 3]>::from(R * nalgebra::Vector3::from(axis));

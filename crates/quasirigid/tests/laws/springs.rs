@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, Law};
+use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, SpringLaw};
 use quasirigid::model::FlexibleBody;
 
 use crate::support::{assemblies, cases};
@@ -44,10 +44,10 @@ fn by_definition(assembly: &Assembly, body: &FlexibleBody, q: &[f64]) -> [f64; 2
     for spring in &assembly.springs {
         let stretch = displacement(spring.to) - displacement(spring.from);
         let parts = match spring.law {
-            Law::Spatial { stiffness, damping } => {
+            SpringLaw::Spatial { stiffness, damping } => {
                 [stiffness, damping].map(|coefficient| stretch.dot(&(matrix(coefficient) * stretch)))
             }
-            Law::Axial { stiffness, damping, anchor, .. } => {
+            SpringLaw::Axial { stiffness, damping, anchor, .. } => {
                 let line = (place(spring.to, anchor) - place(spring.from, anchor)).normalize();
                 [stiffness, damping].map(|coefficient| coefficient * stretch.dot(&line).powi(2))
             }
@@ -90,7 +90,7 @@ proptest! {
         let mut pair = assembly;
         pair.hinged.clear();
         for point in &mut pair.points {
-            point.motion = quasirigid::elements::Motion::Free;
+            point.motion = quasirigid::elements::PointMotion::Free;
         }
         let form = |assembly: &Assembly| {
             let body = assembly.body().unwrap();

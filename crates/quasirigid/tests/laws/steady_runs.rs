@@ -4,7 +4,7 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Options, propagate_full};
 use quasirigid::elements::{Assembly, End, Rotor, RotorKind, Station, Wheel, WheelSpeed};
-use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Support};
 use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
 use quasirigid_math::expression::Expression;
@@ -94,30 +94,30 @@ fn world(
     rate: f64,
 ) -> (Assembly, V) {
     let up = S.column(2).into_owned();
-    let named = |name: &str, law: Law<Station>| Force { name: name.into(), law };
-    let weight = named("weight", Law::UniformGravity { acceleration: (-9.81 * up).into() });
+    let named = |name: &str, law: ForceLaw<Station>| Force { name: name.into(), law };
+    let weight = named("weight", ForceLaw::UniformGravity { acceleration: (-9.81 * up).into() });
     let at = Station { on: End::Carrier, at: Some(direction) };
     let tip = Station { on: End::Point(0), at: None };
     let body_torque = |size: f64| {
         named(
             "motor",
-            Law::Torque { torque: direction.map(|x| size * x), axes: Axes::Body, wave: Wave::default() },
+            ForceLaw::Torque { torque: direction.map(|x| size * x), axes: Axes::Body, wave: Wave::default() },
         )
     };
     let thrust = |size: f64, at: Station| {
         let force = [0.3 * size, -0.5 * size, 0.8 * size];
-        named("jet", Law::Thrust { at, force, axes: Axes::Body, wave: Wave::default() })
+        named("jet", ForceLaw::Thrust { at, force, axes: Axes::Body, wave: Wave::default() })
     };
-    let spin_drag = |coefficient: f64| named("air", Law::SpinDrag { coefficient });
-    let drag = |at: Station| named("oil", Law::Drag { at, coefficient: 0.3 });
+    let spin_drag = |coefficient: f64| named("air", ForceLaw::SpinDrag { coefficient });
+    let drag = |at: Station| named("oil", ForceLaw::Drag { at, coefficient: 0.3 });
     let held = Support::FixedPoint { point: [0.3, -0.4, 0.2] };
-    let orbit = named("Earth", Law::CentralGravity { orbit: turned_orbit(S, rate, 0.7) });
+    let orbit = named("Earth", ForceLaw::CentralGravity { orbit: turned_orbit(S, rate, 0.7) });
     let text = |i: usize| {
         let [x, y, z] = [up[0], up[1], up[2]];
         let along = format!("({x:e}*x + {y:e}*y + {z:e}*z)");
         format!("-4*({} - {:e}*{along}) - 0.2*v{}", ["x", "y", "z"][i], up[i], ["x", "y", "z"][i])
     };
-    let spring = named("tether", Law::Expression { at, force: [0, 1, 2].map(|i| formula(&text(i))) });
+    let spring = named("tether", ForceLaw::Expression { at, force: [0, 1, 2].map(|i| formula(&text(i))) });
     let (support, forces, rate) = match kind {
         0 => (held, vec![weight], rate),
         1 => (Support::Free, vec![orbit], rate),

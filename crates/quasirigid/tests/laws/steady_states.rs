@@ -4,7 +4,7 @@ use nalgebra::{Complex, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, Carrier, Station, Wheel, WheelSpeed};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
 use quasirigid_math::expression::Expression;
 
@@ -51,7 +51,7 @@ pub fn quaternion(R: &Matrix3<f64>) -> [f64; 4] {
 }
 
 fn gravity(g: V) -> Force<Station> {
-    Force { name: "weight".into(), law: Law::UniformGravity { acceleration: g.into() } }
+    Force { name: "weight".into(), law: ForceLaw::UniformGravity { acceleration: g.into() } }
 }
 
 fn found(assembly: &Assembly, near: Near) -> Result<SteadyModes, SteadyError> {
@@ -239,7 +239,7 @@ proptest! {
         let place = V::from(orbit.at(0.0).place).normalize();
         let ahead = V::from(orbit.at(0.0).velocity).normalize();
         let mut assembly = body.free();
-        assembly.forces.push(Force { name: "Earth".into(), law: Law::CentralGravity { orbit } });
+        assembly.forces.push(Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit } });
         let axes = Matrix3::from_columns(&[ahead, place.cross(&ahead), place]);
         let attitude = axes * R.transpose() * Rotation3::new(V::from(turn)).matrix();
         let modes = found(&assembly, near(V::new(0.3, 0.1, 0.2) * n, &attitude)).unwrap();
@@ -266,7 +266,7 @@ proptest! {
             semi_major_axis: orbit.semi_major_axis * units.length,
             ..orbit
         };
-        scaled.forces = vec![Force { name: "Earth".into(), law: Law::CentralGravity { orbit } }];
+        scaled.forces = vec![Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit } }];
         let other = found(&scaled, near(V::new(0.3, 0.1, 0.2) * n / units.time, &attitude)).unwrap();
         let back: Vec<C> = eigenvalues(&other).iter().map(|x| x * units.time).collect();
         let gap = apart(&back, &eigenvalues(&modes));
@@ -317,9 +317,9 @@ proptest! {
         let body = Rigid { mass: 2.0, moments: [A, B, C3], axes: R, center: V::new(5.0, 1.0, -2.0) };
         let axis = R.column(2).into_owned();
         let mut assembly = body.free();
-        let law = Law::Torque { torque: (drag * rate * axis).into(), axes: Axes::Body, wave: Wave::default() };
+        let law = ForceLaw::Torque { torque: (drag * rate * axis).into(), axes: Axes::Body, wave: Wave::default() };
         assembly.forces.push(Force { name: "motor".into(), law });
-        assembly.forces.push(Force { name: "air".into(), law: Law::SpinDrag { coefficient: drag } });
+        assembly.forces.push(Force { name: "air".into(), law: ForceLaw::SpinDrag { coefficient: drag } });
         let start = axis * (0.9 * rate) + R.column(0) * (0.05 * rate);
         let modes = found(&assembly, near(start, &S)).unwrap();
         prop_assert!((V::from(modes.state.omega) - rate * axis).norm() < 1e-10 * rate, "{:?}", modes.state);
@@ -345,7 +345,7 @@ fn a_body_under_a_parachute_swings_as_its_closed_form() {
     let at = Station { on: quasirigid::elements::End::Carrier, at: Some(place) };
     let up = S.column(2).into_owned();
     assembly.forces =
-        vec![gravity(-g * up), Force { name: "canopy".into(), law: Law::Drag { at, coefficient: k } }];
+        vec![gravity(-g * up), Force { name: "canopy".into(), law: ForceLaw::Drag { at, coefficient: k } }];
     let attitude = S * frame(&R.transpose(), 0.3);
     let modes = found(&assembly, near(V::zeros(), &attitude)).unwrap();
     let falling = attitude_of(&modes) * V::from(modes.state.velocity);
@@ -367,8 +367,8 @@ fn drag_of_a_place_leaves_a_free_body_at_rest() {
     let at = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
     let mut assembly = body.free();
     assembly.forces = vec![
-        Force { name: "canopy".into(), law: Law::Drag { at, coefficient: 0.3 } },
-        Force { name: "air".into(), law: Law::SpinDrag { coefficient: 0.1 } },
+        Force { name: "canopy".into(), law: ForceLaw::Drag { at, coefficient: 0.3 } },
+        Force { name: "air".into(), law: ForceLaw::SpinDrag { coefficient: 0.1 } },
     ];
     let modes = found(&assembly, near(V::new(0.1, 0.2, 1.0), &R)).unwrap();
     assert!(
@@ -406,11 +406,12 @@ pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
 }
 
 /// Why there is no steady state, of a held and of a free body with forces of these laws.
-fn refused(law: &[Law<Station>], free: bool, omega: V) -> String {
+fn refused(law: &[ForceLaw<Station>], free: bool, omega: V) -> String {
     let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
     let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };
     let mut assembly = if free { body.free() } else { body.held(0.4) };
-    let named = |(i, law): (usize, &Law<Station>)| Force { name: format!("force {i}"), law: law.clone() };
+    let named =
+        |(i, law): (usize, &ForceLaw<Station>)| Force { name: format!("force {i}"), law: law.clone() };
     assembly.forces = law.iter().enumerate().map(named).collect();
     found(&assembly, near(omega, &Matrix3::identity())).unwrap_err().to_string()
 }
@@ -420,15 +421,15 @@ fn what_has_no_steady_state_is_refused_in_words() {
     let carrier = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
     let spin = V::new(0.1, 0.2, 1.0);
     let orbit = turned_orbit(&Matrix3::identity(), 0.1, 0.4);
-    let weight = Law::UniformGravity { acceleration: [0.0, 0.0, -9.81] };
-    let level = Law::UniformGravity { acceleration: [9.81, 0.0, 0.0] };
-    let eccentric = Law::CentralGravity { orbit: Orbit { eccentricity: 0.01, ..orbit } };
+    let weight = ForceLaw::UniformGravity { acceleration: [0.0, 0.0, -9.81] };
+    let level = ForceLaw::UniformGravity { acceleration: [9.81, 0.0, 0.0] };
+    let eccentric = ForceLaw::CentralGravity { orbit: Orbit { eccentricity: 0.01, ..orbit } };
     let wave = Wave { frequency: 0.2, phase: 0.0 };
-    let shaken = Law::Torque { torque: [0.1, 0.0, 0.0], axes: Axes::Body, wave };
-    let driven = Law::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Inertial, wave: Wave::default() };
-    let timed = Law::Expression { at: carrier, force: ["0", "0", "sin(t)"].map(formula) };
-    let placed = Law::Expression { at: carrier, force: ["-x", "0", "0"].map(formula) };
-    let field = Law::MagneticDipole {
+    let shaken = ForceLaw::Torque { torque: [0.1, 0.0, 0.0], axes: Axes::Body, wave };
+    let driven = ForceLaw::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Inertial, wave: Wave::default() };
+    let timed = ForceLaw::Expression { at: carrier, force: ["0", "0", "sin(t)"].map(formula) };
+    let placed = ForceLaw::Expression { at: carrier, force: ["-x", "0", "0"].map(formula) };
+    let field = ForceLaw::MagneticDipole {
         moment: [1.0, 0.0, 0.2],
         field: MagneticField::Dipole { strength: [1e20, 0.0, 3e20], orbit },
     };
@@ -440,15 +441,15 @@ fn what_has_no_steady_state_is_refused_in_words() {
         (refused(&[weight.clone(), placed], false, spin), "the force \"force 1\" changes with time"),
         (refused(&[weight.clone(), driven], false, spin), "N·m about the axis"),
         (
-            refused(&[level, Law::CentralGravity { orbit }], false, spin),
+            refused(&[level, ForceLaw::CentralGravity { orbit }], false, spin),
             "the acceleration of the support, changes with time",
         ),
         (refused(&[field], true, spin), "the force \"force 0\" changes with time"),
         (
             refused(
                 &[
-                    Law::CentralGravity { orbit },
-                    Law::CentralGravity { orbit: turned_orbit(&Matrix3::identity(), 0.2, 0.4) },
+                    ForceLaw::CentralGravity { orbit },
+                    ForceLaw::CentralGravity { orbit: turned_orbit(&Matrix3::identity(), 0.2, 0.4) },
                 ],
                 true,
                 spin,
@@ -459,7 +460,7 @@ fn what_has_no_steady_state_is_refused_in_words() {
     for (message, words) in told {
         assert!(message.contains(words), "{message}");
     }
-    let spun_up = Law::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Body, wave: Wave::default() };
+    let spun_up = ForceLaw::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Body, wave: Wave::default() };
     assert!(refused(&[spun_up], true, spin).contains("spin it up or down"));
     let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: Matrix3::identity(), center: V::zeros() };
     let mut assembly = body.held(0.4);

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use quasirigid::dynamics::{Forced, Form, Options, SlowState, propagate_forced};
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, Law, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
-use quasirigid::verification::{AverageError, Plan, Start, verify, verify_average};
+use quasirigid::verification::{AverageError, Start, VerificationPlan, verify, verify_average};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -15,7 +15,7 @@ use quasirigid_math::vec3::{add, norm, scale};
 use crate::support::{Sprung, sprung_body};
 
 /// Two sprung masses on a carrier, held and loaded as asked.
-fn assembly(support: Support, laws: Vec<Law<Station>>) -> Assembly {
+fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
     let carrier = Carrier {
         mass: 40.0,
         center_of_mass: [0.02, 0.1, 0.4],
@@ -52,8 +52,13 @@ fn start(omega: [f64; 3]) -> Start {
 fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize, rotations: f64) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };
-    let plan =
-        Plan { orders: (1..=highest).collect(), rotations, halvings: 4, samples: 40, ..Plan::default() };
+    let plan = VerificationPlan {
+        orders: (1..=highest).collect(),
+        rotations,
+        halvings: 4,
+        samples: 40,
+        ..VerificationPlan::default()
+    };
     let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
     for row in &verification.rows {
         println!(
@@ -78,7 +83,7 @@ fn assert_orders(found: &[f64]) {
 
 #[test]
 fn a_heavy_body_with_a_fixed_point_reaches_its_orders() {
-    let gravity = Law::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
+    let gravity = ForceLaw::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
     let assembly = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     assert_orders(&orders(&assembly, [0.3, 0.2, 1.4], 3, 2.0));
 }
@@ -95,7 +100,7 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
         periapsis: 0.7,
         mean_anomaly: 0.4,
     };
-    let assembly = assembly(Support::Free, vec![Law::CentralGravity { orbit }]);
+    let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
 }
 
@@ -107,13 +112,13 @@ fn every_other_force_reaches_its_orders() {
     let slow = Wave { frequency: 0.7, phase: 0.4 };
     let formula = ["-0.3*vx + 0.2*sin(0.5*t)", "0.1*x*vz - 0.2*y", "exp(-0.1*t)*cos(0.2*z)"];
     let laws = vec![
-        Law::Drag { at: tip, coefficient: 0.4 },
-        Law::SpinDrag { coefficient: 0.3 },
-        Law::Torque { torque: [0.5, -0.4, 0.3], axes: Axes::Inertial, wave: slow },
-        Law::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
-        Law::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
-        Law::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
-        Law::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
+        ForceLaw::Drag { at: tip, coefficient: 0.4 },
+        ForceLaw::SpinDrag { coefficient: 0.3 },
+        ForceLaw::Torque { torque: [0.5, -0.4, 0.3], axes: Axes::Inertial, wave: slow },
+        ForceLaw::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
+        ForceLaw::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
+        ForceLaw::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
+        ForceLaw::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
     ];
     assert_orders(&orders(&assembly(Support::Free, laws), [0.5, 0.7, 0.9], 3, 1.0));
 }
@@ -140,7 +145,7 @@ fn parsed(text: &str, variables: &[&str]) -> Expression {
 /// The paper's form (3.1)–(3.4) and the momentum form differ by the order that they both leave out.
 #[test]
 fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
-    let gravity = Law::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
+    let gravity = ForceLaw::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
     let assembly = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     for order in 1..=3 {
@@ -185,7 +190,7 @@ fn averages_that_there_are_none_of_are_refused() {
         let system = Forced { body: &body, forces: &forces };
         verify_average(system, &start(omega), 3, 2, u64::MAX, &mut || ControlFlow::Continue(())).unwrap_err()
     };
-    let gravity = Law::UniformGravity { acceleration: [0.0, 0.0, -1.0] };
+    let gravity = ForceLaw::UniformGravity { acceleration: [0.0, 0.0, -1.0] };
     let held = assembly(Support::FixedPoint { point: [0.0; 3] }, vec![gravity]);
     assert!(matches!(refused(&held, [0.3, 0.2, 1.4]), AverageError::NotFree));
     let body = assembly(Support::Free, Vec::new()).body().unwrap();

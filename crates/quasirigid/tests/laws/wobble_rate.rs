@@ -43,7 +43,7 @@ fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
 /// Growth rate of the pair of eigenvalues next to the nutation of the frozen body; sizes make the matrix well scaled.
 fn eigenvalue_rate(body: &FlexibleBody, mode: Mode, G: f64) -> f64 {
     let reduced = reduce(body, 7).unwrap();
-    let Principal { moments: [I1, I2, I3], .. } = Principal::of(reduced.J);
+    let Principal { moments: [I1, I2, I3], .. } = Principal::compute(reduced.J);
     let omega = steady_spins(&reduced, G)[mode.circled()].unwrap().omega;
     let q = reduced.q.value(omega);
     let n = q.len();
@@ -79,8 +79,8 @@ fn wobble_rates_are_the_eigenvalues_of_the_full_system() {
             let body = tumbler(epsilon).body().unwrap();
             let exact = eigenvalue_rate(&body, mode, G);
             let powers = [
-                Box::new(PolynomialPower::of(&reduce(&body, 3).unwrap())) as Box<dyn MeanPower>,
-                Box::new(Response::of(&body).unwrap()),
+                Box::new(PolynomialPower::from_reduced(&reduce(&body, 3).unwrap())) as Box<dyn MeanPower>,
+                Box::new(Response::compute(&body).unwrap()),
             ];
             powers.map(|power| sign * Evolution::new(&*power, G).wobble_rate(mode) / exact - 1.0)
         });

@@ -1,7 +1,7 @@
 //! One damped body with a point and an appendage, off its axes, for runs that need no other.
 
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Spring,
+    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Point, PointMotion, Spring, SpringLaw,
 };
 use quasirigid::model::{ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -18,13 +18,13 @@ pub fn assembly() -> Assembly {
             name: "mass".into(),
             mass: 0.3,
             position: [0.7, 0.4, -0.5],
-            motion: Motion::Free,
+            motion: PointMotion::Free,
         }],
         springs: vec![Spring {
             name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
-            law: Law::Spatial {
+            law: SpringLaw::Spatial {
                 stiffness: Coefficient::Diagonal([60.0, 90.0, 75.0]),
                 damping: Coefficient::Isotropic(1.5),
             },

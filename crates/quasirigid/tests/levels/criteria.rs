@@ -10,7 +10,7 @@ fn value(validity: &Validity, comparison: Comparison) -> f64 {
 #[test]
 fn nearly_equal_moments_are_judged_in_three_parts() {
     let body = near_sphere().body().unwrap();
-    let [third, fifth] = [3, 5].map(|order| Validity::of(&body, order, SPIN).unwrap());
+    let [third, fifth] = [3, 5].map(|order| Validity::assess(&body, order, SPIN).unwrap());
     println!("{:?}\n{:?}", third.criteria, fifth.criteria);
     assert_eq!([third.verdict(), fifth.verdict()], [Verdict::Holds; 2]);
     assert_eq!([third.dissipation(), third.averages()], [Verdict::Fails; 2]);
@@ -27,13 +27,13 @@ fn nearly_equal_moments_are_judged_in_three_parts() {
 fn stiffer_bodies_and_larger_differences_pass() {
     let of = |difference: f64| {
         let body = nearly_equal(difference, [0.4, -1.3, 0.8]).body().unwrap();
-        let validity = Validity::of(&body, 3, SPIN).unwrap();
+        let validity = Validity::assess(&body, 3, SPIN).unwrap();
         [Comparison::Levels, Comparison::Power].map(|comparison| value(&validity, comparison))
     };
     let [narrow, wide] = [1e-3, 1e-1].map(of);
     println!("{narrow:?} {wide:?}");
     assert!((narrow[0] / wide[0] / 100.0 - 1.0).abs() < 0.3, "{narrow:?} {wide:?}");
     assert!(narrow[1] > 10.0 * wide[1] && wide[0] < 0.1 && wide[1] < 0.1);
-    let slow = Validity::of(&near_sphere().body().unwrap(), 3, SPIN.map(|w| w / 100.0)).unwrap();
+    let slow = Validity::assess(&near_sphere().body().unwrap(), 3, SPIN.map(|w| w / 100.0)).unwrap();
     assert_eq!([slow.dissipation(), slow.averages()], [Verdict::Holds; 2]);
 }

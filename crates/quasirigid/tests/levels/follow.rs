@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 use quasirigid::averaging::{LevelEnding, LevelError, LevelEvolution, Until};
-use quasirigid::dynamics::{Forced, Options, Sample, SpinState, propagate, propagate_full};
+use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
@@ -17,7 +17,7 @@ use crate::support::transform::{Units, rescaled, rotated};
 /// Energy (J) that the reduced equations dissipate in a time (s).
 fn dissipated(reduced: &ReducedBody, omega: [f64; 3], time: f64) -> f64 {
     let mut samples: Vec<Sample> = Vec::new();
-    let start = SpinState::new(omega, ALIGNED);
+    let start = Start::new(omega, ALIGNED);
     let options = Options { tolerance: 1e-12, ..Options::default() };
     propagate(reduced, start, &[time], &options, &mut samples).unwrap();
     samples[0].dissipated

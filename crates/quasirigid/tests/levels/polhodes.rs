@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::{Evolution, FreeRotation, LevelEvolution, PolynomialPower, Stage, Until};
-use quasirigid::dynamics::{Options, Sample, SpinState, propagate};
+use quasirigid::dynamics::{Options, Sample, Start, propagate};
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
@@ -24,7 +24,7 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
         let reduced = reduce(&body(epsilon).body().unwrap(), 3).unwrap();
         let omega = [0.5, 0.1, 0.9];
         let K = reduced.momentum(omega);
-        let power = PolynomialPower::of(&reduced);
+        let power = PolynomialPower::from_reduced(&reduced);
         let evolution = Evolution::new(&power, norm(K));
         let moments = [1.5, 2.0, 2.5];
         let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
@@ -32,7 +32,7 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
         let [first, .., last] = &passage.rows[..] else { panic!("{passage:?}") };
         let stage = |wobble: f64| {
             let motion = FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble).unwrap();
-            Stage::of(&motion).unwrap()
+            Stage::from_motion(&motion).unwrap()
         };
         let along = evolution.passage(stage(first.nutation[1]), stage(0.1));
         assert!((last.nutation[1] - 0.1).abs() < 1e-9, "{last:?}");
@@ -53,7 +53,7 @@ fn the_way_leads_through_the_separatrix() {
     let reduced = reduce(&body(0.05).body().unwrap(), 3).unwrap();
     let omega = [1.0, 0.3, 0.1];
     let K = reduced.momentum(omega);
-    let power = PolynomialPower::of(&reduced);
+    let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, norm(K));
     let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
     let passage = levels.follow(K, Until::EnergyLeft(0.01), 12).unwrap();
@@ -97,10 +97,10 @@ fn precession_on_a_level_is_that_of_a_history() {
         let reduced = reduce(&stiffened(&lossless, 40.0, 1e-9).body().unwrap(), 4).unwrap();
         let K = reduced.momentum(omega);
         let level = LevelEvolution::new(&reduced, norm(K)).unwrap().level(K).unwrap();
-        let axis = Principal::of(reduced.J).axes[0];
+        let axis = Principal::compute(reduced.J).axes[0];
         let turns = 20_u32;
         let times: Vec<f64> = (0..=turns * 400).map(|i| level.period * f64::from(i) / 400.0).collect();
-        let start = SpinState { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
         let mut samples: Vec<Sample> = Vec::new();
         propagate(&reduced, start, &times, &Options { tolerance: 1e-11, ..Options::default() }, &mut samples)
             .unwrap();

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::LevelEvolution;
 use quasirigid::dynamics::{all_steady_spins, steady_spins};
 use quasirigid::reduction::reduce;
-use quasirigid_math::sphere::Kind;
+use quasirigid_math::sphere::StationaryKind;
 use quasirigid_math::vec3::{cross, norm};
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
@@ -43,7 +43,7 @@ fn every_steady_spin_is_one_of_the_equations_and_of_the_energy() {
         for spin in &found.isolated {
             let torque = norm(cross(spin.momentum, spin.spin.omega));
             assert!(torque < 1e-13 * G * norm(spin.spin.omega), "{torque}");
-            assert_eq!(spin.spin.growth > 0.0, spin.kind != Kind::Minimum, "{spin:?}");
+            assert_eq!(spin.spin.growth > 0.0, spin.kind != StationaryKind::Minimum, "{spin:?}");
             let apart = |K: [f64; 3]| norm([0, 1, 2].map(|i| K[i] - spin.momentum[i])) / G;
             let (K, kind) = of_energy.iter().min_by(|a, b| apart(a.0).total_cmp(&apart(b.0))).unwrap();
             assert_eq!(*kind, spin.kind);

@@ -1,7 +1,7 @@
 //! One sprung mass: closed forms, and exact rationals for a triaxial body [@chernousko1973].
 
 use quasirigid::dynamics::{Forced, Form, Options, Sample, propagate_full, spin_path};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
@@ -23,12 +23,12 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
     });
     Assembly {
         carrier: Some(Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia }),
-        points: vec![Point { name: "mass".into(), mass, position: rho, motion: Motion::Free }],
+        points: vec![Point { name: "mass".into(), mass, position: rho, motion: PointMotion::Free }],
         springs: vec![Spring {
             name: String::new(),
             from: End::Point(0),
             to: End::Carrier,
-            law: Law::Spatial {
+            law: SpringLaw::Spatial {
                 stiffness: Coefficient::Isotropic(stiffness),
                 damping: Coefficient::Isotropic(damping),
             },

@@ -63,7 +63,7 @@ fn printed(S: [[f64; 6]; 6]) -> [f64; 9] {
 fn compliance_is_the_exact_one() {
     for row in rows(COMPLIANCE) {
         let [a, b, c, poisson, ref rest @ ..] = row[..] else { panic!("16 columns") };
-        let response = Response::of(&unit([a, b, c], poisson, Rheology::Elastic)).unwrap();
+        let response = Response::compute(&unit([a, b, c], poisson, Rheology::Elastic)).unwrap();
         for (found, expected) in response.principal().moments.iter().zip(rest) {
             close("moment", *found, *expected, 1e-13);
         }
@@ -75,7 +75,7 @@ fn compliance_is_the_exact_one() {
         }
     }
     assert_eq!(rows(COMPLIANCE).count(), 14);
-    let rock = Response::of(&asteroid(1e9, Rheology::Elastic)).unwrap();
+    let rock = Response::compute(&asteroid(1e9, Rheology::Elastic)).unwrap();
     let expected = rows(POINTS_COMPLIANCE).next().unwrap();
     for (found, expected) in printed(rock.static_compliance()).iter().zip(&expected) {
         close("asteroid", *found, *expected, 1e-10);
@@ -86,7 +86,7 @@ fn compliance_is_the_exact_one() {
 #[test]
 fn shear_compliance_has_its_closed_form() {
     for (axes, nu) in [([1.0, 0.8, 0.6], 0.25), ([2.3, 0.4, 0.3], 0.1), ([1.0, 0.9, 0.1], 0.45)] {
-        let response = Response::of(&unit(axes, nu, Rheology::Elastic)).unwrap();
+        let response = Response::compute(&unit(axes, nu, Rheology::Elastic)).unwrap();
         let S = response.static_compliance();
         for i in 0..3 {
             let [a, b, c] = [0, 1, 2].map(|k| axes[(i + k) % 3]);
@@ -118,8 +118,8 @@ impl MeanPower for Stronger<'_> {
 /// and a Kelvin–Voigt time so short that the frequencies are as good as zero, scaled up.
 fn both_roads(check: impl Fn(&dyn MeanPower)) {
     let polynomial = reduce(&asteroid(1e9, Rheology::KelvinVoigt { time: 100.0 }), 3).unwrap();
-    check(&PolynomialPower::of(&polynomial));
-    let response = Response::of(&asteroid(1e17, Rheology::KelvinVoigt { time: 0.01 })).unwrap();
+    check(&PolynomialPower::from_reduced(&polynomial));
+    let response = Response::compute(&asteroid(1e17, Rheology::KelvinVoigt { time: 0.01 })).unwrap();
     check(&Stronger(&response, 1e12));
 }
 
@@ -179,7 +179,7 @@ fn spheroids_have_the_printed_coefficients() {
         let (stiff, factor, time) = (1e12, 50.0, 3.0);
         let spheroid = |rheology: Rheology| {
             let Rheology::Elastic = rheology else {
-                return Response::of(&body(Ellipsoid {
+                return Response::compute(&body(Ellipsoid {
                     name: "spheroid".into(),
                     semi_axes: [1.0, 1.0, h],
                     center: [0.0; 3],
@@ -187,7 +187,7 @@ fn spheroids_have_the_printed_coefficients() {
                 }))
                 .unwrap();
             };
-            Response::of(&unit([1.0, 1.0, h], 0.25, rheology)).unwrap()
+            Response::compute(&unit([1.0, 1.0, h], 0.25, rheology)).unwrap()
         };
         let S = spheroid(Rheology::Elastic).static_compliance();
         expect(1, S[4][4]);
@@ -210,7 +210,7 @@ fn spheroids_have_the_printed_coefficients() {
 fn triaxial_body_has_the_printed_powers_and_shares() {
     let (stiff, factor, time) = (1e12, 100.0, 1e-6);
     let rock = |rheology| {
-        Response::of(&body(Ellipsoid {
+        Response::compute(&body(Ellipsoid {
             name: "rock".into(),
             semi_axes: [1.0, 0.8, 0.6],
             center: [0.0; 3],
@@ -244,7 +244,7 @@ fn triaxial_body_has_the_printed_powers_and_shares() {
 /// Small wobble about the axis of greatest inertia of any ellipsoid: `1/T` in closed form.
 #[test]
 fn small_wobble_falls_at_its_closed_rate() {
-    let response = Response::of(&asteroid(1e9, Rheology::Elastic)).unwrap();
+    let response = Response::compute(&asteroid(1e9, Rheology::Elastic)).unwrap();
     let [I1, I2, I3] = response.principal().moments;
     let S = response.static_compliance();
     let Omega = MOMENTUM / I3;
@@ -261,7 +261,7 @@ fn small_wobble_falls_at_its_closed_rate() {
 #[test]
 fn spheroid_follows_the_closed_time_law() {
     let (stiff, time, h) = (1e12, 1e-3, 0.6);
-    let response = Response::of(&body(Ellipsoid {
+    let response = Response::compute(&body(Ellipsoid {
         name: "spheroid".into(),
         semi_axes: [1.0, 1.0, h],
         center: [0.0; 3],

@@ -55,7 +55,7 @@ pub fn ellipsoid(shape: [f64; 2], young: f64, time: f64) -> FlexibleBody {
 
 /// Mean power at a spin in the principal axes of the figure.
 pub fn power(body: &FlexibleBody, omega: [f64; 3]) -> f64 {
-    let response = Response::of(body).unwrap();
+    let response = Response::compute(body).unwrap();
     let principal = response.principal();
     let omega = principal.axes.map(|axis| (0..3).map(|i| axis[i] * omega[i]).sum());
     response.mean_power(&FreeRotation::through(principal.moments, omega).unwrap())

@@ -1,7 +1,7 @@
 //! Modes of a spinning body with two sprung masses, from an independent code: `data/published/spin_modes`.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Law, Motion, Point, Spring};
+use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use quasirigid::model::Rheology;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 use quasirigid_math::vec3::norm;
@@ -23,13 +23,13 @@ fn body() -> Assembly {
         name: format!("mass {i}"),
         mass: *mass,
         position: *position,
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     };
     let spring = |(i, (stiffness, damping)): (usize, &([f64; 3], [f64; 3]))| Spring {
         name: ["first", "second"][i].into(),
         from: End::Point(i),
         to: End::Carrier,
-        law: Law::Spatial {
+        law: SpringLaw::Spatial {
             stiffness: Coefficient::Diagonal(*stiffness),
             damping: Coefficient::Diagonal(*damping),
         },

@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, Station,
+    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape,
+    Station,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{BodyParts, FlexibleBody, Invariants, Pair};
@@ -20,7 +21,7 @@ pub struct Cantilever {
     pub material: Material,
     /// Inertia of the hub, the same about each axis.
     pub hub: f64,
-    pub reduction: Reduction,
+    pub reduction: PartReduction,
 }
 
 /// Where the beam is clamped.
@@ -42,7 +43,7 @@ impl Cantilever {
             elements: 1,
         };
         let members = (0..self.elements).map(member).collect();
-        let kind = Kind::Frame(Frame { nodes: nodes.collect(), members });
+        let kind = PartKind::Frame(Frame { nodes: nodes.collect(), members });
         let part =
             Part { name: "beam".to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [0.0; 2] };
         let carrier = Carrier {

@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, End, Frame, FrameNode, Kind, Law, Material, Member, Network,
-    NodeRef, Part, Reduction, SectionShape, Spring,
+    Anchor, Assembly, Carrier, Connection, End, Frame, FrameNode, Material, Member, Network, NodeRef, Part,
+    PartKind, PartReduction, SectionShape, Spring, SpringLaw,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 
@@ -25,7 +25,7 @@ fn boom(name: &str, from: [f64; 3], to: [f64; 3], rheologies: &[Rheology], rayle
     };
     let nodes = (0..=count).map(node).collect();
     let members = rheologies.iter().enumerate().map(member).collect();
-    let kind = Kind::Frame(Frame { nodes, members });
+    let kind = PartKind::Frame(Frame { nodes, members });
     Part { name: name.to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh }
 }
 
@@ -57,7 +57,7 @@ fn satellite() -> Assembly {
         name: String::new(),
         from: End::Node(NodeRef { part: 0, node: 2 }),
         to: End::Node(NodeRef { part: 1, node: 1 }),
-        law: Law::Axial {
+        law: SpringLaw::Axial {
             stiffness: 900.0,
             damping: 12.0,
             anchor: None,
@@ -75,7 +75,7 @@ fn satellite() -> Assembly {
         parts,
         connections: vec![hinge(Anchor::Carrier, 0, 5.0)],
         springs: vec![strut.clone(), Spring { name: "tie".to_owned(), ..strut.clone() }, strut],
-        reduction: Reduction { order: 4, modes: 2 },
+        reduction: PartReduction { order: 4, modes: 2 },
         ..Assembly::default()
     }
 }
@@ -132,7 +132,7 @@ fn a_dissipator_alone_keeps_its_damping() {
     let mut assembly = satellite();
     assembly.connections[0].damping = vec![10.0];
     assembly.springs.iter_mut().for_each(|spring| {
-        if let Law::Axial { damping, .. } = &mut spring.law {
+        if let SpringLaw::Axial { damping, .. } = &mut spring.law {
             *damping *= 2.0;
         }
     });

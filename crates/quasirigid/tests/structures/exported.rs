@@ -1,7 +1,7 @@
 //! A body as another program exports it: matrices between nodes that turn, and its modes.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use quasirigid::elements::{Kind, Matrices, NodalMass};
+use quasirigid::elements::{Matrices, NodalMass, PartKind};
 use quasirigid::model::Rheology;
 
 use super::common::Numbers;
@@ -62,14 +62,14 @@ impl Body {
     }
 
     /// As matrices, with the damping ratio [`RATIO`] in the modes that leave the first nodes at rest.
-    pub fn matrices(&self, still: usize) -> Kind {
+    pub fn matrices(&self, still: usize) -> PartKind {
         let fixed = self.modes(still);
         let weights = DMatrix::from_diagonal(&fixed.frequencies.map(|frequency| 2.0 * RATIO * frequency));
         let mut bent = DMatrix::identity(self.size(), self.size());
         let mut carried = bent.columns_mut(0, 6 * still);
         carried -= self.constraint_modes(still);
         let modal = fixed.shapes.tr_mul(&self.M) * bent;
-        Kind::Matrices(Matrices {
+        PartKind::Matrices(Matrices {
             mass: self.mass.clone(),
             stiffness: entries(&self.K),
             damping: entries(&(modal.tr_mul(&weights) * &modal)),

@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, Reduction, SectionShape, TipMass,
+    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape,
+    TipMass,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid_math::eigen::eigenvectors;
@@ -34,7 +35,7 @@ fn booms(masses: Vec<TipMass>, attached: Vec<usize>) -> Part {
         material: material.clone(),
         elements: 6,
     };
-    let kind = Kind::Frame(Frame {
+    let kind = PartKind::Frame(Frame {
         nodes: vec![
             node("middle", MIDDLE),
             node("long", place(ARM, 0.0)),
@@ -54,14 +55,14 @@ fn body(floats: bool) -> FlexibleBody {
         let carrier = Carrier { mass: MASS, center_of_mass: MIDDLE, inertia: inertia() };
         (Some(carrier), booms(Vec::new(), vec![0]))
     };
-    let reduction = Reduction { order: 5, modes: 12 };
+    let reduction = PartReduction { order: 5, modes: 12 };
     Assembly { carrier, parts: vec![part], reduction, ..Assembly::default() }.body().unwrap()
 }
 
 /// Frequencies about the steady spin, the lowest first.
 fn frequencies(body: &FlexibleBody, spin: f64) -> Vec<f64> {
     let n = body.coordinates().len();
-    let axis = quasirigid::model::Principal::of(body.invariants().J).axes[2];
+    let axis = quasirigid::model::Principal::compute(body.invariants().J).axes[2];
     let state = steady(body, axis.map(|entry| spin * entry));
     let A = body.mass_matrix();
     let momenta = (0..n).map(|j| 1e-3 * A.at(j, j));

@@ -1,8 +1,8 @@
 //! Frames of beams on a carrier.
 
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, Frame, FrameNode, HingeCoefficient, Hinged, Kind, Material,
-    Member, Part, Reduction, SectionShape,
+    Anchor, Assembly, Carrier, Connection, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member,
+    Part, PartKind, PartReduction, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -24,7 +24,7 @@ fn boom(young: f64, elements: usize) -> Part {
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
     let material = Material { density: 2700.0, young, poisson: 0.3, rheology: Rheology::Elastic };
     let section = SectionShape::Circle { radius: RADIUS };
-    let kind = Kind::Frame(Frame {
+    let kind = PartKind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", TIP)],
         members: vec![Member { ends: [0, 1], section, up: None, material, elements }],
     });
@@ -46,7 +46,7 @@ fn of_beams(axes: &[[f64; 3]], stiffness: f64, damping: f64, young: f64, order: 
         carrier: Some(carrier()),
         parts: vec![boom(young, 3)],
         connections: vec![hinge],
-        reduction: Reduction { order, modes: 0 },
+        reduction: PartReduction { order, modes: 0 },
         ..Assembly::default()
     }
     .body()

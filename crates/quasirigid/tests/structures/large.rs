@@ -3,10 +3,10 @@
 use nalgebra::{DMatrix, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Run, Sample, propagate_full};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Kind, Material, Member, Part, SectionShape, TipMass,
+    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, SectionShape, TipMass,
 };
-use quasirigid::model::force::{Axes, Force, Law, Wave};
-use quasirigid::model::{Displaced, FlexibleBody, Kinetics, Motion, RANGE, Rheology, Support};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
+use quasirigid::model::{Displaced, FlexibleBody, Kinetics, MotionState, RANGE, Rheology, Support};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3;
 
@@ -34,7 +34,7 @@ impl Boom {
         let member = Member { ends: [0, 1], section, up: None, material, elements: 4 };
         let part = Part {
             name: "boom".to_owned(),
-            kind: Kind::Frame(Frame {
+            kind: PartKind::Frame(Frame {
                 nodes: vec![node("root", 1.5), node("tip", 7.5)],
                 members: vec![member],
             }),
@@ -71,17 +71,17 @@ fn bent(body: &FlexibleBody, share: f64) -> Vec<f64> {
 }
 
 /// Least eigenvalue of the mass matrix of angular velocity and rates over its diagonal at rest, from momenta.
-fn least(body: &FlexibleBody, q: &[f64], momenta: &mut dyn FnMut(Motion<f64>) -> Vec<f64>) -> f64 {
+fn least(body: &FlexibleBody, q: &[f64], momenta: &mut dyn FnMut(MotionState<f64>) -> Vec<f64>) -> f64 {
     let n = q.len();
     let mut matrix = |q: &[f64]| {
-        let column = |i: usize, momenta: &mut dyn FnMut(Motion<f64>) -> Vec<f64>| {
+        let column = |i: usize, momenta: &mut dyn FnMut(MotionState<f64>) -> Vec<f64>| {
             let (mut omega, mut rate) = ([0.0; 3], vec![0.0; n]);
             if i < 3 {
                 omega[i] = 1.0
             } else {
                 rate[i - 3] = 1.0
             }
-            momenta(Motion { omega, q, rate: &rate })
+            momenta(MotionState { omega, q, rate: &rate })
         };
         let columns: Vec<Vec<f64>> = (0..3 + n).map(|i| column(i, momenta)).collect();
         DMatrix::from_fn(3 + n, 3 + n, |i, j| columns[j][i])
@@ -125,7 +125,7 @@ fn explicit_paths_agree_with_reciprocity_to_the_second_order() {
     let differences = [1e-3, 1e-4].map(|share| {
         let q = bent(&body, share);
         let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
-        let motion = Motion { omega, q: &q, rate: &rate };
+        let motion = MotionState { omega, q: &q, rate: &rate };
         let (K, p) = body.full_momenta(motion);
         let known = body.momentum(motion);
         let gap = Vector3::from(K) - Vector3::from(known);
@@ -148,7 +148,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
     let omega = <[f64; 3]>::from(turned_axes() * Vector3::new(0.3, -0.8, 1.1));
     let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
     let mut kinetics = Kinetics::new(&body).unwrap();
-    let (K, p) = body.full_momenta(Motion { omega, q: &q, rate: &rate });
+    let (K, p) = body.full_momenta(MotionState { omega, q: &q, rate: &rate });
     let mut found = vec![0.0; n];
     let mut back = vec![0.0; n];
     let velocities = kinetics.velocities(K, &p, &q, &mut back);
@@ -159,7 +159,7 @@ fn loads_are_the_slope_of_the_kinetic_energy() {
         let lagrangian = |sign: f64| {
             let mut moved = q.clone();
             moved[j] += sign * step;
-            let motion = Motion { omega, q: &moved, rate: &rate };
+            let motion = MotionState { omega, q: &moved, rate: &rate };
             let forces = body.stiffness().times(&moved);
             let elastic: f64 = forces.iter().zip(&moved).map(|(force, q)| force * q).sum();
             body.full_energy(motion) - elastic
@@ -229,7 +229,7 @@ fn the_tip_follows_a_chain_of_rigid_links() {
         };
         let force = Force {
             name: "motor".to_owned(),
-            law: Law::Torque {
+            law: ForceLaw::Torque {
                 torque: [1e9 * acceleration, 0.0, 0.0],
                 axes: Axes::Body,
                 wave: Wave { frequency: 0.0, phase: 0.0 },
@@ -264,7 +264,7 @@ fn the_tip_follows_a_chain_of_rigid_links() {
 fn energy_stays_over_many_turns() {
     let mut boom = TUBE.assembly();
     let part = &mut boom.parts[0];
-    let Kind::Frame(frame) = &mut part.kind else { panic!("a frame") };
+    let PartKind::Frame(frame) = &mut part.kind else { panic!("a frame") };
     frame.members[0].section = SectionShape::Circle { radius: 0.5 };
     frame.members[0].material.young = 2e6;
     frame.members[0].material.density = 100.0;

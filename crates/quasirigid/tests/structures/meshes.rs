@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use quasirigid::elements::{Kind, Material, Part, Region, Solid, Substance};
+use quasirigid::elements::{Material, Part, PartKind, Region, Solid, Substance};
 use quasirigid_mesh::surface::ClosedSurface;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
@@ -190,7 +190,7 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
         axes,
     };
     let regions = regions.iter().map(region).collect();
-    let kind = Kind::Solid(Solid { mesh: Arc::new(mesh), regions });
+    let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh), regions });
     Part { name: "solid".to_owned(), kind, masses: Vec::new(), attached, rayleigh: [0.0; 2] }
 }
 

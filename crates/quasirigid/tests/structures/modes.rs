@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, ElementError, Kind, Modes, Part, Problem, Reduction, Spectrum,
-    TipMass,
+    Anchor, Assembly, Carrier, Connection, ElementError, GivenModes, Part, PartKind, PartReduction, Problem,
+    Spectrum, TipMass,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -24,7 +24,7 @@ fn carrier() -> Carrier {
 }
 
 fn build(
-    kind: Kind,
+    kind: PartKind,
     carrier: Option<Carrier>,
     connections: Vec<Connection>,
     order: usize,
@@ -40,7 +40,7 @@ fn build(
         carrier,
         parts: vec![part],
         connections,
-        reduction: Reduction { order, modes: 0 },
+        reduction: PartReduction { order, modes: 0 },
         ..Assembly::default()
     }
     .body()
@@ -61,13 +61,13 @@ fn assert_same(found: &FlexibleBody, expected: &FlexibleBody, order: usize) {
 }
 
 /// The scale of a shape is nobody's business.
-fn of_modes(body: &Body, found: &Found, kept: impl Fn(usize) -> bool) -> Kind {
+fn of_modes(body: &Body, found: &Found, kept: impl Fn(usize) -> bool) -> PartKind {
     let kept: Vec<usize> = (0..found.frequencies.len()).filter(|mode| kept(*mode)).collect();
     let shapes = found.shapes.select_columns(&kept);
     let scaled = DMatrix::from_fn(shapes.nrows(), shapes.ncols(), |row, mode| {
         shapes[(row, mode)] * (0.3 + mode as f64) * if mode % 2 == 0 { 1.0 } else { -1.0 }
     });
-    Kind::Modes(Modes {
+    PartKind::Modes(GivenModes {
         mass: body.mass.clone(),
         shapes: rows(&scaled),
         interface: Vec::new(),
@@ -134,7 +134,7 @@ fn a_floating_frame_follows_the_second_order() {
 }
 
 /// Modes of Craig and Bampton: unit displacements of the first nodes, then modes that leave them at rest.
-fn craig_bampton(body: &Body, still: usize) -> Modes {
+fn craig_bampton(body: &Body, still: usize) -> GivenModes {
     let (constraint, fixed) = (body.constraint_modes(still), body.modes(still));
     let (first, rest) = (constraint.ncols(), fixed.shapes.ncols());
     let mut shapes = DMatrix::zeros(6 * NODES, first + rest);
@@ -145,7 +145,7 @@ fn craig_bampton(body: &Body, still: usize) -> Modes {
     damping
         .view_mut((first, first), (rest, rest))
         .copy_from(&DMatrix::from_diagonal(&fixed.frequencies.map(|frequency| 2.0 * RATIO * frequency)));
-    Modes {
+    GivenModes {
         mass: body.mass.clone(),
         shapes: rows(&shapes),
         interface: (0..still).collect(),
@@ -170,7 +170,7 @@ fn an_interface_is_held_as_nodes_are() {
     let body = Body::new(9, true);
     for still in [1, 2] {
         let expected = build(body.matrices(still), Some(carrier()), vec![hinge(0)], 4).unwrap();
-        let modes = Kind::Modes(craig_bampton(&body, still));
+        let modes = PartKind::Modes(craig_bampton(&body, still));
         assert_same(&build(modes, Some(carrier()), vec![hinge(0)], 4).unwrap(), &expected, 4);
     }
 }
@@ -180,7 +180,7 @@ fn an_interface_of_any_number_of_nodes_floats() {
     let body = Body::new(10, true);
     for still in [1, 2, 4] {
         let expected = build(body.matrices(still), None, Vec::new(), 3).unwrap();
-        let modes = Kind::Modes(craig_bampton(&body, still));
+        let modes = PartKind::Modes(craig_bampton(&body, still));
         assert_same(&build(modes, None, Vec::new(), 3).unwrap(), &expected, 3);
     }
 }
@@ -188,23 +188,23 @@ fn an_interface_of_any_number_of_nodes_floats() {
 #[test]
 fn what_is_no_mode_is_refused() {
     let body = Body::new(11, true);
-    let problem = |modes: Modes, connections: Vec<Connection>| {
-        build(Kind::Modes(modes), Some(carrier()), connections, 3).unwrap_err().problem
+    let problem = |modes: GivenModes, connections: Vec<Connection>| {
+        build(PartKind::Modes(modes), Some(carrier()), connections, 3).unwrap_err().problem
     };
     let good = || craig_bampton(&body, 1);
     let inner = problem(good(), vec![hinge(0), hinge(3)]);
     assert_eq!(inner, Problem::NotInterface { node: "\"wing\" node 40".to_owned() });
-    let missing = Modes { shapes: good().shapes[1..].to_vec(), ..good() };
+    let missing = GivenModes { shapes: good().shapes[1..].to_vec(), ..good() };
     assert_eq!(problem(missing, vec![hinge(0)]), Problem::ShapeRows { rows: 29, freedoms: 30 });
     let narrow = good().shapes.iter().map(|row| row[..5].to_vec()).collect();
-    let narrow = Modes { shapes: narrow, ..good() };
+    let narrow = GivenModes { shapes: narrow, ..good() };
     assert_eq!(problem(narrow, vec![hinge(0)]), Problem::ShapeColumns { columns: 5, interface: 6 });
     let mut moved = good();
     moved.shapes[2][7] = 0.4;
     let expected = Problem::NotUnit { node: 10, component: 2, column: 7, share: 0.4 };
     assert_eq!(problem(moved, vec![hinge(0)]), expected);
-    let Kind::Modes(all) = of_modes(&body, &body.modes(0), |mode| mode > 5) else { panic!("modes") };
-    let with = |frequencies: Vec<f64>, damping_ratios: Vec<f64>| Modes {
+    let PartKind::Modes(all) = of_modes(&body, &body.modes(0), |mode| mode > 5) else { panic!("modes") };
+    let with = |frequencies: Vec<f64>, damping_ratios: Vec<f64>| GivenModes {
         spectrum: Spectrum::Modes { frequencies, damping_ratios },
         ..all.clone()
     };
@@ -243,7 +243,7 @@ fn modes_left_out_add_less_than_the_bound() {
     };
     let all = energies(body.size());
     for kept in [6, 12, 18, body.size()] {
-        let Kind::Modes(modes) = of_modes(&body, &found, |mode| mode < kept) else { panic!("modes") };
+        let PartKind::Modes(modes) = of_modes(&body, &found, |mode| mode < kept) else { panic!("modes") };
         let bound = modes.missing(pole).unwrap();
         let some = energies(kept);
         let largest = some.iter().copied().fold(0.0, f64::max);
@@ -261,17 +261,17 @@ fn a_rigid_body_at_a_node_adds_its_mass_and_inertia() {
     let inertia = [[0.3, 0.02, -0.01], [0.02, 0.4, 0.03], [-0.01, 0.03, 0.5]];
     let tip = TipMass { node: 3, mass: 1.7, inertia };
     let bare = Body::new(13, false).held();
-    let body = |kind: Kind, masses: Vec<TipMass>| {
+    let body = |kind: PartKind, masses: Vec<TipMass>| {
         let part = Part { name: "wing".to_owned(), kind, masses, attached: Vec::new(), rayleigh: [0.0; 2] };
         Assembly { carrier: Some(carrier()), parts: vec![part], ..Assembly::default() }.body()
     };
-    let Kind::Matrices(mut heavy) = bare.matrices(0) else { panic!("matrices") };
+    let PartKind::Matrices(mut heavy) = bare.matrices(0) else { panic!("matrices") };
     // The first node has no rows.
     let row = 6 * (tip.node - 1);
     heavy.mass.entries.extend((0..3).map(|axis| (row + axis, row + axis, tip.mass)));
     let rotations = (0..9).map(|entry| (entry / 3, entry % 3));
     heavy.mass.entries.extend(rotations.map(|(a, b)| (row + 3 + a, row + 3 + b, inertia[a][b])));
-    let expected = body(Kind::Matrices(heavy), Vec::new()).unwrap();
+    let expected = body(PartKind::Matrices(heavy), Vec::new()).unwrap();
     assert_same(&body(bare.matrices(0), vec![tip.clone()]).unwrap(), &expected, 3);
     let modes = of_modes(&bare, &bare.modes(0), |_| true);
     assert_same(&body(modes, vec![tip.clone()]).unwrap(), &expected, 3);

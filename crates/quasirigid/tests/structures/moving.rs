@@ -9,7 +9,7 @@ use super::whirl::booms;
 #[test]
 fn modes_name_the_boom_that_bends() {
     let body = booms(1e-3);
-    let axis = quasirigid::model::Principal::of(body.invariants().J).axes[2];
+    let axis = quasirigid::model::Principal::compute(body.invariants().J).axes[2];
     let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.05)).unwrap();
     let modes = SpinModes::about(&body, steady).unwrap().modes;
     let share = |mode: &quasirigid::modes::SpinMode, part: &str| {

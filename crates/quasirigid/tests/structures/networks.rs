@@ -1,7 +1,7 @@
 //! Bodies of points and springs alone, as those of N-body simulations `[@quillen2019]`: a random network that floats.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3, Vector6};
-use quasirigid::elements::{Assembly, End, Law, Motion, Point, Prestress, Spring};
+use quasirigid::elements::{Assembly, End, Point, PointMotion, Prestress, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
@@ -49,13 +49,13 @@ fn network(masses: &[f64], damping: f64, rheology: &Rheology) -> FlexibleBody {
         name: format!("{i}"),
         mass: masses[i],
         position: (*place).into(),
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     };
     let spring = |(i, j): (usize, usize)| Spring {
         name: String::new(),
         from: End::Point(i),
         to: End::Point(j),
-        law: Law::Axial { stiffness: STIFFNESS, damping, anchor: None, prestress: Prestress::Relaxed },
+        law: SpringLaw::Axial { stiffness: STIFFNESS, damping, anchor: None, prestress: Prestress::Relaxed },
         rheology: rheology.clone(),
     };
     let springs = pairs(&places).into_iter().map(spring).collect();

@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use quasirigid::elements::{
-    Anchor, Assembly, Coefficient, Connection, End, Frame, FrameNode, Kind, Law, Material, Member, Motion,
-    NodeRef, Part, Point, Prestress, Reduction, SectionShape, Spring,
+    Anchor, Assembly, Coefficient, Connection, End, Frame, FrameNode, Material, Member, NodeRef, Part,
+    PartKind, PartReduction, Point, PointMotion, Prestress, SectionShape, Spring, SpringLaw,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -44,7 +44,7 @@ fn network(unit: f64, order: usize, kept: usize) -> FlexibleBody {
         name: format!("{i}"),
         mass,
         position: (unit * place).into(),
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     });
     let rows = |matrix: Matrix3<f64>| std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]));
     let springs = pairs().map(|(pair, i, j)| Spring {
@@ -52,11 +52,11 @@ fn network(unit: f64, order: usize, kept: usize) -> FlexibleBody {
         from: End::Point(i),
         to: End::Point(j),
         law: match laws(pair) {
-            Some(law) => Law::Spatial {
+            Some(law) => SpringLaw::Spatial {
                 stiffness: Coefficient::Full(rows(law)),
                 damping: Coefficient::Full(rows(TIME * law)),
             },
-            None => Law::Axial {
+            None => SpringLaw::Axial {
                 stiffness: ALONG,
                 damping: TIME * ALONG,
                 anchor: None,
@@ -65,7 +65,7 @@ fn network(unit: f64, order: usize, kept: usize) -> FlexibleBody {
         },
         rheology: Rheology::Elastic,
     });
-    let reduction = Reduction { order, modes: kept };
+    let reduction = PartReduction { order, modes: kept };
     Assembly { points: points.collect(), springs: springs.collect(), reduction, ..Assembly::default() }
         .body()
         .unwrap()
@@ -132,16 +132,19 @@ fn a_triangle_of_isotropic_springs_has_one_frequency_thrice() {
         name: format!("{}", place[0]),
         mass: 2.0,
         position: (turned_axes() * Vector3::from(place)).into(),
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     });
     let springs = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| Spring {
         name: String::new(),
         from: End::Point(i),
         to: End::Point(j),
-        law: Law::Spatial { stiffness: Coefficient::Isotropic(45.0), damping: Coefficient::Isotropic(0.0) },
+        law: SpringLaw::Spatial {
+            stiffness: Coefficient::Isotropic(45.0),
+            damping: Coefficient::Isotropic(0.0),
+        },
         rheology: Rheology::Elastic,
     });
-    let reduction = Reduction { order: 3, modes: 3 };
+    let reduction = PartReduction { order: 3, modes: 3 };
     let body =
         Assembly { points: points.to_vec(), springs: springs.to_vec(), reduction, ..Assembly::default() }
             .body()
@@ -178,7 +181,7 @@ fn beams(kept: usize) -> FlexibleBody {
             material: Material { density: 2700.0, young: 70e9, poisson: 0.33, rheology: Rheology::Elastic },
             elements: 3,
         };
-        let kind = Kind::Frame(Frame { nodes, members: ends.iter().map(member).collect() });
+        let kind = PartKind::Frame(Frame { nodes, members: ends.iter().map(member).collect() });
         Part { name: name.to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.01, 3e-4] }
     };
     let whip =
@@ -200,10 +203,13 @@ fn beams(kept: usize) -> FlexibleBody {
         name: String::new(),
         from: End::Node(at(0, 1)),
         to: End::Node(at(1, 1)),
-        law: Law::Spatial { stiffness: Coefficient::Isotropic(15.0), damping: Coefficient::Isotropic(0.0) },
+        law: SpringLaw::Spatial {
+            stiffness: Coefficient::Isotropic(15.0),
+            damping: Coefficient::Isotropic(0.0),
+        },
         rheology: Rheology::Elastic,
     };
-    let reduction = Reduction { order: 3, modes: kept };
+    let reduction = PartReduction { order: 3, modes: kept };
     Assembly { parts, connections: vec![hinge], springs: vec![spring], reduction, ..Assembly::default() }
         .body()
         .unwrap()

@@ -2,8 +2,8 @@
 
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, ElementKind, Field, Frame, FrameNode, Kind, Material, Member, Part, Problem,
-    Reduction, SectionShape, Surface, TipMass,
+    Assembly, Carrier, ElementKind, Field, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction,
+    Problem, SectionShape, Surface, TipMass,
 };
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -78,7 +78,7 @@ fn carrier() -> Carrier {
     }
 }
 
-fn on_carrier(part: Part, reduction: Reduction) -> FlexibleBody {
+fn on_carrier(part: Part, reduction: PartReduction) -> FlexibleBody {
     Assembly { carrier: Some(carrier()), parts: vec![part], reduction, ..Assembly::default() }.body().unwrap()
 }
 
@@ -103,7 +103,7 @@ fn beam(material: &Material) -> Part {
         material: material.clone(),
         elements: 8,
     };
-    let kind = Kind::Frame(Frame {
+    let kind = PartKind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", tip.into())],
         members: vec![member],
     });
@@ -121,11 +121,11 @@ fn torque(body: &ReducedBody, degree: usize) -> [f64; 3] {
 #[test]
 fn a_bar_of_cells_is_a_beam() {
     let material = rock(Rheology::KelvinVoigt { time: 0.02 });
-    let expected = reduce(&on_carrier(beam(&material), Reduction::default()), 3).unwrap();
+    let expected = reduce(&on_carrier(beam(&material), PartReduction::default()), 3).unwrap();
     let gaps = [[2, 1, 1], [4, 1, 1], [8, 2, 2]].map(|counts| {
         let (mesh, clamped) = bar(Shape::Hex20, counts);
         let regions = throughout(&mesh, &material);
-        let found = on_carrier(solid(mesh, &regions, clamped), Reduction::default());
+        let found = on_carrier(solid(mesh, &regions, clamped), PartReduction::default());
         let found = reduce(&found, 3).unwrap();
         let gaps = [4, 5].map(|degree| vector_error(torque(&found, degree), torque(&expected, degree)));
         println!("{counts:?} cells beside a beam: torque of degree 4 {:.2e}, 5 {:.2e}", gaps[0], gaps[1]);
@@ -160,7 +160,7 @@ fn losses_of_two_materials_are_those_of_all_coordinates() {
         let part = solid(mesh, &regions, if floating { Vec::new() } else { clamped });
         let [few, all] = [0, unknowns].map(|modes| {
             let carrier = (!floating).then(carrier);
-            let reduction = Reduction { order: 3, modes };
+            let reduction = PartReduction { order: 3, modes };
             let parts = vec![part.clone()];
             Assembly { carrier, parts, reduction, ..Assembly::default() }.body().unwrap()
         });
@@ -189,7 +189,7 @@ fn power_of_losses_grows_with_their_times() {
     let power = |times: [f64; 2]| {
         let (mesh, clamped) = bar(Shape::Hex8, [2, 1, 1]);
         let regions = [0, 1].map(|cell| (vec![cell], rock(Rheology::KelvinVoigt { time: times[cell] })));
-        let body = on_carrier(solid(mesh, &regions, clamped), Reduction::default());
+        let body = on_carrier(solid(mesh, &regions, clamped), PartReduction::default());
         reduce(&body, 3).unwrap().dissipated_power(OMEGA)
     };
     let [both, first, second, double] = [[0.03, 0.2], [0.03, 1e-9], [1e-9, 0.2], [0.06, 0.4]].map(power);

@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::elements::{Material, Reduction, SectionShape, Station};
-use quasirigid::model::force::{Axes, Force, Law, Wave};
+use quasirigid::elements::{Material, PartReduction, SectionShape, Station};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid_math::rotation::ALIGNED;
 
@@ -32,7 +32,7 @@ fn beam() -> Cantilever {
         SectionShape::General { area, second_y: second, second_z: second, torsion: 2.0 * second, shear };
     let density = LINE_DENSITY / area;
     let material = Material { density, young, poisson, rheology: Rheology::Elastic };
-    let reduction = Reduction { order: 3, modes: 6 };
+    let reduction = PartReduction { order: 3, modes: 6 };
     Cantilever { length: LENGTH, elements: 20, section, material, hub: 1e7, reduction }
 }
 
@@ -42,7 +42,7 @@ fn torques(inertia: f64) -> Vec<Force<Station>> {
     let waves = [(amplitude, 0.0), (-amplitude, TAU / DURATION)];
     let force = |(amplitude, frequency): (f64, f64)| Force {
         name: "motor".to_owned(),
-        law: Law::Torque {
+        law: ForceLaw::Torque {
             torque: (amplitude * (turned_axes() * nalgebra::Vector3::z())).into(),
             axes: Axes::Body,
             wave: Wave { frequency, phase: 0.0 },

@@ -1,8 +1,8 @@
 //! Vibrations of a beam that turns with its hub: eigenvalues of the whole system about the steady spin.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use quasirigid::elements::{Material, Reduction, SectionShape};
-use quasirigid::model::{FlexibleBody, Kinetics, Motion, Rheology};
+use quasirigid::elements::{Material, PartReduction, SectionShape};
+use quasirigid::model::{FlexibleBody, Kinetics, MotionState, Rheology};
 use quasirigid_math::eigen::{Dense, eigenvectors};
 use quasirigid_math::vec3::cross;
 
@@ -32,7 +32,7 @@ fn blade() -> Cantilever {
     let (second_y, second_z, torsion) = (second, second * (1.0 + 1e-5), second);
     let section = SectionShape::General { area, second_y, second_z, torsion, shear: None };
     let material = Material { density: 2700.0, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic };
-    let reduction = Reduction { order: 5, modes: 8 };
+    let reduction = PartReduction { order: 5, modes: 8 };
     Cantilever { length: LENGTH, elements: 20, section, material, hub: 4e6, reduction }
 }
 
@@ -56,7 +56,7 @@ fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
 pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     let n = body.coordinates().len();
     let still = vec![0.0; n];
-    let load = |q: &[f64]| DVector::from(body.load(Motion { omega, q, rate: &still }));
+    let load = |q: &[f64]| DVector::from(body.load(MotionState { omega, q, rate: &still }));
     let constant = load(&still);
     let mut softer = DMatrix::zeros(n, n);
     for j in 0..n {
@@ -65,7 +65,7 @@ pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
         softer.set_column(j, &(load(&q) - &constant));
     }
     let q = (dense(body.stiffness()) - softer).lu().solve(&constant).unwrap();
-    let motion = Motion { omega, q: q.as_slice(), rate: &still };
+    let motion = MotionState { omega, q: q.as_slice(), rate: &still };
     [&body.momentum(motion)[..], &body.generalized_momentum(motion), q.as_slice()].concat()
 }
 

@@ -1,8 +1,8 @@
 //! What grows in the equations of motion and what does not: materials that leave no dashpots, and a boom that whirls. (M4)
 
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Kind, Material, Member, Part, Reduction,
-    SectionShape,
+    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
+    PartReduction, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::modes::SpinModes;
@@ -27,7 +27,7 @@ pub fn booms(braked: f64) -> FlexibleBody {
             elements: 5,
         };
         let nodes = vec![node("root", [0.1, -0.2, 0.3]), node("tip", to)];
-        let kind = Kind::Frame(Frame { nodes, members: vec![member] });
+        let kind = PartKind::Frame(Frame { nodes, members: vec![member] });
         Part { name: name.to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [per_mass, 0.0] }
     };
     let carrier = Carrier {
@@ -36,13 +36,13 @@ pub fn booms(braked: f64) -> FlexibleBody {
         inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
     };
     let parts = vec![boom("long", [2.9, 0.8, 0.4], 0.0), boom("short", [-1.8, 1.1, 0.2], braked)];
-    let reduction = Reduction { order: 3, modes: 12 };
+    let reduction = PartReduction { order: 3, modes: 12 };
     Assembly { carrier: Some(carrier), parts, reduction, ..Assembly::default() }.body().unwrap()
 }
 
 fn poles(body: &FlexibleBody, spin: f64) -> Poles {
-    let principal = quasirigid::model::Principal::of(body.invariants().J);
-    Poles::of(body, &EnergyRange::of(body, spin * principal.moments[2]).unwrap()).unwrap()
+    let principal = quasirigid::model::Principal::compute(body.invariants().J);
+    Poles::compute(body, &EnergyRange::compute(body, spin * principal.moments[2]).unwrap()).unwrap()
 }
 
 fn internal(pole: Option<&Pole>) -> &SpinModes {
@@ -95,8 +95,8 @@ fn a_boom_above_its_critical_spin_whirls() {
     };
     let body = Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap();
     let spin = 50.0 * std::f64::consts::TAU / 60.0;
-    let momentum = spin * quasirigid::model::Principal::of(body.invariants().J).moments[0];
-    let poles = Poles::of(&body, &EnergyRange::of(&body, momentum).unwrap()).unwrap();
+    let momentum = spin * quasirigid::model::Principal::compute(body.invariants().J).moments[0];
+    let poles = Poles::compute(&body, &EnergyRange::compute(&body, momentum).unwrap()).unwrap();
     let long = internal(poles.long.as_ref());
     let slowest = long.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min);
     let grown = long.modes.iter().filter(|mode| mode.grows() && !mode.nutation).count();

@@ -14,7 +14,8 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Law, Motion, Point, Prestress, Spring,
+    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Point, PointMotion, Prestress, Spring,
+    SpringLaw,
 };
 use quasirigid::model::{Rheology, Support};
 
@@ -34,13 +35,13 @@ pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
         name: number.to_string(),
         mass: sprung.mass,
         position: sprung.position,
-        motion: Motion::Free,
+        motion: PointMotion::Free,
     };
     let spring = |(number, sprung): (usize, &Sprung)| Spring {
         name: String::new(),
         from: End::Point(number),
         to: End::Carrier,
-        law: Law::Spatial {
+        law: SpringLaw::Spatial {
             stiffness: Coefficient::Diagonal(sprung.stiffness),
             damping: Coefficient::Diagonal(sprung.damping),
         },
@@ -149,8 +150,8 @@ pub fn inertia(masses: &[Mass], about: Vector3<f64>) -> Matrix3<f64> {
 
 fn join(
     carrier: Vec<Mass>,
-    sprung: Vec<(Point, Law)>,
-    extra: &[(usize, usize, Law, [f64; 3])],
+    sprung: Vec<(Point, SpringLaw)>,
+    extra: &[(usize, usize, SpringLaw, [f64; 3])],
     hinged: Vec<(Hinged, Vec<Mass>)>,
     (free, fixed): (bool, [f64; 3]),
 ) -> Massive {
@@ -167,18 +168,18 @@ fn join(
         let (i, j) = (i % count, j % (count + 1));
         let to = if j == count || j == i { End::Carrier } else { End::Point(j) };
         let law = match *law {
-            Law::Axial { stiffness, damping, .. } => Law::Axial {
+            SpringLaw::Axial { stiffness, damping, .. } => SpringLaw::Axial {
                 stiffness,
                 damping,
                 anchor: (to == End::Carrier).then_some(place.map(|x| 2.0 * x)),
                 prestress: Prestress::Relaxed,
             },
-            spatial @ Law::Spatial { .. } => spatial,
+            spatial @ SpringLaw::Spatial { .. } => spatial,
         };
         Spring { name: String::new(), from: End::Point(i), to, law, rheology: Rheology::Elastic }
     });
     let springs = to_carrier.chain(between).collect();
-    let named = |(i, (mut point, _)): (usize, (Point, Law))| {
+    let named = |(i, (mut point, _)): (usize, (Point, SpringLaw))| {
         point.name = format!("point {i}");
         point
     };
@@ -210,36 +211,36 @@ fn cloud(mass: f64, size: f64) -> impl Strategy<Value = Vec<Mass>> {
 }
 
 /// A point on a spring of every kind to the carrier.
-fn sprung_point() -> impl Strategy<Value = (Point, Law)> {
+fn sprung_point() -> impl Strategy<Value = (Point, SpringLaw)> {
     (0.05..0.5, vector(), motion(), coefficient(), coefficient(), 8.0..30.0, 0.1..0.5).prop_map(
         |(mass, position, motion, stiffness, damping, frequency, ratio)| {
             let stiffness = times(stiffness, mass * frequency * frequency);
             let damping = times(damping, 2.0 * ratio * mass * frequency);
-            (Point { name: String::new(), mass, position, motion }, Law::Spatial { stiffness, damping })
+            (Point { name: String::new(), mass, position, motion }, SpringLaw::Spatial { stiffness, damping })
         },
     )
 }
 
-fn motion() -> impl Strategy<Value = Motion> {
+fn motion() -> impl Strategy<Value = PointMotion> {
     (0..3, direction()).prop_map(|(kind, direction)| match kind {
-        0 => Motion::Free,
-        1 => Motion::Line(direction),
-        _ => Motion::Plane(direction),
+        0 => PointMotion::Free,
+        1 => PointMotion::Line(direction),
+        _ => PointMotion::Plane(direction),
     })
 }
 
-fn extra_spring() -> impl Strategy<Value = (usize, usize, Law, [f64; 3])> {
+fn extra_spring() -> impl Strategy<Value = (usize, usize, SpringLaw, [f64; 3])> {
     (0..9usize, 0..9usize, any::<bool>(), coefficient(), coefficient(), 20.0..60.0, direction()).prop_map(
         |(i, j, axial, stiffness, damping, strength, place)| {
             let law = if axial {
-                Law::Axial {
+                SpringLaw::Axial {
                     stiffness: strength,
                     damping: 0.03 * strength,
                     anchor: None,
                     prestress: Prestress::Relaxed,
                 }
             } else {
-                Law::Spatial {
+                SpringLaw::Spatial {
                     stiffness: times(stiffness, strength),
                     damping: times(damping, 0.03 * strength),
                 }

@@ -1,7 +1,7 @@
 //! The same body described in another way.
 
 use nalgebra::{Matrix3, Vector3};
-use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, Law, Motion, Spring};
+use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, PointMotion, Spring, SpringLaw};
 use quasirigid::model::{Rheology, Support};
 
 /// Size of the old units in the new ones.
@@ -35,7 +35,7 @@ pub fn rescaled(assembly: &Assembly, units: Units) -> Assembly {
     }
     for spring in &mut scaled.springs {
         spring.law = strengthened(spring.law, units.factor([0, 1, -2]), units.factor([0, 1, -1]));
-        if let Law::Axial { anchor: Some(anchor), .. } = &mut spring.law {
+        if let SpringLaw::Axial { anchor: Some(anchor), .. } = &mut spring.law {
             place(anchor);
         }
     }
@@ -68,8 +68,8 @@ pub fn rotated(assembly: &Assembly, R: &Matrix3<f64>) -> Assembly {
     for point in &mut turned.points {
         vector(&mut point.position);
         match &mut point.motion {
-            Motion::Free => {}
-            Motion::Line(direction) | Motion::Plane(direction) => vector(direction),
+            PointMotion::Free => {}
+            PointMotion::Line(direction) | PointMotion::Plane(direction) => vector(direction),
         }
     }
     let coefficient = |coefficient: &mut Coefficient| {
@@ -83,11 +83,11 @@ pub fn rotated(assembly: &Assembly, R: &Matrix3<f64>) -> Assembly {
     };
     for spring in &mut turned.springs {
         match &mut spring.law {
-            Law::Spatial { stiffness, damping } => {
+            SpringLaw::Spatial { stiffness, damping } => {
                 coefficient(stiffness);
                 coefficient(damping);
             }
-            Law::Axial { anchor, .. } => anchor.iter_mut().for_each(vector),
+            SpringLaw::Axial { anchor, .. } => anchor.iter_mut().for_each(vector),
         }
     }
     for hinged in &mut turned.hinged {
@@ -169,12 +169,12 @@ pub fn times(coefficient: Coefficient, factor: f64) -> Coefficient {
 }
 
 /// A law with its stiffness and its damping multiplied by numbers.
-pub fn strengthened(law: Law, by: f64, damped_by: f64) -> Law {
+pub fn strengthened(law: SpringLaw, by: f64, damped_by: f64) -> SpringLaw {
     match law {
-        Law::Spatial { stiffness, damping } => {
-            Law::Spatial { stiffness: times(stiffness, by), damping: times(damping, damped_by) }
+        SpringLaw::Spatial { stiffness, damping } => {
+            SpringLaw::Spatial { stiffness: times(stiffness, by), damping: times(damping, damped_by) }
         }
-        Law::Axial { stiffness, damping, anchor, .. } => Law::Axial {
+        SpringLaw::Axial { stiffness, damping, anchor, .. } => SpringLaw::Axial {
             stiffness: by * stiffness,
             damping: damped_by * damping,
             anchor,

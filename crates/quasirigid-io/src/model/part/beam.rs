@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Frame, FrameNode, Kind, Member, Part};
+use quasirigid::elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};
@@ -64,7 +64,7 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     }
     let members: Vec<Member> = lines.into_iter().map(member).collect();
     let extremes = vec![extremes; members.len()];
-    let kind = Kind::Frame(Frame { nodes: frame_nodes, members });
+    let kind = PartKind::Frame(Frame { nodes: frame_nodes, members });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }

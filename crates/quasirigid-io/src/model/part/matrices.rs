@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Kind, Matrices, NodalMass, Part};
+use quasirigid::elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};
@@ -65,7 +65,7 @@ pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) 
     let (masses, attached) = (masses(table, &labels), attached(table, &labels));
     let part = Part {
         name: name.to_owned(),
-        kind: Kind::Matrices(given),
+        kind: PartKind::Matrices(given),
         masses: masses?,
         attached: attached?,
         rayleigh: rayleigh?,

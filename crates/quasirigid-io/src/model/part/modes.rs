@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use quasirigid::elements::{ElementKind, Kind, Modes, NodalMass, Part, Spectrum};
+use quasirigid::elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};
@@ -89,11 +89,11 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         None => spectrum(table, coordinates.scales.len(), folder)?,
     };
     let shapes = coordinates.shapes(&shapes, &rows, mass.freedoms.len())?;
-    let given = Modes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
+    let given = GivenModes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
     let (masses, attached) = (masses(table, &labels), attached(table, &labels));
     let part = Part {
         name: name.to_owned(),
-        kind: Kind::Modes(given),
+        kind: PartKind::Modes(given),
         masses: masses?,
         attached: attached?,
         rayleigh: rayleigh?,

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use quasirigid::elements::{ElementKind, Kind, Layer, Panel, Part};
+use quasirigid::elements::{ElementKind, Layer, Panel, Part, PartKind};
 use quasirigid_math::vec3::{cross, norm};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
@@ -71,7 +71,7 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let reference = reference.unwrap_or_else(|| Some(first_side(&mesh)))?;
     let (layers, extremes): (Vec<Layer>, Vec<Extremes>) = layers?.into_iter().unzip();
-    let kind = Kind::Panel(Panel { mesh: Arc::new(mesh), layers, reference, offset: offset? });
+    let kind = PartKind::Panel(Panel { mesh: Arc::new(mesh), layers, reference, offset: offset? });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }

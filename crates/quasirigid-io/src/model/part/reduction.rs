@@ -1,4 +1,4 @@
-use quasirigid::elements::Reduction;
+use quasirigid::elements::PartReduction;
 
 use super::super::table::{Keys, Table};
 
@@ -7,11 +7,11 @@ const REDUCTION: Keys = Keys { known: &["modes"] };
 const MOST_MODES: usize = 500;
 
 /// Reads `[reduction]`: how many coordinates the parts are given beside those that the order asks for.
-pub(in crate::model) fn reduction(file: &Table<'_>) -> Option<Reduction> {
-    let default = Reduction::default();
+pub(in crate::model) fn reduction(file: &Table<'_>) -> Option<PartReduction> {
+    let default = PartReduction::default();
     let Some(table) = file.table("reduction", "[reduction]", &REDUCTION) else {
         return file.get("reduction").is_none().then_some(default);
     };
     let modes = table.get("modes").map_or(Some(default.modes), |value| value.integer(0..=MOST_MODES));
-    Some(Reduction { modes: modes?, ..default })
+    Some(PartReduction { modes: modes?, ..default })
 }

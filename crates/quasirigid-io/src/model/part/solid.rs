@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use quasirigid::elements::{ElementKind, Kind, Part, Region, Solid};
+use quasirigid::elements::{ElementKind, Part, PartKind, Region, Solid};
 use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 
@@ -61,7 +61,7 @@ pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         None => one(table, &mesh, sources, axes?).map(|region| vec![region]),
     };
     let (regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
-    let kind = Kind::Solid(Solid { mesh: Arc::new(mesh), regions });
+    let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh), regions });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes })
 }

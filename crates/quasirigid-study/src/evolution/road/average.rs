@@ -113,7 +113,7 @@ impl Choice<'_> {
     /// The response in the spinning frame; none of a body of many coordinates.
     pub fn spinning_frame(&self) -> Option<HillResponse> {
         let few = self.body.coordinates().len() <= FEW_COORDINATES;
-        if few { HillResponse::of(self.body).ok() } else { None }
+        if few { HillResponse::compute(self.body).ok() } else { None }
     }
 
     /// A vibration that grows from nothing on the way, in words; none if none does.

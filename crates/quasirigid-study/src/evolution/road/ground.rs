@@ -24,9 +24,10 @@ impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
     pub fn of(study: &'a Study, momentum: f64) -> Result<Result<Self, String>, StudyError> {
         let body = &study.body;
-        match EnergyRange::of(body, momentum) {
+        match EnergyRange::compute(body, momentum) {
             Ok(range) => {
-                let poles = Poles::of(body, &range).map_err(|error| format!("the steady spins: {error}"));
+                let poles =
+                    Poles::compute(body, &range).map_err(|error| format!("the steady spins: {error}"));
                 Ok(poles.map(|poles| {
                     let silent = [Mode::LongAxis, Mode::ShortAxis].map(|mode| {
                         let modes = &poles.of_mode(mode)?.modes;

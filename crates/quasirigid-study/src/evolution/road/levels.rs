@@ -21,7 +21,7 @@ const LEVEL_ORDER: usize = 5;
 impl Choice<'_> {
     /// Averaged along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
     pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<Road, String>> {
-        let rigid = Principal::of(self.body.invariants().J).moments;
+        let rigid = Principal::compute(self.body.invariants().J).moments;
         let bent = self.ground.range.moments();
         let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
             let (before, after) = (rigid[*b] - rigid[*a], bent[*b] - bent[*a]);

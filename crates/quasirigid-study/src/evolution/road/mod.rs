@@ -11,7 +11,7 @@ mod way;
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::LevelPassage;
-use quasirigid::dynamics::SpinState;
+use quasirigid::dynamics::Start;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError};
 use quasirigid_io::model::EvolveMethod;
@@ -57,7 +57,7 @@ const DISTINCT: f64 = 1e-3;
 /// Chooses the road for a body on which no torque acts: the power that is followed from then on, or the history.
 pub fn choose(
     study: &Study,
-    start: SpinState,
+    start: Start,
     asked: &Asked,
     ageing: &mut Ageing,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -126,7 +126,7 @@ fn without_equations(left_out: f64) -> String {
 /// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.
 pub fn under_torque(
     study: &Study,
-    start: SpinState,
+    start: Start,
     asked: &Asked,
     ageing: &mut Ageing,
 ) -> Result<Option<Refusal>, StudyError> {

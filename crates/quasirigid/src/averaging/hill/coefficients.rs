@@ -42,8 +42,8 @@ impl Coefficients {
     ///
     /// # Errors
     /// [`NoConvergence`] if an eigenvalue solver fails.
-    pub fn of(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
-        let principal = Principal::of(body.invariants().J);
+    pub fn compute(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
+        let principal = Principal::compute(body.invariants().J);
         let basis = if body.elastic() > whole { Some(span(body, &principal)?) } else { None };
         let rows = loaded_modes_in(body, &principal, |_| basis.clone())?;
         let view = View { body, rows: &rows };

@@ -58,21 +58,21 @@ impl HillResponse {
     ///
     /// # Errors
     /// [`HillError`] if the eigenvalue solver fails, or for a body with momentum wheels.
-    pub fn of(body: &FlexibleBody) -> Result<Self, HillError> {
+    pub fn compute(body: &FlexibleBody) -> Result<Self, HillError> {
         Self::within(body, WHOLE)
     }
 
     /// The response in every vibration of a body of up to `whole` elastic coordinates, of a larger one in those that the
     /// loads excite.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, HillError> {
-        if !body.wheels().is_none() {
+        if !body.wheels().is_empty() {
             return Err(HillError::Wheels);
         }
-        let harmonic = Coefficients::of(body, whole)?;
+        let harmonic = Coefficients::compute(body, whole)?;
         let coordinates = if body.memories().is_empty() {
             None
         } else {
-            Some(Coefficients::of(&body.without_memories(), whole)?)
+            Some(Coefficients::compute(&body.without_memories(), whole)?)
         };
         Ok(Self { harmonic, coordinates })
     }

@@ -1,6 +1,6 @@
 use super::energy::SlowEnergy;
 use crate::math::rotation::angle;
-use crate::math::sphere::{Kind, StationaryPoint};
+use crate::math::sphere::{StationaryKind, StationaryPoint};
 use crate::math::vec3::{add, norm, scale};
 
 /// A way down the slow energy to one of its minima, along which every level of a component is met once.
@@ -31,7 +31,7 @@ impl Descent {
         start: [f64; 3],
         downhill: f64,
     ) -> Option<(Self, Option<usize>)> {
-        let wanted = if downhill > 0.0 { Kind::Minimum } else { Kind::Maximum };
+        let wanted = if downhill > 0.0 { StationaryKind::Minimum } else { StationaryKind::Maximum };
         let mut way = Self { places: vec![start], energies: vec![energy.energy(start)] };
         let mut u = start;
         let mut stride = STRIDE;

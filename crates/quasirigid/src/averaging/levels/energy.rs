@@ -58,7 +58,7 @@ impl SlowEnergy {
         }
         let mut slow = Self {
             G,
-            long_axis: Principal::of(body.J).axes[0],
+            long_axis: Principal::compute(body.J).axes[0],
             half_mean,
             energy: Kernel::new(&potential(&even, half_mean, G)),
             field: Kernel::new(&field),

@@ -5,7 +5,7 @@ use super::energy::SlowEnergy;
 use super::leg::Leg;
 use super::level::{Level, traced};
 use super::separatrix::Saddles;
-use crate::math::sphere::{Kind, StationaryPoint, directions, stationary};
+use crate::math::sphere::{StationaryKind, StationaryPoint, directions, stationary};
 use crate::math::sym3;
 use crate::math::vec3::{norm, scale};
 use crate::model::{Principal, ReducedBody};
@@ -79,7 +79,7 @@ impl LevelEvolution {
             return Err(LevelError::NoMomentum { momentum: G });
         }
         let energy = SlowEnergy::of(body, G);
-        let axes = Principal::of(body.J).axes;
+        let axes = Principal::compute(body.J).axes;
         let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
         let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         let found = stationary(&energy.gradient, &given, ROUNDING * slowness * G);
@@ -107,7 +107,7 @@ impl LevelEvolution {
     }
 
     /// Momenta (N·m·s) of the isolated steady spins, and what each is for the energy. (N2)
-    pub fn steady(&self) -> impl Iterator<Item = ([f64; 3], Kind)> + '_ {
+    pub fn steady(&self) -> impl Iterator<Item = ([f64; 3], StationaryKind)> + '_ {
         self.points.iter().map(|point| (scale(self.energy.G, point.place), point.kind))
     }
 

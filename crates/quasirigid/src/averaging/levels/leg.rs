@@ -87,7 +87,7 @@ impl Leg {
         halvings: u32,
         pieces: &mut Vec<Piece>,
     ) -> Option<()> {
-        let fit = Chebyshev::of(ends, |xi| self.slowness(energy, xi))?;
+        let fit = Chebyshev::fit(ends, |xi| self.slowness(energy, xi))?;
         if halvings == 0 || fit.tail() < TOLERANCE {
             pieces.push(Piece { ends, fit });
             return Some(());

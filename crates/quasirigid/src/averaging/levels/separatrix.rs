@@ -1,7 +1,7 @@
 use super::descent::unit;
 use super::energy::SlowEnergy;
 use super::level::{Traced, traced};
-use crate::math::sphere::{Kind, StationaryPoint};
+use crate::math::sphere::{StationaryKind, StationaryPoint};
 use crate::math::vec3::{add, norm, scale};
 
 /// A passage of the energy of saddles, where a level meets itself or its neighbours. (N6)
@@ -53,7 +53,7 @@ impl<'a> Saddles<'a> {
 
     /// Saddles below a value of `h`, the highest first.
     pub fn below(&self, h: f64) -> Vec<(StationaryPoint, f64)> {
-        let saddles = self.points.iter().filter(|point| point.kind == Kind::Saddle);
+        let saddles = self.points.iter().filter(|point| point.kind == StationaryKind::Saddle);
         let mut below: Vec<_> = saddles.map(|point| (*point, self.energy.energy(point.place))).collect();
         below.retain(|(_, height)| *height < h);
         below.sort_by(|a, b| b.1.total_cmp(&a.1));

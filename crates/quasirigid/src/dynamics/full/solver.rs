@@ -1,6 +1,6 @@
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
-use crate::math::ode::{Dense, Dop853, Radau, Solver, StepError, Work};
+use crate::math::ode::{DenseOutput, Dop853, Radau, Solver, StepError, Work};
 use crate::math::simd::Plain;
 
 type State = Vec<f64>;
@@ -137,11 +137,11 @@ impl Solver for FullSolver<'_> {
         Ok(())
     }
 
-    fn dense(&mut self) -> Dense<State> {
+    fn dense(&mut self) -> DenseOutput<State> {
         active!(&mut self.active, solver => solver.dense())
     }
 
-    fn output(&mut self, dense: &Dense<State>, t: f64) -> State {
+    fn output(&mut self, dense: &DenseOutput<State>, t: f64) -> State {
         match &mut self.active {
             Active::Explicit(solver) if solver.last_step() * self.fastest > RESOLVED => solver.within(t),
             _ => dense.at(t),

@@ -3,7 +3,7 @@ use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
 use crate::dynamics::run::PropagateError;
 use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
 use crate::math::vec3::add;
-use crate::model::{FlexibleBody, Motion};
+use crate::model::{FlexibleBody, MotionState};
 
 /// Where a full run starts.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,8 +57,8 @@ impl FullState {
         Pose { t: 0.0, attitude: self.attitude, place: self.place, velocity: self.velocity }
     }
 
-    fn motion(&self) -> Motion<'_, f64> {
-        Motion { omega: self.omega, q: &self.q, rate: &self.rate }
+    fn motion(&self) -> MotionState<'_, f64> {
+        MotionState { omega: self.omega, q: &self.q, rate: &self.rate }
     }
 
     pub(super) fn pack(&self, body: &FlexibleBody) -> Vec<f64> {

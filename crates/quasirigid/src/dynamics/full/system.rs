@@ -11,7 +11,7 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
-use crate::model::{Displaced, Kinetics, Motion};
+use crate::model::{Displaced, Kinetics, MotionState};
 
 /// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
 /// (S3), (S4), (T1), (C2)
@@ -67,7 +67,14 @@ impl<'a> FullSystem<'a> {
     }
 
     /// Adds what external forces do to the rates of a state. (F1), (F11)
-    fn add_external(&self, t: f64, y: &[f64], motion: Motion<f64>, slow: &mut [f64], p_rate: &mut [f64]) {
+    fn add_external(
+        &self,
+        t: f64,
+        y: &[f64],
+        motion: MotionState<f64>,
+        slow: &mut [f64],
+        p_rate: &mut [f64],
+    ) {
         let velocity = triple(y, VELOCITY);
         let pose = Pose { t, attitude: attitude(y), place: triple(y, PLACE), velocity };
         let loads = self.system.loads(&pose, motion);
@@ -132,7 +139,7 @@ impl System<Vec<f64>> for FullSystem<'_> {
         slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
         slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), omega));
         if self.system.acts() {
-            let motion = Motion { omega, q, rate: q_rate };
+            let motion = MotionState { omega, q, rate: q_rate };
             self.add_external(t, y, motion, slow, p_rate);
             slow[WORK] -= dot(omega, wheels.torque(t));
         } else {
@@ -172,7 +179,7 @@ impl Trajectory for FullSystem<'_> {
     }
 
     fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
-        let motion = Motion { omega: view.omega, q: &view.q, rate: &view.rate };
+        let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
         Seat::of_center(self.system.body, motion, y)
     }
 

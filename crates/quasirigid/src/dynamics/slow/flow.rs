@@ -6,7 +6,7 @@ use crate::math::scalar::Smooth;
 use crate::math::sym3::{smooth_inverse, smooth_times};
 use crate::math::taylor::Taylor;
 use crate::math::vec3::{add, cross, scale};
-use crate::model::Motion;
+use crate::model::MotionState;
 use crate::model::force::Loads;
 
 /// The slow motion through a state: spin, internal coordinates that are slaved to it, and loads, at one moment.
@@ -25,8 +25,8 @@ pub struct SlowPoint {
 impl SlowPoint {
     /// Spin and coordinates.
     #[must_use]
-    pub fn motion(&self) -> Motion<'_, f64> {
-        Motion { omega: self.omega, q: &self.q, rate: &self.rate }
+    pub fn motion(&self) -> MotionState<'_, f64> {
+        MotionState { omega: self.omega, q: &self.q, rate: &self.rate }
     }
 }
 
@@ -66,19 +66,19 @@ fn point<const N: usize>(system: Forced, improved: usize, K: [f64; 3], pose: &Po
     let (q, rate) = (values(&q), values(&rate));
     let own = add(K, scale(-1.0, system.body.wheels().momentum(pose.t)));
     let omega = spin(system, own, &q, &rate);
-    let loads = loads(system, pose, Motion { omega, q: &q, rate: &rate });
+    let loads = loads(system, pose, MotionState { omega, q: &q, rate: &rate });
     SlowPoint { omega, q, rate, loads }
 }
 
 /// Spin of a momentum, without that of wheels, at a displacement, `J(q)ω = K − h(q)q̇`. (S2)
 fn spin<T: Smooth>(system: Forced, K: [T; 3], q: &[T], rate: &[T]) -> [T; 3] {
-    let still = Motion { omega: [T::from(0.0); 3], q, rate };
+    let still = MotionState { omega: [T::from(0.0); 3], q, rate };
     let internal = system.body.momentum(still);
     let rest = add(K, scale(T::from(-1.0), internal));
     smooth_times(smooth_inverse(system.body.inertia_at(q)), rest)
 }
 
-fn loads<T: Smooth>(system: Forced, pose: &Pose<T>, motion: Motion<T>) -> Loads<T> {
+fn loads<T: Smooth>(system: Forced, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
     if system.acts() { system.loads(pose, motion) } else { Loads::none(motion.q.len()) }
 }
 
@@ -98,14 +98,14 @@ impl<const N: usize> Flow<N> {
             velocity: start.velocity.map(Taylor::from),
         };
         let inverse = smooth_inverse(system.body.inertia_at(q));
-        let still = Motion { omega: [Taylor::from(0.0); 3], q, rate };
+        let still = MotionState { omega: [Taylor::from(0.0); 3], q, rate };
         let internal = add(system.body.momentum(still), system.body.wheels().momentum(pose.t));
         let spin = |K: [Taylor<N>; 3]| smooth_times(inverse, add(K, scale(Taylor::from(-1.0), internal)));
         for _ in 1..N {
             let omega = spin(K);
             let mut torque = cross(K, omega);
             if system.acts() {
-                let loads = system.loads(&pose, Motion { omega, q, rate });
+                let loads = system.loads(&pose, MotionState { omega, q, rate });
                 torque = add(torque, loads.moment);
                 let velocity = Taylor::integrals(system.acceleration(&pose, loads.force), start.velocity);
                 pose.place = Taylor::integrals(pose.velocity, start.place);
@@ -115,7 +115,7 @@ impl<const N: usize> Flow<N> {
             K = Taylor::integrals(torque, K0);
         }
         let omega = spin(K);
-        Self { omega, loads: loads(system, &pose, Motion { omega, q, rate }) }
+        Self { omega, loads: loads(system, &pose, MotionState { omega, q, rate }) }
     }
 
     /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from
@@ -127,7 +127,7 @@ impl<const N: usize> Flow<N> {
         rate: &[Taylor<N>],
     ) -> (Vec<Taylor<N>>, Vec<Taylor<N>>) {
         let (body, cyclic) = (system.body, system.body.cyclic());
-        let motion = Motion { omega: self.omega, q, rate };
+        let motion = MotionState { omega: self.omega, q, rate };
         let load = body.load(motion);
         let momentum = body.generalized_momentum(motion);
         let free = |j: usize| load[j] + self.loads.generalized[j] - momentum[j].derivative();

@@ -12,7 +12,7 @@ use crate::dynamics::scale::Scales;
 use crate::dynamics::seat;
 use crate::math::ode::{Dop853, Solver, integrate};
 use crate::math::simd::Plain;
-use crate::model::Motion;
+use crate::model::MotionState;
 
 /// Highest order of a form under forces.
 fn highest(form: Form) -> usize {
@@ -26,14 +26,14 @@ fn highest(form: Form) -> usize {
 /// coordinates alone, to order 3. (E3)
 #[must_use]
 pub fn takes(system: Forced, form: Form, order: usize) -> bool {
-    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_none();
+    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_empty();
     !system.acts() || (order <= highest(form) && (form == Form::Momentum || elastic_only))
 }
 
 /// The start of the paper's form: the spin, and the pole where the displacements of (E3) have it beside the centre of mass. (P7)
 fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
     let slow = SlowSystem { system, order, form: Form::Paper };
-    let put = |motion: Motion<f64>| {
+    let put = |motion: MotionState<f64>| {
         let [pole, pole_velocity] = seat::pole(system.body, motion, &center);
         let mut y = center;
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&start.omega);
@@ -42,7 +42,7 @@ fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SL
         y
     };
     let StateView { omega, q, rate, .. } = { slow }.view(0.0, &put(start.motion()));
-    put(Motion { omega, q: &q, rate: &rate })
+    put(MotionState { omega, q: &q, rate: &rate })
 }
 
 /// Follows the reduced equations of order `p` of a body under external forces from `t = 0` and observes it at the times
@@ -63,7 +63,7 @@ pub fn propagate_forced(
     if order > highest(options.form) {
         return Err(PropagateError::Order { order });
     }
-    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_none();
+    let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_empty();
     if options.form == Form::Paper && !elastic_only {
         return Err(PropagateError::PaperForm);
     }

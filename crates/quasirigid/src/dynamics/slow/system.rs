@@ -13,7 +13,7 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{inverse, times};
 use crate::math::vec3::{add, cross, dot, norm};
-use crate::model::Motion;
+use crate::model::MotionState;
 use crate::model::force::{Loads, Situation};
 
 /// The reduced equations of a forced body. In the momentum form the state holds the momentum, `K̇ = K × ω + M`, with spin and
@@ -66,7 +66,7 @@ impl SlowSystem<'_> {
             forced_torque(self.system, self.order, &at);
         let J = body.invariants().J;
         let torque = add(add(moment, mu), cross(times(J, omega), omega));
-        let motion = Motion { omega, q: &q, rate: &rate };
+        let motion = MotionState { omega, q: &q, rate: &rate };
         let situation = Situation { t, attitude, pole: place, pole_velocity: velocity, motion };
         let loads = body.loads(self.system.forces, &situation).about_center(body, &q);
         let acceleration = self.system.acceleration(&state.pose(t), add(force, phi));
@@ -78,7 +78,7 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW], rate: &mut [f64; SLOW]) {
         let now = self.rates(t, y);
         let SlowState { attitude, velocity, .. } = SlowState::unpack(y);
-        let motion = Motion { omega: now.omega, q: &now.q, rate: &now.rate };
+        let motion = MotionState { omega: now.omega, q: &now.q, rate: &now.rate };
         let damped = self.system.body.damping().times(&now.rate);
         rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);
         rate[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, now.omega));
@@ -98,7 +98,7 @@ impl Trajectory for SlowSystem<'_> {
 
     fn view(&mut self, t: f64, y: &[f64]) -> StateView {
         let Rates { omega, q, rate, .. } = self.rates(t, y);
-        let motion = Motion { omega, q: &q, rate: &rate };
+        let motion = MotionState { omega, q: &q, rate: &rate };
         let body = self.system.body;
         let momentum = add(body.momentum(motion), body.wheels().momentum(t));
         let energy = body.energy(motion);
@@ -125,7 +125,7 @@ impl Trajectory for SlowSystem<'_> {
     }
 
     fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
-        let motion = Motion { omega: view.omega, q: &view.q, rate: &view.rate };
+        let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
         match self.form {
             Form::Momentum => Seat::of_center(self.system.body, motion, y),
             Form::Paper => Seat::of_pole(self.system.body, motion, y),

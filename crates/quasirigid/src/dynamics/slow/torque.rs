@@ -5,7 +5,7 @@ use crate::math::sym3::{inverse, times};
 use crate::math::taylor::Taylor;
 use crate::math::vec3::{add, cross, dot, scale};
 use crate::model::force::{Loads, Situation};
-use crate::model::{Motion, Support};
+use crate::model::{MotionState, Support};
 
 /// The reduced equations of a forced body as the paper writes them, `Jω̇ + ω × Jω = M* + μ`, `m* R̈₀ = F* + φ`, at one
 /// state: paper, (3.1)–(3.4). (E3)
@@ -121,7 +121,7 @@ impl RigidFlow {
             velocity: pole_velocity.map(Taylor::from),
         };
         let loads = |pose: &Pose<Series>, spin: [Series; 3]| {
-            let motion = Motion { omega: spin, q: &still, rate: &still };
+            let motion = MotionState { omega: spin, q: &still, rate: &still };
             system.body.loads(system.forces, &situation(pose, motion))
         };
         for _ in 1..TERMS {
@@ -166,7 +166,7 @@ impl RigidFlow {
             place: state.pole.map(Taylor::from),
             velocity: state.pole_velocity.map(Taylor::from),
         };
-        let motion = Motion { omega: state.omega.map(Taylor::from), q: &displaced, rate: &moving };
+        let motion = MotionState { omega: state.omega.map(Taylor::from), q: &displaced, rate: &moving };
         let loads = system.body.loads(system.forces, &situation(&pose, motion));
         (loads.moment.map(|m| m.coefficient(1)), loads.force.map(|f| f.coefficient(1)))
     }
@@ -186,7 +186,7 @@ impl RigidFlow {
     }
 }
 
-fn situation<'a, T: Smooth>(pose: &Pose<T>, motion: Motion<'a, T>) -> Situation<'a, T> {
+fn situation<'a, T: Smooth>(pose: &Pose<T>, motion: MotionState<'a, T>) -> Situation<'a, T> {
     let Pose { t, attitude, place, velocity } = *pose;
     Situation { t, attitude, pole: place, pole_velocity: velocity, motion }
 }

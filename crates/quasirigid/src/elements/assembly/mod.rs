@@ -28,7 +28,7 @@ use crate::model::{FlexibleBody, Marker, Support};
 
 /// How many coordinates parts of finite elements are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reduction {
+pub struct PartReduction {
     /// Order to which their slow manifold is kept, 3 or more.
     pub order: usize,
     /// Lowest modes of vibration that are kept beside it.
@@ -52,7 +52,7 @@ pub struct Built {
     pub resolution: Option<Resolution>,
 }
 
-impl Default for Reduction {
+impl Default for PartReduction {
     fn default() -> Self {
         Self { order: 3, modes: 0 }
     }

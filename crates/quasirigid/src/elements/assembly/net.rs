@@ -6,8 +6,8 @@ use super::held::holds;
 use crate::elements::attachment::Attachment;
 use crate::elements::element::{Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::part::{Kind, NodeRef, Part, extremes};
-use crate::elements::{Assembly, End, Motion, coefficient};
+use crate::elements::part::{NodeRef, Part, PartKind, extremes};
+use crate::elements::{Assembly, End, PointMotion, coefficient};
 use crate::finite::Mass;
 use crate::model::{Reach, Rheology};
 use crate::structure::{Component, Fault, Freedoms, Hold, Joint, Load, Node, Purpose, Structure, Unknown};
@@ -51,7 +51,7 @@ impl<'a> Net<'a> {
             let place = ElementKind::Point.at(index);
             coefficient::mass(point.mass).map_err(at(place, Field::MASS))?;
             coefficient::finite(&point.position).map_err(at(place, Field::POSITION))?;
-            if point.motion != Motion::Free {
+            if point.motion != PointMotion::Free {
                 return Err(at(place, Field::MOTION)(Problem::NoGuide));
             }
         }
@@ -162,7 +162,7 @@ impl<'a> Net<'a> {
     fn coordinate_name(&self, node: usize, component: usize) -> String {
         let (element, inner) = self.owner(node);
         let modes = |part: &'a Part| match &part.kind {
-            Kind::Modes(modes) => {
+            PartKind::Modes(modes) => {
                 Some(format!("{:?} {}", part.name, modes.coordinate_name(inner, component)))
             }
             _ => None,

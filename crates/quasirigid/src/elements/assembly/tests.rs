@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::elements::system_matrices::Matrices;
-use crate::elements::{Assembly, Coefficient, End, Law};
+use crate::elements::{Assembly, Coefficient, End, SpringLaw};
 use crate::finite::{Link, Mass};
 use crate::math::sparse::SparseRows;
 use crate::model::{
@@ -27,7 +27,8 @@ fn structure(assembly: &Assembly) -> Structure {
     structure.holds.push(Hold::On { base: None, axes: Vec::new() });
     let node = |end: End| if let End::Point(index) = end { index } else { carrier };
     for spring in &assembly.springs {
-        let Law::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Full(c) } = spring.law
+        let SpringLaw::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Full(c) } =
+            spring.law
         else {
             panic!("a full spring")
         };

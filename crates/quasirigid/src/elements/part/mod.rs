@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 pub use connection::{Anchor, Connection, NodeRef};
 pub use frame::{Frame, FrameNode, Member};
 pub use matrices::Matrices;
-pub use modes::{Modes, Spectrum};
+pub use modes::{GivenModes, Spectrum};
 pub use nodal::NodalMass;
 pub use nodal_body::TipMass;
 pub use panel::{Layer, Panel};
@@ -35,7 +35,7 @@ pub struct Part {
     /// Unique name.
     pub name: String,
     /// What it is.
-    pub kind: Kind,
+    pub kind: PartKind,
     /// Rigid bodies at its nodes.
     pub masses: Vec<TipMass>,
     /// Nodes that are clamped on the carrier.
@@ -47,7 +47,7 @@ pub struct Part {
 /// Kind of a part.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
+pub enum PartKind {
     /// A solid of cells.
     Solid(Solid),
     /// Straight beams between nodes.
@@ -57,10 +57,10 @@ pub enum Kind {
     /// Matrices from another program.
     Matrices(Matrices),
     /// Modes from another program.
-    Modes(Modes),
+    Modes(GivenModes),
 }
 
-impl Kind {
+impl PartKind {
     /// What a part of the kind is called.
     #[must_use]
     pub fn words(&self) -> &'static str {
@@ -95,31 +95,33 @@ impl Part {
     /// Its nodes, in their order.
     pub(super) fn nodes(&self) -> Vec<Node> {
         match &self.kind {
-            Kind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
-            Kind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
-            Kind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
-            Kind::Matrices(given) => given.mass.structure_nodes().collect(),
-            Kind::Modes(modes) => modes.structure_nodes(),
+            PartKind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
+            PartKind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
+            PartKind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
+            PartKind::Matrices(given) => given.mass.structure_nodes().collect(),
+            PartKind::Modes(modes) => modes.structure_nodes(),
         }
     }
 
     /// Number of its nodes that are places.
     pub(super) fn count(&self) -> usize {
         match &self.kind {
-            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
-            Kind::Frame(frame) => frame.places().len(),
-            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => mass.nodes.len(),
+            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
+            PartKind::Frame(frame) => frame.places().len(),
+            PartKind::Matrices(Matrices { mass, .. }) | PartKind::Modes(GivenModes { mass, .. }) => {
+                mass.nodes.len()
+            }
         }
     }
 
     /// Name of a node within the part.
     pub(super) fn node_name(&self, node: usize) -> String {
         match &self.kind {
-            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => {
+            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => {
                 format!("node {}", mesh.node_labels[node])
             }
-            Kind::Frame(frame) => frame.node_name(node),
-            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => {
+            PartKind::Frame(frame) => frame.node_name(node),
+            PartKind::Matrices(Matrices { mass, .. }) | PartKind::Modes(GivenModes { mass, .. }) => {
                 format!("node {}", mass.node_labels[node])
             }
         }
@@ -128,21 +130,25 @@ impl Part {
     /// Nodes whose displacement is watched: those with a name, else the farthest along each axis, both ways.
     pub(super) fn watched(&self) -> Vec<usize> {
         match &self.kind {
-            Kind::Frame(frame) => (0..frame.nodes.len()).collect(),
-            Kind::Matrices(Matrices { mass, .. }) | Kind::Modes(Modes { mass, .. }) => extremes(&mass.nodes),
-            Kind::Solid(Solid { mesh, .. }) | Kind::Panel(Panel { mesh, .. }) => extremes(&mesh.nodes),
+            PartKind::Frame(frame) => (0..frame.nodes.len()).collect(),
+            PartKind::Matrices(Matrices { mass, .. }) | PartKind::Modes(GivenModes { mass, .. }) => {
+                extremes(&mass.nodes)
+            }
+            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => {
+                extremes(&mesh.nodes)
+            }
         }
     }
 
     /// Whether it moves as seen from a frame that is rigid in the body.
     pub(super) fn is_frame(&self) -> bool {
-        matches!(&self.kind, Kind::Modes(modes) if modes.interface.is_empty())
+        matches!(&self.kind, PartKind::Modes(modes) if modes.interface.is_empty())
     }
 
     /// Whether it needs no attachment on a carrier: the program that it comes from held it.
     pub(super) fn stands(&self) -> bool {
         match &self.kind {
-            Kind::Matrices(given) => given.held().is_some() || given.stands(),
+            PartKind::Matrices(given) => given.held().is_some() || given.stands(),
             _ => self.is_frame(),
         }
     }
@@ -158,11 +164,11 @@ impl Part {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         match &self.kind {
-            Kind::Solid(solid) => solid.furnish(index, first, self.rayleigh, structure),
-            Kind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
-            Kind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
-            Kind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
-            Kind::Modes(modes) => modes.furnish(index, first, self.rayleigh, structure),
+            PartKind::Solid(solid) => solid.furnish(index, first, self.rayleigh, structure),
+            PartKind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
+            PartKind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
+            PartKind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
+            PartKind::Modes(modes) => modes.furnish(index, first, self.rayleigh, structure),
         }?;
         let nodes = (first, self.count());
         let name = |node| move || format!("{:?} {}", self.name, self.node_name(node));
@@ -174,8 +180,8 @@ impl Part {
     /// How its nodes are held before anything is attached or connected; the first of them is `first` in the structure.
     pub(super) fn holds(&self, first: usize) -> Vec<Hold> {
         match &self.kind {
-            Kind::Matrices(given) => given.holds(),
-            Kind::Modes(modes) => modes.holds(first),
+            PartKind::Matrices(given) => given.holds(),
+            PartKind::Modes(modes) => modes.holds(first),
             _ => vec![Hold::Free; self.count()],
         }
     }
@@ -183,7 +189,7 @@ impl Part {
     /// Number of a node that its own matrices hold on the carrier.
     pub(super) fn held(&self) -> Option<u64> {
         match &self.kind {
-            Kind::Matrices(given) => given.held(),
+            PartKind::Matrices(given) => given.held(),
             _ => None,
         }
     }
@@ -237,7 +243,7 @@ impl Element for Part {
     }
 
     fn homogeneous(&self) -> Option<&Material> {
-        let Kind::Solid(solid) = &self.kind else { return None };
+        let PartKind::Solid(solid) = &self.kind else { return None };
         let [region] = &solid.regions[..] else { return None };
         match &region.substance {
             Substance::Isotropic(material) if self.masses.is_empty() => Some(material),
@@ -247,8 +253,8 @@ impl Element for Part {
 
     fn incomplete(&self) -> Vec<Incomplete> {
         match &self.kind {
-            Kind::Matrices(_) | Kind::Modes(_) => vec![Incomplete::Shapes],
-            Kind::Solid(_) | Kind::Frame(_) | Kind::Panel(_) => vec![Incomplete::Structures],
+            PartKind::Matrices(_) | PartKind::Modes(_) => vec![Incomplete::Shapes],
+            PartKind::Solid(_) | PartKind::Frame(_) | PartKind::Panel(_) => vec![Incomplete::Structures],
         }
     }
 

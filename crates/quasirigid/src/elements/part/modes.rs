@@ -14,7 +14,7 @@ use crate::structure::{Hold, Node, Structure};
 ///
 /// Without an interface the nodes move as seen from the carrier, or, in a body that has none, from a frame of their own.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Modes {
+pub struct GivenModes {
     /// The nodes, and where their mass is.
     pub mass: NodalMass,
     /// What a unit of each coordinate (columns) is to each row of the mass matrix: m/m, rad/m for displacements of the
@@ -52,7 +52,7 @@ const UNIT: f64 = 1e-6;
 /// The mass may couple modes by this share of their own.
 const COUPLED: f64 = 0.1;
 
-impl Modes {
+impl GivenModes {
     /// What modes beyond the last can add to the answers to a spin about a pole, at most, as a share of the largest answer
     /// in energy; none for coordinates that are no modes, or no part of a body. (K11)
     #[must_use]

@@ -2,7 +2,7 @@
 
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
-use super::{Approximation, Found, Reduction, Resolution, Surface, compliance};
+use super::{Approximation, Found, PartReduction, Resolution, Surface, compliance};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::ritz::Ritz;
 use crate::math::watch;
@@ -27,7 +27,7 @@ impl Surface {
     pub(super) fn built(
         &self,
         place: ElementId,
-        reduction: Reduction,
+        reduction: PartReduction,
         told: bool,
     ) -> Result<Found, ElementError> {
         self.check_values(place)?;
@@ -44,7 +44,7 @@ impl Surface {
 struct Road<'a> {
     surface: &'a Surface,
     place: ElementId,
-    reduction: Reduction,
+    reduction: PartReduction,
 }
 
 impl Road<'_> {

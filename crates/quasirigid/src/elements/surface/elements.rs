@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use super::{Approximation, Found, Reduction, Resolution, Surface};
+use super::{Approximation, Found, PartReduction, Resolution, Surface};
 use crate::elements::Assembly;
 use crate::elements::assembly::Exact;
 use crate::elements::error::Problem;
 use crate::elements::material::Material;
-use crate::elements::part::{Kind, Part, Region, Solid, Substance};
+use crate::elements::part::{Part, PartKind, Region, Solid, Substance};
 use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use crate::structure::Condensation;
@@ -28,7 +28,7 @@ impl Meshed {
         solid: &Surface,
         asked: usize,
         neck: Option<&Neck>,
-        reduction: Reduction,
+        reduction: PartReduction,
     ) -> Result<Self, Problem> {
         let mesh = graded(&solid.surface, neck, asked)?;
         let cells = mesh.mesh.cells.len();
@@ -38,7 +38,7 @@ impl Meshed {
         let material = Material { density, ..solid.material.clone() };
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let region = Region { cells: all, substance: Substance::Isotropic(material), axes };
-        let kind = Kind::Solid(Solid { mesh: Arc::new(mesh.mesh.clone()), regions: vec![region] });
+        let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh.mesh.clone()), regions: vec![region] });
         let (name, masses, attached) = (solid.name.clone(), Vec::new(), Vec::new());
         let part = Part { name, kind, masses, attached, rayleigh: [0.0; 2] };
         let assembly = Assembly { parts: vec![part], reduction, ..Assembly::default() };

@@ -11,7 +11,7 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::ritz::{Ritz, Solid};
 use super::single_element::{Whole, WholeBody};
-use super::{Assembly, Incomplete, Reduction, compliance};
+use super::{Assembly, Incomplete, PartReduction, compliance};
 use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
 use crate::structure::Condensation;
 use quasirigid_mesh::surface::ClosedSurface;
@@ -203,7 +203,7 @@ impl Element for Surface {
     fn whole(
         &self,
         id: ElementId,
-        reduction: Reduction,
+        reduction: PartReduction,
         told: bool,
     ) -> Result<Option<WholeBody>, ElementError> {
         let Found { body, condensation, resolution } = self.built(id, reduction, told)?;

@@ -3,14 +3,14 @@
 use nalgebra::{DMatrix, Matrix4, Matrix4xX, Vector4};
 
 use super::slopes::weighted;
-use quasirigid_mesh::Sample;
+use quasirigid_mesh::CellSample;
 
 /// What the dilatation of each displacement changes in its strain: a third of `d̄_ai − ∂N_a/∂x_i` in each direction,
 /// where `d̄` is the linear function of the reference coordinates that comes nearest to the dilatation in the mean
 /// square over the cell `[@hughes1980]`. Rows `3a + i`, a column per point.
 ///
 /// The mean over the cell does not change, so that a constant stress still needs no force inside a body.
-pub(super) fn correction(gradients: &DMatrix<f64>, volumes: &[f64], samples: &[Sample]) -> DMatrix<f64> {
+pub(super) fn correction(gradients: &DMatrix<f64>, volumes: &[f64], samples: &[CellSample]) -> DMatrix<f64> {
     let linear = Matrix4xX::from_fn(
         samples.len(),
         |row, point| if row == 0 { 1.0 } else { samples[point].at[row - 1] },

@@ -21,6 +21,6 @@ pub(super) fn by_rule(shape: Shape, nodes: &[Vector3<f64>], density: f64, rule: 
     weighted(&functions, &masses) * functions.transpose()
 }
 
-fn sample_volume(nodes: &[Vector3<f64>], sample: &quasirigid_mesh::Sample) -> f64 {
+fn sample_volume(nodes: &[Vector3<f64>], sample: &quasirigid_mesh::CellSample) -> f64 {
     sample.weight * jacobian(nodes, sample).determinant()
 }

@@ -1,7 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::{bending, dilatation};
-use quasirigid_mesh::{Rule, Sample, Shape};
+use quasirigid_mesh::{CellSample, Rule, Shape};
 
 /// Slopes of the displacements of a cell at the points of a rule.
 pub(super) struct Slopes {
@@ -53,7 +53,7 @@ pub(super) fn products(u: &DMatrix<f64>, v: &DMatrix<f64>, volumes: &[f64]) -> D
 }
 
 /// Columns `∂x/∂ξ_k`.
-pub(super) fn jacobian(nodes: &[Vector3<f64>], sample: &Sample) -> Matrix3<f64> {
+pub(super) fn jacobian(nodes: &[Vector3<f64>], sample: &CellSample) -> Matrix3<f64> {
     let mut jacobian = Matrix3::zeros();
     for (node, along) in nodes.iter().zip(&sample.gradients) {
         jacobian += node * Vector3::from(*along).transpose();

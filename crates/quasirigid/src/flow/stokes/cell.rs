@@ -1,5 +1,5 @@
 use crate::math::vec3::{add, cross, dot, scale};
-use quasirigid_mesh::{Rule, Sample, Shape};
+use quasirigid_mesh::{CellSample, Rule, Shape};
 
 /// Nodes of a quadratic tetrahedron.
 pub(super) const NODES: usize = 10;
@@ -21,7 +21,7 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn new(nodes: &[[f64; 3]; NODES], sample: &Sample) -> Self {
+    fn new(nodes: &[[f64; 3]; NODES], sample: &CellSample) -> Self {
         let mut tangents = [[0.0; 3]; 3];
         let mut place = [0.0; 3];
         for (a, node) in nodes.iter().enumerate() {
@@ -60,7 +60,7 @@ pub(super) fn points(nodes: &[[f64; 3]; NODES]) -> impl Iterator<Item = Point> {
 }
 
 /// The points of a cell at some samples.
-pub(super) fn points_at(nodes: &[[f64; 3]; NODES], samples: &[Sample]) -> impl Iterator<Item = Point> {
+pub(super) fn points_at(nodes: &[[f64; 3]; NODES], samples: &[CellSample]) -> impl Iterator<Item = Point> {
     samples.iter().map(|sample| Point::new(nodes, sample))
 }
 

@@ -9,7 +9,7 @@ use crate::flow::potential_flow::Slip;
 use crate::math::factor::{Factor, Method};
 use crate::math::symmetric::Symmetric;
 use crate::math::vec3::{add as sum, cross, dot, norm, scale};
-use quasirigid_mesh::{Mesh, Rule, Sample, Shape};
+use quasirigid_mesh::{CellSample, Mesh, Rule, Shape};
 
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Corners of the reference cell.
@@ -86,7 +86,7 @@ fn potentials(grid: &Grid, center: [f64; 3]) -> Result<Vec<f64>, StokesError> {
 }
 
 /// Samples of a cell on one of its faces, with their shares of the area (m²).
-fn on_face(face: usize, places: &[[f64; 3]; NODES]) -> impl Iterator<Item = (Sample, f64)> {
+fn on_face(face: usize, places: &[[f64; 3]; NODES]) -> impl Iterator<Item = (CellSample, f64)> {
     let [a, b, c] = [0, 1, 2].map(|corner| CORNERS[FACES[face][corner]]);
     let [along, across] = [b, c].map(|end| sum(end, scale(-1.0, a)));
     Shape::Triangle6.samples(Rule::Products).iter().map(move |flat| {
@@ -97,6 +97,6 @@ fn on_face(face: usize, places: &[[f64; 3]; NODES]) -> impl Iterator<Item = (Sam
             parts.map(|(place, gradient)| scale(dot(*gradient, direction), *place)).fold([0.0; 3], sum)
         };
         let area = flat.weight * norm(cross(tangent(along), tangent(across)));
-        (Sample { at, weight: 0.0, functions, gradients }, area)
+        (CellSample { at, weight: 0.0, functions, gradients }, area)
     })
 }

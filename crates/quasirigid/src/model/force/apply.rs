@@ -1,9 +1,9 @@
 use super::gravity::FirstMoment;
-use super::{Axes, Force, Law, Wave};
+use super::{Axes, Force, ForceLaw, Wave};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, dot, scale};
-use crate::model::{FlexibleBody, Marker, Motion, Support};
+use crate::model::{FlexibleBody, Marker, MotionState, Support};
 
 /// Where the body is and how it moves, as external forces see it.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +17,7 @@ pub struct Situation<'a, T> {
     /// Velocity of the pole `Ṙ₀` (m/s), inertial axes.
     pub pole_velocity: [T; 3],
     /// Spin and internal coordinates.
-    pub motion: Motion<'a, T>,
+    pub motion: MotionState<'a, T>,
 }
 
 /// What external forces do to a body. (F1)
@@ -77,7 +77,7 @@ impl<T: Smooth> Loads<T> {
     /// Rate of work (W), `F·V + M·ω + Q·q̇`, where the point that the moment is about has the velocity `V` (m/s, body
     /// axes). (F12)
     #[must_use]
-    pub fn power(&self, motion: Motion<T>, velocity: [T; 3]) -> T {
+    pub fn power(&self, motion: MotionState<T>, velocity: [T; 3]) -> T {
         let rigid = dot(self.force, velocity) + dot(self.moment, motion.omega);
         self.generalized.iter().zip(motion.rate).fold(rigid, |power, (Q, rate)| power + *Q * *rate)
     }
@@ -108,39 +108,41 @@ struct Scene<'a, T> {
 }
 
 impl<T: Smooth> Scene<'_, T> {
-    fn add(&self, law: &Law<Marker>, loads: &mut Loads<T>) {
+    fn add(&self, law: &ForceLaw<Marker>, loads: &mut Loads<T>) {
         let Situation { t, motion, .. } = *self.situation;
         match law {
-            Law::UniformGravity { acceleration } => {
+            ForceLaw::UniformGravity { acceleration } => {
                 loads.add_uniform(self.body, motion.q, self.turn.to_body(acceleration.map(T::from)));
             }
-            Law::CentralGravity { orbit } => {
+            ForceLaw::CentralGravity { orbit } => {
                 let passage = orbit.at(t);
                 let per_radius = T::from(1.0) / passage.radius;
                 let n = self.turn.to_body(scale(per_radius, passage.place));
                 let kappa = T::from(orbit.parameter) * per_radius * per_radius * per_radius;
                 loads.add_gradient(self.body, motion.q, n, kappa);
             }
-            Law::Drag { at, coefficient } => {
+            ForceLaw::Drag { at, coefficient } => {
                 let (u, velocity) = self.passing(at);
                 loads.add_force(at, motion.q, u, scale(T::from(-coefficient), velocity));
             }
-            Law::SpinDrag { coefficient } => loads.add_torque(scale(T::from(-coefficient), motion.omega)),
-            Law::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
-            Law::Thrust { at, force, axes, wave } => {
+            ForceLaw::SpinDrag { coefficient } => {
+                loads.add_torque(scale(T::from(-coefficient), motion.omega))
+            }
+            ForceLaw::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
+            ForceLaw::Thrust { at, force, axes, wave } => {
                 loads.add_force(at, motion.q, self.place(at), self.varying(*force, *axes, *wave));
             }
-            Law::MagneticDipole { moment, field } => {
+            ForceLaw::MagneticDipole { moment, field } => {
                 loads.add_torque(cross(moment.map(T::from), self.turn.to_body(field.at(t))));
             }
-            Law::Expression { at, force } => {
+            ForceLaw::Expression { at, force } => {
                 let (u, velocity) = self.passing(at);
                 let place = add(self.situation.pole, self.turn.to_inertial(u));
                 let felt = self.felt(place, self.turn.to_inertial(velocity));
                 let force = force.each_ref().map(|component| component.value(&felt));
                 loads.add_force(at, motion.q, u, self.turn.to_body(force));
             }
-            Law::TorqueExpression { torque, axes } => {
+            ForceLaw::TorqueExpression { torque, axes } => {
                 let felt = self.felt(self.situation.pole, self.situation.pole_velocity);
                 let torque = torque.each_ref().map(|component| component.value(&felt));
                 loads.add_torque(match axes {
@@ -168,7 +170,7 @@ impl<T: Smooth> Scene<'_, T> {
 
     /// Displaced place from the pole (m) and its inertial velocity (m/s), body axes. (F5)
     fn passing(&self, at: &Marker) -> ([T; 3], [T; 3]) {
-        let Situation { pole_velocity, motion: Motion { omega, q, rate }, .. } = *self.situation;
+        let Situation { pole_velocity, motion: MotionState { omega, q, rate }, .. } = *self.situation;
         let u = self.place(at);
         let carried = add(self.turn.to_body(pole_velocity), cross(omega, u));
         let straight = moved(at, carried, rate);

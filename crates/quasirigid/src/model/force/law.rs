@@ -9,12 +9,12 @@ pub struct Force<P> {
     /// Name, for messages.
     pub name: String,
     /// What it does.
-    pub law: Law<P>,
+    pub law: ForceLaw<P>,
 }
 
 /// Laws of external forces. (F3)–(F9)
 #[derive(Clone, Debug, PartialEq)]
-pub enum Law<P> {
+pub enum ForceLaw<P> {
     /// The same acceleration of every mass element (m/s²), inertial axes. (F3)
     UniformGravity {
         /// Acceleration (m/s²), inertial axes.
@@ -93,7 +93,7 @@ impl<P> Force<P> {
     }
 }
 
-impl<P> Law<P> {
+impl<P> ForceLaw<P> {
     /// Where the force acts; none for one that acts on the whole body or is a torque.
     #[must_use]
     pub fn place(&self) -> Option<&P> {
@@ -123,20 +123,24 @@ impl<P> Law<P> {
     ///
     /// # Errors
     /// The error of the map.
-    pub fn try_map<Q, E>(&self, map: impl FnOnce(&P) -> Result<Q, E>) -> Result<Law<Q>, E> {
+    pub fn try_map<Q, E>(&self, map: impl FnOnce(&P) -> Result<Q, E>) -> Result<ForceLaw<Q>, E> {
         Ok(match self {
-            Self::UniformGravity { acceleration } => Law::UniformGravity { acceleration: *acceleration },
-            Self::CentralGravity { orbit } => Law::CentralGravity { orbit: *orbit },
-            Self::Drag { at, coefficient } => Law::Drag { at: map(at)?, coefficient: *coefficient },
-            Self::SpinDrag { coefficient } => Law::SpinDrag { coefficient: *coefficient },
-            Self::Torque { torque, axes, wave } => Law::Torque { torque: *torque, axes: *axes, wave: *wave },
-            Self::Thrust { at, force, axes, wave } => {
-                Law::Thrust { at: map(at)?, force: *force, axes: *axes, wave: *wave }
+            Self::UniformGravity { acceleration } => ForceLaw::UniformGravity { acceleration: *acceleration },
+            Self::CentralGravity { orbit } => ForceLaw::CentralGravity { orbit: *orbit },
+            Self::Drag { at, coefficient } => ForceLaw::Drag { at: map(at)?, coefficient: *coefficient },
+            Self::SpinDrag { coefficient } => ForceLaw::SpinDrag { coefficient: *coefficient },
+            Self::Torque { torque, axes, wave } => {
+                ForceLaw::Torque { torque: *torque, axes: *axes, wave: *wave }
             }
-            Self::MagneticDipole { moment, field } => Law::MagneticDipole { moment: *moment, field: *field },
-            Self::Expression { at, force } => Law::Expression { at: map(at)?, force: force.clone() },
+            Self::Thrust { at, force, axes, wave } => {
+                ForceLaw::Thrust { at: map(at)?, force: *force, axes: *axes, wave: *wave }
+            }
+            Self::MagneticDipole { moment, field } => {
+                ForceLaw::MagneticDipole { moment: *moment, field: *field }
+            }
+            Self::Expression { at, force } => ForceLaw::Expression { at: map(at)?, force: force.clone() },
             Self::TorqueExpression { torque, axes } => {
-                Law::TorqueExpression { torque: torque.clone(), axes: *axes }
+                ForceLaw::TorqueExpression { torque: torque.clone(), axes: *axes }
             }
         })
     }

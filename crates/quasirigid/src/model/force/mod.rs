@@ -9,6 +9,6 @@ mod pose;
 
 pub use apply::{Loads, Situation};
 pub use field::MagneticField;
-pub use law::{Axes, Force, Law, Wave};
-pub use orbit::{Orbit, Passage};
+pub use law::{Axes, Force, ForceLaw, Wave};
+pub use orbit::{Orbit, OrbitPoint};
 pub use pose::Pose;

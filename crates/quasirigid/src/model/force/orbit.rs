@@ -24,7 +24,7 @@ pub struct Orbit {
 
 /// Where a body on an orbit is, inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passage<T> {
+pub struct OrbitPoint<T> {
     /// Place from the centre (m).
     pub place: [T; 3],
     /// Velocity (m/s).
@@ -48,7 +48,7 @@ impl Orbit {
 
     /// Place and velocity at a time (s), which may be a series. (F10)
     #[must_use]
-    pub fn at<T: Smooth>(&self, t: T) -> Passage<T> {
+    pub fn at<T: Smooth>(&self, t: T) -> OrbitPoint<T> {
         let (a, e) = (self.semi_major_axis, self.eccentricity);
         let b = a * ((1.0 - e) * (1.0 + e)).sqrt();
         let n = self.mean_motion();
@@ -58,7 +58,7 @@ impl Orbit {
         let rate = T::from(n) / shortened; // dE/dt
         let [along, across] = self.axes().map(|axis| axis.map(T::from));
         let at = |x: T, y: T| add(scale(T::from(a) * x, along), scale(T::from(b) * y, across));
-        Passage {
+        OrbitPoint {
             place: at(cos - T::from(e), sin),
             velocity: at(-sin * rate, cos * rate),
             radius: T::from(a) * shortened,

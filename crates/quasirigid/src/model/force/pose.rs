@@ -3,7 +3,7 @@ use super::{Force, Loads, Situation};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, scale};
-use crate::model::{FlexibleBody, Marker, Motion};
+use crate::model::{FlexibleBody, Marker, MotionState};
 
 /// Where a body is, apart from its spin.
 #[derive(Clone, Copy, Debug)]
@@ -22,9 +22,9 @@ impl FlexibleBody {
     /// Place of the pole of a free body from its centre of mass (m), `−s/m*` with the curvature of the paths, and its inertial
     /// rate (m/s), body axes; zero where a point is fixed or driven. (P7)
     #[must_use]
-    pub fn pole_from_center<T: Smooth>(&self, motion: Motion<T>) -> ([T; 3], [T; 3]) {
+    pub fn pole_from_center<T: Smooth>(&self, motion: MotionState<T>) -> ([T; 3], [T; 3]) {
         let Some(per_mass) = self.translation() else { return ([T::from(0.0); 3], [T::from(0.0); 3]) };
-        let Motion { omega, q, rate } = motion;
+        let MotionState { omega, q, rate } = motion;
         let FirstMoment { s, slopes } = FirstMoment::of(self, q);
         let stretched =
             rate.iter().zip(slopes).fold(cross(omega, s), |u, (rate, slope)| add(u, scale(*rate, slope)));
@@ -38,7 +38,7 @@ impl FlexibleBody {
         &self,
         forces: &[Force<Marker>],
         pose: &Pose<T>,
-        motion: Motion<T>,
+        motion: MotionState<T>,
     ) -> Loads<T> {
         let Pose { t, attitude, place, velocity } = *pose;
         let (mut pole, mut pole_velocity) = (place, velocity);

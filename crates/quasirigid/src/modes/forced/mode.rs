@@ -8,7 +8,7 @@ use super::spectrum::{Eigenmotion, spectrum};
 use super::state::SteadyState;
 use super::system::System;
 use super::turning::{Turning, effective};
-use crate::model::force::{Force, Law};
+use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{belongs, inverse_iteration};
 use crate::modes::mode::SpinMode;
@@ -53,8 +53,9 @@ impl SteadyModes {
         let attitude = state.turning != Turning::Own;
         let (found, zeros) = spectrum(body, &system, attitude)?;
         let pencil = Pencil::new(body, &system, attitude, followed);
-        let drags =
-            forces.iter().filter(|force| matches!(force.law, Law::Drag { .. } | Law::SpinDrag { .. }));
+        let drags = forces
+            .iter()
+            .filter(|force| matches!(force.law, ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. }));
         let drag = |force: &Force<Marker>| {
             (
                 force.name.clone(),
@@ -107,16 +108,16 @@ fn support(body: &FlexibleBody, instant: &super::slopes::Instant) -> DMatrix<f64
 }
 
 /// Whether the loads of a law, but for drag, come from a potential in axes that turn with the body.
-fn has_potential(law: &Law<Marker>) -> bool {
+fn has_potential(law: &ForceLaw<Marker>) -> bool {
     use crate::model::force::Axes;
     match law {
-        Law::UniformGravity { .. }
-        | Law::CentralGravity { .. }
-        | Law::MagneticDipole { .. }
-        | Law::Drag { .. }
-        | Law::SpinDrag { .. } => true,
-        Law::Thrust { axes, .. } => *axes == Axes::Inertial,
-        Law::Torque { .. } | Law::Expression { .. } | Law::TorqueExpression { .. } => false,
+        ForceLaw::UniformGravity { .. }
+        | ForceLaw::CentralGravity { .. }
+        | ForceLaw::MagneticDipole { .. }
+        | ForceLaw::Drag { .. }
+        | ForceLaw::SpinDrag { .. } => true,
+        ForceLaw::Thrust { axes, .. } => *axes == Axes::Inertial,
+        ForceLaw::Torque { .. } | ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => false,
     }
 }
 

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::taylor::Taylor;
 use crate::model::force::{Force, Loads, Pose};
-use crate::model::{FlexibleBody, Marker, Motion};
+use crate::model::{FlexibleBody, Marker, MotionState};
 
 /// A body at an instant of a steady motion: its coordinates rest relative to it.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ impl Instant {
         let free = body.translation().is_some();
         let velocity = if free { rotation::to_inertial(self.attitude, self.velocity) } else { self.velocity };
         let still = vec![0.0; self.q.len()];
-        let motion = Motion { omega: self.omega, q: &self.q, rate: &still };
+        let motion = MotionState { omega: self.omega, q: &self.q, rate: &still };
         let pose = Pose { t: self.t, attitude: self.attitude, place: self.place, velocity };
         body.loads_at(forces, &pose, motion)
     }
@@ -96,7 +96,7 @@ fn along(body: &FlexibleBody, forces: &[Force<Marker>], instant: &Instant, colum
         .map(|(j, q)| if j < elastic { line(*q, DISPLACED + j) } else { Series::from(*q) })
         .collect();
     let rate: Vec<Series> = (0..q.len()).map(|j| line(0.0, DISPLACED + elastic + j)).collect();
-    let motion = Motion { omega: triple(instant.omega, OMEGA), q: &q, rate: &rate };
+    let motion = MotionState { omega: triple(instant.omega, OMEGA), q: &q, rate: &rate };
     let pose =
         Pose { t: Series::from(instant.t), attitude, place: instant.place.map(Series::from), velocity };
     body.loads_at(forces, &pose, motion)

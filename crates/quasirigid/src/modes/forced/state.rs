@@ -8,7 +8,7 @@ use super::turning::{Turning, effective, rests};
 use crate::math::rotation;
 use crate::math::vec3::norm;
 use crate::model::force::Force;
-use crate::model::{FlexibleBody, Marker, Motion};
+use crate::model::{FlexibleBody, Marker, MotionState};
 
 type V = Vector3<f64>;
 
@@ -111,7 +111,7 @@ impl SteadyState {
     fn of(problem: &Problem, at: &Instant, turning: Turning) -> Self {
         let Problem { body, followed, near, .. } = *problem;
         let still = vec![0.0; at.q.len()];
-        let motion = Motion { omega: at.omega, q: &at.q, rate: &still };
+        let motion = MotionState { omega: at.omega, q: &at.q, rate: &still };
         let momentum = V::from(body.momentum(motion)) + V::from(body.wheels().momentum(0.0));
         let spin = norm(at.omega);
         let spins = near.asked || turning == Turning::Own;

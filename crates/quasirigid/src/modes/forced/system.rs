@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
 use crate::math::vec3::{add, cross, norm, scale};
-use crate::model::{FlexibleBody, Motion, SpinCoefficients};
+use crate::model::{FlexibleBody, MotionState, SpinCoefficients};
 use crate::modes::spectrum::{forces, mass};
 
 /// `M ẇ + D w + S y = 0` with `w = (δω, δq̇, δv)` and `y = (θ, δq)`; `δv` only of a body whose velocity is followed. (M6)
@@ -32,7 +32,7 @@ impl System {
         let (n, elastic) = (q.len(), body.elastic());
         let coefficients = body.about_spin(*omega, q);
         let still = vec![0.0; n];
-        let motion = Motion { omega: *omega, q, rate: &still };
+        let motion = MotionState { omega: *omega, q, rate: &still };
         let momentum = add(body.momentum(motion), body.wheels().momentum(0.0));
         let size = if followed { 6 + n } else { 3 + n };
         let mut mass_matrix = DMatrix::zeros(size, size);

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::error::SteadyError;
 use crate::math::taylor::Taylor;
-use crate::model::force::{Axes, Force, Law, MagneticField, Orbit};
+use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit};
 use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
@@ -29,34 +29,35 @@ pub(super) enum Turning {
 /// A free body does not feel the same acceleration everywhere; where no force feels its velocity, nothing else does.
 pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<Force<Marker>>, bool) {
     let free = body.translation().is_some();
-    let at_rest = |law: &Law<Marker>| match law {
-        Law::Drag { coefficient, .. } | Law::SpinDrag { coefficient } => *coefficient == 0.0,
-        Law::Torque { torque: a, .. } | Law::Thrust { force: a, .. } => *a == [0.0; 3],
-        Law::UniformGravity { acceleration } => *acceleration == [0.0; 3],
-        Law::MagneticDipole { moment, .. } => *moment == [0.0; 3],
+    let at_rest = |law: &ForceLaw<Marker>| match law {
+        ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => *coefficient == 0.0,
+        ForceLaw::Torque { torque: a, .. } | ForceLaw::Thrust { force: a, .. } => *a == [0.0; 3],
+        ForceLaw::UniformGravity { acceleration } => *acceleration == [0.0; 3],
+        ForceLaw::MagneticDipole { moment, .. } => *moment == [0.0; 3],
         _ => false,
     };
     let acting: Vec<_> = forces.iter().filter(|force| !at_rest(&force.law)).cloned().collect();
     let followed = free && acting.iter().any(|force| feels_velocity(&force.law));
-    let felt = |law: &Law<Marker>| !(free && !followed && matches!(law, Law::UniformGravity { .. }));
+    let felt =
+        |law: &ForceLaw<Marker>| !(free && !followed && matches!(law, ForceLaw::UniformGravity { .. }));
     (acting.into_iter().filter(|force| felt(&force.law)).collect(), followed)
 }
 
 /// Whether a law feels the velocity of the place it acts at.
-fn feels_velocity(law: &Law<Marker>) -> bool {
+fn feels_velocity(law: &ForceLaw<Marker>) -> bool {
     match law {
-        Law::Drag { .. } => true,
+        ForceLaw::Drag { .. } => true,
         _ => uses(law, 3..6),
     }
 }
 
 /// Whether a formula of a law uses one of its variables.
-fn uses(law: &Law<Marker>, mut variables: Range<usize>) -> bool {
+fn uses(law: &ForceLaw<Marker>, mut variables: Range<usize>) -> bool {
     law.formulas().is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
 }
 
 /// Whether a law feels where the place it acts at is, or its velocity.
-fn feels_path(law: &Law<Marker>) -> bool {
+fn feels_path(law: &ForceLaw<Marker>) -> bool {
     feels_velocity(law) || uses(law, 0..3)
 }
 
@@ -149,18 +150,18 @@ impl Found {
         let named = format!("the force {:?}", force.name);
         let changes = || Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
         match &force.law {
-            Law::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
-            Law::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
-            Law::MagneticDipole { field: MagneticField::Uniform(field), .. } => {
+            ForceLaw::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
+            ForceLaw::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
+            ForceLaw::MagneticDipole { field: MagneticField::Uniform(field), .. } => {
                 self.directions.push(((*field).into(), named))
             }
-            Law::MagneticDipole { field: MagneticField::Dipole { orbit, strength }, .. } => {
+            ForceLaw::MagneticDipole { field: MagneticField::Dipole { orbit, strength }, .. } => {
                 self.orbit(&force.name, orbit)?;
                 self.directions.push(((*strength).into(), named));
             }
-            Law::Drag { .. } | Law::SpinDrag { .. } => {}
-            Law::Torque { torque: amplitude, axes, wave }
-            | Law::Thrust { force: amplitude, axes, wave, .. } => {
+            ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. } => {}
+            ForceLaw::Torque { torque: amplitude, axes, wave }
+            | ForceLaw::Thrust { force: amplitude, axes, wave, .. } => {
                 if wave.frequency != 0.0 {
                     return changes();
                 }
@@ -168,7 +169,7 @@ impl Found {
                     self.directions.push(((*amplitude).into(), named));
                 }
             }
-            law @ (Law::Expression { .. } | Law::TorqueExpression { .. }) => {
+            law @ (ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. }) => {
                 if uses(law, 6..7) {
                     return changes();
                 }

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use super::Matrices;
 use crate::elements::error::{Field, Problem};
 use crate::elements::material::Material;
-use crate::elements::part::{Kind, NodalMass, Part, Region, Solid, Substance};
+use crate::elements::part::{NodalMass, Part, PartKind, Region, Solid, Substance};
 use crate::model::Rheology;
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
@@ -19,7 +19,7 @@ const CORNERS: [[f64; 3]; 5] =
 const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 
 /// Two tetrahedra of ten nodes with bent edges; the corners of such cells have negative lumped masses.
-fn solid() -> Kind {
+fn solid() -> PartKind {
     let mut mesh = Mesh { nodes: CORNERS.to_vec(), ..Mesh::default() };
     let mut middles = HashMap::new();
     for (label, corners) in (1..).zip([[0, 1, 2, 3], [0, 2, 1, 4]]) {
@@ -40,10 +40,10 @@ fn solid() -> Kind {
     let material = Material { density: 2.5, young: 3.0, poisson: 0.3, rheology: Rheology::Elastic };
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let region = Region { cells: vec![0, 1], substance: Substance::Isotropic(material), axes };
-    Kind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
+    PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
 }
 
-fn structure(kind: Kind) -> Structure {
+fn structure(kind: PartKind) -> Structure {
     let part =
         Part { name: "part".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
     let mut structure = Structure { nodes: part.nodes(), holds: part.holds(0), ..Structure::default() };
@@ -114,7 +114,7 @@ fn field(size: usize, phase: f64) -> Vec<f64> {
 #[test]
 fn grains_between_nodes_have_the_moments_of_the_cells() {
     let cells = structure(solid());
-    let given = structure(Kind::Matrices(exported(&cells)));
+    let given = structure(PartKind::Matrices(exported(&cells)));
     let (u, v) = (field(3 * cells.nodes.len(), 0.4), field(3 * cells.nodes.len(), 2.0));
     let (found, expected) = (sums(&given, 3, &u, &v), sums(&cells, 3, &u, &v));
     let scale = expected.iter().fold(0.0, |scale: f64, x| scale.max(x.abs()));
@@ -138,7 +138,7 @@ fn a_node_has_its_mass_whatever_rows_it_has() {
         damping: Vec::new(),
         rheology: Rheology::Elastic,
     };
-    let structure = structure(Kind::Matrices(given));
+    let structure = structure(PartKind::Matrices(given));
     let found = sums(&structure, 3, &[0.0; 6], &[0.0; 6]);
     let places = [[0.0, 1.5, 5.0], [1.0, -0.5, 3.0]]; // from the reference point
     assert_eq!(found[0], 6.0);
@@ -163,7 +163,7 @@ fn a_turning_node_has_its_rotary_inertia() {
         damping: Vec::new(),
         rheology: Rheology::Elastic,
     };
-    let structure = structure(Kind::Matrices(given));
+    let structure = structure(PartKind::Matrices(given));
     for (a, b) in (0..9).map(|pair| (pair / 3, pair % 3)) {
         let turn = |axis: usize| DVector::from_fn(6, |row, _| f64::from(u8::from(row == 3 + axis)));
         let found = sums(&structure, 6, turn(a).as_slice(), turn(b).as_slice());
@@ -203,7 +203,7 @@ fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
     change(&mut given);
     let part = Part {
         name: "part".to_owned(),
-        kind: Kind::Matrices(given),
+        kind: PartKind::Matrices(given),
         masses: Vec::new(),
         attached: Vec::new(),
         rayleigh: [0.0; 2],

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use quasirigid::dynamics::{Forced, Form, RigidState, Start, forced_torque, takes};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
 use quasirigid::reduction::{ReductionError, degree_sizes, frequencies, reduce};
-use quasirigid::verification::Start;
 use quasirigid_io::export::{Derived, DisplacedLoads, Forces, Mechanism, StartLoads};
 
 use crate::error::StudyError;

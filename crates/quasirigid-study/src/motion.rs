@@ -8,7 +8,6 @@ use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid::secular::spun_displacements;
-use quasirigid::verification::Start;
 use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
 

@@ -19,6 +19,7 @@ mod slow;
 mod spin;
 mod spin_path;
 mod start;
+mod starting;
 mod steady;
 
 pub use damped::DampedMode;

@@ -10,7 +10,8 @@ use super::slow::MAX_FORCED_ORDER;
 use crate::math::ode::{StepError, StopReason, Work};
 use crate::model::Displaced;
 
-/// Where a propagation starts.
+/// Start of a propagation; what it becomes in the full system is [`settled`](Self::settled) on the slow manifold or
+/// [`at_rest`](Self::at_rest), and where another state leads is [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// Spin (rad/s), body axes.

@@ -33,7 +33,7 @@ macro_rules! kinds {
             pub carrier: Option<Carrier>,
             $($(#[$doc])* pub $list: Vec<$type>,)+
             /// Number of coordinates that parts of finite elements are given.
-            pub reduction: Reduction,
+            pub reduction: PartReduction,
             /// Support of the body.
             pub support: Support,
         }

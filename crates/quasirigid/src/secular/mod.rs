@@ -14,6 +14,7 @@ mod poles;
 mod probe;
 mod site;
 mod start;
+mod wobbling;
 
 pub use calibrated::CalibratedPower;
 pub use criteria::{AverageCriteria, apart, average_criteria};

@@ -2,10 +2,9 @@ use std::ops::ControlFlow;
 
 use thiserror::Error;
 
-use super::runs::Start;
 use super::verify::{VerificationError, falls, halved};
 use crate::averaging::PolynomialPower;
-use crate::dynamics::Forced;
+use crate::dynamics::{Forced, Start};
 use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, Support};
 use crate::modes::{EquilibriumError, ModesError};

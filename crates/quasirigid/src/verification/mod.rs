@@ -7,5 +7,4 @@ mod verify;
 
 pub use averages::{AverageError, AverageRow, verify_average};
 pub use compare::Difference;
-pub use runs::Start;
 pub use verify::{OrderRow, Verification, VerificationError, VerificationPlan, verify};

@@ -7,19 +7,6 @@ use crate::dynamics::{
 };
 use crate::reduction::{MAX_ORDER, reduce};
 
-/// Where the histories start: the state of a slow motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
-    /// Spin (rad/s), body axes.
-    pub omega: [f64; 3],
-    /// Attitude, unit quaternion, scalar first, from body to inertial axes.
-    pub attitude: [f64; 4],
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
-    pub place: [f64; 3],
-    /// Its velocity (m/s).
-    pub velocity: [f64; 3],
-}
-
 impl Start {
     /// The full state on the slow manifold, two orders above `order` where there are so many, with this spin.
     ///

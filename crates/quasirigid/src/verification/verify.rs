@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use thiserror::Error;
 
 use super::compare::Difference;
-use super::runs::{Start, full, reduced};
-use crate::dynamics::{Forced, Form, MAX_FORCED_ORDER, Options, Outcome, PropagateError, takes};
+use super::runs::{full, reduced};
+use crate::dynamics::{Forced, Form, MAX_FORCED_ORDER, Options, Outcome, PropagateError, Start, takes};
 use crate::math::vec3::norm;
 use crate::model::FlexibleError;
 use crate::reduction::{MAX_ORDER, ReductionError};

@@ -112,7 +112,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::MotionState<f64>>();
     crosses::<model::Pair>();
     crosses::<model::PartMass>();
-    crosses::<model::Parts>();
+    crosses::<model::BodyParts>();
     crosses::<model::Polhode>();
     crosses::<model::Principal>();
     crosses::<model::Reach>();
@@ -159,7 +159,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<dynamics::Start>();
     crosses::<dynamics::SteadySpin>();
     crosses::<dynamics::SteadySpins>();
-    crosses::<averaging::Crossing>();
+    crosses::<averaging::HarmonicResonance>();
     crosses::<averaging::DampingEstimate>();
     crosses::<averaging::Drift>();
     crosses::<averaging::DriftEnding>();
@@ -226,7 +226,6 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<verification::Difference>();
     crosses::<verification::OrderRow>();
     crosses::<verification::VerificationPlan>();
-    crosses::<verification::Start>();
     crosses::<verification::Verification>();
     crosses::<verification::VerificationError>();
     crosses::<problems::AxialMass>();

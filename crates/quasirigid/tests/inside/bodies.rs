@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Forced, Form};
+use quasirigid::dynamics::{Forced, Form, Start};
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
     Wheel, WheelSpeed,
 };
 use quasirigid::model::Rheology;
-use quasirigid::verification::{Start, VerificationPlan, verify};
+use quasirigid::verification::{VerificationPlan, verify};
 
 use crate::support::rotors::{ball, flywheel};
 

@@ -9,7 +9,6 @@ use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Spring, SpringLa
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::rotation::ALIGNED;
 
 use super::evolution::tumbler;

@@ -6,7 +6,6 @@ use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
 

@@ -1,7 +1,7 @@
 //! Springs and forces at places on appendages, springs under tension, formulas that see spin and attitude.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use quasirigid::dynamics::Forced;
+use quasirigid::dynamics::{Forced, Start};
 use quasirigid::elements::{
     Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Point,
     PointMotion, Prestress, Problem, Spring, SpringLaw, Station,
@@ -9,7 +9,7 @@ use quasirigid::elements::{
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Situation, Wave};
 use quasirigid::model::{MotionState as Moving, Rheology};
 use quasirigid::reduction::frequencies;
-use quasirigid::verification::{Start, VerificationPlan, verify};
+use quasirigid::verification::{VerificationPlan, verify};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::Turn;
 

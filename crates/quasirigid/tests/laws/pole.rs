@@ -10,7 +10,6 @@ use quasirigid::dynamics::{
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::force::{Force, ForceLaw};
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use super::wobbler::{assembly, attitude, inertial, times_to};

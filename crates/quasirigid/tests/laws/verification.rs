@@ -2,12 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Forced, Form, Options, SlowState, propagate_forced};
+use quasirigid::dynamics::{Forced, Form, Options, SlowState, Start, propagate_forced};
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
-use quasirigid::verification::{AverageError, Start, VerificationPlan, verify, verify_average};
+use quasirigid::verification::{AverageError, VerificationPlan, verify, verify_average};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
 use quasirigid_math::vec3::{add, norm, scale};

@@ -6,7 +6,6 @@ use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
 

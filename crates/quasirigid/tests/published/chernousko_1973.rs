@@ -1,11 +1,10 @@
 //! One sprung mass: closed forms, and exact rationals for a triaxial body [@chernousko1973].
 
-use quasirigid::dynamics::{Forced, Form, Options, Sample, propagate_full, spin_path};
+use quasirigid::dynamics::{Forced, Form, Options, Sample, Start, propagate_full, spin_path};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::polynomial::Homogeneous;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::dot;

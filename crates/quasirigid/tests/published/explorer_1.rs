@@ -4,7 +4,6 @@ use quasirigid::dynamics::{Forced, FullState, Options, Run, Sample, propagate_fu
 use quasirigid::model::Principal;
 use quasirigid::problems::Explorer1;
 use quasirigid::reduction::reduce;
-use quasirigid::verification::Start;
 use quasirigid_math::rotation::{ALIGNED, angle};
 use quasirigid_math::vec3::norm;
 

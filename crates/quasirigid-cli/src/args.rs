@@ -22,13 +22,13 @@ pub struct Arguments {
 pub enum Command {
     /// The main job: check, reduce, propagate, and write a record with its report
     #[command(after_help = "Example:\n  quasirigid run examples/three-masses/model.toml -o spin")]
-    Run(Run),
+    Run(RunArgs),
     /// Say how far the reduced equations hold, in words and numbers
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
     Check(Check),
     /// Find the steady spin and the modes about it: time constants, stability, what dissipates
     #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
-    Modes(Modes),
+    Modes(ModesArgs),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -87,7 +87,7 @@ pub struct Propagation {
 }
 
 #[derive(Args, Debug)]
-pub struct Run {
+pub struct RunArgs {
     #[command(flatten)]
     pub common: Common,
     #[command(flatten)]
@@ -107,7 +107,7 @@ pub struct Check {
 }
 
 #[derive(Args, Debug)]
-pub struct Modes {
+pub struct ModesArgs {
     #[command(flatten)]
     pub common: Common,
     /// Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the angular momentum of the

@@ -79,7 +79,7 @@ impl Dense {
 
 /// Vibration modes of `C x = Ω² A x`: frequencies ascending, and modes with unit modal mass, one per column.
 #[derive(Clone, Debug)]
-pub struct Modes {
+pub struct Eigenmodes {
     /// Frequencies `Ω`, ascending.
     pub frequencies: Vec<f64>,
     /// Modes, one per column; `xᵀ A x = 1`, or `xᵀ C x = 1` if the frequency is infinite.
@@ -93,7 +93,7 @@ pub struct Modes {
 ///
 /// # Errors
 /// [`NoConvergence`] if the solver fails or `C` is not positive definite.
-pub fn modes(A: &Dense, C: &Dense) -> Result<Modes, NoConvergence> {
+pub fn modes(A: &Dense, C: &Dense) -> Result<Eigenmodes, NoConvergence> {
     let size = A.size();
     let mut found: Vec<(f64, Vec<(usize, f64)>)> = Vec::with_capacity(size);
     for rows in coupled(A, C) {
@@ -106,7 +106,7 @@ pub fn modes(A: &Dense, C: &Dense) -> Result<Modes, NoConvergence> {
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut modes = Modes { frequencies: Vec::with_capacity(size), shapes: Dense::zero(size) };
+    let mut modes = Eigenmodes { frequencies: Vec::with_capacity(size), shapes: Dense::zero(size) };
     for (column, (frequency, entries)) in found.into_iter().enumerate() {
         modes.frequencies.push(frequency);
         entries.iter().for_each(|(row, entry)| modes.shapes.add(*row, column, *entry));

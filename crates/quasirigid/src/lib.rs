@@ -62,6 +62,12 @@ pub mod verification;
 
 pub mod problems;
 
+pub mod prelude;
+
+mod error;
+
+pub use error::Error;
+
 /// The README's example, run with the documentation's own.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

@@ -13,7 +13,7 @@ const PHYSICS: &str = "quasirigid";
 
 /// What each top-level module of the physics crate may use, beside itself: what describes a body in a row, then a star without sideways
 /// arrows. `math` is the crate `quasirigid-math` by the name it has in the physics.
-const MODULES: [(&str, &[&str]); 12] = [
+const MODULES: [(&str, &[&str]); 14] = [
     ("model", &["math"]),
     ("finite", &["math", "model"]),
     ("flow", &["math", "model", "finite"]),
@@ -26,6 +26,24 @@ const MODULES: [(&str, &[&str]); 12] = [
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
     ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
+    (
+        "error",
+        &[
+            "math",
+            "model",
+            "elements",
+            "reduction",
+            "dynamics",
+            "averaging",
+            "modes",
+            "secular",
+            "verification",
+        ],
+    ),
+    (
+        "prelude",
+        &["math", "model", "elements", "reduction", "dynamics", "averaging", "modes", "verification"],
+    ),
 ];
 
 /// What each crate may use of the others.

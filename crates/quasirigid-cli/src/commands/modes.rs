@@ -1,12 +1,12 @@
 use quasirigid_study::modes::AskedSpin;
 
 use super::{notes, open, whole};
-use crate::args::Modes;
+use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::{Ending, output};
 
 /// Finds the steady spin and the small motions about it.
-pub fn modes(arguments: &Modes) -> Result<Ending, Failure> {
+pub fn modes(arguments: &ModesArgs) -> Result<Ending, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;

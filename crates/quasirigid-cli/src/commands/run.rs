@@ -4,7 +4,7 @@ use quasirigid_io::model::Model;
 use quasirigid_study::summary;
 
 use super::{is_standard_input, open, propagation};
-use crate::args::Run;
+use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::output::Folder;
@@ -12,8 +12,8 @@ use crate::progress::Terminal;
 use crate::{Ending, output};
 
 /// The main job: check, reduce, propagate, and write the record with its report.
-pub fn run(arguments: &Run) -> Result<Ending, Failure> {
-    let Run { common, overwrite, .. } = arguments;
+pub fn run(arguments: &RunArgs) -> Result<Ending, Failure> {
+    let RunArgs { common, overwrite, .. } = arguments;
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
     }

@@ -50,7 +50,7 @@ pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
 pub use initial::{Displacements, Initial};
 pub use named::Named;
 pub use rotation::Rotation;
-pub use settings::{Run, Stop, System, Verify};
+pub use settings::{RunSettings, Stop, System, Verify};
 pub use source::Source;
 
 use body::Parts;
@@ -106,7 +106,7 @@ pub struct Model {
     /// Its state at time zero.
     pub initial: Initial,
     /// What to compute.
-    pub run: Run,
+    pub run: RunSettings,
     /// What is suspect but not wrong.
     pub notes: Vec<String>,
     /// The text it was read from.
@@ -176,7 +176,7 @@ struct Content {
     name: Option<String>,
     parts: Parts,
     initial: Initial,
-    run: Run,
+    run: RunSettings,
     notes: Vec<String>,
 }
 
@@ -201,7 +201,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     };
     let run = match file.table("run", "[run]", &settings::RUN) {
         Some(table) => settings::run(&table),
-        None => Some(Run::default()),
+        None => Some(RunSettings::default()),
     };
     Some(Content { name, parts: body.parts?, initial: initial?, run: run?, notes })
 }

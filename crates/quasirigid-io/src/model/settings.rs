@@ -34,7 +34,7 @@ const MOST_HALVINGS: usize = 10;
 
 /// What to compute.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct RunSettings {
     /// Order of the reduced equations, from 0 to 12.
     pub order: usize,
     /// Length of the spin history (s).
@@ -57,7 +57,7 @@ pub struct Run {
     pub evolve: Option<Evolve>,
 }
 
-impl Default for Run {
+impl Default for RunSettings {
     fn default() -> Self {
         Self {
             order: ORDER,
@@ -108,7 +108,7 @@ pub struct Verify {
 }
 
 /// Reads `[run]`.
-pub(super) fn run(table: &Table<'_>) -> Option<Run> {
+pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
     let order = optional(table.get("order"), |value| value.integer(0..=HIGHEST_ORDER));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
@@ -119,7 +119,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<Run> {
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
-    Some(Run {
+    Some(RunSettings {
         order: order?.unwrap_or(ORDER),
         duration: duration?,
         tolerance: tolerance?,

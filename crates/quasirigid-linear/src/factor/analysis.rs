@@ -1,7 +1,7 @@
 //! What is known of a factor before its entries are computed.
 
 use super::softest::refusal;
-use super::{Factor, LARGE, NotPositive, Ordering, Precision, Stored, Structure, Work, unit_diagonal};
+use super::{Factor, FactorWork, LARGE, NotPositive, Ordering, Precision, Stored, Structure, unit_diagonal};
 use crate::symmetric::Symmetric;
 
 /// A symmetric matrix with the order in which its unknowns are eliminated and the places of its factor.
@@ -66,7 +66,7 @@ impl Analysis {
     /// [`NotPositive`] holds a direction in which the matrix is singular or indefinite.
     pub fn factor(self, precision: Precision) -> Result<Factor, NotPositive> {
         let begins_single = self.begins_single(precision);
-        let work = Work {
+        let work = FactorWork {
             unknowns: self.scale.len(),
             entries: self.entries(),
             multiplications: self.multiplications(),

@@ -53,7 +53,7 @@ pub struct Method {
 
 /// What a factorisation came to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Work {
+pub struct FactorWork {
     /// Number of unknowns.
     pub unknowns: usize,
     /// Stored entries of the factor.
@@ -74,7 +74,7 @@ pub struct Factor {
     matrix: Symmetric,
     scale: Vec<f64>,
     triangle: Stored,
-    work: Work,
+    work: FactorWork,
 }
 
 #[derive(Clone, Debug)]
@@ -131,7 +131,7 @@ impl Factor {
 
     /// What the factorisation came to.
     #[must_use]
-    pub fn work(&self) -> Work {
+    pub fn work(&self) -> FactorWork {
         self.work
     }
 

@@ -1,4 +1,4 @@
-use crate::math::eigen::{Dense, Modes, NoConvergence, eigenvectors, squares};
+use crate::math::eigen::{Dense, Eigenmodes, NoConvergence, eigenvectors, squares};
 
 /// A damped vibration: the magnitude of its eigenvalue and its decay rate (1/s).
 #[derive(Clone, Copy)]
@@ -11,7 +11,7 @@ struct Decay {
 ///
 /// Two first-order forms in the undamped modes, with `B = GᵀG`: one for `1/λ`, accurate where `λ` is small, and one for `λ`, accurate
 /// where it is large. They are joined in the middle. A coordinate without mass has the first form alone.
-pub(super) fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
+pub(super) fn decay_rates(modes: &Eigenmodes, B: &Dense) -> Result<Vec<f64>, NoConvergence> {
     let forms = between(modes, &squares(B)?);
     let mut decays = of_periods(modes, &forms)?;
     if modes.frequencies.iter().all(|frequency| frequency.is_finite()) {
@@ -24,7 +24,7 @@ pub(super) fn decay_rates(modes: &Modes, B: &Dense) -> Result<Vec<f64>, NoConver
 }
 
 /// Linear forms of the displacements in the undamped modes, each with a unit of elastic energy.
-fn between(modes: &Modes, forms: &Dense) -> Dense {
+fn between(modes: &Eigenmodes, forms: &Dense) -> Dense {
     let size = modes.frequencies.len();
     let unit = |k: usize| if modes.frequencies[k].is_finite() { modes.frequencies[k].recip() } else { 1.0 };
     let mut between = Dense::zero(size);
@@ -36,7 +36,7 @@ fn between(modes: &Modes, forms: &Dense) -> Dense {
 }
 
 /// From `μ = 1/λ`: `μ u = −GᵀG u − Ω⁻¹v`, `μ v = Ω⁻¹u`, whose entries are bounded however fast some vibrations are.
-fn of_periods(modes: &Modes, forms: &Dense) -> Result<Vec<Decay>, NoConvergence> {
+fn of_periods(modes: &Eigenmodes, forms: &Dense) -> Result<Vec<Decay>, NoConvergence> {
     let periods: Vec<f64> = modes.frequencies.iter().map(|frequency| frequency.recip()).collect();
     let (values, vectors) = eigenvectors(&first_order(forms, &periods))?;
     let largest = values.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
@@ -53,7 +53,7 @@ fn of_periods(modes: &Modes, forms: &Dense) -> Result<Vec<Decay>, NoConvergence>
 }
 
 /// From `λ`: `λ v = −GᵀG v − Ω y`, `λ y = Ω v`, with `G` in the modes of unit mass.
-fn of_rates(modes: &Modes, forms: &Dense) -> Result<Vec<Decay>, NoConvergence> {
+fn of_rates(modes: &Eigenmodes, forms: &Dense) -> Result<Vec<Decay>, NoConvergence> {
     let size = modes.frequencies.len();
     let mut heavy = Dense::zero(size);
     for (form, k) in (0..size).flat_map(|form| (0..size).map(move |k| (form, k))) {

@@ -1,4 +1,4 @@
-use crate::math::eigen::{Dense, Modes, NoConvergence};
+use crate::math::eigen::{Dense, Eigenmodes, NoConvergence};
 use crate::math::krylov::Pencil;
 use crate::math::span::{Span, largest};
 use crate::model::FlexibleBody;
@@ -68,7 +68,7 @@ impl Projection {
     }
 
     /// The coordinate with the largest share in the slowest mode.
-    pub fn largest_share(&self, modes: &Modes) -> Option<usize> {
+    pub fn largest_share(&self, modes: &Eigenmodes) -> Option<usize> {
         let slowest: Vec<f64> = (0..modes.shapes.size()).map(|row| modes.shapes.at(row, 0)).collect();
         largest(&self.span.as_ref().map_or(slowest.clone(), |span| span.combined(&slowest)))
     }

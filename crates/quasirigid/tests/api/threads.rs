@@ -18,13 +18,14 @@ const MODULES: [(&str, &str); 9] = [
 ];
 
 /// Traits, which have no threads to cross.
-const TRAITS: [&str; 2] = ["MeanPower", "Observer"];
+const TRAITS: [&str; 3] = ["Element", "MeanPower", "Observer"];
 
 fn crosses<T: Send + Sync + Debug>() {}
 
 /// The compiler is the test.
 #[test]
 fn public_types_are_send_sync_and_debug() {
+    crosses::<quasirigid::Error>();
     crosses::<elements::Anchor>();
     crosses::<elements::Approximation>();
     crosses::<elements::Assembly>();

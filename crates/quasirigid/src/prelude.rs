@@ -1,0 +1,17 @@
+//! Names that most programs need: `use quasirigid::prelude::*;`
+
+pub use crate::averaging::{Evolution, FreeRotation, PowerSource, Response, Stage};
+pub use crate::dynamics::{
+    Event, Forced, Form, FullState, Method, Observer, Options, Outcome, Sample, Start, propagate,
+    propagate_full, spin_path, steady_spins,
+};
+pub use crate::elements::{
+    Assembly, CARRIER, Carrier, Element, ElementId, Ellipsoid, End, Hinged, Material, Point, PointMotion,
+    Spring,
+};
+pub use crate::math::rotation::{ALIGNED, angle};
+pub use crate::math::sym::norm;
+pub use crate::model::{FlexibleBody, Mode, Principal, ReducedBody, Rheology};
+pub use crate::modes::{Given, RelativeEquilibrium, SpinModes};
+pub use crate::reduction::{Validity, Verdict, reduce};
+pub use crate::verification::{Difference, Verification, VerificationPlan, verify};

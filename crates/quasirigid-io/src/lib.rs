@@ -1,6 +1,11 @@
 //! Model files, records and exports.
 #![allow(non_snake_case)]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
 pub mod export;
 pub mod matrix;
 pub mod mesh;

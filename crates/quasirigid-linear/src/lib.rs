@@ -5,6 +5,11 @@
 //! number format that is used; nothing of it shows in a signature.
 #![allow(non_snake_case)]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
 pub mod cholesky;
 pub mod dynamic_stiffness;
 pub mod eigen;

@@ -5,6 +5,11 @@
 //! The linear algebra of `quasirigid-linear` is shown here beside it, so that one name reaches both.
 #![allow(non_snake_case)]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
 pub mod bisection;
 pub mod chebyshev;
 pub mod connected_components;

@@ -7,6 +7,11 @@
 //! Like `quasirigid-math` below it, the crate knows no physics.
 #![allow(non_snake_case)]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
 mod check;
 mod fault;
 mod functions;
@@ -26,6 +31,7 @@ pub use samples::{CellSample, Rule};
 pub use shape::Shape;
 
 /// Nodes and the cells between them, with the numbers and names that their file gave them.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Places of the nodes.
@@ -39,6 +45,7 @@ pub struct Mesh {
 }
 
 /// A cell between nodes.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
     /// Its number in the file.
@@ -50,6 +57,7 @@ pub struct Cell {
 }
 
 /// A named group of nodes and cells; one of the two is often empty.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Set {
     /// Its name; where the file has only a number, the number.

@@ -5,6 +5,7 @@
 /// its first corner on, then those of the upper face, then the upright ones (of a tetrahedron: 01 12 20 03 13 23). These
 /// are the orders of VTK and Abaqus up to quadratic hexahedra with 20 nodes; faces of a hexahedron with 27 nodes:
 /// −ξ, +ξ, −η, +η, −ζ, +ζ.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shape {
     /// Segment with two nodes.

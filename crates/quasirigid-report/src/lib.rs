@@ -10,6 +10,11 @@
 #![allow(non_snake_case)]
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
 mod columns;
 mod figure;
 mod number;

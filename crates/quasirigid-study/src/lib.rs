@@ -44,6 +44,16 @@
 //! ```
 #![allow(non_snake_case)]
 
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
+
+/// The chapter of the guide for programs in Rust, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/16-library.md")]
+struct Library;
+
 pub mod check;
 pub mod derive;
 mod error;

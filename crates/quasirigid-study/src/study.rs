@@ -15,6 +15,17 @@ use crate::start::initial;
 use crate::{liquids, resolution};
 
 /// A model, assembled: what every question is asked of.
+///
+/// ```
+/// use quasirigid_study::Study;
+///
+/// # fn main() -> Result<(), quasirigid_study::StudyError> {
+/// # let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/three-masses/model.toml");
+/// let study = Study::open(model, Some(3))?;
+/// println!("{} coordinates, {:?} rad/s", study.body.coordinates().len(), study.initial()?.omega);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Study {
     /// The model, with notes on what is suspect in it.

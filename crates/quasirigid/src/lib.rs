@@ -16,13 +16,41 @@
 //! - [`modes`] are the small motions about a steady spin,
 //! - [`averaging`] follows what dissipation does over millions of turns,
 //! - [`verification`] sets one against the other,
+//! - [`secular`] chooses how many revolutions are followed, and measures the mean power where no average holds,
 //! - [`problems`] are bodies with known answers.
+//!
+//! A hub with a damped mass on a spring, from its parts to a history of its nutation:
+//!
+//! ```
+//! use quasirigid::prelude::*;
+//!
+//! let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
+//! let mass = satellite.add(Point::free("mass", 1.0, [0.8, 0.3, 0.5]));
+//! satellite.add(Spring::isotropic(600.0, 30.0).between(mass, CARRIER));
+//! let body = satellite.body()?;
+//! let reduced = reduce(&body, 3)?;
+//! let start = Start::wobbling(&reduced, Mode::ShortAxis, 0.3, 1.0)?;
+//! assert!(Validity::assess_reduced(&body, &reduced, start.omega)?.verdict() != Verdict::Fails);
+//!
+//! let mut samples: Vec<Sample> = Vec::new();
+//! propagate(&reduced, start, &[0.0, 100.0], &Options::default(), &mut samples)?;
+//! assert!(samples[1].energy < samples[0].energy);
+//! # Ok::<(), quasirigid::Error>(())
+//! ```
+//!
+//! [`prelude`] has the names that most programs need; [`Error`] wraps the errors of all modules. The folder `examples` holds five
+//! programs of at most 15 lines.
 //!
 //! Mathematics and meshes are crates of their own, `quasirigid-math` and [`quasirigid-mesh`](mesh); what of them shows in
 //! public types here is shown here too.
 //!
 //! SI units throughout. Vectors are in the body frame: the axes of the model file, origin at the pole `O`.
 #![allow(non_snake_case)]
+
+/// The README of the crate, run with the documentation's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
 
 use quasirigid_math as math;
 

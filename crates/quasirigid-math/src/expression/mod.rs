@@ -9,14 +9,19 @@ mod lexer;
 mod message;
 mod parser;
 mod program;
+#[cfg(feature = "serde")]
+mod written;
 
 use super::scalar::Smooth;
 use program::Program;
 
 /// A formula in named variables, read once and evaluated at numbers or at series.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "written::Written", into = "written::Written"))]
 #[derive(Clone, Debug)]
 pub struct Expression {
     text: String,
+    variables: Vec<String>,
     program: Program,
 }
 
@@ -40,13 +45,20 @@ impl Expression {
     /// one.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
         let program = parser::parse(text, variables)?;
-        Ok(Self { text: text.to_owned(), program })
+        let variables = variables.iter().map(|name| (*name).to_owned()).collect();
+        Ok(Self { text: text.to_owned(), variables, program })
     }
 
     /// The formula as it was written.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Names of the variables, in the order they were given in.
+    #[must_use]
+    pub fn variables(&self) -> &[String] {
+        &self.variables
     }
 
     /// Whether the variable with this index, in the order they were named in, occurs.

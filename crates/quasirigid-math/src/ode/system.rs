@@ -104,6 +104,7 @@ pub trait Solver {
 }
 
 /// Work done.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Steps accepted.
@@ -119,6 +120,8 @@ pub struct Work {
 }
 
 /// A step that could not be made.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// The step fell to the rounding of `t`.

@@ -11,6 +11,8 @@ const FLAT: f64 = 1e-7;
 /// except in a corner or an edge that they share; triangles run
 /// counterclockwise seen from outside the body, so those of a cavity seen from within it. Shells may share single
 /// vertices. All lengths are judged beside the largest coordinate, so that the unit does not matter.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "super::written::Written", into = "super::written::Written"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedSurface {
     pub(super) vertices: Vec<[f64; 3]>,

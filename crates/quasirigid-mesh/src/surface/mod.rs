@@ -11,6 +11,8 @@ mod shells;
 pub(crate) mod testing;
 mod topology;
 mod tree;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use closed::ClosedSurface;
 pub use error::SurfaceError;

@@ -8,6 +8,18 @@ use crate::model::Mode;
 
 /// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
 ///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let body = ring_of_points(4).body()?;
+/// let evolution = Evolution::compute(&body, &reduce(&body, 3)?, 10.0)?;
+/// if let [Some(from), Some(to)] = [0.5, 0.05].map(|angle| evolution.wobbling(angle)) {
+///     assert!(evolution.time(from, to) > 0.0); // s in which the wobble falls to a tenth
+/// }
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// An evolution owns its power: whatever is one by value, shared in an [`Arc`], or borrowed.
 #[derive(Clone, Copy, Debug)]
 pub struct Evolution<P = Arc<dyn MeanPower>> {
@@ -17,6 +29,7 @@ pub struct Evolution<P = Arc<dyn MeanPower>> {
 }
 
 /// A state of rotation at a given `|K|`: a mode, and the place `ξ` between the separatrix, `−∞`, and the axis, `+∞`.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// Axis that the momentum circles.
@@ -41,6 +54,7 @@ impl Stage {
 }
 
 /// What lies between two stages; negative from the later one to the earlier.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elapsed {
     /// Time (s); infinite where nothing is dissipated.

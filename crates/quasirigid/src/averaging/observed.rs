@@ -18,6 +18,7 @@ pub struct ObservedPeriods {
 }
 
 /// Periods that no motion of the body has.
+#[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ObservedError {
     /// A period that is not positive, or not finite.

@@ -8,6 +8,15 @@ use crate::model::Mode;
 
 /// Torque-free rotation of a rigid body, exactly (Euler–Poinsot). (A1)–(A4)
 ///
+/// ```
+/// use quasirigid::prelude::*;
+///
+/// let motion = FreeRotation::at_nutation([2.0, 3.0, 4.0], 4.0, Mode::ShortAxis, 0.3)?;
+/// let later = motion.omega(motion.polhode_period());
+/// assert!((later[2] - motion.omega(0.0)[2]).abs() < 1e-12);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// Vectors are in principal axes, right-handed, moments ascending. Differences that vanish at an axis or at the separatrix are
 /// kept as numbers of their own, so that no digits are lost near them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@ use crate::math::rotation::angle;
 use crate::math::vec3::norm;
 
 /// Something that ends a propagation when it happens.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// The energy passes this value (J).

@@ -8,6 +8,7 @@ use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
 
 /// Which variable the reduced equations are integrated in.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
     /// The momentum in body axes, `K̇ = K × Ω(K)`: `|K|` is exact. (P1)

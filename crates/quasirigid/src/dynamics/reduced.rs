@@ -15,6 +15,19 @@ use crate::model::ReducedBody;
 
 /// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)
 ///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let reduced = reduce(&ring_of_points(4).body()?, 3)?;
+/// let mut samples: Vec<Sample> = Vec::new();
+/// let start = Start::new([0.1, 0.0, 1.0], ALIGNED);
+/// let run = propagate(&reduced, start, &[0.0, 5.0, 10.0], &Options::default(), &mut samples)?;
+/// assert_eq!((run.outcome, samples.len()), (Outcome::Finished, 3));
+/// assert!(samples[2].energy <= samples[0].energy);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// # Errors
 /// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate(

@@ -12,6 +12,7 @@ use crate::model::Displaced;
 
 /// Start of a propagation; what it becomes in the full system is [`settled`](Self::settled) on the slow manifold or
 /// [`at_rest`](Self::at_rest), and where another state leads is [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// Spin (rad/s), body axes.
@@ -33,6 +34,7 @@ impl Start {
 }
 
 /// How a propagation is made.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Variable of a reduced system that is integrated.
@@ -61,6 +63,7 @@ impl Default for Options {
 }
 
 /// How a full system is integrated.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
     /// Explicit while vibrations have to be followed, implicit while the step is many times their period.
@@ -73,6 +76,7 @@ pub enum Method {
 }
 
 /// The body at one time.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Time (s).
@@ -142,6 +146,7 @@ impl Observer for Vec<Sample> {
 }
 
 /// How a propagation ended, with the last state reached; what was observed is valid up to there.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
     /// Why it ended.
@@ -153,6 +158,7 @@ pub struct Run {
 }
 
 /// Why a propagation ended.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
     /// The last output time was reached.

@@ -11,6 +11,7 @@ use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
 /// Spin (rad/s, body axes) at the times asked for, without attitude and accounts: the fast road for ensembles.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpinPath {
     /// One spin per time reached.
@@ -22,6 +23,16 @@ pub struct SpinPath {
 }
 
 /// Follows the spin of a reduced body from `t = 0` to the last of the times (s). (P1), (P2)
+///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let reduced = reduce(&ring_of_points(4).body()?, 3)?;
+/// let path = spin_path(&reduced, [0.1, 0.0, 1.0], &[1.0, 2.0], &Options::default())?;
+/// assert_eq!(path.omega.len(), 2);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`PropagateError`], as for [`propagate`](super::propagate).

@@ -6,6 +6,7 @@ use super::error::{ElementError, ElementId, Field, at};
 use crate::model::Inertia;
 
 /// The rigid body `G` that carries everything else (paper, §1).
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carrier {
     /// Mass (kg).

@@ -18,6 +18,7 @@ use crate::structure::Block;
 /// The body frame is the Tisserand frame: the displacement has no momentum and no angular momentum. The displacements
 /// are all those of first and third degree in the position, 36 coordinates; the loads of a free rotation bend a
 /// homogeneous ellipsoid in just such a shape, so the static answer is exact.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipsoid {
     /// Unique name.

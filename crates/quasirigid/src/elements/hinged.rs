@@ -12,6 +12,7 @@ use crate::structure::Block;
 ///
 /// The axes turn one inside the other like gimbals: the first is fixed in the carrier, the second is carried by
 /// the first, the third by the second. At equilibrium they have the directions given here.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hinged {
     /// Unique name.
@@ -38,6 +39,7 @@ pub struct Hinged {
 }
 
 /// A place on a hinged appendage.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PlaceRef {
     /// Index of the appendage.
@@ -47,6 +49,7 @@ pub struct PlaceRef {
 }
 
 /// A symmetric linear map from hinge angles to hinge torques.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum HingeCoefficient {
     /// One value per axis.

@@ -27,6 +27,7 @@ macro_rules! kinds {
 
         /// A body as the user describes it: a carrier with points, springs, hinged appendages and parts of finite elements on it,
         /// or a body without a carrier that is elastic throughout.
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Assembly {
             /// The rigid body that carries everything else; none of a body that is elastic throughout.

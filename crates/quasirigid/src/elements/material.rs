@@ -3,6 +3,7 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Rheology;
 
 /// What a solid is made of: homogeneous and isotropic.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// Density (kg/m³).

@@ -8,6 +8,7 @@ use super::{Assembly, coefficient};
 use crate::model::Coordinate;
 
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// Unique name.
@@ -21,6 +22,7 @@ pub struct Point {
 }
 
 /// Directions in which a point can move relative to the carrier.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PointMotion {
     /// Every direction: three coordinates.

@@ -9,6 +9,7 @@ use crate::model::{Coordinate, Pair};
 /// A rotor that friction brakes relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
 ///
 /// Its mass and, locked, its inertia belong to the carrier.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rotor {
     /// Unique name.
@@ -25,6 +26,7 @@ pub struct Rotor {
 }
 
 /// What a rotor turns about.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RotorKind {
     /// One axis of the carrier; any length but zero.

@@ -15,6 +15,7 @@ use crate::structure::Block;
 ///
 /// It acts on the displacement of one end relative to the other, taken in body axes, so a body that turns
 /// steadily does not work it.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// Name; empty if it is called after its ends. Springs of the same name are one dissipator.
@@ -30,6 +31,7 @@ pub struct Spring {
 }
 
 /// What an end of a spring is fixed to.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
     /// The carrier.
@@ -43,6 +45,7 @@ pub enum End {
 }
 
 /// Stiffness and damping of a spring.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpringLaw {
     /// Force `−(stiffness · r + damping · ṙ)` for a relative displacement `r`.
@@ -66,6 +69,7 @@ pub enum SpringLaw {
 }
 
 /// What an axial spring pulls with while the body is at rest. (I10)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Prestress {
     /// Nothing.
@@ -78,6 +82,7 @@ pub enum Prestress {
 }
 
 /// A symmetric linear map from displacement to force.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coefficient {
     /// The same in every direction.

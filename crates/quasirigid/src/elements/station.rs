@@ -6,6 +6,7 @@ use super::{Assembly, End, coefficient};
 use crate::model::Marker;
 
 /// Where an external force acts on a body.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
     /// The part it acts on.

@@ -8,6 +8,7 @@ use crate::model::{DrivenWheel, Wheels};
 /// A momentum wheel: a motor gives it a speed relative to the carrier. (C4)
 ///
 /// Its mass and, locked, its inertia belong to the carrier.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wheel {
     /// Unique name.
@@ -19,6 +20,7 @@ pub struct Wheel {
 }
 
 /// How fast a momentum wheel turns relative to the carrier.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum WheelSpeed {
     /// The same at all times.

@@ -24,6 +24,7 @@ pub struct Polhode {
 }
 
 /// Which axis the angular momentum circles in the body.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// The axis of greatest inertia: `|K|² > 2 E I₂`.

@@ -6,6 +6,19 @@ use crate::math::sym3::{self, Sym};
 ///
 /// Polynomials in the spin `ω` (rad/s, body axes), kept degree by degree. Everything that uses the reduced equations
 /// takes this type and asks no more how it was made.
+///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let reduced = reduce(&ring_of_points(4).body()?, 4)?;
+/// let omega = [0.1, -0.3, 1.0];
+/// let mu4 = reduced.mu(4).value(omega); // N·m
+/// let entry = reduced.tensor(&[0, 0, 1, 1]); // the vector D_{·xxyy}
+/// assert_eq!((mu4.len(), entry.len()), (3, 3));
+/// assert!(reduced.dissipated_power(omega) >= 0.0);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReducedBody {
     /// Order `p`: the motion over a fixed time is in error by `ε^{p+1}`.

@@ -7,6 +7,7 @@ use thiserror::Error;
 /// How a material answers a strain that varies with time. (G1)
 ///
 /// A strain `e^{iνt}` meets a stress that is [`modulus`](Self::modulus) times the elastic one.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Rheology {
     /// No loss.
@@ -48,6 +49,8 @@ pub enum Rheology {
 }
 
 /// A measured modulus and loss, straight lines in the logarithms between its rows, constant beyond them.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Vec<[f64; 3]>", into = "Vec<[f64; 3]>"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     rows: Vec<[f64; 3]>,
@@ -166,6 +169,20 @@ impl Rheology {
 fn maxwell(x: f64) -> [f64; 2] {
     let lost = x / (1.0 + x * x);
     [x * lost, lost]
+}
+
+impl TryFrom<Vec<[f64; 3]>> for Measured {
+    type Error = RheologyError;
+
+    fn try_from(rows: Vec<[f64; 3]>) -> Result<Self, RheologyError> {
+        Self::new(rows)
+    }
+}
+
+impl From<Measured> for Vec<[f64; 3]> {
+    fn from(measured: Measured) -> Self {
+        measured.rows
+    }
 }
 
 impl Measured {

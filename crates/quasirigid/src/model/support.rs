@@ -1,6 +1,7 @@
 use crate::math::expression::Expression;
 
 /// How the body is held, which chooses the pole `O`.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a body has one")]
 pub enum Support {

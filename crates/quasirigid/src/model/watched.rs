@@ -26,6 +26,7 @@ pub struct Reach {
 }
 
 /// What has left the range in which the equations hold.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Displaced {
     /// A place on a part.

@@ -15,8 +15,8 @@ pub struct QuarticQuintic {
 }
 
 const J: Sym = [10.3366, 14.8812, 17.7228, 0.0, 0.0, 0.0];
-const COEFFICIENTS: &str = include_str!("../../../../data/published/quartic_quintic/coefficients.csv");
-const REFERENCE: &str = include_str!("../../../../data/published/quartic_quintic/reference.csv");
+const COEFFICIENTS: &str = include_str!("quartic_quintic_coefficients.csv");
+const REFERENCE: &str = include_str!("quartic_quintic_reference.csv");
 
 impl QuarticQuintic {
     /// Reads the published tables.

@@ -32,6 +32,16 @@ pub const MAX_ORDER: usize = 12;
 /// `p = 0` is the rigid body `S*`; `p = 1` adds the cubic torque of liquids and rotors, and is the rigid body where there
 /// are none; `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
 ///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let reduced = reduce(&ring_of_points(4).body()?, 3)?;
+/// let [x, y, z] = reduced.torque([0.1, 0.0, 1.0]);
+/// assert!(norm([x, y, z]) < 0.1); // N·m, beside Euler's
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// # Errors
 /// [`ReductionError`] for an order that is not offered, and for coefficients that overflow.
 pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {

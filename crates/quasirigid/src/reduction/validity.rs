@@ -15,6 +15,19 @@ use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
 /// How far the reduced equations hold at a spin. (V1)–(V11)
+///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let body = ring_of_points(4).body()?;
+/// let validity = Validity::assess(&body, 3, [0.05, 0.0, 0.2])?;
+/// assert!(validity.T1 > 0.0 && !validity.criteria.is_empty());
+/// if validity.verdict() == Verdict::Fails {
+///     println!("the reduced equations do not hold at this spin");
+/// }
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Validity {
     /// Longest period of free vibration (s); zero for a rigid body. (V1)

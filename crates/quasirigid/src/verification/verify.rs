@@ -120,6 +120,20 @@ const ROUNDING: f64 = 1e-12;
 
 /// Runs the full system and the reduced ones side by side, from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
 ///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let body = ring_of_points(1).body()?;
+/// let start = Start::new([0.1, 0.2, 0.5], ALIGNED);
+/// let plan = VerificationPlan { orders: vec![2], rotations: 0.5, samples: 5, ..VerificationPlan::default() };
+/// let verification = verify(Forced::not(&body), &start, &plan, &mut |_| ControlFlow::Continue(()))?;
+/// assert_eq!(verification.epsilons.len(), 5);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// `watch` is called with the share of the work done; `Break` ends the verification.
 ///
 /// # Errors

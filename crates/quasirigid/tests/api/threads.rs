@@ -26,6 +26,7 @@ fn crosses<T: Send + Sync + Debug>() {}
 #[test]
 fn public_types_are_send_sync_and_debug() {
     crosses::<quasirigid::Error>();
+    crosses::<averaging::FreeRotationError>();
     crosses::<elements::Anchor>();
     crosses::<elements::Approximation>();
     crosses::<elements::Assembly>();

@@ -12,6 +12,20 @@ use crate::model::FlexibleBody;
 
 /// Follows the full equations of a body from `t = 0` and observes it at the times asked for (s). (S2)–(S6), (F11)
 ///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let body = ring_of_points(2).body()?;
+/// let system = Forced::not(&body);
+/// let settled = Start::new([0.1, 0.0, 1.0], ALIGNED).settled(system, 3)?;
+/// let options = Options { tolerance: 1e-9, ..Options::default() };
+/// let mut samples: Vec<Sample> = Vec::new();
+/// let run = propagate_full(system, &settled, &[0.0, 1.0], &options, &mut samples)?;
+/// assert_eq!(run.outcome, Outcome::Finished);
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
 /// # Errors
 /// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_full(

@@ -6,6 +6,7 @@ use crate::math::vec3::add;
 use crate::model::{FlexibleBody, MotionState};
 
 /// Where a full run starts.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct FullState {
     /// Spin (rad/s), body axes.

@@ -27,6 +27,7 @@ use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 
 /// How many coordinates parts of finite elements are given.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartReduction {
     /// Order to which their slow manifold is kept, 3 or more.

@@ -31,6 +31,7 @@ use shape::Turning;
 ///
 /// Its mass joins that of the carrier. Its motion relative to the carrier is slow: the force of inertia and that of Coriolis act
 /// on it, the square of its own velocity is left out. (L2)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cavity {
     /// Unique name.
@@ -56,6 +57,7 @@ pub struct Cavity {
 }
 
 /// How the motion of a liquid is found.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Regime {
     /// Viscous throughout. (L1)–(L11)

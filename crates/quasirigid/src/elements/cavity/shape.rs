@@ -13,6 +13,7 @@ use quasirigid_mesh::Mesh;
 use quasirigid_mesh::meshing::{self, MeshingError};
 
 /// Shape of a cavity, about its middle, in axes of its own.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum CavityShape {
     /// An ellipsoid; a ball if all semi-axes are the same. Its flows are exact.

@@ -4,6 +4,7 @@ use crate::elements::{Assembly, Incomplete};
 use crate::model::Rheology;
 
 /// A node of a part.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeRef {
     /// Index of the part in [`Assembly::parts`](crate::elements::Assembly::parts).
@@ -16,6 +17,7 @@ pub struct NodeRef {
 ///
 /// What it joins moves as one rigid piece, but for rotations about its axes: none for a weld, one for a hinge, three for a
 /// ball.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Connection {
     /// One side.
@@ -33,6 +35,7 @@ pub struct Connection {
 }
 
 /// One side of a connection.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Anchor {
     /// The carrier.

@@ -7,6 +7,7 @@ use crate::finite::{Element, Grain};
 use crate::structure::Structure;
 
 /// Straight beams between nodes.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Ends of the beams.
@@ -16,6 +17,7 @@ pub struct Frame {
 }
 
 /// A node of a frame.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameNode {
     /// Its name.
@@ -25,6 +27,7 @@ pub struct FrameNode {
 }
 
 /// A straight beam of one section.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Member {
     /// Indices of its nodes.

@@ -6,6 +6,7 @@ use crate::structure::{Hold, Structure};
 /// Matrices over displacements and rotations of nodes, from another program. (K9)
 ///
 /// What the program held is taken as held on the carrier; its mass there is the carrier's.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrices {
     /// The nodes, and the mass matrix.

@@ -30,6 +30,7 @@ use crate::structure::{Hold, Node, Structure};
 use quasirigid_mesh::{Mesh, MeshNote};
 
 /// A part of a body that is elastic throughout.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Unique name.
@@ -45,6 +46,7 @@ pub struct Part {
 }
 
 /// Kind of a part.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub enum PartKind {

@@ -13,6 +13,7 @@ use crate::structure::{Hold, Node, Structure};
 /// Bampton. (K10)
 ///
 /// Without an interface the nodes move as seen from the carrier, or, in a body that has none, from a frame of their own.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenModes {
     /// The nodes, and where their mass is.
@@ -29,6 +30,7 @@ pub struct GivenModes {
 }
 
 /// What resists generalised coordinates.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spectrum {
     /// They are modes of vibration.

@@ -9,6 +9,7 @@ use crate::model::Inertia;
 use crate::structure::Node;
 
 /// Nodes of another program's model, and its mass matrix over their displacements and rotations. (K9)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NodalMass {
     /// Places of the nodes (m), in the file's frame.

@@ -7,6 +7,7 @@ use crate::model::{Inertia, Rheology};
 use crate::structure::Structure;
 
 /// A rigid body at a node.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct TipMass {
     /// Index of the node.

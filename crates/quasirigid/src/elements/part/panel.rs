@@ -11,6 +11,7 @@ use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// A thin plate or shell.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Nodes and cells: triangles and quadrilaterals without nodes on their edges.
@@ -24,6 +25,7 @@ pub struct Panel {
 }
 
 /// A layer of a panel.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
     /// What it is made of; its axis 3 is the normal.

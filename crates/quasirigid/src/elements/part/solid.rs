@@ -9,6 +9,7 @@ use crate::structure::Structure;
 use quasirigid_mesh::{Mesh, Shape};
 
 /// A solid of cells: tetrahedra, wedges and hexahedra.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// Nodes and cells; faces and lines among the cells bear nothing.
@@ -18,6 +19,7 @@ pub struct Solid {
 }
 
 /// Cells of one substance.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// Indices of the cells; those that are not solid are passed over.

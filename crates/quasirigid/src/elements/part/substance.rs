@@ -3,6 +3,7 @@ use crate::elements::{Material, coefficient};
 use crate::model::Rheology;
 
 /// What a part is made of.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Substance {
     /// The same in every direction.
@@ -12,6 +13,7 @@ pub enum Substance {
 }
 
 /// A material with three planes of symmetry: wood, a ply of fibres.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orthotropic {
     /// Density (kg/m³).

@@ -20,6 +20,7 @@ use quasirigid_mesh::surface::ClosedSurface;
 ///
 /// Its displacement is a polynomial of the place (G9), or that of finite elements in a mesh made here where polynomials cannot
 /// follow the shape (G11). The coordinates are its answers to the loads of a rotation, and theirs.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     /// Unique name.
@@ -45,6 +46,7 @@ pub struct Resolution {
 }
 
 /// Functions that a displacement is made of.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Approximation {
     /// Polynomials of the place up to a degree.

@@ -3,6 +3,7 @@ use std::f64::consts::PI;
 use super::error::{BeamError, Quantity, positive};
 
 /// Cross-section of a beam, for principal axes `y` and `z` through its centroid.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Section {
@@ -24,6 +25,7 @@ pub struct Section {
 ///
 /// In all of them the shear centre is the centroid. Channels and angles are not among them: a force through their
 /// centroid twists them, which the element does not know.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SectionShape {
     /// A solid rectangle. Torsion by Saint-Venant's series, to rounding.

@@ -3,6 +3,7 @@ use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, dot, scale};
 
 /// A magnetic field, inertial axes. (F8)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MagneticField {
     /// The same everywhere (T).

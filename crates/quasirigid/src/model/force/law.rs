@@ -4,6 +4,7 @@ use crate::math::expression::Expression;
 /// An external force: what it is called, and its law, with the places it acts at.
 ///
 /// `P` is how a place is given: by the element's number in an assembly, by a [`Marker`](crate::model::Marker) on a body.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Force<P> {
     /// Name, for messages.
@@ -13,6 +14,7 @@ pub struct Force<P> {
 }
 
 /// Laws of external forces. (F3)–(F9)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw<P> {
     /// The same acceleration of every mass element (m/s²), inertial axes. (F3)
@@ -147,6 +149,7 @@ impl<P> ForceLaw<P> {
 }
 
 /// Axes of an amplitude.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axes {
     /// The body's.
@@ -157,6 +160,7 @@ pub enum Axes {
 }
 
 /// Variation in time: the factor `cos(Ωt + φ)`; constant when `Ω` and `φ` are zero.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wave {
     /// Angular frequency `Ω` (rad/s).

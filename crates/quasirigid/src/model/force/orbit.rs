@@ -4,6 +4,7 @@ use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, scale};
 
 /// A Kepler orbit about a centre of attraction, which is the origin of the inertial axes. (F10)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
     /// Gravitational parameter of the centre (m³/s²).

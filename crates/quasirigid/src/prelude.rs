@@ -6,11 +6,11 @@ pub use crate::dynamics::{
     propagate_full, spin_path, steady_spins,
 };
 pub use crate::elements::{
-    Assembly, CARRIER, Carrier, Element, ElementId, Ellipsoid, End, Hinged, Material, Point, PointMotion,
+    Assembly, AssemblyElement, CARRIER, Carrier, ElementId, Ellipsoid, End, Hinged, Material, Point, PointMotion,
     Spring,
 };
 pub use crate::math::rotation::{ALIGNED, angle};
-pub use crate::math::sym::norm;
+pub use crate::math::vec3::norm;
 pub use crate::model::{FlexibleBody, Mode, Principal, ReducedBody, Rheology};
 pub use crate::modes::{Given, RelativeEquilibrium, SpinModes};
 pub use crate::reduction::{Validity, Verdict, reduce};

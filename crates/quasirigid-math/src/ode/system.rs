@@ -121,7 +121,6 @@ pub struct Work {
 
 /// A step that could not be made.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// The step fell to the rounding of `t`.

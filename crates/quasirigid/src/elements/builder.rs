@@ -15,7 +15,7 @@ use crate::model::force::Force;
 pub const CARRIER: ElementId = ElementId::CARRIER;
 
 /// An element that an [`Assembly`] takes.
-pub trait Element {
+pub trait AssemblyElement {
     /// Adds the element to the list of its kind.
     fn add_to(self, assembly: &mut Assembly) -> ElementId;
 }
@@ -33,45 +33,19 @@ impl Assembly {
     /// assert_eq!(assembly.body()?.coordinates().len(), 3);
     /// # Ok::<(), quasirigid::Error>(())
     /// ```
-    pub fn add(&mut self, element: impl Element) -> ElementId {
+    pub fn add(&mut self, element: impl AssemblyElement) -> ElementId {
         element.add_to(self)
     }
 
     /// The assembly with one more element.
     #[must_use]
-    pub fn with(mut self, element: impl Element) -> Self {
+    pub fn with(mut self, element: impl AssemblyElement) -> Self {
         self.add(element);
         self
     }
 }
 
-/// Elements of which an assembly has a list each.
-macro_rules! listed {
-    ($($element:ty: $list:ident, $kind:ident;)+) => {$(
-        impl Element for $element {
-            fn add_to(self, assembly: &mut Assembly) -> ElementId {
-                assembly.$list.push(self);
-                ElementKind::$kind.at(assembly.$list.len() - 1)
-            }
-        }
-    )+};
-}
-
-listed! {
-    Point: points, Point;
-    Spring: springs, Spring;
-    Hinged: hinged, Hinged;
-    Ellipsoid: ellipsoids, Ellipsoid;
-    Surface: surfaces, Surface;
-    Part: parts, Part;
-    Connection: connections, Connection;
-    Rotor: rotors, Rotor;
-    Wheel: wheels, Wheel;
-    Cavity: cavities, Cavity;
-    Force<Station>: forces, Force;
-}
-
-impl Element for Carrier {
+impl AssemblyElement for Carrier {
     /// Takes the place of a carrier that was there.
     fn add_to(self, assembly: &mut Assembly) -> ElementId {
         assembly.carrier = Some(self);

@@ -39,6 +39,13 @@ macro_rules! kinds {
             pub support: Support,
         }
 
+        $(impl AssemblyElement for $type {
+            fn add_to(self, assembly: &mut Assembly) -> ElementId {
+                assembly.$list.push(self);
+                ElementKind::$kind.at(assembly.$list.len() - 1)
+            }
+        })+
+
         impl Assembly {
             /// Elements, list by list.
             pub(in crate::elements) fn each(&self) -> impl Iterator<Item = (ElementId, &dyn element::Element)> {

@@ -37,7 +37,7 @@ pub use crate::finite::shell::{Constant, ShellError};
 pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
 pub use assembly::{Built, PartReduction};
-pub use builder::{CARRIER, Element};
+pub use builder::{AssemblyElement, CARRIER};
 pub use carrier::Carrier;
 pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;

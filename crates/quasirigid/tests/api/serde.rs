@@ -3,11 +3,11 @@
 use std::fmt::Debug;
 
 use quasirigid::elements::{Assembly, Station};
-use quasirigid::math::expression::Expression;
 use quasirigid::model::force::{Axes, Force, ForceLaw};
 use quasirigid::model::{Measured, Rheology};
 use quasirigid::prelude::*;
 use quasirigid::problems::ring_of_points;
+use quasirigid_math::expression::Expression;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 

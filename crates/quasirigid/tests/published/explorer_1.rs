@@ -1,6 +1,6 @@
 //! Explorer 1: with stiffened hinges against the closed form (X3), as it flew against `data/published/explorer_1`.
 
-use quasirigid::dynamics::{Forced, FullState, Options, Run, Sample, propagate_full, steady_spins};
+use quasirigid::dynamics::{Forced, FullState, Options, Run, Sample, Start, propagate_full, steady_spins};
 use quasirigid::model::Principal;
 use quasirigid::problems::Explorer1;
 use quasirigid::reduction::reduce;

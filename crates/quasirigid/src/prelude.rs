@@ -6,8 +6,8 @@ pub use crate::dynamics::{
     propagate_full, spin_path, steady_spins,
 };
 pub use crate::elements::{
-    Assembly, AssemblyElement, CARRIER, Carrier, ElementId, Ellipsoid, End, Hinged, Material, Point, PointMotion,
-    Spring,
+    Assembly, AssemblyElement, CARRIER, Carrier, ElementId, Ellipsoid, End, Hinged, Material, Point,
+    PointMotion, Spring,
 };
 pub use crate::math::rotation::{ALIGNED, angle};
 pub use crate::math::vec3::norm;

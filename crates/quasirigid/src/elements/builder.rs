@@ -5,11 +5,10 @@
 
 use super::error::{ElementId, ElementKind};
 use super::{
-    Assembly, Carrier, Cavity, Coefficient, Connection, Ellipsoid, End, HingeCoefficient, Hinged, Material,
-    Part, PlaceRef, Point, PointMotion, Prestress, Rotor, Spring, SpringLaw, Station, Surface, Wheel,
+    Assembly, Carrier, Coefficient, Ellipsoid, End, HingeCoefficient, Hinged, Material, PlaceRef, Point,
+    PointMotion, Prestress, Spring, SpringLaw,
 };
 use crate::model::Rheology;
-use crate::model::force::Force;
 
 /// The carrier, as an end of a spring.
 pub const CARRIER: ElementId = ElementId::CARRIER;

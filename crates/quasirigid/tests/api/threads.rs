@@ -18,7 +18,7 @@ const MODULES: [(&str, &str); 9] = [
 ];
 
 /// Traits, which have no threads to cross.
-const TRAITS: [&str; 3] = ["Element", "MeanPower", "Observer"];
+const TRAITS: [&str; 3] = ["AssemblyElement", "MeanPower", "Observer"];
 
 fn crosses<T: Send + Sync + Debug>() {}
 

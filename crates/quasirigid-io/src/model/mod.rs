@@ -4,6 +4,7 @@
 //! checked by [`quasirigid`]; [`Model::diagnose`] finds the place in the file that they speak of.
 
 mod body;
+mod bushing;
 mod cavity;
 mod diagnostic;
 mod ellipsoid;
@@ -72,6 +73,7 @@ const READERS: &[&Reader] = &[
     &point::READER,
     &hinged::READER,
     &spring::READER,
+    &bushing::READER,
     &part::network::READER,
     &rotor::READER,
     &wheel::READER,

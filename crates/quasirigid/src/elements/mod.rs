@@ -7,6 +7,7 @@ mod affine;
 mod assembly;
 mod attachment;
 mod builder;
+mod bushing;
 mod carrier;
 mod cavity;
 mod coefficient;
@@ -38,6 +39,7 @@ pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
 pub use assembly::{Built, PartReduction};
 pub use builder::{AssemblyElement, CARRIER};
+pub use bushing::Bushing;
 pub use carrier::Carrier;
 pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
@@ -66,6 +68,8 @@ kinds! {
     points: Point(Point) = "point";
     /// Springs and dashpots.
     springs: Spring(Spring) = "spring";
+    /// Bushings: springs along and about axes of their own.
+    bushings: Bushing(Bushing) = "bushing";
     /// Rigid appendages on hinges.
     hinged: Hinged(Hinged) = "appendage";
     /// Ellipsoids, each of them a whole body.

@@ -1,6 +1,7 @@
 //! Structures of finite elements: what they become on a carrier or floating, against other roads to the same body.
 
 mod beams;
+mod bushings;
 mod common;
 mod dissipators;
 mod ellipsoids;

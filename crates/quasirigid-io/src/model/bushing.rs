@@ -1,0 +1,83 @@
+use quasirigid::elements::{Bushing, ElementKind, End};
+
+use super::names::{Fixed, Part};
+use super::reader::{Draft, Entry, Keyed, Naming, Reader};
+use super::rheology::{Extremes, Scale, rheology};
+use super::table::{Keys, Table};
+use crate::units::Dimension;
+
+pub(super) const READER: Reader = Reader {
+    key: "bushing",
+    title: "[[bushing]]",
+    keys: Keyed::All(&BUSHING),
+    kind: Some(ElementKind::Bushing),
+    naming: Naming::Optional,
+    names: |_| Part::Spring,
+    aliases: &[],
+    nested: &[],
+    is_body: false,
+    read: |entry, draft| {
+        let (bushing, range) = bushing(entry, draft)?;
+        draft.assembly.bushings.push(bushing);
+        draft.range(ElementKind::Bushing, entry, range)
+    },
+};
+
+const BUSHING: Keys = Keys {
+    known: &[
+        "name",
+        "from",
+        "to",
+        "center",
+        "axes",
+        "stiffness",
+        "rotational_stiffness",
+        "damping",
+        "rotational_damping",
+        "rheology",
+    ],
+};
+
+/// Axes unless the file chooses others: those of the file.
+const ALIGNED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+/// Reads a `[[bushing]]`, and its rheology at the ends of the range it is known to.
+fn bushing(entry: &Entry<'_, '_>, draft: &Draft<'_, '_>) -> Option<(Bushing, Extremes)> {
+    let table = entry.table;
+    let end = |key: &'static str, example: &str| -> Option<End> {
+        table.required(key, example).and_then(|value| draft.names.end(&value, Fixed::Spring))
+    };
+    let (from, to) =
+        (end("from", "from = \"carrier\""), end("to", "to = { part = \"boom\", node = \"root\" }"));
+    let center = table.get("center").map_or(Some(None), |value| value.vector(Dimension::LENGTH).map(Some));
+    let axes = table
+        .get("axes")
+        .map_or(Some(ALIGNED), |value| value.array("two directions", |axis| axis.vector(Dimension::NUMBER)));
+    let stiffness = per_axis(table, "stiffness", Dimension::STIFFNESS);
+    let rotational_stiffness = per_axis(table, "rotational_stiffness", Dimension::ROTATIONAL_STIFFNESS);
+    let damping = per_axis(table, "damping", Dimension::DAMPING);
+    let rotational_damping = per_axis(table, "rotational_damping", Dimension::ROTATIONAL_DAMPING);
+    let known = rheology(table, Scale::OF_SPRING)?;
+    let bushing = Bushing {
+        name: entry.name.to_owned(),
+        from: from?,
+        to: to?,
+        center: center?,
+        axes: axes?,
+        stiffness: stiffness?,
+        rotational_stiffness: rotational_stiffness?,
+        damping: damping?,
+        rotational_damping: rotational_damping?,
+        rheology: known.rheology,
+    };
+    Some((bushing, known.extremes))
+}
+
+/// Reads a coefficient: one number for the three axes or one each; none is zero.
+fn per_axis(table: &Table<'_>, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
+    match table.get(key) {
+        None => Some([0.0; 3]),
+        Some(value) if value.is_array() => value.array("numbers", |item| item.non_negative(dimension)),
+        Some(value) => value.non_negative(dimension).map(|number| [number; 3]),
+    }
+}

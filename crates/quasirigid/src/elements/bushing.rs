@@ -1,0 +1,226 @@
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+
+use super::assembly::Net;
+use super::attachment::Attachment;
+use super::element::{Element, Grip, Role, Site};
+use super::error::{ElementError, ElementId, Field, Problem, at};
+use super::{Assembly, Coefficient, End, Incomplete, coefficient};
+use crate::finite::Link;
+use crate::model::Rheology;
+use crate::structure::Block;
+
+/// A bushing: springs and dashpots between two places, three along axes of its own and three about them, in an elastic centre. (I11)
+///
+/// Its strain is the displacement and the rotation of the second place relative to the first, both at the centre, to first order in the
+/// coordinates; a rigid motion of the whole does not strain it. A material point has no rotation: the centre is at the point, and no moment
+/// acts there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bushing {
+    /// Name; empty if it is called after its ends. Links of the same name are one dissipator.
+    pub name: String,
+    /// One end.
+    pub from: End,
+    /// The other end.
+    pub to: End,
+    /// Elastic centre (m), in the file's frame; none for the place of an end: of one without rotations, else of the first that is not the
+    /// carrier.
+    pub center: Option<[f64; 3]>,
+    /// Direction of its first axis, and one in the plane of the first two, in the file's frame; of any length but zero.
+    pub axes: [[f64; 3]; 2],
+    /// Stiffness along each axis (N/m).
+    pub stiffness: [f64; 3],
+    /// Stiffness about each axis (N·m/rad).
+    pub rotational_stiffness: [f64; 3],
+    /// Damping along each axis (N·s/m).
+    pub damping: [f64; 3],
+    /// Damping about each axis (N·m·s/rad).
+    pub rotational_damping: [f64; 3],
+    /// Response of its springs to periodic strain, beside the damping.
+    pub rheology: Rheology,
+}
+
+/// Key of the stiffness about the axes.
+const ROTATIONAL_STIFFNESS: Field = Field::new("rotational_stiffness");
+/// Key of the damping about the axes.
+const ROTATIONAL_DAMPING: Field = Field::new("rotational_damping");
+/// An arm is none below this share of the distances from the origin.
+const NO_ARM: f64 = 1e-9;
+
+impl Bushing {
+    /// Force and moment for a strain and for its rate, in the file's axes.
+    fn laws(&self, id: ElementId) -> Result<[Matrix6<f64>; 2], ElementError> {
+        self.rheology.check().map_err(|error| at(id, Field::RHEOLOGY)(error.into()))?;
+        let R = self.rotation().map_err(at(id, Field::AXES))?;
+        let law = |along: [f64; 3], about: [f64; 3], fields: [Field; 2]| {
+            let mut law = Matrix6::zeros();
+            for (block, (values, field)) in [along, about].into_iter().zip(fields).enumerate() {
+                let matrix = coefficient::matrix(Coefficient::Diagonal(values)).map_err(at(id, field))?;
+                law.fixed_view_mut::<3, 3>(3 * block, 3 * block).copy_from(&(R * matrix * R.transpose()));
+            }
+            Ok(law)
+        };
+        Ok([
+            law(self.stiffness, self.rotational_stiffness, [Field::STIFFNESS, ROTATIONAL_STIFFNESS])?,
+            law(self.damping, self.rotational_damping, [Field::DAMPING, ROTATIONAL_DAMPING])?,
+        ])
+    }
+
+    /// Its axes as columns, in the file's frame.
+    fn rotation(&self) -> Result<Matrix3<f64>, Problem> {
+        let [first, plane] = self.axes;
+        let (first, plane) = (coefficient::unit(first)?, coefficient::unit(plane)?);
+        let third = coefficient::unit(first.cross(&plane).into()).map_err(|_| Problem::DependentAxes)?;
+        Ok(Matrix3::from_columns(&[first, third.cross(&first), third]))
+    }
+
+    /// Whether a moment acts in it.
+    fn has_moment(&self) -> bool {
+        self.rotational_stiffness != [0.0; 3] || self.rotational_damping != [0.0; 3]
+    }
+
+    /// Elastic centre (m), in the file's frame, where the ends are at these places; those that turn are told.
+    fn center(&self, places: [(Vector3<f64>, bool); 2]) -> Vector3<f64> {
+        let still = places.iter().find(|(_, turns)| !turns);
+        let moving = [self.from, self.to].iter().position(|end| *end != End::Carrier);
+        let usual = still.map_or(places[moving.unwrap_or(0)].0, |(place, _)| *place);
+        self.center.map_or(usual, Vector3::from)
+    }
+
+    /// Accepts an end at its distance from the centre: one without rotations is at it, and bears no moment.
+    fn accepts(
+        &self,
+        end: &str,
+        place: Vector3<f64>,
+        turns: bool,
+        center: Vector3<f64>,
+    ) -> Result<(), Problem> {
+        coefficient::finite(center.as_slice())?;
+        let distance = (center - place).norm();
+        if turns {
+            return Ok(());
+        }
+        if distance > NO_ARM * (center.norm() + place.norm()) {
+            let node = "the centre of the bushing".to_owned();
+            return Err(Problem::NoArm { base: end.to_owned(), node, distance });
+        }
+        if self.has_moment() { Err(Problem::NoTurn { node: end.to_owned() }) } else { Ok(()) }
+    }
+
+    /// Stiffness and damping over the coordinates of both ends. (I11)
+    fn between(&self, id: ElementId, name: &str, ends: [&Attachment; 2]) -> Result<Block, ElementError> {
+        if self.from == self.to {
+            return Err(at(id, Field::TO)(Problem::SameEnds));
+        }
+        let laws = self.laws(id)?;
+        let carried =
+            |end: End, place: &Attachment| (place.position, end == End::Carrier || place.turns.is_some());
+        let center = self.center([carried(self.from, ends[0]), carried(self.to, ends[1])]);
+        let mut moved = Vec::new();
+        for (end, sign, field) in [(ends[0], -1.0, Field::FROM), (ends[1], 1.0, Field::TO)] {
+            let known = self.accepts(&end.name, end.position, end.turns.is_some(), center);
+            known.map_err(at(id, field))?;
+            moved.extend(end.motion_at(center).into_iter().map(|(column, motion)| (column, sign * motion)));
+        }
+        Ok(Block::between(name, &self.rheology, &moved, &laws[0], &laws[1]))
+    }
+}
+
+impl Attachment {
+    /// Displacement and rotation of a piece that moves with it, at a centre, per unit of each coordinate.
+    fn motion_at(&self, center: Vector3<f64>) -> Vec<(usize, Vector6<f64>)> {
+        let arm = center - self.position;
+        let mut motion: Vec<(usize, Vector6<f64>)> = Vec::new();
+        for (column, shape) in &self.shapes {
+            motion.push((*column, stacked((*shape).into(), Vector3::zeros())));
+        }
+        for (column, turn) in self.turns.iter().flatten() {
+            let turn = Vector3::from(*turn);
+            motion.push((*column, stacked(turn.cross(&arm), turn)));
+        }
+        motion
+    }
+}
+
+fn stacked(displacement: Vector3<f64>, rotation: Vector3<f64>) -> Vector6<f64> {
+    let [x, y, z] = displacement.into();
+    let [a, b, c] = rotation.into();
+    Vector6::new(x, y, z, a, b, c)
+}
+
+/// Motion at a centre of a node with six freedoms, from its own.
+fn transport(arm: Vector3<f64>) -> Matrix6<f64> {
+    let mut map = Matrix6::identity();
+    map.fixed_view_mut::<3, 3>(0, 3).copy_from(&-arm.cross_matrix());
+    map
+}
+
+impl Element for Bushing {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn is_unique(&self) -> bool {
+        false
+    }
+
+    fn role(&self) -> Role {
+        Role::Link
+    }
+
+    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
+        let check = || {
+            let from = body.at_rest(self.from).map_err(at(id, Field::FROM))?;
+            let to = body.at_rest(self.to).map_err(at(id, Field::TO))?;
+            self.between(id, "", [&from, &to]).map(drop)
+        };
+        check().err().into_iter().collect()
+    }
+
+    fn incomplete(&self) -> Vec<Incomplete> {
+        let placed = [self.from, self.to].iter().any(|end| matches!(end, End::Hinged(_)));
+        if placed { vec![Incomplete::SpringsOnAppendages] } else { Vec::new() }
+    }
+
+    fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
+        vec![&mut self.rheology]
+    }
+
+    fn grips(&self) -> Vec<Grip> {
+        let ends = [(Field::FROM, self.from), (Field::TO, self.to)];
+        ends.map(|(field, end)| Grip { field, end, moment: true }).to_vec()
+    }
+
+    fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+        self.between(site.id, site.name, site.ends(self.from, self.to)?).map(Some)
+    }
+
+    fn afloat(&self, id: ElementId, net: &mut Net<'_>) -> Result<(), ElementError> {
+        if self.from == self.to {
+            return Err(at(id, Field::TO)(Problem::SameEnds));
+        }
+        let laws = self.laws(id)?;
+        let from = net.node_at(self.from).map_err(at(id, Field::FROM))?;
+        let to = net.node_at(self.to).map_err(at(id, Field::TO))?;
+        let nodes = [from, to].map(|node| net.structure.nodes[node]);
+        let center = self.center(nodes.map(|node| (node.place, node.turns)));
+        for (node, number, field) in [(nodes[0], from, Field::FROM), (nodes[1], to, Field::TO)] {
+            self.accepts(&net.node_name(number), node.place, node.turns, center).map_err(at(id, field))?;
+        }
+        let matter = net.matter(&self.rheology);
+        let link = if nodes.iter().all(|node| node.turns) {
+            let [a, b] = nodes.map(|node| transport(center - node.place));
+            Link::new([from, to], matter, [-a, b], laws)
+        } else {
+            let distance = (nodes[1].place - nodes[0].place).norm();
+            if distance > NO_ARM * (nodes[0].place.norm() + nodes[1].place.norm()) {
+                let [base, node] = if nodes[0].turns { [to, from] } else { [from, to] };
+                let (base, node) = (net.node_name(base), net.node_name(node));
+                return Err(at(id, Field::TO)(Problem::NoArm { base, node, distance }));
+            }
+            let laws = laws.map(|law| -> Matrix3<f64> { law.fixed_view::<3, 3>(0, 0).into_owned() });
+            Link::new([from, to], matter, [-Matrix3::identity(), Matrix3::identity()], laws)
+        };
+        net.structure.elements.push(Box::new(link));
+        Ok(())
+    }
+}

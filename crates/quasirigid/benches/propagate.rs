@@ -5,9 +5,10 @@ use std::hint::black_box;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use quasirigid::dynamics::{Form, Options, spin_path};
+use quasirigid::dynamics::{Form, Options, Sample, Start, propagate, spin_path};
 use quasirigid::problems::QuarticQuintic;
 use quasirigid_math::polynomial::{Kernel, Series};
+use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::simd::{Arithmetic, Task, dispatch};
 use quasirigid_math::vec3::cross;
 
@@ -44,6 +45,18 @@ fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
     bencher
         .counter(ItemsCount::new(1000_usize))
         .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], &options));
+}
+
+/// The same with attitude and accounts, the invariants held. Items are seconds of motion.
+#[divan::bench(args = [Form::Momentum, Form::Paper])]
+fn with_attitude_and_accounts_1000_s(bencher: Bencher, form: Form) {
+    let problem = QuarticQuintic::published();
+    let options = Options { form, ..Options::default() };
+    let start = Start::new(problem.omega, ALIGNED);
+    bencher.counter(ItemsCount::new(1000_usize)).bench(|| {
+        let mut samples: Vec<Sample> = Vec::new();
+        propagate(&problem.body, black_box(start), &[1000.0], &options, &mut samples)
+    });
 }
 
 /// Many right-hand sides, each waiting for the one before.

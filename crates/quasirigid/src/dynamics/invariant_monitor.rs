@@ -17,6 +17,9 @@ use crate::model::Displaced;
 
 /// The motion of a system that is integrated. Its state begins with the momentum in body axes, or with the angular velocity.
 pub(super) trait Trajectory {
+    /// State of the system.
+    type State: State;
+
     /// Where the attitude begins in the state.
     const ATTITUDE: usize;
 
@@ -28,6 +31,14 @@ pub(super) trait Trajectory {
 
     /// Place of a state, whose attitude is this one once it is aligned.
     fn seat(&self, t: f64, y: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat;
+
+    /// A change of the momentum and the attitude of a state as a state, zero elsewhere.
+    fn change(&self, y: &Self::State, momentum: [f64; 3], attitude: [f64; 4]) -> Self::State {
+        let mut change = y.zeroed();
+        change.as_mut()[..3].copy_from_slice(&momentum);
+        change.as_mut()[Self::ATTITUDE..Self::ATTITUDE + 4].copy_from_slice(&attitude);
+        change
+    }
 
     /// Quantity that is constant along the motion.
     fn invariant(&self) -> Invariant;
@@ -174,9 +185,9 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
 
     /// Puts `|K|` back to its value (P6) and the attitude where it belongs (P3).
     #[inline(always)]
-    fn hold_invariants<M: Solver>(&mut self, solver: &mut M) {
+    fn hold_invariants(&mut self, solver: &mut impl Solver<State = T::State>) {
         let y = solver.y().as_ref();
-        let mut change = solver.y().zeroed();
+        let mut pull = [0.0; 3];
         let momentum = match self.trajectory.invariant() {
             Invariant::Impulse => [0.0; 3],
             Invariant::Momentum | Invariant::Direction => self.trajectory.momentum(solver.t(), y),
@@ -184,18 +195,15 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         if self.trajectory.invariant() == Invariant::Momentum && self.momentum.held() {
             let drift = self.momentum.drift(momentum);
             self.drift += drift;
-            for axis in 0..3 {
-                change.as_mut()[axis] = -drift * momentum[axis];
-            }
+            pull = momentum.map(|K| -drift * K);
         }
-        for (i, part) in self.aligned(y, momentum).into_iter().enumerate() {
-            change.as_mut()[T::ATTITUDE + i] = part - y[T::ATTITUDE + i];
-        }
-        solver.correct(&change);
+        let aligned = self.aligned(y, momentum);
+        let turn = std::array::from_fn(|i| aligned[i] - y[T::ATTITUDE + i]);
+        solver.correct(&self.trajectory.change(solver.y(), pull, turn));
     }
 }
 
-impl<M: Solver, T: Trajectory> StepObserver<M> for InvariantMonitor<'_, T> {
+impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMonitor<'_, T> {
     fn output(&mut self, t: f64, y: &M::State) {
         let view = self.trajectory.view(t, y.as_ref());
         let sample = self.read(t, y.as_ref(), &view);

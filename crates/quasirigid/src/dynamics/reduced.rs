@@ -147,6 +147,8 @@ impl<E: Equations> Reduced<'_, E> {
 }
 
 impl<E: Equations> Trajectory for Reduced<'_, E> {
+    type State = [f64; 12];
+
     const ATTITUDE: usize = ATTITUDE;
 
     #[inline(always)]
@@ -176,6 +178,11 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
         let place = add(place, scale(t, velocity));
         let offset = rotation::to_inertial(attitude, self.shares.body.pole.vector(view.omega));
         Seat { place, velocity, pole: add(place, offset) }
+    }
+
+    #[inline(always)]
+    fn change(&self, _: &[f64; 12], x: [f64; 3], attitude: [f64; 4]) -> [f64; 12] {
+        Accounts { x, attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 }.pack()
     }
 
     #[inline(always)]

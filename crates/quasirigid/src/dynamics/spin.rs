@@ -45,6 +45,7 @@ pub(super) struct Accounts {
 pub(super) const ATTITUDE: usize = 4;
 
 impl Accounts {
+    #[inline(always)]
     pub fn pack(self) -> [f64; 12] {
         let [x, y, z] = self.x;
         let [s, i, j, k] = self.attitude;

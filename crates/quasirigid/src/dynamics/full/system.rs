@@ -149,6 +149,8 @@ impl System<Vec<f64>> for FullSystem<'_> {
 }
 
 impl Trajectory for FullSystem<'_> {
+    type State = Vec<f64>;
+
     const ATTITUDE: usize = ATTITUDE;
 
     fn view(&mut self, t: f64, y: &[f64]) -> StateView {

@@ -94,6 +94,8 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
 }
 
 impl Trajectory for SlowSystem<'_> {
+    type State = [f64; SLOW];
+
     const ATTITUDE: usize = ATTITUDE;
 
     fn view(&mut self, t: f64, y: &[f64]) -> StateView {

@@ -13,8 +13,9 @@ use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::{Setting, StudyError};
+use crate::history_columns::{columns, coordinate_columns, displacement_columns};
 use crate::motion::Motion;
-use crate::record::{columns, coordinate_columns, displacement_columns, status};
+use crate::record::status;
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{drift_note, shares, verdict};

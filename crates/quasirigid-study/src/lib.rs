@@ -59,6 +59,7 @@ pub mod derive;
 mod error;
 pub mod evolution;
 pub mod histories;
+mod history_columns;
 mod incomplete;
 pub mod layout;
 mod left_out;

@@ -1,15 +1,15 @@
 //! The path of the angular momentum on its sphere, seen from the body.
 
-mod path;
 mod polhode;
+mod stretches;
 mod vector;
 mod view;
 
 use maud::{Markup, html};
 use quasirigid_io::record::{BodyRecord, HistoryRecord};
 
-use path::{momentum_directions, pieces};
 use polhode::polhodes;
+use stretches::{momentum_directions, pieces};
 use vector::{Vector, combined, dot};
 use view::{Halves, RADIUS, Spot, View};
 

@@ -14,7 +14,7 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 use quasirigid_math::vec3::norm;
 
 use super::approach::approach;
-use super::road::{Refusal, Verdict};
+use super::method::{Refusal, Verdict};
 use super::table::EvolutionTable;
 use super::{Asked, words};
 use crate::error::StudyError;

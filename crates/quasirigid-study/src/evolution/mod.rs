@@ -2,7 +2,7 @@
 
 mod ageing;
 mod approach;
-mod road;
+mod method;
 mod table;
 mod words;
 
@@ -25,7 +25,7 @@ use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
 use ageing::Ageing;
-use road::History;
+use method::History;
 use table::EvolutionTable;
 
 pub use words::text;
@@ -111,11 +111,11 @@ pub(crate) fn follow(
     let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
     let mut watch = |share: f64| observer.at("following", share);
     let run = if torque.is_zero() {
-        match road::choose(study, start, asked, &mut ageing, &mut watch)? {
+        match method::choose(study, start, asked, &mut ageing, &mut watch)? {
             Ok(history) => history,
             Err(refusal) => return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() }),
         }
-    } else if let Some(refusal) = road::under_torque(study, start, asked, &mut ageing)? {
+    } else if let Some(refusal) = method::under_torque(study, start, asked, &mut ageing)? {
         return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() });
     } else {
         History::None

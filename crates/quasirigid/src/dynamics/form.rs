@@ -1,6 +1,6 @@
 //! The two forms of the reduced equations, compiled for integration.
 
-use super::conserved::size;
+use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};

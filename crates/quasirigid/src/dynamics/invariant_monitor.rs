@@ -1,4 +1,4 @@
-//! Conservation laws and accounts along an integration: momentum and attitude are projected back onto what is constant
+//! Invariant monitor: after each step the angular momentum and the attitude are projected back onto their constants
 //! (P3), (P6), events are looked for, and states become samples.
 //!
 //! One monitor serves every system that is integrated, which tells it as a [`Trajectory`] what its states mean.
@@ -6,7 +6,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use super::conserved::Conserved;
+use super::conserved_momentum::Conserved;
 use super::event::EventDetector;
 use super::run::{Observer, Options, Outcome, Pace, Sample};
 use super::seat::Seat;

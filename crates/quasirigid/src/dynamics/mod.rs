@@ -1,6 +1,6 @@
 //! Motion of a body: full, reduced, rigid.
 
-mod conserved;
+mod conserved_momentum;
 mod damped;
 mod event;
 mod external;

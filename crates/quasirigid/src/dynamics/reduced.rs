@@ -1,4 +1,4 @@
-use super::conserved::{Conserved, inside};
+use super::conserved_momentum::{Conserved, inside};
 use super::form::{Equations, Form, MomentumForm, PaperForm};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::quadrature::Quadrature;

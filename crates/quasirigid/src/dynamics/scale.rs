@@ -1,4 +1,4 @@
-use super::conserved::{inside, size};
+use super::conserved_momentum::{inside, size};
 use super::external::{Forced, Pose};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{MotionState, Support};

@@ -1,6 +1,6 @@
 use std::ops::ControlFlow;
 
-use super::conserved::inside;
+use super::conserved_momentum::inside;
 use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;

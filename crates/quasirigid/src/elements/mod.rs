@@ -76,7 +76,7 @@ kinds! {
     ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid";
     /// Solids inside closed surfaces, each of them a whole body.
     surfaces: Surface(Surface) = "surface";
-    /// BodyParts of finite elements.
+    /// Parts of finite elements.
     parts: Part(Part) = "part";
     /// Joints between parts, and between them and the carrier.
     connections: Connection(Connection) = "connection";

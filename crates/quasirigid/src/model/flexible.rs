@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use super::mechanism::named;
+use super::flexible_error::named;
 use super::{
     Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Invariants, LiquidMemory,
     Lossy, Marker, PartMass, Support, Watched, Wheels,
@@ -13,7 +13,7 @@ use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3;
 
-/// A body that bends and dissipates, as its dynamics sees it: the first waist of the program.
+/// A body that bends and dissipates, as its dynamics sees it: the first core type.
 ///
 /// The body frame has the axes of the model file and its origin at the pole `O`. `n` internal coordinates `q` with
 /// mass, damping and stiffness matrices `A, B, C` (paper, (1.3)–(1.5)): first the elastic ones, whose values springs

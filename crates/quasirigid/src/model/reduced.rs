@@ -2,7 +2,7 @@ use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
 
-/// The reduced equations of a nearly rigid body to order `p`: the second waist of the program.
+/// The reduced equations of a nearly rigid body to order `p`: the second core type.
 ///
 /// Polynomials in the spin `ω` (rad/s, body axes), kept degree by degree. Everything that uses the reduced equations
 /// takes this type and asks no more how it was made.

@@ -1,4 +1,4 @@
-/// The few coordinates of the parts of a body beside the unknowns that they stand for. (K8)
+/// Number of coordinates that parts of finite elements keep, beside the number of their unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condensation {
     /// Displacements and rotations of nodes, angles of joints, coordinates of modes.

@@ -32,6 +32,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::Assembly>();
     crosses::<elements::BeamError>();
     crosses::<elements::Built>();
+    crosses::<elements::Bushing>();
     crosses::<elements::Carrier>();
     crosses::<elements::Cavity>();
     crosses::<elements::CavityShape>();

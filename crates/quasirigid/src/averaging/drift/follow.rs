@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::ending::{DriftEnding, DriftHistory};
 use super::rates::Rates;
-use super::separatrix::SEPARATRIX;
+use super::region_choice::SEPARATRIX;
 use super::{Drift, DriftLimits, DriftState};
 use crate::averaging::evolution::Stage;
 use crate::averaging::power::MeanPower;

@@ -3,7 +3,7 @@
 mod ending;
 mod follow;
 mod rates;
-mod separatrix;
+mod region_choice;
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use super::slow_torque::SlowTorque;
 use crate::model::Principal;
 
 pub use ending::{DriftEnding, DriftHistory};
-pub use separatrix::SeparatrixPassage;
+pub use region_choice::SeparatrixPassage;
 
 /// Secular evolution of a rotation under a slow torque: energy and angular momentum both drift. (A8)
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use super::descent::{Descent, unit};
 use super::energy::SlowEnergy;
 use super::leg::Leg;
 use super::level::{Level, traced};
-use super::separatrix::Saddles;
+use super::saddle_passage::Saddles;
 use crate::math::sphere::{StationaryKind, StationaryPoint, directions, stationary};
 use crate::math::sym3;
 use crate::math::vec3::{norm, scale};

@@ -6,9 +6,9 @@ mod evolution;
 mod leg;
 mod level;
 mod passage;
-mod separatrix;
+mod saddle_passage;
 
 pub use evolution::{LevelError, LevelEvolution};
 pub use level::Level;
 pub use passage::{LevelEnding, LevelPassage, LevelRow, Until};
-pub use separatrix::{Separatrix, Way};
+pub use saddle_passage::{Separatrix, Way};

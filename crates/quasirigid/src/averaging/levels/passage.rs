@@ -1,6 +1,6 @@
 use super::evolution::{LevelError, LevelEvolution};
 use super::leg::{Leg, Piece};
-use super::separatrix::Separatrix;
+use super::saddle_passage::Separatrix;
 use crate::math::bisection::bisected;
 use crate::math::vec3::scale;
 

@@ -1,7 +1,7 @@
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
-use crate::dynamics::conserved::Conserved;
+use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};

@@ -2,7 +2,7 @@ use super::flow::{MAX_FORCED_ORDER, SlowPoint};
 use super::state::SlowState;
 use super::state::slow_state_point;
 use super::system::SlowSystem;
-use crate::dynamics::conserved::Conserved;
+use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
 use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView, Trajectory};

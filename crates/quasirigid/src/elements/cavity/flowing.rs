@@ -8,7 +8,7 @@ use super::meshed::MeshedFlow;
 use super::pipe::PipeFlow;
 use super::revolved::MeridianFlow;
 use super::shape::{CavityShape, Extent};
-use super::{ideal, layer};
+use super::{boundary_layer, ideal};
 use crate::elements::error::{Field, Problem};
 use crate::flow::revolution::{self, Fineness, Outline};
 use crate::flow::stokes;
@@ -49,7 +49,8 @@ impl Flowing {
             (Some(shape.extent().unwrap_or_else(|| (&moments).into())), Some(slip))
         };
         let (extent, slip) = extent.zip(slip).ok_or(unresolved.clone())?;
-        let relaxations = layer::relaxations(&slip, modes + 1, extent.mean_inertia()).ok_or(unresolved)?;
+        let relaxations =
+            boundary_layer::relaxations(&slip, modes + 1, extent.mean_inertia()).ok_or(unresolved)?;
         Ok(Self { extent, relaxations, errors: None, equivalent: Some(slip.equivalent(extent.inertia())) })
     }
 

@@ -1,10 +1,10 @@
 //! Cavities full of a viscous liquid.
 
 mod advection;
+mod boundary_layer;
 mod ellipsoid;
 mod flowing;
 mod ideal;
-mod layer;
 mod liquid;
 mod meshed;
 mod pipe;

@@ -12,7 +12,7 @@ use quasirigid_mesh::meshing::{Neck, graded, necks};
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
 /// About how many cells a mesh has at first, and those with which more is tried while the error is larger than wanted.
 const CELLS: [usize; 2] = [6_000, 16_000];
-/// BodyParts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
+/// Parts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
 const COARSER: [f64; 2] = [0.25, 0.5];
 /// Error at which no finer mesh is tried, and from which there is no answer unless it was asked for.
 const WANTED: f64 = 0.05;

@@ -1,4 +1,4 @@
-//! What an acceleration that is the same everywhere, and one that varies linearly, do to every mass element at once.
+//! Uniform gravity and the gravity gradient: accelerations of mass elements, summed over a body.
 
 use super::Loads;
 use crate::math::scalar::Smooth;

@@ -2,8 +2,8 @@
 //! to the boundary layer beyond.
 
 mod fields;
-mod layer;
 mod radial;
+mod spinning_boundary_layer;
 #[cfg(test)]
 mod tests;
 
@@ -50,8 +50,8 @@ impl Spinning {
         }
         let share = self.resolved() / size;
         let near = Self { tau: share * self.tau, ..self };
-        let [inviscid, layer] = layer::drag(self, m, sigma);
-        let [inviscid_near, layer_near] = layer::drag(near, m, share * sigma);
+        let [inviscid, layer] = spinning_boundary_layer::drag(self, m, sigma);
+        let [inviscid_near, layer_near] = spinning_boundary_layer::drag(near, m, share * sigma);
         inviscid + layer * (near.exact(m, share * sigma) - inviscid_near) / layer_near
     }
 

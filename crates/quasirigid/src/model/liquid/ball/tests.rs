@@ -44,7 +44,7 @@ fn a_slow_ball_begins_as_its_series() {
 }
 
 fn layer_of(stretch: f64, sigma: C, tau: f64) -> C {
-    layer::drag(Spinning { stretch, tau }, 1, sigma).iter().sum()
+    spinning_boundary_layer::drag(Spinning { stretch, tau }, 1, sigma).iter().sum()
 }
 
 /// More functions and degrees change nothing.
@@ -156,7 +156,7 @@ fn the_ratio_joins_the_fields() {
         let at = |size: f64| {
             let tau = size / (2.0 + f64::abs(frequency));
             let sigma = C::new(0.0, frequency * tau);
-            let [core, layer] = layer::drag(Spinning { stretch: 1.0, tau }, 1, sigma);
+            let [core, layer] = spinning_boundary_layer::drag(Spinning { stretch: 1.0, tau }, 1, sigma);
             (drag(1, sigma, tau) - core) / layer
         };
         let [below, above] =

@@ -8,9 +8,9 @@ use quasirigid::reduction::frequencies;
 use quasirigid::secular::{AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes};
 use quasirigid_math::vec3::norm;
 
-use super::choice::Choice;
 use super::full::REFUSED;
-use super::ground::Ground;
+use super::short_or_full::Choice;
+use super::steady_spins::Ground;
 use super::verdict::Road;
 use crate::error::StudyError;
 use crate::evolution::ageing::Ageing;

@@ -1,3 +1,5 @@
+//! Passage through the separatrix on level curves of the slow energy: the saddles, and the regions that meet at their energy.
+
 use super::descent::unit;
 use super::energy::SlowEnergy;
 use super::level::{Traced, traced};

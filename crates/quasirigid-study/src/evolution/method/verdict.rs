@@ -5,8 +5,8 @@ use quasirigid::model::Mode;
 use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
 
 use super::History;
-use super::ground::Ground;
-use super::way::{Levels, Way};
+use super::start_and_end::{Levels, Way};
+use super::steady_spins::Ground;
 use crate::evolution::ageing::Ageing;
 use crate::resolution::{NOTHING, known};
 use crate::words::significant;

@@ -6,8 +6,8 @@ use quasirigid::secular::{
     DirectEnding, DirectOptions, DirectRow, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
 };
 
-use super::choice::{Choice, MANY};
-use super::ground::Ground;
+use super::short_or_full::{Choice, MANY};
+use super::steady_spins::Ground;
 use super::verdict::Road;
 use crate::error::StudyError;
 use crate::words::{significant, time};

@@ -1,3 +1,5 @@
+//! Boundary layer of a liquid that spins with a ball or a spheroid: drag and moment of inertia at a frequency. (L17)
+
 use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Vector3};

@@ -1,3 +1,5 @@
+//! Boundary layer of a liquid at high Reynolds number that does not spin: memory of the layer as relaxations. (L12)–(L14)
+
 use std::f64::consts::PI;
 
 use nalgebra::{SymmetricEigen, Vector3};

@@ -6,7 +6,7 @@ use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
-use super::choice::Choice;
+use super::short_or_full::Choice;
 use super::verdict::Road;
 use crate::evolution::Asked;
 use crate::study::Study;

@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 
-use super::ground::Ground;
+use super::start_and_end::Way;
+use super::steady_spins::Ground;
 use super::verdict::Road;
-use super::way::Way;
 use crate::error::StudyError;
 use crate::evolution::ageing::Ageing;
 

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
 use quasirigid::dynamics::FullState;
 
-use super::ground::Ground;
+use super::steady_spins::Ground;
 use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::evolution::ageing::Ageing;

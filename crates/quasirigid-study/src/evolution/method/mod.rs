@@ -1,12 +1,12 @@
-//! By which road an evolution is followed, and what speaks for it. (Q7)
+//! Choice of the method of an evolution: average, level curves, short runs or the full system, with the criteria of each. (Q7)
 
 mod average;
-mod choice;
 mod full;
-mod ground;
 mod levels;
+mod short_or_full;
+mod start_and_end;
+mod steady_spins;
 mod verdict;
-mod way;
 
 use std::ops::ControlFlow;
 
@@ -23,11 +23,11 @@ use crate::error::StudyError;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::significant;
-use choice::Choice;
-use ground::Ground;
+use short_or_full::Choice;
+use start_and_end::Way;
+use steady_spins::Ground;
 pub use verdict::Verdict;
 use verdict::{take, unfounded};
-use way::Way;
 
 /// What is followed beside a power.
 pub enum History {

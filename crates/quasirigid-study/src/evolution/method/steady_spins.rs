@@ -1,3 +1,5 @@
+//! Steady spins at the angular momentum of the start, with their modes: the grounds on which a method is judged.
+
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use quasirigid::averaging::{FreeRotation, MeanPower, Stage};

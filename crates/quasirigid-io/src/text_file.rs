@@ -36,13 +36,17 @@ pub enum Place {
     Line(usize),
     /// A byte of a binary file, from 0.
     Byte(usize),
-    /// A byte, from 0, of a file inside an archive.
-    Member {
-        /// The file inside.
-        name: String,
-        /// The byte.
-        byte: usize,
-    },
+    /// A byte of a file inside an archive.
+    Member(Box<Member>),
+}
+
+/// A place in a file inside an archive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Member {
+    /// The file inside.
+    pub name: String,
+    /// The byte, from 0.
+    pub byte: usize,
 }
 
 impl fmt::Display for Place {
@@ -51,7 +55,7 @@ impl fmt::Display for Place {
             Self::File => Ok(()),
             Self::Line(line) => write!(f, ":{line}"),
             Self::Byte(byte) => write!(f, ": byte {byte}"),
-            Self::Member { name, byte } => write!(f, ": {name}: byte {byte}"),
+            Self::Member(member) => write!(f, ": {}: byte {}", member.name, member.byte),
         }
     }
 }

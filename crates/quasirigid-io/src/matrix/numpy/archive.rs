@@ -7,6 +7,7 @@ use super::sparse::{self, Parts};
 use crate::matrix::error::{Fault, MatrixProblem, Place};
 use crate::matrix::listed::At;
 use crate::matrix::{LARGEST, MatrixFile};
+use crate::text_file::Member;
 
 /// The matrix of a `.npz` archive: a sparse one in its parts, or a dense one by its name.
 pub(in crate::matrix) fn read_archive(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
@@ -84,5 +85,5 @@ fn archive(error: &impl ToString) -> MatrixProblem {
 }
 
 fn member(name: &str, byte: usize) -> Place {
-    Place::Member { name: format!("{name}.npy"), byte }
+    Place::Member(Box::new(Member { name: format!("{name}.npy"), byte }))
 }

@@ -79,7 +79,7 @@ fn names_are_unique_across_all_parts() {
         |name: &str| with("").replacen("[[ellipsoid]]", &format!("[[ellipsoid]]\nname = \"{name}\""), 1);
     assert_eq!(read(&named("Toutatis")).assembly.ellipsoids[0].name, "Toutatis");
     assert_snapshot!(refusal(&format!("{}{POINT}", named("tip"))), @r#"
-    model.toml:2:8: the name "tip" is used twice; it stands first in line 10
+    model.toml:10:8: the name "tip" is used twice; it stands first in line 2
       give each element its own name
     "#);
     assert_snapshot!(refusal(&named("carrier")), @r#"

@@ -227,7 +227,7 @@ impl Homogeneous {
     /// Value at a point, row by row.
     ///
     /// ```
-    /// use quasirigid::math::polynomial::Homogeneous;
+    /// use quasirigid_math::polynomial::Homogeneous;
     ///
     /// let doubled = Homogeneous::linear(&[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
     /// assert_eq!(doubled.value([1.0, -3.0, 0.5]), [2.0, -6.0, 1.0]);

@@ -103,8 +103,8 @@ impl Assembly {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
+        self.without_carrier()?;
         let Some((id, alone)) = self.alone()? else {
-            self.without_carrier()?;
             return if self.carrier.is_some() { self.carried(forces) } else { self.floating(forces, None) };
         };
         let Some(WholeBody { body, condensation, resolution }) = alone.whole(id, self.reduction, told)?
@@ -173,24 +173,33 @@ impl Assembly {
 
     /// The element that is the whole body, if there is one; no other may stand beside it.
     fn alone(&self) -> Result<Option<(ElementId, &dyn Element)>, ElementError> {
-        let Some(alone) = self.each().find(|(_, element)| element.role() == Role::Whole) else {
-            return Ok(None);
-        };
-        let others = self.each().filter(|(id, element)| *id != alone.0 && element.role() != Role::External);
+        let Some(alone) = self.whole() else { return Ok(None) };
+        let beside = |role: Role| !matches!(role, Role::External | Role::Inside(_));
+        let others = self.each().filter(|(id, element)| *id != alone.0 && beside(element.role()));
         let carrier = self.carrier.iter().map(|_| ElementId::CARRIER);
-        if let Some(beside) = carrier.chain(others.map(|(id, _)| id)).next() {
-            return Err(at(beside, Field::NAME)(Problem::BesideWhole));
+        if let Some(other) = carrier.chain(others.map(|(id, _)| id)).next() {
+            return Err(at(other, Field::NAME)(Problem::BesideWhole));
         }
         self.free()?;
         Ok(Some(alone))
     }
 
-    /// Accepts elements that need a carrier where there is one.
+    /// The first element that is a whole body.
+    fn whole(&self) -> Option<(ElementId, &dyn Element)> {
+        self.each().find(|(_, element)| element.role() == Role::Whole)
+    }
+
+    /// Accepts elements that need a carrier where there is one; what stands on a whole body is refused as [`alone`](Self::alone) says.
     fn without_carrier(&self) -> Result<(), ElementError> {
         if self.carrier.is_some() {
             return Ok(());
         }
-        let needs = |(id, element): (ElementId, &dyn Element)| Some((id, element.role().needs_carrier()?));
+        let whole = self.whole().is_some();
+        let counts = |role: Role| !(whole && matches!(role, Role::OnCarrier(_)));
+        let needs = |(id, element): (ElementId, &dyn Element)| {
+            let role = Some(element.role()).filter(|role| counts(*role))?;
+            Some((id, role.needs_carrier()?))
+        };
         match self.each().find_map(needs) {
             Some((id, (field, problem))) => Err(at(id, field)(problem)),
             None => Ok(()),

@@ -1,6 +1,6 @@
 //! Files of text and bytes: how much of them is read, their lines and numbers, and the place of what is wrong.
 //!
-//! Matrices and meshes share this reader; each words its problems itself, as a [`ReadProblem`].
+//! Matrices and meshes share this reader; each words its problems itself, as a `ReadProblem`.
 
 use std::error;
 use std::fmt;

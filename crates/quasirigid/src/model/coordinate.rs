@@ -10,7 +10,7 @@ pub struct Coordinate {
 }
 
 impl Coordinate {
-    /// Whether it is a displacement of a whole structure, of which [`FlexibleBody::part_masses`] says what moves.
+    /// Whether it is a displacement of a whole structure, of which [`FlexibleBody::part_masses`](super::FlexibleBody::part_masses) says what moves.
     #[must_use]
     pub fn is_shape(&self) -> bool {
         self.name.starts_with("shape ")

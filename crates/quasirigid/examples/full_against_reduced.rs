@@ -5,7 +5,7 @@ use quasirigid::prelude::*;
 /// What the program prints.
 pub fn program() -> Result<String, quasirigid::Error> {
     let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
-    let mass = satellite.add(Point::free("mass", 1.0, [0.8, 0.3, 0.5]));
+    let mass = satellite.add(Point::new("mass", 1.0, [0.8, 0.3, 0.5]));
     satellite.add(Spring::isotropic(600.0, 2.0).between(mass, CARRIER));
     let (body, options) = (satellite.body()?, Options { tolerance: 1e-11, ..Options::default() });
     let (system, reduced) = (Forced::not(&body), reduce(&body, 4)?);

@@ -6,7 +6,7 @@ use quasirigid::prelude::*;
 pub fn program() -> Result<String, quasirigid::Error> {
     let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
     for (name, place) in [("left", [0.8, 0.3, 0.5]), ("right", [-0.7, 0.2, 0.4]), ("top", [0.1, -0.2, 0.9])] {
-        let part = satellite.add(Point::free(name, 1.0, place));
+        let part = satellite.add(Point::new(name, 1.0, place));
         satellite.add(Spring::isotropic(600.0, 2.0).between(part, CARRIER));
     }
     let inertia = [[0.2, 0.0, 0.0], [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2]];

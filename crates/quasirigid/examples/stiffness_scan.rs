@@ -8,7 +8,7 @@ use quasirigid::prelude::*;
 fn rate(i: u32) -> Result<(f64, f64, Verdict), quasirigid::Error> {
     let stiffness = 50.0 * 100.0_f64.powf(f64::from(i) / 199.0);
     let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
-    let mass = satellite.add(Point::free("mass", 1.0, [0.8, 0.3, 0.5]));
+    let mass = satellite.add(Point::new("mass", 1.0, [0.8, 0.3, 0.5]));
     satellite.add(Spring::isotropic(stiffness, 2.0).between(mass, CARRIER));
     let (body, omega) = (satellite.body()?, [0.1, 0.0, 1.0]);
     let reduced = reduce(&body, 3)?;

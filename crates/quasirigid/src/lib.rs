@@ -25,7 +25,7 @@
 //! use quasirigid::prelude::*;
 //!
 //! let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
-//! let mass = satellite.add(Point::free("mass", 1.0, [0.8, 0.3, 0.5]));
+//! let mass = satellite.add(Point::new("mass", 1.0, [0.8, 0.3, 0.5]));
 //! satellite.add(Spring::isotropic(600.0, 30.0).between(mass, CARRIER));
 //! let body = satellite.body()?;
 //! let reduced = reduce(&body, 3)?;

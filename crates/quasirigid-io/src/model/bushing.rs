@@ -12,7 +12,7 @@ pub(super) const READER: Reader = Reader {
     keys: Keyed::All(&BUSHING),
     kind: Some(ElementKind::Bushing),
     naming: Naming::Optional,
-    names: |_| Part::Spring,
+    names: |_| Part::Link("bushing"),
     aliases: &[],
     nested: &[],
     is_body: false,
@@ -45,7 +45,7 @@ const ALIGNED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 fn bushing(entry: &Entry<'_, '_>, draft: &Draft<'_, '_>) -> Option<(Bushing, Extremes)> {
     let table = entry.table;
     let end = |key: &'static str, example: &str| -> Option<End> {
-        table.required(key, example).and_then(|value| draft.names.end(&value, Fixed::Spring))
+        table.required(key, example).and_then(|value| draft.names.end(&value, Fixed::Link("bushing")))
     };
     let (from, to) =
         (end("from", "from = \"carrier\""), end("to", "to = { part = \"boom\", node = \"root\" }"));

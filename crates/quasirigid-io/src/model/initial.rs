@@ -201,9 +201,9 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
                 "elastic throughout",
                 Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
             ),
-            Some(Part::Spring) => value.refuse_at(
+            Some(Part::Link(word)) => value.refuse_at(
                 key,
-                format!("{:?} is a spring, and has no coordinates of its own", value.key()),
+                format!("{:?} is a {word}, and has no coordinates of its own", value.key()),
                 "not a point",
                 Some("displace what its ends are fixed to".to_owned()),
             ),

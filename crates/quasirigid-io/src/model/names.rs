@@ -33,7 +33,8 @@ pub(super) struct Names<'a> {
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     Point(usize),
-    Spring,
+    /// A spring or the like, by the word for it.
+    Link(&'static str),
     Hinged(usize),
     Flexible(usize),
     Throughout,
@@ -46,16 +47,20 @@ const NODES: Keys = Keys { known: &["part", "node", "set"] };
 /// What says which point it is fixed to.
 #[derive(Clone, Copy)]
 pub(super) enum Fixed {
-    Spring,
+    /// A spring or the like, by the word for it.
+    Link(&'static str),
     Force,
 }
 
 impl Fixed {
-    fn rule(self) -> &'static str {
+    fn rule(self) -> String {
         match self {
-            Self::Spring => "a spring joins points, nodes of parts, places on appendages and the carrier",
+            Self::Link(word) => {
+                format!("a {word} joins points, nodes of parts, places on appendages and the carrier")
+            }
             Self::Force => {
                 "a force acts on a point, on a node of a part, on a place of an appendage or on the carrier"
+                    .to_owned()
             }
         }
     }
@@ -118,8 +123,8 @@ impl<'a> Names<'a> {
         }
         match self.parts.owner(name) {
             Some(Part::Point(index)) => Some(End::Point(index)),
-            Some(Part::Spring) => value.refuse(
-                format!("{name:?} is a spring, but {}", what.rule()),
+            Some(Part::Link(word)) => value.refuse(
+                format!("{name:?} is a {word}, but {}", what.rule()),
                 "not a point",
                 Some("name what one of its ends is fixed to".to_owned()),
             ),

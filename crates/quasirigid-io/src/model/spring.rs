@@ -13,7 +13,7 @@ pub(super) const READER: Reader = Reader {
     keys: Keyed::All(&SPRING),
     kind: Some(ElementKind::Spring),
     naming: Naming::Optional,
-    names: |_| Part::Spring,
+    names: |_| Part::Link("spring"),
     aliases: &[],
     nested: &[],
     is_body: false,
@@ -41,8 +41,10 @@ const SPRING: Keys = Keys {
 
 /// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
 pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option<(Spring, Extremes)> {
-    let from = table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Spring));
-    let to = table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Spring));
+    let from =
+        table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Link("spring")));
+    let to =
+        table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Link("spring")));
     let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
     let law = axial.and_then(|axial| if axial { along_the_line(table) } else { in_space(table) });
     let known = rheology(table, Scale::OF_SPRING);

@@ -27,7 +27,7 @@ impl Assembly {
     ///
     /// let mut assembly = Assembly::default();
     /// assembly.add(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
-    /// let tip = assembly.add(Point::free("tip", 1.0, [0.8, 0.3, 0.5]));
+    /// let tip = assembly.add(Point::new("tip", 1.0, [0.8, 0.3, 0.5]));
     /// assembly.add(Spring::isotropic(600.0, 30.0).between(tip, CARRIER));
     /// assert_eq!(assembly.body()?.coordinates().len(), 3);
     /// # Ok::<(), quasirigid::Error>(())
@@ -98,12 +98,6 @@ impl Point {
         Self { name: name.into(), mass, position, motion: PointMotion::Free }
     }
 
-    /// The same as [`new`](Self::new), by the name of its motion.
-    #[must_use]
-    pub fn free(name: impl Into<String>, mass: f64, position: [f64; 3]) -> Self {
-        Self::new(name, mass, position)
-    }
-
     /// The point constrained to a line with this direction.
     #[must_use]
     pub fn along(self, direction: [f64; 3]) -> Self {
@@ -128,7 +122,7 @@ impl Spring {
     /// use quasirigid::prelude::*;
     ///
     /// let mut assembly = Assembly::default();
-    /// let tip = assembly.add(Point::free("tip", 1.0, [0.8, 0.3, 0.5]));
+    /// let tip = assembly.add(Point::new("tip", 1.0, [0.8, 0.3, 0.5]));
     /// let spring = Spring::isotropic(600.0, 30.0).between(tip, CARRIER);
     /// assert_eq!((spring.from, spring.to), (End::Point(0), End::Carrier));
     /// ```

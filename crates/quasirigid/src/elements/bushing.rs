@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use super::assembly::Net;
 use super::attachment::Attachment;
-use super::element::{Element, Grip, Role, Site};
+use super::element::{Element, Grip, Role, Site, joined};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::{Assembly, Coefficient, End, Incomplete, coefficient};
 use crate::finite::Link;
@@ -14,6 +14,7 @@ use crate::structure::Block;
 /// Its strain is the displacement and the rotation of the second place relative to the first, both at the centre, to first order in the
 /// coordinates; a rigid motion of the whole does not strain it. A material point has no rotation: the centre is at the point, and no moment
 /// acts there.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bushing {
     /// Name; empty if it is called after its ends. Links of the same name are one dissipator.
@@ -108,9 +109,6 @@ impl Bushing {
 
     /// Stiffness and damping over the coordinates of both ends. (I11)
     fn between(&self, id: ElementId, name: &str, ends: [&Attachment; 2]) -> Result<Block, ElementError> {
-        if self.from == self.to {
-            return Err(at(id, Field::TO)(Problem::SameEnds));
-        }
         let laws = self.laws(id)?;
         let carried =
             |end: End, place: &Attachment| (place.position, end == End::Carrier || place.turns.is_some());
@@ -159,18 +157,13 @@ impl Element for Bushing {
         &self.name
     }
 
-    fn is_unique(&self) -> bool {
-        false
-    }
-
     fn role(&self) -> Role {
         Role::Link
     }
 
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
-            let from = body.at_rest(self.from).map_err(at(id, Field::FROM))?;
-            let to = body.at_rest(self.to).map_err(at(id, Field::TO))?;
+            let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;
             self.between(id, "", [&from, &to]).map(drop)
         };
         check().err().into_iter().collect()
@@ -195,12 +188,8 @@ impl Element for Bushing {
     }
 
     fn afloat(&self, id: ElementId, net: &mut Net<'_>) -> Result<(), ElementError> {
-        if self.from == self.to {
-            return Err(at(id, Field::TO)(Problem::SameEnds));
-        }
+        let [from, to] = joined(id, [self.from, self.to], |end| net.node_at(end))?;
         let laws = self.laws(id)?;
-        let from = net.node_at(self.from).map_err(at(id, Field::FROM))?;
-        let to = net.node_at(self.to).map_err(at(id, Field::TO))?;
         let nodes = [from, to].map(|node| net.structure.nodes[node]);
         let center = self.center(nodes.map(|node| (node.place, node.turns)));
         for (node, number, field) in [(nodes[0], from, Field::FROM), (nodes[1], to, Field::TO)] {

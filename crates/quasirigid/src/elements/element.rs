@@ -1,7 +1,5 @@
-//! Element of a body: what each kind contributes to an assembly. A new kind is a file with this trait and a line in
-//! [`assembly::kinds`](super::assembly).
-
-use nalgebra::Vector3;
+//! Element of a body: what each kind contributes to an assembly. A new kind is a file with this trait and a line in the list of
+//! kinds in [`elements`](super).
 
 use super::assembly::{Mover, Net};
 use super::attachment::{Attachment, Attachments};
@@ -20,11 +18,6 @@ pub(in crate::elements) trait Element {
         ""
     }
 
-    /// Whether no other element may have its name.
-    fn is_unique(&self) -> bool {
-        true
-    }
-
     /// Words for it where they say more than those of its kind.
     fn words(&self) -> Option<&'static str> {
         None
@@ -33,8 +26,11 @@ pub(in crate::elements) trait Element {
     /// Place of the element among the others.
     fn role(&self) -> Role;
 
-    /// Errors of its own values, and of what it names in the body.
-    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError>;
+    /// Errors of its own values, and of what it names in the body: by default those of its mass and of its motion. Parts and
+    /// connections hold each other, and are checked together.
+    fn check(&self, id: ElementId, _body: &Assembly) -> Vec<ElementError> {
+        self.mover(id).err().into_iter().chain(self.inner(id, 0).err()).collect()
+    }
 
     /// Material of a body that this element is alone.
     fn homogeneous(&self) -> Option<&Material> {
@@ -140,11 +136,23 @@ pub(super) struct Preload {
 }
 
 impl Site<'_> {
-    /// Attachments of two ends.
+    /// Attachments of the ends of a link.
     pub fn ends(&self, from: End, to: End) -> Result<[&Attachment; 2], ElementError> {
-        let from = self.attachments.of(from).map_err(at(self.id, Field::FROM))?;
-        Ok([from, self.attachments.of(to).map_err(at(self.id, Field::TO))?])
+        joined(self.id, [from, to], |end| self.attachments.of(end))
     }
+}
+
+/// The ends of a link, each found by its place.
+///
+/// # Errors
+/// [`ElementError`] for an end that is not there, and for two that are the same.
+pub(super) fn joined<T>(
+    id: ElementId,
+    [from, to]: [End; 2],
+    find: impl Fn(End) -> Result<T, Problem>,
+) -> Result<[T; 2], ElementError> {
+    let ends = [find(from).map_err(at(id, Field::FROM))?, find(to).map_err(at(id, Field::TO))?];
+    if from == to { Err(at(id, Field::TO)(Problem::SameEnds)) } else { Ok(ends) }
 }
 
 impl Grip {
@@ -155,6 +163,11 @@ impl Grip {
 }
 
 impl Role {
+    /// Whether no other element may have its name: links of one name are one dissipator, and nothing refers to the others by theirs.
+    pub fn is_unique(self) -> bool {
+        matches!(self, Self::Mass | Self::OnCarrier(_) | Self::Inside(_))
+    }
+
     /// Error of an element on or in a carrier where there is none.
     pub fn needs_carrier(self) -> Option<(Field, Problem)> {
         match self {
@@ -163,12 +176,4 @@ impl Role {
             Self::Whole | Self::Mass | Self::Link | Self::External => None,
         }
     }
-}
-
-/// Displacement or rotation of an end per unit of each coordinate, with the sign of the end.
-pub(super) fn signed<'a>(
-    shapes: &'a [(usize, [f64; 3])],
-    sign: f64,
-) -> impl Iterator<Item = (usize, Vector3<f64>)> + 'a {
-    shapes.iter().map(move |(column, shape)| (*column, sign * Vector3::from(*shape)))
 }

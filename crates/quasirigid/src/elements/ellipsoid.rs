@@ -285,10 +285,6 @@ impl Element for Ellipsoid {
         &self.name
     }
 
-    fn is_unique(&self) -> bool {
-        false
-    }
-
     fn role(&self) -> Role {
         Role::Whole
     }

@@ -10,10 +10,6 @@ impl Element for Force<Station> {
         &self.name
     }
 
-    fn is_unique(&self) -> bool {
-        false
-    }
-
     fn role(&self) -> Role {
         Role::External
     }

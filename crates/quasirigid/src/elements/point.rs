@@ -2,9 +2,9 @@ use nalgebra::Vector3;
 
 use super::affine::{Field as Shape, Piece};
 use super::assembly::Mover;
+use super::coefficient;
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::{Assembly, coefficient};
 use crate::model::Coordinate;
 
 /// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
@@ -95,10 +95,6 @@ impl Element for Point {
 
     fn role(&self) -> Role {
         Role::Mass
-    }
-
-    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
-        self.moved(id).err().into_iter().collect()
     }
 
     fn mover(&self, id: ElementId) -> Result<Option<Mover>, ElementError> {

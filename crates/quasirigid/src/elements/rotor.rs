@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
+use super::coefficient;
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::internal::Internal;
-use super::{Assembly, coefficient};
 use crate::model::{Coordinate, Pair};
 
 /// A rotor that friction brakes relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
@@ -92,10 +92,6 @@ impl Element for Rotor {
 
     fn role(&self) -> Role {
         Role::Inside(Field::AXIS)
-    }
-
-    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
-        self.turning(id).err().into_iter().collect()
     }
 
     fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::assembly::Net;
 use super::attachment::Attachment;
-use super::element::{Element, Grip, Preload, Role, Site, signed};
+use super::element::{Element, Grip, Preload, Role, Site, joined};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::hinged::PlaceRef;
 use super::part::NodeRef;
@@ -116,9 +116,6 @@ impl Spring {
 
     /// Stiffness and damping over the coordinates of both ends. (I9)
     fn elastic(&self, id: ElementId, name: &str, ends: [&Attachment; 2]) -> Result<Block, ElementError> {
-        if self.from == self.to {
-            return Err(at(id, Field::TO)(Problem::SameEnds));
-        }
         let (stiffness, damping) = self.matrices(id, self.places(id, ends)?)?;
         Ok(Block::between(name, &self.rheology, &moved(ends), &stiffness, &damping))
     }
@@ -190,17 +187,16 @@ impl Tension {
 
 /// Displacement of the first end relative to the second, per unit of each coordinate.
 fn moved([from, to]: [&Attachment; 2]) -> Vec<(usize, Vector3<f64>)> {
-    signed(&from.shapes, 1.0).chain(signed(&to.shapes, -1.0)).collect()
+    let signed = |end: &Attachment, sign: f64| {
+        let shapes = end.shapes.iter().map(|(column, shape)| (*column, sign * Vector3::from(*shape)));
+        shapes.collect::<Vec<_>>()
+    };
+    [signed(from, 1.0), signed(to, -1.0)].concat()
 }
 
 impl Element for Spring {
     fn name(&self) -> &str {
         &self.name
-    }
-
-    /// Springs of the same name are one dissipator.
-    fn is_unique(&self) -> bool {
-        false
     }
 
     fn role(&self) -> Role {
@@ -209,8 +205,7 @@ impl Element for Spring {
 
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
-            let from = body.at_rest(self.from).map_err(at(id, Field::FROM))?;
-            let to = body.at_rest(self.to).map_err(at(id, Field::TO))?;
+            let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;
             self.elastic(id, "", [&from, &to])?;
             self.tension(id, [&from, &to]).map(drop)
         };
@@ -241,19 +236,15 @@ impl Element for Spring {
     }
 
     fn afloat(&self, id: ElementId, net: &mut Net<'_>) -> Result<(), ElementError> {
-        if self.from == self.to {
-            return Err(at(id, Field::TO)(Problem::SameEnds));
-        }
+        let nodes = joined(id, [self.from, self.to], |end| net.node_at(end))?;
         if matches!(self.law, SpringLaw::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
             return Err(at(id, Field::TENSION)(Problem::TensionAfloat));
         }
-        let from = net.node_at(self.from).map_err(at(id, Field::FROM))?;
-        let to = net.node_at(self.to).map_err(at(id, Field::TO))?;
-        let places = [from, to].map(|node| net.structure.nodes[node].place);
+        let places = nodes.map(|node| net.structure.nodes[node].place);
         let (stiffness, damping) = self.matrices(id, places)?;
         let matter = net.matter(&self.rheology);
         let strain = [-Matrix3::identity(), Matrix3::identity()];
-        let link = Link::new([from, to], matter, strain, [stiffness, damping]);
+        let link = Link::new(nodes, matter, strain, [stiffness, damping]);
         net.structure.elements.push(Box::new(link));
         Ok(())
     }

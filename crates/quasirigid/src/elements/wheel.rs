@@ -1,7 +1,7 @@
+use super::coefficient;
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, at};
 use super::internal::Internal;
-use super::{Assembly, coefficient};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
 
@@ -65,10 +65,6 @@ impl Element for Wheel {
 
     fn role(&self) -> Role {
         Role::Inside(Field::AXIS)
-    }
-
-    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
-        self.turning(id).err().into_iter().collect()
     }
 
     fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {

@@ -2,6 +2,5 @@
 
 mod input;
 mod programs;
-#[cfg(feature = "serde")]
 mod serde;
 mod threads;

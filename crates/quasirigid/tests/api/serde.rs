@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use quasirigid::elements::{Assembly, Station};
+use quasirigid::elements::{Assembly, Bushing, PlaceRef, Station};
 use quasirigid::model::force::{Axes, Force, ForceLaw};
 use quasirigid::model::{Measured, Rheology};
 use quasirigid::prelude::*;
@@ -23,6 +23,18 @@ fn assemblies_come_back() {
     let inertia = [[0.2, 0.0, 0.0], [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2]];
     let boom = Hinged::new("boom", 2.0, [0.0, -1.5, 0.2], inertia).on([0.0, -1.0, 0.2]);
     assembly.add(boom.about([1.0, 0.1, 0.0], 200.0, 0.5).place("tip", [0.0, -2.0, 0.2]));
+    assembly.bushings.push(Bushing {
+        name: "mount".into(),
+        from: End::Carrier,
+        to: End::Hinged(PlaceRef { hinged: 0, place: 0 }),
+        center: Some([0.0, -1.9, 0.3]),
+        axes: [[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        stiffness: [400.0, 500.0, 1e4 / 3.0],
+        rotational_stiffness: [3.0; 3],
+        damping: [0.1; 3],
+        rotational_damping: [0.0; 3],
+        rheology: Rheology::Elastic,
+    });
     let table = Measured::new(vec![[1.0, 0.9, 0.01], [10.0, 1.1, 0.02]]).unwrap();
     assembly.springs[0].rheology = Rheology::Table(table);
     let force = ["t", "2*x", "1/3"].map(|text| Expression::parse(text, &["t", "x"]).unwrap());

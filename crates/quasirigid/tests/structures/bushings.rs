@@ -1,11 +1,14 @@
 //! Bushings against hinges, full springs, closed forms and welds. (I11)
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
     Assembly, Bushing, Carrier, Coefficient, Connection, ElementError, End, Field, Frame, FrameNode,
     HingeCoefficient, Hinged, Material, Member, NodeRef, Part, PartKind, PartReduction, PlaceRef, Point,
-    PointMotion, Problem, SectionShape, Spring, SpringLaw, TipMass,
+    PointMotion, Problem, Region, SectionShape, Solid, Spring, SpringLaw, Substance, TipMass,
 };
+use quasirigid::mesh::{Cell, Mesh, Shape};
 use quasirigid::model::Rheology;
 use quasirigid::reduction::{frequencies, reduce};
 
@@ -25,6 +28,13 @@ fn ground() -> Carrier {
 
 fn column(axis: usize) -> [f64; 3] {
     turned_axes().matrix().column(axis).into_owned().into()
+}
+
+/// Coefficient with these values along the turned axes.
+fn turned(values: [f64; 3]) -> Coefficient {
+    let R = *turned_axes().matrix();
+    let full = R * Matrix3::from_diagonal(&V::from(values)) * R.transpose();
+    Coefficient::Full(std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (full[(i, j)] + full[(j, i)]))))
 }
 
 /// Between the carrier and an end, in the turned axes, without any coefficient.
@@ -94,13 +104,6 @@ fn a_bushing_at_a_point_is_a_full_spring() {
     let point =
         Point { name: "mass".into(), mass: 1.3, position: [0.7, 1.1, -0.6], motion: PointMotion::Free };
     let (k, b) = ([500.0, 800.0, 300.0], [4.0, 9.0, 2.0]);
-    let turned = |values: [f64; 3]| {
-        let R = *turned_axes().matrix();
-        let full = R * Matrix3::from_diagonal(&V::from(values)) * R.transpose();
-        Coefficient::Full(std::array::from_fn(|i| {
-            std::array::from_fn(|j| 0.5 * (full[(i, j)] + full[(j, i)]))
-        }))
-    };
     let law = SpringLaw::Spatial { stiffness: turned(k), damping: turned(b) };
     let spring =
         Spring { name: "s".into(), from: End::Carrier, to: End::Point(0), law, rheology: Rheology::Elastic };
@@ -150,6 +153,8 @@ fn bushings_add_up() {
     let back = Bushing { from: ON_BOOM, to: End::Carrier, ..scaled(0.5) };
     assert!(difference(&satellite(hinged, vec![scaled(0.5), back]), &whole) < 1e-12);
 }
+
+const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 const SECTION: SectionShape =
     SectionShape::General { area: 1e-4, second_y: 2e-9, second_z: 2e-9, torsion: 4e-9, shear: None };
@@ -278,4 +283,63 @@ fn bushings_that_cannot_be_are_refused() {
     assert!(negative.field == Field::STIFFNESS, "{negative}");
     let mad = refusal(Bushing { rotational_stiffness: [f64::NAN; 3], ..bushing(ON_BOOM) });
     assert!(mad.field == Field::new("rotational_stiffness"), "{mad}");
+}
+
+/// A clamped beam whose tip a stiff bushing holds on the carrier is clamped at both ends: `4.730² √(EI/ρA)/L²`.
+#[test]
+fn a_stiff_bushing_on_the_carrier_clamps_the_tip_of_a_beam() {
+    let (length, density) = (1.7, 2700.0);
+    let root = V::new(0.4, 0.2, -0.1);
+    let boom = beam("boom", turned_axes(), [root, root + V::new(length, 0.0, 0.0)], None, density);
+    let tip = End::Node(NodeRef { part: 0, node: 1 });
+    let held = |k: f64| {
+        let clamp = Bushing { stiffness: [k; 3], rotational_stiffness: [k; 3], ..bushing(tip) };
+        let assembly = Assembly {
+            carrier: Some(ground()),
+            parts: vec![boom.clone()],
+            bushings: vec![clamp],
+            reduction: PartReduction { order: 3, modes: 6 },
+            ..Assembly::default()
+        };
+        frequencies(&assembly.body().unwrap()).unwrap()[0]
+    };
+    let of = |root: f64| root.powi(2) * (70e9 * 2e-9 / (density * 1e-4)).sqrt() / length.powi(2);
+    assert!((held(0.0) / of(1.875104) - 1.0).abs() < 1e-4, "{}", held(0.0) / of(1.875104));
+    assert!((held(1e8) / of(4.730041) - 1.0).abs() < 3e-3, "{}", held(1e8) / of(4.730041));
+}
+
+/// A node of a solid has no rotation: a bushing at it is a full spring, and gives the solid no coordinate more.
+#[test]
+fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.4, 0.0], [0.0, 0.4, 0.0]];
+    let place = |[x, y, z]: [f64; 3]| (turned_axes() * V::new(x + 0.2, y - 0.3, z + 0.5)).into();
+    let nodes: Vec<[f64; 3]> =
+        corners.iter().chain(&corners.map(|[x, y, _]| [x, y, 0.3])).map(|p| place(*p)).collect();
+    let cell = Cell { label: 1, shape: Shape::Hex8, nodes: (0..8).collect() };
+    let mesh = Mesh { nodes, node_labels: (1..=8).collect(), cells: vec![cell], sets: Vec::new() };
+    let rubber = Material { density: 1100.0, young: 2e6, poisson: 0.3, rheology: Rheology::Elastic };
+    let region = Region { cells: vec![0], substance: Substance::Isotropic(rubber), axes: UPRIGHT };
+    let part = Part {
+        name: "block".into(),
+        kind: PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] }),
+        masses: Vec::new(),
+        attached: vec![1, 2, 5, 6],
+        rayleigh: [0.0; 2],
+    };
+    let (k, b) = ([3e4, 8e4, 5e4], [40.0, 90.0, 20.0]);
+    let base = Assembly {
+        parts: vec![part],
+        ..satellite(boom(vec![column(0)], vec![200.0], vec![1.0]), Vec::new())
+    };
+    // the last node of the structure: nothing stands behind it
+    let corner = End::Node(NodeRef { part: 0, node: 7 });
+    let with_bushing =
+        Assembly { bushings: vec![Bushing { stiffness: k, damping: b, ..bushing(corner) }], ..base.clone() };
+    let law = SpringLaw::Spatial { stiffness: turned(k), damping: turned(b) };
+    let spring =
+        Spring { name: "s".into(), from: End::Carrier, to: corner, law, rheology: Rheology::Elastic };
+    let with_spring = Assembly { springs: vec![spring], ..base };
+    let count = |assembly: &Assembly| assembly.body().unwrap().coordinates().len();
+    assert_eq!(count(&with_bushing), count(&with_spring));
+    assert!(difference(&with_bushing, &with_spring) < 1e-9, "{:e}", difference(&with_bushing, &with_spring));
 }

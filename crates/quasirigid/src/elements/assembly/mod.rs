@@ -235,7 +235,8 @@ impl Assembly {
     /// An error for each name that an element has after another.
     fn same_names(&self) -> Vec<ElementError> {
         let mut seen = std::collections::HashSet::new();
-        let named = self.each().filter(|(_, element)| element.is_unique() && !element.name().is_empty());
+        let named =
+            self.each().filter(|(_, element)| element.role().is_unique() && !element.name().is_empty());
         let repeated = named.filter(|(_, element)| !seen.insert(element.name()));
         let error = |(id, element): (ElementId, &dyn Element)| {
             at(id, Field::NAME)(Problem::DuplicateName { name: element.name().to_owned() })

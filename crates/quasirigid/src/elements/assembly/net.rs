@@ -256,9 +256,10 @@ impl<'a> Net<'a> {
             match end {
                 End::Node(node) => {
                     self.assembly.has(node).map_err(at(id, field))?;
+                    let turns = self.structure.nodes[self.index(node)].turns;
                     let load: &mut Load = stations.entry(node).or_default();
                     load.force |= !between_nodes;
-                    load.moment |= !between_nodes && moment;
+                    load.moment |= !between_nodes && moment && turns;
                 }
                 End::Point(node) if floating && role != Role::Link => {
                     stations.insert(NodeRef { part: points, node }, Load { force: true, moment: false });

@@ -1,6 +1,5 @@
+use crate::elements::Incomplete;
 use crate::elements::element::{Element, Role};
-use crate::elements::error::{ElementError, ElementId};
-use crate::elements::{Assembly, Incomplete};
 use crate::model::Rheology;
 
 /// A node of a part.
@@ -52,11 +51,6 @@ pub enum Anchor {
 impl Element for Connection {
     fn role(&self) -> Role {
         Role::Mass
-    }
-
-    /// Connections are checked with the parts that they join.
-    fn check(&self, _: ElementId, _: &Assembly) -> Vec<ElementError> {
-        Vec::new()
     }
 
     fn incomplete(&self) -> Vec<Incomplete> {

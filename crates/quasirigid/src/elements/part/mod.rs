@@ -1,4 +1,4 @@
-//! BodyParts that are elastic throughout, as a user describes them; finite elements are made of them.
+//! Parts that are elastic throughout, as a user describes them; finite elements are made of them.
 
 mod connection;
 mod frame;
@@ -23,8 +23,8 @@ pub use solid::{Region, Solid};
 pub use substance::{Orthotropic, Substance};
 
 use super::element::{Element, Role};
-use super::error::{ElementError, ElementId, ElementKind, Problem};
-use super::{Assembly, Incomplete, Material};
+use super::error::{ElementError, ElementKind, Problem};
+use super::{Incomplete, Material};
 use crate::model::Rheology;
 use crate::structure::{Hold, Node, Structure};
 use quasirigid_mesh::{Mesh, MeshNote};
@@ -237,11 +237,6 @@ impl Element for Part {
 
     fn role(&self) -> Role {
         Role::Mass
-    }
-
-    /// BodyParts are checked together, since they hold each other.
-    fn check(&self, _: ElementId, _: &Assembly) -> Vec<ElementError> {
-        Vec::new()
     }
 
     fn homogeneous(&self) -> Option<&Material> {

@@ -178,10 +178,6 @@ impl Element for Surface {
         &self.name
     }
 
-    fn is_unique(&self) -> bool {
-        false
-    }
-
     fn role(&self) -> Role {
         Role::Whole
     }

@@ -39,7 +39,7 @@ pub enum Command {
         after_help = "Example:\n  quasirigid simulate examples/axial-mass/model.toml --duration 60 --samples 7"
     )]
     Simulate(Simulate),
-    /// Follow the averaged rotation over any number of turns
+    /// Follow the averaged rotation over any number of revolutions
     #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to 5deg")]
     Evolve(Evolve),
     /// Set the full stiff system against the reduced equations, with the measured order
@@ -69,7 +69,7 @@ pub struct Common {
 /// What a propagation needs.
 #[derive(Args, Debug)]
 pub struct Propagation {
-    /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred turns
+    /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred revolutions
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub duration: Option<String>,
     /// Error allowed per step, relative, 1e-15 to 1e-2 [default: 1e-12]
@@ -208,7 +208,7 @@ pub struct Evolve {
     /// Where the mean power comes from [default: the file's, or harmonics where a material needs them]
     #[arg(long, value_parser = named::<Power>())]
     pub power: Option<Power>,
-    /// By which road [default: the file's, or the one that holds]
+    /// By which method [default: the file's, or the one that holds]
     #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
     /// Form of the result on standard output

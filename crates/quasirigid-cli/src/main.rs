@@ -18,7 +18,7 @@ use failure::Failure;
 
 /// How a command ended when it could run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Ending {
+enum ExitStatus {
     /// Everything asked for was done and holds.
     Done,
     /// Done, but a check asked for failed.
@@ -44,8 +44,8 @@ fn main() -> ExitCode {
         Command::Verify(verify) => commands::verify::verify(verify),
     };
     match result {
-        Ok(Ending::Done) => ExitCode::SUCCESS,
-        Ok(Ending::CheckFailed) => ExitCode::from(1),
+        Ok(ExitStatus::Done) => ExitCode::SUCCESS,
+        Ok(ExitStatus::CheckFailed) => ExitCode::from(1),
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
         Err(failure @ Failure::Interrupted) => {
             message::print(&failure);

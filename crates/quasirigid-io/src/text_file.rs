@@ -1,4 +1,4 @@
-//! Files of text and bytes: how much of them is read, their lines and numbers, and the place of what is wrong.
+//! Files of text and bytes: limits on their size, their lines and numbers, and the places of their problems.
 //!
 //! Matrices and meshes share this reader; each words its problems itself, as a `ReadProblem`.
 
@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 pub struct FileError<P: error::Error> {
     /// The file.
     pub file: PathBuf,
-    /// Where in it.
+    /// Place in the file.
     pub place: Place,
-    /// What is wrong.
+    /// Problem at that place.
     pub problem: P,
 }
 
@@ -30,7 +30,7 @@ impl<P: error::Error> FileError<P> {
 /// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// The whole of it.
+    /// The whole file.
     File,
     /// A line of a text, from 1.
     Line(usize),
@@ -84,14 +84,14 @@ pub(crate) trait Line: Copy {
     fn not_finite(self, found: String) -> Self::Problem;
 }
 
-/// Why a file is not read.
+/// Reason for not reading a file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Unread {
     Unreadable(ErrorKind),
     Folder,
-    /// It is a pipe, a device or the like, which may never end.
+    /// A pipe, a device or the like, which may never end.
     NoFile,
-    /// It has more bytes than the limit.
+    /// A file with more bytes than the limit.
     TooLarge,
 }
 

@@ -8,7 +8,7 @@ pub use super::factor::NotPositive;
 
 /// Cholesky factor of a sparse symmetric matrix, scaled to a unit diagonal so that mixed units do no harm.
 ///
-/// Solutions are not refined: what a [`super::factor::Factor`] does for the last digits of large bodies costs too
+/// Solutions are not refined: the refinement of a [`super::factor::Factor`] for the last digits of large bodies costs too
 /// much where equations of motion are solved at every step.
 #[derive(Clone, Debug)]
 pub struct Cholesky {

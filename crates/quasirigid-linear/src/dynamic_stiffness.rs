@@ -42,11 +42,11 @@ enum Inverse {
 
 #[derive(Clone, Debug)]
 struct SparseInverse {
-    /// Of `s²A + sB + C`.
+    /// LU factors of `s²A + sB + C`.
     factor: Box<Lu<usize, c64>>,
-    /// Rows of its solution `X` for `U`.
+    /// Rows of the solution `X` for `U`.
     solved: Vec<Complex<f64>>,
-    /// Takes `Uᵀx` to the correction by `X`.
+    /// Matrix from `Uᵀx` to the correction by `X`.
     correction: DMatrix<Complex<f64>>,
 }
 

@@ -31,7 +31,7 @@ impl Dense {
         Self { size, entries: vec![0.0; size * size] }
     }
 
-    /// The same matrix with its zeros.
+    /// Dense form of a sparse matrix.
     #[must_use]
     pub fn of(matrix: &SparseRows<f64>) -> Self {
         let mut dense = Self::zero(matrix.size());
@@ -162,7 +162,7 @@ fn block_modes(A: &Dense, C: &Dense, rows: &[usize]) -> Option<(Vec<f64>, Mat<f6
 
 /// Linear forms `g` whose squares sum to a symmetric positive semi-definite matrix, `Σ g gᵀ`, one per row.
 ///
-/// Each row of the matrix keeps its digits however large the others are; what is negative is taken for rounding.
+/// Each row of the matrix keeps its digits however large the others are; negative eigenvalues are taken for rounding.
 ///
 /// # Errors
 /// [`NoConvergence`] if the solver fails.
@@ -256,7 +256,7 @@ fn solves(matrix: &Dense, [re, im]: [f64; 2], x: &[[f64; 2]], least: f64) -> boo
     residual <= least * x.iter().fold(0.0_f64, |sum, [u, v]| sum.hypot(u.hypot(*v)))
 }
 
-/// Puts in the place of wrong vectors those of the nearest eigenvalues of another list, each once; conjugates stay conjugate.
+/// Replaces wrong vectors by those of the nearest eigenvalues of another list, each once; conjugates stay conjugate.
 fn replace(
     vectors: &mut [Vec<[f64; 2]>],
     values: &[[f64; 2]],

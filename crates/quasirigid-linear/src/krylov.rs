@@ -26,8 +26,8 @@ const MOST: usize = 600;
 const LARGEST: usize = 100_000_000;
 /// Krylov spaces tried.
 const RESTARTS: usize = 60;
-/// Residual relative to the largest eigenvalue; an eigenvalue apart from others is then right to its
-/// square, one in a crowd to itself.
+/// Residual relative to the largest eigenvalue: the error of an isolated eigenvalue is then its square, that of one in a cluster
+/// the residual itself.
 const CONVERGED: f64 = 1e-4;
 /// A vector that keeps less than this share of its length was in the span of the others.
 const DEPENDENT: f64 = 1e-10;
@@ -87,7 +87,7 @@ impl Pencil<'_> {
         }
     }
 
-    /// Adds what of a vector is not in the span yet.
+    /// Adds the component of a vector across the span.
     fn append(&self, basis: &mut Basis, mut x: Vec<f64>) {
         let mut force = (self.stiffness)(&x);
         let length = dot(&x, &force).max(0.0).sqrt();

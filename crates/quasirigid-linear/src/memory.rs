@@ -4,7 +4,7 @@ use std::fs;
 
 use thiserror::Error;
 
-/// Something would take more memory than there is.
+/// Work that would take more memory than there is.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("it would take about {needed:.3} GiB of memory, and {allowed:.3} GiB may be used", needed = gibi(*needed), allowed = gibi(*allowed))]
 pub struct TooMuchMemory {
@@ -18,7 +18,7 @@ pub struct TooMuchMemory {
 const SHARE: f64 = 0.9;
 /// Memory that may be used where the system does not say how much there is (bytes).
 const UNKNOWN: f64 = 8.0 * GIBI;
-/// Pieces below this size are not worth a question (bytes).
+/// Pieces below this size are not checked (bytes).
 const SMALL: f64 = 64.0 * 1024.0 * 1024.0;
 const GIBI: f64 = 1024.0 * 1024.0 * 1024.0;
 
@@ -34,7 +34,7 @@ pub fn ask(needed: f64) -> Result<(), TooMuchMemory> {
     within(needed, SHARE * free().unwrap_or(UNKNOWN))
 }
 
-/// Bytes of square matrices of a size, with so many of them at once.
+/// Bytes of `count` square matrices of a size.
 #[must_use]
 pub fn dense(size: usize, matrices: usize) -> f64 {
     (size as f64).powi(2) * size_of::<f64>() as f64 * matrices as f64

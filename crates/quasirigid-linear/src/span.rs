@@ -1,4 +1,4 @@
-//! Matrices seen from a few vectors.
+//! Projection of matrices on the span of a few vectors.
 
 use super::eigen::Dense;
 use super::krylov::dot;
@@ -47,7 +47,7 @@ impl Span {
         matrix
     }
 
-    /// The vector with these shares of those of the span.
+    /// The combination of the vectors of the span with these coefficients.
     #[must_use]
     pub fn combined(&self, shares: &[f64]) -> Vec<f64> {
         let size = self.vectors.first().map_or(0, Vec::len);

@@ -1,8 +1,8 @@
 //! Progress and cancellation of long work that has no partial result: assembling, factoring, reducing.
 //!
-//! The work runs on a thread of its own and says now and then where it is; whoever watches is asked on the thread that waits, ten times
-//! a second, however often the work says so. A cancelled work unwinds from where it said so last, so that no function between has an
-//! error of cancellation to hand on. Work that nobody watches pays for a look at a variable of its thread.
+//! The work runs on a thread of its own and reports its stage now and then; the observer is asked on the thread that waits, ten times
+//! a second, however often the work reports. Cancelled work unwinds from its next report, so that no function between has an
+//! error of cancellation to hand on. Work without an observer costs a look at a variable of its thread.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -21,12 +21,12 @@ use thiserror::Error;
 #[error("interrupted")]
 pub struct Cancelled;
 
-/// How often whoever watches is asked.
+/// Time between two questions to the observer.
 const PERIOD: Duration = Duration::from_millis(100);
 /// Stack of the thread of the work (bytes): as much as a main thread has.
 const STACK: usize = 8 << 20;
 
-/// Where a work is, as its thread and the one that waits see it.
+/// State of a work, shared by its thread and the one that waits.
 #[derive(Default)]
 struct Place {
     stage: Mutex<&'static str>,
@@ -38,7 +38,7 @@ thread_local! {
     static PLACE: RefCell<Option<Arc<Place>>> = const { RefCell::new(None) };
 }
 
-/// Does work that `watch` is told the stage of, and its share that is done, from 0 to 1; the work ends early where it is told to break.
+/// Does work and tells `watch` its stage and the share done, from 0 to 1; the work ends early where `watch` breaks.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -76,17 +76,17 @@ fn settled<T>(found: Result<T, Box<dyn Any + Send>>) -> Result<T, Cancelled> {
     found.or_else(|cause| if cause.is::<Cancelled>() { Err(Cancelled) } else { panic::resume_unwind(cause) })
 }
 
-/// Says which stage the work of this thread has come to.
+/// Reports the stage of the work of this thread.
 pub fn stage(name: &'static str) {
     reached(Some(name), 0.0);
 }
 
-/// Says which share of its stage the work of this thread has done, from 0 to 1.
+/// Reports the share of the stage that the work of this thread has done, from 0 to 1.
 pub fn progress(share: f64) {
     reached(None, share);
 }
 
-/// Ends the work of this thread here if it is cancelled: for loops that do not know how far they are.
+/// Ends the work of this thread here if it is cancelled: for loops that do not know their progress.
 pub fn ask() {
     look(|_| {});
 }

@@ -1,9 +1,9 @@
-//! Where a function of one variable has a value.
+//! Bisection: root of a monotonic function of one variable.
 
 /// Halvings of an interval: past the resolution of the numbers.
 const HALVINGS: usize = 200;
 
-/// The place in an interval where a monotonic function, `rising` or falling, has a value that it has there.
+/// Place in an interval where a monotonic function, `rising` or falling, takes a value that lies between those at the ends.
 pub fn bisected(
     [mut low, mut high]: [f64; 2],
     function: impl Fn(f64) -> f64,

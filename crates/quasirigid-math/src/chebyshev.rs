@@ -1,11 +1,11 @@
-//! Smooth functions of one variable by Chebyshev's polynomials.
+//! Chebyshev interpolation of smooth functions of one variable.
 
 use std::f64::consts::PI;
 
 /// Nodes of an interpolation.
 const NODES: usize = 12;
 
-/// Several functions on an interval, interpolated at Chebyshev's nodes.
+/// Several functions on an interval, interpolated at Chebyshev nodes.
 #[derive(Clone, Debug)]
 pub struct Chebyshev<const N: usize> {
     ends: [f64; 2],
@@ -30,7 +30,7 @@ impl<const N: usize> Chebyshev<N> {
         Some(Self { ends, coefficients })
     }
 
-    /// The largest share of the last two polynomials: the size of what an interpolation leaves out.
+    /// Largest share of the last two polynomials: an estimate of the error of the interpolation.
     #[must_use]
     pub fn tail(&self) -> f64 {
         let share = |row: &[f64; NODES]| {

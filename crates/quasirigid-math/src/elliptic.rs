@@ -1,7 +1,7 @@
 //! Elliptic integrals and functions; the only file that names their library.
 //!
-//! Next to the parameter `m = k²` stands its complement `1 − m`: where one of them is small it is given as a number of its
-//! own, and no digits are lost.
+//! Next to the parameter `m = k²` stands its complement `1 − m`: where one of them is small it is given as a number of its own, and no
+//! digits are lost.
 
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ pub fn first_to(angle: f64, complement: f64) -> f64 {
     if half_turns == 0.0 { rest } else { rest + 2.0 * half_turns * first_of_complement(complement) }
 }
 
-/// `∫ (1/(1 − n sn²) − 1) du` from 0 to `u`, for `n ≤ 0`: what the integral of the third kind has beyond the first.
+/// Excess of the integral of the third kind over the first, `∫ (1/(1 − n sn²) − 1) du` from 0 to `u`, for `n ≤ 0`.
 #[must_use]
 pub fn third_excess_to(u: f64, n: f64, complement: f64) -> f64 {
     let quarter = first_of_complement(complement);

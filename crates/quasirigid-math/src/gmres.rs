@@ -1,9 +1,9 @@
-//! Linear systems known by their products with vectors alone.
+//! GMRES: linear systems given by products with vectors alone.
 
 use super::krylov::dot;
 use super::watch;
 
-/// Where an iteration ended.
+/// Result of an iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
     /// The solution reached.
@@ -14,7 +14,7 @@ pub struct Solved {
     pub products: usize,
 }
 
-/// Restarts, each from what the rounding of the one before has left.
+/// Restarts, each from the residual that the rounding of the one before has left.
 const RESTARTS: usize = 4;
 
 /// Solves `A x = b` by the method of generalised minimal residuals (GMRES) `[@saad1986]`, from a start, until the residual is below

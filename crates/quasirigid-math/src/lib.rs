@@ -1,6 +1,5 @@
-//! Mathematics of [`quasirigid`](https://docs.rs/quasirigid) that knows no physics: vectors and symmetric matrices,
-//! rotations, homogeneous polynomials and their series, elliptic functions, quadrature, integrators of differential
-//! equations, and formulas that users write.
+//! Mathematics of [`quasirigid`](https://docs.rs/quasirigid) without physics: vectors and symmetric matrices, rotations, homogeneous
+//! polynomials and their series, elliptic functions, quadrature, integrators of differential equations, and formulas that users write.
 //!
 //! The linear algebra of `quasirigid-linear` is shown here beside it, so that one name reaches both.
 #![allow(non_snake_case)]

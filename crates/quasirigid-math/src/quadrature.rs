@@ -1,8 +1,8 @@
-//! Integrals: adaptive with bounded work, of several functions at once, and by Gauss's rule.
+//! Quadrature: adaptive with bounded work, of several functions at once, and by Gauss rules.
 
 use std::f64::consts::PI;
 
-/// Nodes of Kronrod's rule of 15 points on −1 to 1, with its weights and those of the Gauss rule of 7 points within it.
+/// Nodes of the Kronrod rule of 15 points on −1 to 1, with its weights and those of the Gauss rule of 7 points within it.
 const NODES: [[f64; 3]; 8] = [
     [0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0],
     [0.949_107_912_342_758_5, 0.063_092_092_629_978_56, 0.129_484_966_168_869_7],
@@ -13,16 +13,16 @@ const NODES: [[f64; 3]; 8] = [
     [0.207_784_955_007_898_47, 0.204_432_940_075_298_9, 0.0],
     [0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4],
 ];
-/// Intervals that an integral is cut into, at most.
+/// Most intervals of an integral.
 const INTERVALS: usize = 1000;
 /// Halvings without a gain that show an error of rounding, not of the rule.
 const IDLE: usize = 12;
-/// A halving gains something where it leaves less of the error than this.
+/// Share of the error below which a halving gains something.
 const GAIN: f64 = 0.99;
-/// Relative change of a sum that counts as none in a halving.
+/// Relative change of a sum in a halving that counts as none.
 const STILL: f64 = 1e-5;
 
-/// An integral as it was found.
+/// Value of an integral, with an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integral<const N: usize> {
     /// The integral of each component; not finite where the function is not.
@@ -46,7 +46,7 @@ pub fn integral<const N: usize>(
     let mut idle = 0;
     loop {
         let whole = total(&pieces);
-        // Share of the error allowed that a piece takes.
+        // Share of the error allowed for a piece.
         let share = |error: &[f64; N]| {
             let shares =
                 error.iter().zip(whole.value).map(|(error, value)| error / (tolerance * value.abs()));
@@ -92,8 +92,8 @@ fn total<const N: usize>(pieces: &[Piece<N>]) -> Integral<N> {
     Integral { value: sum(|sum| &sum.value), error: sum(|sum| &sum.error) }
 }
 
-/// Kronrod's sum over an interval with its error: the distance from Gauss's sum, less where both are small beside the
-/// variation of the function, as QUADPACK estimates it `[@piessens1983]`.
+/// Kronrod sum over an interval with its error: the distance from the Gauss sum, less where both are small beside the variation of the
+/// function, as in QUADPACK `[@piessens1983]`.
 fn kronrod<const N: usize>(f: &mut impl FnMut(f64) -> [f64; N], a: f64, b: f64) -> Integral<N> {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     let mut values = [[[0.0; N]; 2]; NODES.len()];
@@ -239,8 +239,8 @@ mod tests {
         assert!(integral(&mut |_| [f64::NAN], 0.0, 1.0, 1e-9).value[0].is_nan());
     }
 
-    /// A function that is known to six digits, one that has no integral, one that never settles: the work stays bounded, and
-    /// the error says what is known.
+    /// A function that is known to six digits, one that has no integral, one that never settles: the work stays bounded, and the error says
+    /// what is known.
     #[test]
     fn what_cannot_be_found_ends_and_says_so() {
         let calls = std::cell::Cell::new(0_u32);

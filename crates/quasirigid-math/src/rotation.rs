@@ -1,5 +1,5 @@
 //! Attitude quaternions, scalar first: `R_NB` takes body components of a vector to inertial ones. The only place
-//! where the convention stands.
+//! that defines the convention.
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
@@ -12,14 +12,14 @@ pub type Attitude = [f64; 4];
 /// Body and inertial axes coincide.
 pub const ALIGNED: Attitude = [1.0, 0.0, 0.0, 0.0];
 
-/// `R_NB` as a matrix, for numbers that may be series in time.
+/// Rotation matrix `R_NB`, for numbers that may be series in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<T> {
     rows: [[T; 3]; 3],
 }
 
 impl<T: Smooth> Turn<T> {
-    /// The turn of an attitude; its length does not matter.
+    /// Rotation of an attitude; the length of the quaternion does not matter.
     #[must_use]
     pub fn of([s, x, y, z]: [T; 4]) -> Self {
         let two = T::from(2.0) / (s * s + x * x + y * y + z * z);
@@ -55,7 +55,7 @@ pub fn to_inertial(attitude: Attitude, vector: [f64; 3]) -> [f64; 3] {
     unit(attitude).transform_vector(&Vector3::from(vector)).into()
 }
 
-/// Rate of the attitude at a spin in body axes, `½ q ⊗ (0, ω)`. (P3)
+/// Rate of the attitude at an angular velocity in body axes, `½ q ⊗ (0, ω)`. (P3)
 #[inline(always)]
 #[must_use]
 pub fn rate<T: Scalar>([s, x, y, z]: [T; 4], [wx, wy, wz]: [T; 3]) -> [T; 4] {
@@ -68,8 +68,7 @@ pub fn rate<T: Scalar>([s, x, y, z]: [T; 4], [wx, wy, wz]: [T; 3]) -> [T; 4] {
     ]
 }
 
-/// The attitude turned as little as possible so that `body` has the inertial direction of `inertial`, which it must
-/// nearly have already. (P3)
+/// Attitude after the smallest rotation that gives `body` the inertial direction of `inertial`, which it must nearly have already. (P3)
 #[must_use]
 pub fn aligned(attitude: Attitude, body: [f64; 3], inertial: [f64; 3]) -> Attitude {
     let attitude = unit(attitude);

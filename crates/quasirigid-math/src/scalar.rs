@@ -1,4 +1,4 @@
-//! Numbers that formulas are written for: plain ones, and truncated Taylor series.
+//! Scalars: types of numbers for formulas, plain ones and truncated Taylor series.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -13,7 +13,7 @@ pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
     /// Number of terms kept: one of a plain number.
     const TERMS: usize;
 
-    /// The number itself: of a series, its first term.
+    /// Value: of a series, its first term.
     fn value(self) -> f64;
     /// Square root.
     fn sqrt(self) -> Self;
@@ -117,7 +117,7 @@ impl Smooth for f64 {
     }
 }
 
-/// The whole number that an exponent is, if it is one.
+/// Whole number that an exponent equals, if any.
 pub(super) fn whole(exponent: f64) -> Option<i32> {
     let nearest = exponent as i32;
     (f64::from(nearest) == exponent).then_some(nearest)

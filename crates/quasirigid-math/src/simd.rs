@@ -3,7 +3,7 @@
 //! A task is compiled twice: for any x86-64 (or other) processor, and for those with fused multiply-add on four numbers
 //! at once. The two round differently in the last bit; one machine always takes the same one.
 
-/// How `a·b + c` is computed.
+/// Arithmetic: the way in which `a·b + c` is computed.
 pub trait Arithmetic: Copy + Default {
     /// `a·b + c`.
     fn mul_add(a: f64, b: f64, c: f64) -> f64;
@@ -48,7 +48,7 @@ impl Arithmetic for Fused {
 
 /// Work that gains from the processor's vector arithmetic.
 pub trait Task {
-    /// What the work gives.
+    /// Result of the work.
     type Output;
 
     /// Does the work; mark it `#[inline(always)]`, so that it is compiled for the arithmetic chosen.

@@ -1,22 +1,22 @@
-//! Where a polynomial field of vectors is normal to a sphere about the origin.
+//! Stationary points of a field on the sphere: places where a polynomial vector field is normal to it.
 
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use super::polynomial::{Homogeneous, Series};
 use super::scalar::Jet;
 
-/// What a stationary point of a field is. The names are those for the gradient of a function on the sphere.
+/// Kind of a stationary point of a field. The names are those for the gradient of a function on the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StationaryKind {
     /// Least value: the linearised field is positive definite.
     Minimum,
     /// Greatest value.
     Maximum,
-    /// Neither: its determinant is negative.
+    /// Saddle: its determinant is negative.
     Saddle,
 }
 
-/// A place on the unit sphere where a field is normal to it.
+/// Stationary point: a place on the unit sphere where a field is normal to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationaryPoint {
     /// Unit vector to it.
@@ -25,16 +25,16 @@ pub struct StationaryPoint {
     pub tangents: [[f64; 3]; 2],
     /// The linearised tangential field in that frame.
     pub slope: [[f64; 2]; 2],
-    /// What it is.
+    /// Kind of the point.
     pub kind: StationaryKind,
 }
 
 /// The stationary points of a field on the unit sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stationary {
-    /// The isolated ones.
+    /// Isolated points.
     pub points: Vec<StationaryPoint>,
-    /// Whether others form curves, or fill the sphere.
+    /// Whether other points form curves, or fill the sphere.
     pub families: bool,
     /// Whether the numbers of extrema and of saddles differ by two, as those of all points on a sphere do.
     pub complete: bool,
@@ -42,22 +42,22 @@ pub struct Stationary {
     pub size: f64,
 }
 
-/// Directions from which Newton's method starts, and how often they are multiplied by four if points are missing.
+/// Directions from which Newton's method starts, and the number of times they are multiplied by four if points are missing.
 const STARTS: usize = 192;
 const REFINEMENTS: usize = 3;
 const NEWTON_STEPS: usize = 60;
-/// Longest step (rad), and the last one of a search that has arrived.
+/// Longest step (rad), and the last one of a search that has converged.
 const STRIDE: f64 = 0.3;
 const ARRIVED: f64 = 1e-9;
-/// Points nearer to each other than this angle (rad) are one.
+/// Angle (rad) below which points are one.
 const SAME: f64 = 1e-6;
-/// A determinant below this share of the square of the field belongs to a family.
+/// Share of the square of the field below which a determinant belongs to a family.
 const FLAT: f64 = 1e-9;
 
-/// The places on the unit sphere where a map of three rows is normal to it, from a grid of directions and those given.
+/// Stationary points of a map of three rows on the unit sphere, from a grid of directions and those given.
 ///
-/// A tangential part below `rounding` is none. Newton's method in the plane that touches the sphere; the index theorem of
-/// Poincaré and Hopf says whether any is missing. (N2)
+/// A tangential part below `rounding` counts as none. Newton's method in the tangent plane of the sphere; the index theorem of Poincaré and
+/// Hopf shows whether any is missing. (N2)
 #[must_use]
 pub fn stationary(map: &Series, given: &[[f64; 3]], rounding: f64) -> Stationary {
     let size = directions(STARTS).map(|x| tangential(map, x).norm()).fold(0.0, f64::max);
@@ -88,8 +88,8 @@ pub fn stationary(map: &Series, given: &[[f64; 3]], rounding: f64) -> Stationary
     found
 }
 
-/// A map with the isotropic part of its linear part left out, which is normal to every sphere, and at a radius: what its value
-/// on the unit sphere loses no digits to.
+/// Map at a radius without the isotropic part of its linear part, which is normal to every sphere: values on the unit sphere then lose no
+/// digits to that part.
 #[must_use]
 pub fn deviator(map: &Series, radius: f64) -> Series {
     let mut scaled = map.stretched(radius);
@@ -101,7 +101,7 @@ pub fn deviator(map: &Series, radius: f64) -> Series {
     scaled
 }
 
-/// Unit vectors spread evenly over the sphere: a spiral that turns by the golden angle.
+/// Unit vectors spread evenly over the sphere: a spiral with steps of the golden angle.
 pub fn directions(count: usize) -> impl Iterator<Item = [f64; 3]> {
     let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
     (0..count).map(move |i| {

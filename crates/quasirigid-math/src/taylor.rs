@@ -6,8 +6,8 @@ use super::scalar::{Scalar, Smooth, whole};
 
 /// Taylor series in time, cut off after `N` terms: `x(t + s) = Σ c_k s^k`, `c_k = x⁽ᵏ⁾(t) / k!`, `k < N`.
 ///
-/// What is cut off never enters what is kept, so every coefficient is exact to rounding. The operations are calls, not
-/// inlined: a formula on series would otherwise unroll to hundreds of times its length and take minutes to compile.
+/// Terms beyond the last never enter the others, so every coefficient is exact to rounding. The operations are calls, not inlined: a
+/// formula on series would otherwise unroll to hundreds of times its length and take minutes to compile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor<const N: usize> {
     coefficients: [f64; N],
@@ -43,7 +43,7 @@ impl<const N: usize> Taylor<N> {
         })
     }
 
-    /// Series of the time derivative; its last coefficient is not known and stands as zero.
+    /// Series of the time derivative; its last coefficient is not known and is zero.
     #[must_use]
     #[inline(never)]
     pub fn derivative(&self) -> Self {
@@ -278,7 +278,7 @@ impl<const N: usize> Smooth for Taylor<N> {
 mod tests {
     use super::*;
 
-    /// The power of the step with which the series of a function of `x` leaves the function.
+    /// Order in the step at which the series of a function of `x` departs from the function.
     fn order<const N: usize>(
         series: impl Fn(Taylor<N>) -> Taylor<N>,
         function: impl Fn(f64) -> f64,

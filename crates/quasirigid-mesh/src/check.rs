@@ -1,16 +1,20 @@
+//! Validity of a mesh: positive Jacobians, distinct nodes and cells.
+//! Judged at corners and quadrature points, since elements divide by the Jacobian there; each kind of fault is reported once, with a count.
+//! Fatal faults are here, suspect but possible ones in `note.rs`.
+
 use std::collections::HashMap;
 
 use super::geometry::{normal, tangents, thickness};
 use super::{Cell, MOST, Mesh, MeshFault, Rule, Shape};
 use quasirigid_math::vec3::{add, scale};
 
-/// A cell thinner than this beside its length is flat; coordinates in files often have no more digits.
+/// Thickness of a cell over its length below which the cell is flat; coordinates in files often have no more digits.
 const FLAT: f64 = 1e-9;
 
 /// Shape functions at a place, and their derivatives.
 type Probe = ([f64; MOST], [[f64; 3]; MOST]);
 
-/// The least thickness of a cell over its length, where that is, and the most.
+/// Least thickness of a cell over its length, its place, and the greatest.
 struct Worst {
     thickness: f64,
     at: [f64; 3],
@@ -18,14 +22,13 @@ struct Worst {
 }
 
 impl Mesh {
-    /// Accepts the mesh if its cells describe a body; changes nothing. What is merely suspect is in [`Mesh::notes`].
+    /// Accepts the mesh if its cells describe a body; changes nothing. Suspect but possible features are in [`Mesh::notes`].
     ///
     /// The Jacobian of each cell must be positive at its corners and at every point at which it is integrated. Of
     /// faces and lines, which have no inside, it must not change its direction within the cell.
     ///
     /// # Errors
-    /// Every kind of [`MeshFault`] that occurs: where first, and how often. Cells that name nodes that do not exist
-    /// end the check.
+    /// Every kind of [`MeshFault`] that occurs, with the first place and the count. Cells that name nodes that do not exist end the check.
     pub fn check(&self) -> Result<(), Vec<MeshFault>> {
         if let Some(fault) = self.labels() {
             return Err(vec![fault]);
@@ -37,7 +40,7 @@ impl Mesh {
         }
         let twice = self.cells.iter().map(|cell| self.node_twice(cell)).collect::<Vec<_>>();
         let repeated = counted(twice.iter().flatten().cloned());
-        // A cell with a node twice is flat as well, which says nothing new.
+        // A cell with a node twice is flat as well; that fault would add nothing.
         let distinct = self.cells.iter().zip(&twice).filter(|(_, fault)| fault.is_none());
         let mut probed: HashMap<Shape, Vec<Probe>> = HashMap::new();
         let mut misshapen = |cell: &Cell| {
@@ -114,7 +117,7 @@ impl Mesh {
     }
 }
 
-/// Derivatives of the shape functions at the corners of a shape and where it is integrated, with the functions.
+/// Derivatives of the shape functions at the corners of a shape and at its quadrature points, with the functions.
 fn probes(shape: Shape) -> Vec<Probe> {
     let corners = shape.reference().into_iter().take(shape.corners());
     let inner = [Rule::Slopes, Rule::Products].into_iter().flat_map(|rule| shape.samples(rule));
@@ -124,7 +127,7 @@ fn probes(shape: Shape) -> Vec<Probe> {
         .collect()
 }
 
-/// Where the Jacobian of a cell is least.
+/// Place at which the Jacobian of a cell is least.
 fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
     let mean = if dimension == 3 { [0.0; 3] } else { mean_normal(dimension, nodes, probes) };
     let mut worst = Worst { thickness: f64::INFINITY, at: [0.0; 3], best: f64::NEG_INFINITY };
@@ -140,7 +143,7 @@ fn worst(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> Worst {
     worst
 }
 
-/// Direction in which a face looks or a line runs on the whole.
+/// Mean normal of a face or mean direction of a line.
 fn mean_normal(dimension: usize, nodes: &[[f64; 3]], probes: &[Probe]) -> [f64; 3] {
     probes.iter().map(|(_, gradients)| normal(dimension, tangents(nodes, gradients))).fold([0.0; 3], add)
 }

@@ -1,17 +1,20 @@
+//! Faults of a mesh: kinds of error for which it describes no body.
+//! Each kind carries the first place and the count, by the numbers of the user's file: a mesh is mended where it was made.
+
 use thiserror::Error;
 
 use super::Shape;
 
-/// Why a mesh describes no body. Nodes and cells go by the numbers of their file.
+/// Fault for which a mesh describes no body. Nodes and cells go by the numbers of their file.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MeshFault {
     /// Nodes and their numbers do not match.
     #[error("there are {nodes} nodes but {labels} numbers of nodes; give each node its own")]
     Labels {
-        /// How many nodes there are.
+        /// Number of nodes.
         nodes: usize,
-        /// How many numbers.
+        /// Number of labels.
         labels: usize,
     },
     /// A node at NaN or at infinity.
@@ -19,7 +22,7 @@ pub enum MeshFault {
     NotFinite {
         /// The first such node.
         node: u64,
-        /// How many there are.
+        /// Number of such nodes.
         count: usize,
     },
     /// A cell with more or fewer nodes than its shape has.
@@ -29,9 +32,9 @@ pub enum MeshFault {
         cell: u64,
         /// Its shape.
         shape: Shape,
-        /// How many nodes it has.
+        /// Number of nodes found.
         found: usize,
-        /// How many such cells there are.
+        /// Number of such cells.
         count: usize,
     },
     /// A cell with a node that is not in the list.
@@ -41,9 +44,9 @@ pub enum MeshFault {
         cell: u64,
         /// Index of the node.
         index: usize,
-        /// How many nodes there are.
+        /// Number of nodes.
         nodes: usize,
-        /// How many such cells there are.
+        /// Number of such cells.
         count: usize,
     },
     /// A node that a cell has twice.
@@ -55,7 +58,7 @@ pub enum MeshFault {
         shape: Shape,
         /// The node.
         node: u64,
-        /// How many such cells there are.
+        /// Number of such cells.
         count: usize,
     },
     /// Two cells of the same nodes, which would count twice.
@@ -63,7 +66,7 @@ pub enum MeshFault {
     CellTwice {
         /// The first such pair.
         cells: [u64; 2],
-        /// How many there are.
+        /// Number of such pairs.
         count: usize,
     },
     /// A cell so thin somewhere that its Jacobian vanishes to within rounding.
@@ -78,9 +81,9 @@ pub enum MeshFault {
         shape: Shape,
         /// Thickness over length, in the reference cell's axes.
         thickness: f64,
-        /// Where.
+        /// The place.
         at: [f64; 3],
-        /// How many such cells there are.
+        /// Number of such cells.
         count: usize,
     },
     /// A cell that is inside out, wholly or at a corner; of faces and lines, folded over.
@@ -96,16 +99,16 @@ pub enum MeshFault {
         shape: Shape,
         /// Thickness over length, in the reference cell's axes, negative.
         thickness: f64,
-        /// Where.
+        /// The place.
         at: [f64; 3],
-        /// Whether it is so everywhere.
+        /// Whether the cell is inside out everywhere.
         wholly: bool,
-        /// How many such cells there are.
+        /// Number of such cells.
         count: usize,
     },
 }
 
-/// That an element is the first of several.
+/// Words for an element that is the first of several.
 pub(super) fn among(count: usize, elements: &str) -> String {
     if count > 1 { format!(", the first of {count} such {elements}") } else { String::new() }
 }

@@ -3,7 +3,7 @@
 use super::Shape;
 use quasirigid_math::scalar::{Jet, Scalar};
 
-/// Most nodes that a cell has.
+/// Greatest number of nodes of a cell.
 pub const MOST: usize = 27;
 
 /// Places of the nodes of a hexahedron, as multiples of the axes; lines and quadrilaterals take theirs from it.
@@ -222,7 +222,7 @@ mod tests {
         Shape::Hex27,
     ];
 
-    /// The monomials that a shape must carry: all of its degree.
+    /// Monomials that a shape must represent: all of its degree.
     fn field(shape: Shape, [x, y, z]: [f64; 3]) -> f64 {
         let linear = 0.3 - 1.1 * x + 0.7 * y + 1.9 * z;
         if shape.nodes() == shape.corners() {

@@ -1,4 +1,4 @@
-//! Size of cells, and how they are turned and stretched.
+//! Size, orientation and stretch of cells.
 
 use super::{Mesh, Rule, Shape};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
@@ -41,9 +41,9 @@ pub(super) fn tangents(nodes: &[[f64; 3]], gradients: &[[f64; 3]]) -> [[f64; 3];
     tangents
 }
 
-/// How thick a cell is at a place beside its length there, from its tangents: of the parallelepiped between them the
-/// least height over the longest side, negative if it is inside out. Of a face the same in its plane, seen along a
-/// `normal`; of a line the cosine of its angle to that direction.
+/// Thickness of a cell at a place relative to its length there, from its tangents: of the parallelepiped between them the least height over
+/// the longest side, negative if the cell is inside out. Of a face the like in its plane, seen along a `normal`; of a line the cosine of
+/// its angle to that direction.
 pub(super) fn thickness(dimension: usize, tangents: [[f64; 3]; 3], normal: [f64; 3]) -> f64 {
     let longest = tangents[..dimension].iter().fold(0.0, |longest: f64, tangent| longest.max(norm(*tangent)));
     let [a, b, c] = tangents.map(|tangent| scale(1.0 / longest, tangent));
@@ -56,7 +56,7 @@ pub(super) fn thickness(dimension: usize, tangents: [[f64; 3]; 3], normal: [f64;
     if thickness.is_finite() { thickness } else { 0.0 }
 }
 
-/// Direction in which a face looks or a line runs at a place.
+/// Normal of a face or direction of a line at a place.
 pub(super) fn normal(dimension: usize, [a, b, _]: [[f64; 3]; 3]) -> [f64; 3] {
     if dimension == 1 { a } else { cross(a, b) }
 }
@@ -65,7 +65,7 @@ pub(super) fn normal(dimension: usize, [a, b, _]: [[f64; 3]; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    /// A turned, stretched and shifted place: volumes grow by the determinant 1.7·0.6·2.3 of the stretch.
+    /// A rotated, stretched and shifted place: volumes grow by the determinant 1.7·0.6·2.3 of the stretch.
     fn moved([x, y, z]: [f64; 3]) -> [f64; 3] {
         let [x, y, z] = [1.7 * x, 0.6 * y, 2.3 * z];
         let (sin, cos) = 0.7_f64.sin_cos();

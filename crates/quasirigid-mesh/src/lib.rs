@@ -1,10 +1,10 @@
 //! Meshes of [`quasirigid`](https://docs.rs/quasirigid): cells between nodes, for finite elements, with their shapes,
-//! points of integration and checks.
+//! quadrature points and checks.
 //!
 //! - [`meshing`] fills a shape with curved quadratic tetrahedra,
-//! - [`surface`] integrates over what closed surfaces of triangles enclose.
+//! - [`surface`] integrates over the bodies that closed surfaces of triangles enclose.
 //!
-//! Like `quasirigid-math` below it, the crate knows no physics.
+//! Like `quasirigid-math` below it, the crate contains no physics.
 #![allow(non_snake_case)]
 
 /// The README of the crate, run with the documentation's own.
@@ -50,7 +50,7 @@ pub struct Mesh {
 pub struct Cell {
     /// Its number in the file.
     pub label: u64,
-    /// What it is.
+    /// Its shape.
     pub shape: Shape,
     /// Indices of its nodes, in the order of [`Shape`].
     pub nodes: Box<[usize]>,

@@ -1,3 +1,6 @@
+//! Notes on a mesh: suspect features that may be meant, as unused or coincident nodes and parts that nothing joins.
+//! They do not stop a computation, unlike the faults of `check.rs`; a part of finite elements refuses some of them itself.
+
 use std::collections::HashMap;
 
 use thiserror::Error;
@@ -7,14 +10,14 @@ use super::fault::among;
 use quasirigid_math::connected_components::connected_components;
 use quasirigid_math::vec3::{add, norm, scale};
 
-/// What is suspect in a mesh but may be meant. Nodes go by the numbers of their file.
+/// Suspect feature of a mesh, which may be meant. Nodes go by the numbers of their file.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MeshNote {
     /// Nodes of no cell.
     #[error("{count} {} to no cell: {}{}", if *count == 1 { "node belongs" } else { "nodes belong" }, listed(first), if *count > first.len() { ", …" } else { "" })]
     Unused {
-        /// How many.
+        /// Number of such nodes.
         count: usize,
         /// Numbers of the first of them, at most five.
         first: Vec<u64>,
@@ -24,7 +27,7 @@ pub enum MeshNote {
     Coincident {
         /// The first such pair.
         nodes: [u64; 2],
-        /// How many nodes are at the place of one before them.
+        /// Number of nodes at the place of an earlier one.
         count: usize,
     },
     /// Cells that share no node with others, directly or through cells between.
@@ -32,18 +35,18 @@ pub enum MeshNote {
         "the cells form {count} parts that share no node; each moves on its own unless something else joins them"
     )]
     Parts {
-        /// How many parts.
+        /// Number of parts.
         count: usize,
     },
 }
 
-/// Distance of nodes at the same place, beside the size of the mesh.
+/// Distance of nodes, relative to the size of the mesh, below which they are at the same place.
 const SAME: f64 = 1e-9;
 /// Most nodes that a note lists.
 const LISTED: usize = 5;
 
 impl Mesh {
-    /// What is suspect in a mesh that [`Mesh::check`] accepts.
+    /// Suspect features of a mesh that [`Mesh::check`] accepts.
     #[must_use]
     pub fn notes(&self) -> Vec<MeshNote> {
         [self.unused(), self.coincident(), self.apart()].into_iter().flatten().collect()
@@ -59,7 +62,7 @@ impl Mesh {
         (count > 0).then_some(MeshNote::Unused { count, first })
     }
 
-    /// Each node is looked for in the boxes within reach of it, twice as wide as the distance that counts as none.
+    /// Searches each node's neighbours in the boxes within reach, twice as wide as the distance that counts as none.
     fn coincident(&self) -> Option<MeshNote> {
         let bound = |pick: fn(f64, f64) -> f64| {
             let first = self.nodes.first().copied().unwrap_or_default();

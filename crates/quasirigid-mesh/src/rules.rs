@@ -23,7 +23,7 @@ impl Shape {
     }
 }
 
-/// Gauss's rule on −1 to 1.
+/// Gauss rule on −1 to 1.
 fn line(degree: usize) -> impl Iterator<Item = [f64; 2]> {
     gauss_legendre(degree / 2 + 1).into_iter()
 }
@@ -33,14 +33,13 @@ fn square(degree: usize) -> Vec<Weighted> {
     line(degree).flat_map(along).collect()
 }
 
-/// A rule on a plane, repeated along the third axis.
+/// Rule on a plane, repeated along the third axis.
 fn upright(plane: &[Weighted], degree: usize) -> Vec<Weighted> {
     let at = |[z, outer]: [f64; 2]| plane.iter().map(move |([x, y, _], inner)| ([*x, *y, z], inner * outer));
     line(degree).flat_map(at).collect()
 }
 
-/// The middle, three points, or the seven of Radon; beyond degree 5 Gauss's rule on a square with one side shrunk to
-/// a point.
+/// The middle, three points, or the seven of Radon; beyond degree 5 the Gauss rule on a square with one side shrunk to a point.
 fn triangle(degree: usize) -> Vec<Weighted> {
     let orbit = |share: f64, weight: f64| {
         let far = 1.0 - 2.0 * share;
@@ -66,8 +65,8 @@ fn triangle(degree: usize) -> Vec<Weighted> {
     }
 }
 
-/// The middle, four points, or the fourteen of Walkington `[@walkington2000]`; beyond degree 5 Gauss's rule on a cube
-/// with one side shrunk to an edge and the opposite one to a point.
+/// The middle, four points, or the fourteen of Walkington `[@walkington2000]`; beyond degree 5 the Gauss rule on a cube with one side
+/// shrunk to an edge and the opposite one to a point.
 fn tetrahedron(degree: usize) -> Vec<Weighted> {
     match degree {
         0 | 1 => vec![([0.25; 3], 1.0 / 6.0)],
@@ -127,7 +126,7 @@ mod tests {
         }
     }
 
-    /// Whether a monomial is of a degree for which the rule answers.
+    /// Whether a monomial is of a degree that the rule integrates exactly.
     fn covered(shape: Shape, [a, b, c]: [usize; 3], degree: usize) -> bool {
         match shape {
             Shape::Line2 => a <= degree && b + c == 0,

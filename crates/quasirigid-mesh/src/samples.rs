@@ -1,15 +1,17 @@
+//! Samples: quadrature points of a cell with the shape functions there, computed once for each shape and rule.
+//! The purpose of a rule fixes its degree: too few points leave motions free of strain, too many make cells stiffer than they are.
+
 use std::sync::OnceLock;
 
 use super::Shape;
 use super::functions::MOST;
 
-/// What a quadrature over a cell is for. A Jacobian of higher degree than that of a cell with straight edges is not
-/// counted.
+/// Purpose of a quadrature over a cell. A Jacobian of higher degree than that of a cell with straight edges is not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rule {
-    /// Products of two slopes, with as many points as leave no motion but the rigid ones free of strain.
+    /// Products of two slopes, with enough points that only rigid motions are free of strain.
     Slopes,
-    /// The same with fewer: two along each axis of quadratic quadrilaterals and hexahedra, two in a wedge of 6 nodes.
+    /// Products of two slopes with fewer points: two along each axis of quadratic quadrilaterals and hexahedra, two in a wedge of 6 nodes.
     Reduced,
     /// Products of two shape functions, exact where edges are straight and faces flat.
     Products,
@@ -32,7 +34,7 @@ pub struct CellSample {
 const TABLES: usize = 14 * 3;
 
 impl Shape {
-    /// The places of a rule; computed once.
+    /// Samples of a rule; computed once.
     #[must_use]
     pub fn samples(self, rule: Rule) -> &'static [CellSample] {
         static KEPT: [OnceLock<Box<[CellSample]>>; TABLES] = [const { OnceLock::new() }; TABLES];

@@ -1,4 +1,8 @@
-/// Kind of a cell: what it looks like and how many nodes it has.
+//! Shapes of cells: kinds of lines, faces and solids, with the order of their nodes.
+//! Readers permute the nodes of a format into this order; every table of shape functions depends on it.
+//! Orders of VTK and Abaqus.
+
+/// Shape of a cell: its form and its number of nodes.
 ///
 /// Corners come first, then the middles of edges, then of faces, then of the cell. The corners of a solid are the lower
 /// face counter-clockwise seen from above, then the upper one in the same order; edges are those of the lower face from

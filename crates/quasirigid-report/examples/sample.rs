@@ -21,21 +21,21 @@ fn main() {
     save("bare.html", &hostile());
 }
 
-/// A tumbling asteroid of whose rotation only the ageing was asked.
+/// A tumbling asteroid with a secular evolution and no histories.
 fn asteroid() -> RunRecord {
     let mut record = support::without_histories();
     record.model.name = "99942 Apophis".into();
     record.model.file = "apophis.toml".into();
     record.notes.clear();
     record.body.mass = 5.3e10;
-    record.body.principal_moments = support::ageing::ASTEROID.map(|moment| moment * 5e14);
-    let mut evolution = support::ageing::evolution(1.0 / 1.024);
+    record.body.principal_moments = support::secular::ASTEROID.map(|moment| moment * 5e14);
+    let mut evolution = support::secular::evolution(1.0 / 1.024);
     evolution.resonances.clear();
     record.evolution = Some(evolution);
     record
 }
 
-/// Little in it, and that little awkward.
+/// A record with few values, each of them awkward.
 fn hostile() -> RunRecord {
     let mut record = support::without_histories();
     record.model.name = "<script>alert(1)</script> & a very long name that goes on and on".into();

@@ -4,7 +4,7 @@ use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 
 use crate::number::time_unit;
 
-/// The history the report is about.
+/// The main history: the first one.
 pub fn main_history(record: &RunRecord) -> Option<&HistoryRecord> {
     record.histories.first()
 }
@@ -30,9 +30,9 @@ pub fn ends(values: impl DoubleEndedIterator<Item = f64> + Clone) -> Option<(f64
 
 /// The unit in which a time column is drawn.
 pub struct TimeUnit {
-    /// Its name.
+    /// Name of the unit.
     pub name: String,
-    /// Its length in the unit of the record.
+    /// Length of the unit, in the unit of the record.
     pub length: f64,
 }
 

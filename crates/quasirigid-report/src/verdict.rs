@@ -3,19 +3,19 @@
 use maud::{Markup, html};
 use quasirigid_io::record::ValidityRecord;
 
-/// How far something holds, from best to worst.
+/// Verdict, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// It holds.
+    /// The criterion or the run holds.
     Holds,
-    /// It holds roughly.
+    /// Roughly.
     Marginal,
-    /// It does not hold.
+    /// Not at all.
     Fails,
 }
 
 impl Verdict {
-    /// Of one criterion. A word that is not in the contract counts as a failure.
+    /// Verdict of one criterion. A word that is not in the contract counts as a failure.
     pub fn of_criterion(word: &str) -> Self {
         match word {
             "holds" => Self::Holds,
@@ -24,8 +24,8 @@ impl Verdict {
         }
     }
 
-    /// Of all: as the record tells it; of a record that does not, the worst criterion; a record that calls itself invalid is at best
-    /// marginal, and fails when no criterion says why.
+    /// Verdict of all criteria: as the record tells; of a record without one, the worst criterion; a record that calls itself invalid is at
+    /// best marginal, and fails when no criterion says why.
     pub fn of_all(validity: &ValidityRecord) -> Self {
         if !validity.overall.is_empty() {
             return Self::of_criterion(&validity.overall);
@@ -38,7 +38,7 @@ impl Verdict {
         }
     }
 
-    /// The class that colours it.
+    /// CSS class of the colour.
     pub fn class(self) -> &'static str {
         match self {
             Self::Holds => "holds",
@@ -117,7 +117,7 @@ mod tests {
         }
     }
 
-    /// Vibrations that last for ever make one criterion marginal, and the equations none the worse.
+    /// Vibrations that last for ever make one criterion marginal, and leave the verdict on the equations.
     #[test]
     fn verdict_is_that_of_the_record() {
         let told = ValidityRecord { overall: "holds".into(), ..validity(true, &["holds", "marginal"]) };

@@ -69,7 +69,7 @@ impl Study {
     }
 }
 
-/// Those that are known already, without what moves inside and outside each by itself.
+/// Equations of a known reduction, without the comparison of the mechanisms.
 pub(crate) fn of_reduced<'a>(
     study: &'a Study,
     reduced: &'a ReducedBody,
@@ -85,7 +85,7 @@ pub(crate) fn of_reduced<'a>(
     }
 }
 
-/// What acts on the body, and what it comes to at the start; none where nothing acts.
+/// Forces on the body, and their loads at the start; none where nothing acts.
 pub(crate) fn acting(study: &Study, start: Option<Start>) -> Option<Forces> {
     let Study { body, forces, order, .. } = study;
     let system = Forced { body, forces };
@@ -99,7 +99,7 @@ fn at_start(system: Forced, study: &Study, spin: Start, order: usize) -> StartLo
     let Start { omega, attitude, place, velocity } = Motion::new(study, spin).start;
     let state = RigidState { t: 0.0, omega, attitude, pole: place, pole_velocity: velocity };
     let torque = forced_torque(system, order, &state);
-    let displaced = takes(system, Form::Paper, order.min(3)).then_some(DisplacedLoads {
+    let displaced = takes(system, Form::AngularVelocity, order.min(3)).then_some(DisplacedLoads {
         moment_variation: torque.moment_variation,
         mu: torque.mu,
         force_variation: torque.force_variation,
@@ -109,7 +109,7 @@ fn at_start(system: Forced, study: &Study, spin: Start, order: usize) -> StartLo
     StartLoads { angular_velocity: omega, moment: torque.moment, force: torque.force, displaced }
 }
 
-/// What moves inside and what outside, each with the other locked, of a body that has both.
+/// Mechanisms, inside and elastic, each with the other locked, of a body that has both.
 fn mechanisms(body: &FlexibleBody, order: usize) -> Result<Vec<Mechanism>, ReductionError> {
     if body.elastic() == 0 || body.cyclic().is_empty() {
         return Ok(Vec::new());

@@ -1,4 +1,4 @@
-//! Why a study gives no answer.
+//! Errors of a study.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -18,12 +18,12 @@ use quasirigid_math::memory::TooMuchMemory;
 use crate::start::NoWobble;
 use crate::words::significant;
 
-/// A setting that a user may change; each door to the study has its own name for it.
+/// A setting that a user may change; each interface to the study has its own name for the setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Setting {
     /// Length of a history.
     Duration,
-    /// Number of its rows.
+    /// Number of rows of a history.
     Samples,
     /// System of equations.
     System,
@@ -62,7 +62,7 @@ impl Setting {
     }
 }
 
-/// Why a study gives no answer. Its text names settings by their keys; [`told`](Self::told) has other names for them.
+/// A study that gives no answer. The text names settings by their keys; [`told`](Self::told) has other names for them.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -82,7 +82,7 @@ pub enum StudyError {
     Record(RecordError),
     /// A torque over which no average is taken.
     Unaveraged(Unaveraged),
-    /// A duration (s) that is none.
+    /// A duration (s) that is not positive and finite.
     NoDuration {
         /// The duration.
         seconds: f64,
@@ -96,42 +96,42 @@ pub enum StudyError {
     },
     /// A history that has no room.
     History {
-        /// Its rows.
+        /// Number of rows.
         samples: usize,
-        /// What it would take.
+        /// Memory that the history would take.
         cause: TooMuchMemory,
     },
-    /// The rigid body has none.
+    /// Coordinates of the rigid body, which has none.
     NoCoordinates {
-        /// What was asked for.
+        /// Setting that asks for coordinates.
         setting: Setting,
     },
     /// The model has no initial rotation.
     NoSpin {
-        /// Its file.
+        /// File of the model.
         file: PathBuf,
     },
     /// Observed periods that no rotation has.
     Observed {
         /// File of the model.
         file: PathBuf,
-        /// Why.
+        /// Cause.
         cause: ObservedError,
     },
-    /// No stage of the evolution has this ratio.
-    NoStage {
+    /// A ratio `D/I₃` that no rotation state has.
+    NoRotationState {
         /// `D/I₃`.
         ratio: f64,
-        /// The least.
+        /// Least ratio.
         least: f64,
     },
-    /// Nothing ages about a principal axis.
+    /// A start about a principal axis, which does not evolve.
     Steady,
-    /// The body does not turn.
+    /// A body that does not turn.
     AtRest,
-    /// The energy is no number.
+    /// An energy that is not finite.
     BoundlessSpin,
-    /// No axis of greatest inertia.
+    /// A body without an axis of greatest inertia.
     NoShortAxis {
         /// Principal moments (kg·m²), ascending.
         moments: [f64; 3],
@@ -140,12 +140,12 @@ pub enum StudyError {
     NoWobble {
         /// File of the model.
         file: PathBuf,
-        /// Why.
+        /// Cause.
         cause: NoWobble,
     },
-    /// A wobble that is none.
+    /// A wobble whose angle is out of range.
     Nutation {
-        /// Its angle (rad).
+        /// Angle of the wobble (rad).
         angle: f64,
     },
     /// A rotation that no rigid body makes.
@@ -166,13 +166,13 @@ pub enum StudyError {
         /// Target (rad).
         to: f64,
     },
-    /// The pole is driven.
+    /// A driven pole.
     DrivenPole,
     /// Momentum wheels.
     Wheels,
     /// A body at one end of the ranges of the materials.
     Extreme {
-        /// What is wrong.
+        /// Error of the element.
         cause: Box<ElementError>,
     },
     /// A principal axis of a body that moments act on.
@@ -181,15 +181,15 @@ pub enum StudyError {
     Write {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// Cause.
         cause: std::io::Error,
     },
-    /// The work was told to end.
+    /// Work that was told to end.
     Interrupted,
 }
 
 impl StudyError {
-    /// The text, with the names that a door has for settings.
+    /// The text, with the names that an interface has for settings.
     #[must_use]
     pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
         match self {
@@ -256,7 +256,7 @@ impl StudyError {
     fn of_evolutions(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
         let (from, until) = (name(Setting::From), name(Setting::Until));
         match self {
-            Self::NoStage { ratio, least } => format!(
+            Self::NoRotationState { ratio, least } => format!(
                 "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end ages"
             ),
             Self::Steady => format!(

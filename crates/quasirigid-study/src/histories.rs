@@ -1,4 +1,4 @@
-//! Histories of the spin: how long, how finely, by which equations.
+//! Histories of the spin: duration, rows, tolerance, and systems of equations.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -20,10 +20,10 @@ use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{drift_note, shares, verdict};
 
-/// What a user says of a propagation; what is not said is the file's, or the usual.
+/// Settings of a propagation by the user; absent ones are the file's, or the defaults.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Propagation {
-    /// Duration (s); a hundred turns if nobody says.
+    /// Duration (s); a hundred revolutions by default.
     pub duration: Option<f64>,
     /// Error allowed per step, relative.
     pub tolerance: Option<f64>,
@@ -31,11 +31,11 @@ pub struct Propagation {
     pub samples: Option<usize>,
     /// Variable that is integrated.
     pub form: Option<Form>,
-    /// How the full system is integrated.
+    /// Integrator of the full system.
     pub method: Option<Method>,
 }
 
-/// Turns that a propagation makes when nothing says how long it lasts.
+/// Revolutions of a propagation without a duration.
 const TURNS: f64 = 100.0;
 /// Numbers of a row, in the history and in its table.
 const ROW: usize = 40;
@@ -75,13 +75,13 @@ impl Propagation {
             events: events(study, axis)?,
             method: self.method.or(run.method).unwrap_or(usual.method),
             tolerance: self.tolerance.or(run.tolerance).unwrap_or(usual.tolerance),
-            form: self.form.or(run.form).unwrap_or(Form::Momentum),
+            form: self.form.or(run.form).unwrap_or(Form::AngularMomentum),
             ..usual
         })
     }
 }
 
-/// What ends a propagation, as the file asks.
+/// Events that end a propagation, as the file asks.
 fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
     let Stop { energy, nutation, validity } = study.model.run.stop;
     let mut events: Vec<Event> = energy.map(Event::Energy).into_iter().collect();
@@ -93,9 +93,9 @@ fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
     Ok(events)
 }
 
-/// The axis from which nutation is counted, of a body at an angular velocity; that of greatest inertia where the momentum circles none. (P8)
+/// Axis from which nutation is counted at an angular velocity; that of greatest inertia where the angular momentum circles none. (P8)
 pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
-    let nutation = Nutations::new(body).at(body.momentum(omega));
+    let nutation = Nutations::new(body).at(body.angular_momentum(omega));
     nutation.map_or_else(|| Principal::compute(body.J).axes[2], |nutation| nutation.axis)
 }
 
@@ -114,7 +114,7 @@ pub(crate) fn even_times(samples: usize, duration: f64) -> Result<Vec<f64>, Stud
     Ok((0..samples).map(|i| if i == last { duration } else { duration * i as f64 / last as f64 }).collect())
 }
 
-/// Samples of a propagation, with its internal coordinates if they are wanted.
+/// Samples of a propagation, with its internal coordinates on request.
 pub(crate) struct Collector<'w> {
     pub samples: Vec<Sample>,
     /// Energy (J) that each dissipator took, by name, once a propagation has ended.
@@ -157,10 +157,10 @@ impl Observer for Collector<'_> {
     }
 }
 
-/// What a table of a history holds.
+/// Contents of the table of a history.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Which equations are integrated.
+    /// System of equations.
     pub system: System,
     /// Internal coordinates and their rates, too.
     pub coordinates: bool,
@@ -175,22 +175,22 @@ pub struct Table {
 pub struct History {
     /// The equations integrated.
     pub system: System,
-    /// How it ended, in a word and in a sentence.
+    /// Status at the end, in a word.
     pub status: &'static str,
-    /// The sentence.
+    /// Status in a sentence.
     pub message: String,
     /// The table.
     pub columns: Vec<Column>,
-    /// How it ended.
+    /// Result of the integration.
     pub run: Run,
     /// Energy (J) that each dissipator took, by name.
     pub budget: Vec<(String, f64)>,
-    /// What a reader should know: that the numerics may imitate the physics.
+    /// Notes to read before the numbers: the drift of the integrator may imitate dissipation.
     pub notes: Vec<String>,
 }
 
 impl History {
-    /// The last state and how it was reached, for machines.
+    /// The last state and the integration, for machines.
     #[must_use]
     pub fn json(&self) -> Value {
         let Run { last, work, .. } = &self.run;
@@ -201,14 +201,14 @@ impl History {
             "t": last.t,
             "omega": last.omega,
             "attitude": last.attitude,
-            "momentum": last.momentum,
+            "momentum": last.angular_momentum,
             "energy": last.energy,
             "dissipated": last.dissipated,
             "dissipation": shares(&self.budget),
             "work": last.work,
             "energy_drift": last.energy_drift,
             "momentum_drift": last.momentum_drift,
-            "turns": last.turns,
+            "turns": last.revolutions,
             "position": last.place,
             "velocity": last.velocity,
             "pole": last.pole,
@@ -221,11 +221,11 @@ impl History {
     }
 }
 
-/// Rows of a table when nothing says how many.
+/// Rows of a table without a given number.
 const TABLE_ROWS: usize = 1001;
 
 impl Study {
-    /// Follows one system of equations. What is suspect before the work is a remark to the watch.
+    /// Follows one system of equations. Doubts before the work are remarks to the watch.
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.

@@ -24,7 +24,7 @@ pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedB
         column("qy", "1", &|s| s.attitude[2]),
         column("qz", "1", &|s| s.attitude[3]),
         column("energy", "J", &|s| s.energy),
-        column("momentum", "N m s", &|s| norm(s.momentum)),
+        column("momentum", "N m s", &|s| norm(s.angular_momentum)),
         column("dissipated", "J", &|s| s.dissipated),
         column("work", "J", &|s| s.work),
         column("energy_drift", "J", &|s| s.energy_drift),
@@ -50,10 +50,12 @@ pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedB
     columns
 }
 
-/// The principal axis next to that circled, of least inertia first, and the least and the greatest angle of the nutation at each sample; not a number where there is none. (P8)
+/// The principal axis next to the circled one, from 1 for the least inertia, and the least and the greatest nutation angle at each
+/// sample; not a number where there is no nutation. (P8)
 fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 3] {
     let mut nutations = Nutations::new(body);
-    let found: Vec<Option<Nutation>> = samples.iter().map(|sample| nutations.at(sample.momentum)).collect();
+    let found: Vec<Option<Nutation>> =
+        samples.iter().map(|sample| nutations.at(sample.angular_momentum)).collect();
     let axes = Principal::compute(body.J).axes;
     let circled = |nutation: &Nutation| {
         let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();

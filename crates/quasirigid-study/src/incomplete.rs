@@ -1,9 +1,9 @@
-//! What the equations of a body leave out at an order, in words.
+//! Terms that the equations of a body leave out at an order, in words.
 
 use quasirigid::elements::{Assembly, Incomplete};
 
-/// Says that an order is beyond what the parts of a body support, if it is: full and reduced equations lack the same terms there,
-/// so that no verification shows it.
+/// Warns of an order above the one that the parts of a body support: full and reduced equations then lack the same terms,
+/// so that no verification shows the gap.
 pub fn beyond(assembly: &Assembly, order: usize) -> Option<String> {
     let missing = assembly.incomplete_at(order);
     let complete = missing.iter().map(|what| what.order()).min()?;

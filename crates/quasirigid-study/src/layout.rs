@@ -5,7 +5,7 @@ use textwrap::{Options, WordSeparator, WordSplitter};
 /// Columns that texts keep to.
 const WIDTH: usize = 79;
 
-/// A space at which no line is broken; it is printed as any other.
+/// A space at which no line is broken, printed as any other.
 pub const FIRM: char = '\u{a0}';
 
 /// A paragraph, broken at spaces only, so that paths and options stay whole.
@@ -23,7 +23,7 @@ pub fn paragraph_after(text: &str, columns: usize) -> String {
     paragraph(text, &" ".repeat(columns), "").trim_start().to_owned()
 }
 
-/// A paragraph for a box that takes these columns from every line.
+/// A paragraph for a box that is narrower by this number of columns.
 pub fn narrowed(text: &str, columns: usize) -> String {
     textwrap::fill(text, options(WIDTH - columns))
 }

@@ -1,4 +1,4 @@
-//! What the equations of motion leave out of a body, in words.
+//! Losses that the equations of motion leave out of a body, in words.
 
 use quasirigid::model::Principal;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
@@ -9,26 +9,26 @@ use crate::liquids::unanswered;
 use crate::study::Study;
 use crate::words::significant;
 
-/// Share of a decay that what no equation of motion holds may have.
+/// Largest share of a decay that losses without an equation of motion may have.
 pub const LEFT_OUT: f64 = 0.02;
 
 const LOSSLESS: &str = "Part of the body loses energy by a law of its material that no equation of motion holds: the full and the \
                         reduced system take it as elastic, and `evolve` alone counts its loss.";
 
-/// What the equations of motion leave out.
+/// Losses that the equations of motion leave out.
 #[derive(Clone, Debug)]
 pub struct LeftOut {
-    /// Of materials, which they take as elastic.
+    /// Loss of materials that the equations take as elastic.
     pub materials: Option<&'static str>,
-    /// Of liquids, whose part in what the spin does they get wrong.
+    /// Effect of liquids that the equations get wrong.
     pub liquids: Option<String>,
 }
 
 impl LeftOut {
-    /// At an angular velocity (rad/s), with the modes about the steady spin next to it where they are known.
+    /// Losses left out at an angular velocity (rad/s), with the modes about the steady spin next to it where these are known.
     pub fn at(study: &Study, omega: [f64; 3], known: Option<SpinModes>) -> Self {
         Self {
-            materials: (!study.body.lossy().is_empty()).then_some(LOSSLESS),
+            materials: (!study.body.viscoelastic().is_empty()).then_some(LOSSLESS),
             liquids: if study.model.assembly.cavities.is_empty() || norm(omega) == 0.0 {
                 None
             } else {
@@ -37,14 +37,14 @@ impl LeftOut {
         }
     }
 
-    /// In words.
+    /// Notes on the losses.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         self.materials.map(String::from).into_iter().chain(self.liquids.clone()).collect()
     }
 }
 
-/// Share of the decay of a nutation that the equations of motion leave out; infinite where it is not known.
+/// Share of the decay of a nutation that the equations of motion leave out; infinite where that share is not known.
 pub fn of_nutation(nutation: &SpinMode) -> f64 {
     let [decay, _] = nutation.of_motion;
     apart(decay, nutation.decay_rate)
@@ -57,7 +57,7 @@ fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
     SpinModes::about(&study.body, steady).ok()
 }
 
-/// What is wrong with the liquids about the axis of extreme inertia next to an angular velocity; none if they are right.
+/// Error of the liquids about the axis of extreme inertia next to an angular velocity, in words; none if they are right.
 fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<String> {
     let nutation = modes.as_ref().and_then(SpinModes::nutation);
     let why = "The equations of motion hold liquids by their slow flow and a few relaxations, without the Coriolis force";

@@ -1,8 +1,8 @@
-//! What a user asks of a body that is almost rigid, as a library: from a model to a record.
+//! Studies of almost rigid bodies: from a model to validity, modes, histories, secular evolution and a record.
 //!
-//! A [`Study`] is a model with its body. What is asked of it (how far the reduced equations hold, its modes, its histories, its
-//! evolution, the proof against the full system, the record of all) is answered here, with the verdicts and notes in words; nothing is
-//! printed, and no flag is known. The command line, Python and the report are doors to it.
+//! A [`Study`] is a model with its body. Its questions (validity of the reduced equations, modes, histories, evolution, verification
+//! against the full system, the record of all) are answered here, with the verdicts and notes in words; nothing is
+//! printed, and no flag is known. The command line, Python and the report are interfaces to this crate.
 //!
 //! The record and the report of `quasirigid run`:
 //!
@@ -24,7 +24,7 @@
 //! # }
 //! ```
 //!
-//! How far the reduced equations hold, the modes about the steady spins, and the fate of the wobble:
+//! Validity of the reduced equations, the modes about the steady spins, and the fate of the wobble:
 //!
 //! ```
 //! use quasirigid_study::Study;

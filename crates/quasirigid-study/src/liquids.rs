@@ -23,7 +23,7 @@ pub fn liquids(study: &Study, spin: f64) -> Vec<Liquid<'_>> {
         .collect()
 }
 
-/// Liquids whose answer to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s) is not known, in words; none if all are.
+/// Liquids of unknown response to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s), in words; none if all are known.
 pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<String> {
     let cavities = study.model.assembly.cavities.iter().zip(&study.liquids);
     let silent = cavities.filter(|(cavity, slow)| !cavity.answers(slow, study.order, spin, frequency));
@@ -41,7 +41,7 @@ pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<Strin
     })
 }
 
-/// Error of a flow from which a reader is told before the numbers.
+/// Relative error of a flow from which a note is given.
 pub const NOTABLE: f64 = 0.01;
 
 /// Relative error of the slow flow of a liquid; zero where it is exact.
@@ -49,7 +49,7 @@ pub fn unresolved(liquid: &SlowLiquid) -> f64 {
     liquid.errors.map_or(0.0, |errors| errors.into_iter().fold(0.0, f64::max))
 }
 
-/// What a reader should know of flows before the numbers; nothing where they are well resolved.
+/// Notes on flows to read before the numbers; none where they are well resolved.
 pub fn notes(assembly: &Assembly, liquids: &[SlowLiquid]) -> Vec<String> {
     let coarse = assembly.cavities.iter().zip(liquids).filter(|(_, liquid)| unresolved(liquid) > NOTABLE);
     coarse

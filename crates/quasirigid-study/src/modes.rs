@@ -15,11 +15,11 @@ use crate::{steady, steady_state};
 /// A principal axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrincipalAxis {
-    /// That of least inertia.
+    /// Axis of least inertia.
     Least,
-    /// That between.
+    /// Axis of middle inertia.
     Middle,
-    /// That of greatest inertia.
+    /// Axis of greatest inertia.
     Greatest,
 }
 
@@ -33,7 +33,7 @@ impl Named for PrincipalAxis {
         &[("least", Self::Least, ""), ("middle", Self::Middle, ""), ("greatest", Self::Greatest, "")];
 }
 
-/// Which steady spins are asked for; both poles with the angular momentum of the start, if nothing is said.
+/// Request for steady spins; both poles with the angular momentum of the start by default.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AskedSpin {
     /// An angular velocity (rad/s): the steady spin nearest to its direction, with its size.
@@ -47,9 +47,9 @@ pub struct AskedSpin {
 pub struct Modes {
     /// One record for each.
     pub spins: Vec<SteadySpinRecord>,
-    /// What the steady state under forces has beside.
+    /// Further results of the steady state under forces.
     pub state: Option<Value>,
-    /// Whether it is a steady state under forces.
+    /// Whether the result is a steady state under forces.
     pub under_forces: bool,
 }
 
@@ -72,7 +72,7 @@ impl Modes {
         object
     }
 
-    /// Whether each was found.
+    /// Whether every steady spin was found.
     #[must_use]
     pub fn found(&self) -> bool {
         self.spins.iter().all(|spin| spin.spin.is_some())
@@ -110,11 +110,15 @@ impl Study {
     }
 }
 
-/// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if what turns inside takes that up.
+/// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if internal rotors and liquids take that up.
 fn of_start(study: &Study) -> Result<([f64; 3], Given), StudyError> {
     let spin = study.initial()?;
-    let momentum = Motion::new(study, spin).momentum()?;
-    let given = if momentum > 0.0 { Given::Momentum(momentum) } else { Given::Rate(norm(spin.omega)) };
+    let angular_momentum = Motion::new(study, spin).angular_momentum()?;
+    let given = if angular_momentum > 0.0 {
+        Given::AngularMomentum(angular_momentum)
+    } else {
+        Given::Rate(norm(spin.omega))
+    };
     Ok((spin.omega, given))
 }
 

@@ -16,11 +16,11 @@ use crate::start::{follows_its_spin, slaved_order};
 use crate::study::Study;
 use quasirigid_io::model::System;
 
-/// Difference between an angular momentum and that of the spin which the series finds for it, relative to itself, from which the
+/// Relative difference between an angular momentum and that of the spin which the series finds for it, from which the
 /// series means nothing there.
 const CLOSED: f64 = 0.01;
 
-/// What is said first of a model whose motion [starts displaced](Motion::starts_displaced).
+/// Beginning of the notes on a model whose motion [starts displaced](Motion::starts_displaced).
 pub const DISPLACED: &str = "What moves inside does not start on the slow manifold";
 
 /// A body with its forces and its initial state.
@@ -35,7 +35,7 @@ pub struct Motion<'a> {
     speeds: &'a [(usize, f64)],
 }
 
-/// Where the body starts, and how fast (m, m/s): the centre of mass of a free one, the pole of any other.
+/// Position and velocity (m, m/s) at the start: of the centre of mass of a free body, of the pole of any other.
 pub fn placed(Study { model, body, .. }: &Study) -> ([f64; 3], [f64; 3]) {
     match body.support() {
         Support::Free => (model.initial.position, model.initial.velocity),
@@ -65,7 +65,7 @@ impl<'a> Motion<'a> {
         Forced { body: self.body, forces: self.forces }
     }
 
-    /// Whether something inside starts elsewhere than on the slow manifold.
+    /// Whether an internal coordinate starts off the slow manifold.
     pub fn starts_displaced(&self) -> bool {
         self.displaced.is_some() || !self.speeds.is_empty()
     }
@@ -102,7 +102,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series
-    /// there, and beyond it means nothing.
+    /// there, and beyond that frequency the series means nothing.
     fn bounded(&self, options: &Options) -> Result<Options, StudyError> {
         let mut options = options.clone();
         let bounded = options.events.iter().any(|event| matches!(event, Event::Validity { .. }));
@@ -137,12 +137,12 @@ impl<'a> Motion<'a> {
         Ok(state)
     }
 
-    /// Size of the angular momentum at the start (N·m·s), that of what moves and turns inside included.
-    pub fn momentum(&self) -> Result<f64, StudyError> {
-        Ok(norm(self.full()?.momentum(self.body)))
+    /// Size of the angular momentum at the start (N·m·s), internal angular momentum included.
+    pub fn angular_momentum(&self) -> Result<f64, StudyError> {
+        Ok(norm(self.full()?.angular_momentum(self.body)))
     }
 
-    /// Whether the slow manifold says nothing of the displacements at the start, so that these are those of a steady spin.
+    /// Whether the series of the slow manifold fails at the start, so that the displacements are those of a steady spin.
     pub fn is_soft(&self) -> Result<bool, StudyError> {
         let omega = self.start.omega;
         let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
@@ -162,9 +162,13 @@ impl<'a> Motion<'a> {
         if self.order == 0 {
             return Ok(self.start.omega);
         }
-        let omega = reduced.Omega.vector(slow.momentum);
-        let gap = norm(add(reduced.momentum(omega), scale(-1.0, slow.momentum)));
-        if gap <= CLOSED * norm(slow.momentum) { Ok(omega) } else { Err(PropagateError::NoMomentum.into()) }
+        let omega = reduced.Omega.vector(slow.angular_momentum);
+        let gap = norm(add(reduced.angular_momentum(omega), scale(-1.0, slow.angular_momentum)));
+        if gap <= CLOSED * norm(slow.angular_momentum) {
+            Ok(omega)
+        } else {
+            Err(PropagateError::NoAngularMomentum.into())
+        }
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, StudyError> {
@@ -176,7 +180,7 @@ impl<'a> Motion<'a> {
             return self.matched(order);
         }
         let Start { omega, attitude, place, velocity } = self.start;
-        let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+        let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
         Ok(still.with_spin(self.system(), order, omega)?)
     }
 
@@ -185,13 +189,13 @@ impl<'a> Motion<'a> {
         let forces = self.system();
         match (system, forces.acts(), form) {
             (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
-            (_, false, Form::Momentum) => "momentum in body axes, K' = K x Omega(K)",
-            (_, true, Form::Momentum) => "momentum in body axes, K' = K x w + M",
-            (_, false, Form::Paper) if !forces.body.wheels().is_empty() => {
+            (_, false, Form::AngularMomentum) => "angular momentum in body axes, K' = K x Omega(K)",
+            (_, true, Form::AngularMomentum) => "angular momentum in body axes, K' = K x w + M",
+            (_, false, Form::AngularVelocity) if !forces.body.wheels().is_empty() => {
                 "spin, J w' + w x (Jw + k) = mu(w)"
             }
-            (_, false, Form::Paper) => "spin, J w' + w x Jw = mu(w)",
-            (_, true, Form::Paper) => "spin, J w' + w x Jw = M + mu",
+            (_, false, Form::AngularVelocity) => "spin, J w' + w x Jw = mu(w)",
+            (_, true, Form::AngularVelocity) => "spin, J w' + w x Jw = M + mu",
         }
     }
 }

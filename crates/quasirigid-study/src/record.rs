@@ -1,4 +1,4 @@
-//! What the library computed, as a run record.
+//! Results of the library as parts of a run record.
 
 use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
@@ -47,13 +47,13 @@ pub fn body(study: &Study) -> BodyRecord {
     }
 }
 
-/// How well the shape of a solid inside a surface is resolved.
+/// Resolution of the shape of a solid inside a surface.
 pub fn resolution(study: &Study) -> impl Iterator<Item = ResolutionRecord> + '_ {
     let solids = study.model.assembly.surfaces.iter().zip(&study.resolution);
     solids.map(|(solid, found)| resolution::record(&solid.name, found))
 }
 
-/// How far the reduced equations hold.
+/// Validity of the reduced equations.
 pub fn validity(validity: &Validity) -> ValidityRecord {
     let criteria = validity.criteria.iter().map(|criterion| {
         let words = words::criterion(criterion, validity);
@@ -156,7 +156,7 @@ pub fn history(
         tolerance: options.tolerance,
         steps: run.work.steps,
         rejected: run.work.rejected,
-        turns: run.last.turns,
+        revolutions: run.last.revolutions,
         energy: samples.first().map_or(f64::NAN, |first| first.energy),
         dissipated: run.last.dissipated,
         dissipation: words::shares(budget),
@@ -167,7 +167,7 @@ pub fn history(
     }
 }
 
-/// How a system was integrated, in words.
+/// Integration of a system, in words.
 fn method(system: System, work: Work) -> String {
     let explicit = work.steps - work.implicit_steps;
     match (system, work.implicit_steps, explicit) {
@@ -181,7 +181,7 @@ fn method(system: System, work: Work) -> String {
     }
 }
 
-/// How a run ended: a word, and a sentence.
+/// End of a run: a word, and a sentence.
 pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, String) {
     match outcome {
         Outcome::Finished => ("finished", "the run reached its end".into()),

@@ -1,11 +1,11 @@
-//! How well the shape of a solid is resolved, in words and numbers.
+//! Resolution of the shape of a solid, in words and numbers.
 
 use quasirigid::elements::{Approximation, Resolution};
 use quasirigid_io::record::ResolutionRecord;
 
 use crate::words::significant;
 
-/// Error of the dissipation from which a reader is told before the numbers.
+/// Relative error of the dissipation from which a note is given.
 const NOTABLE: f64 = 0.05;
 /// Error from which no answer holds.
 pub const NOTHING: f64 = 0.5;
@@ -20,7 +20,7 @@ pub fn record(name: &str, resolution: &Resolution) -> ResolutionRecord {
     ResolutionRecord { degree, cells, error, sentence: sentence(name, resolution) }
 }
 
-/// By what the solid is approximated, and how well.
+/// Approximation of the solid, and its error.
 fn sentence(name: &str, resolution: &Resolution) -> String {
     let by = match resolution.approximation {
         Approximation::Polynomials { degree } => format!("polynomials of degree {degree}"),
@@ -29,7 +29,7 @@ fn sentence(name: &str, resolution: &Resolution) -> String {
     format!("{name:?}: {by}; {}.", known(resolution.error))
 }
 
-/// What a reader should know before the numbers; nothing where the shape is well resolved.
+/// Note to read before the numbers; none where the shape is well resolved.
 pub fn note(name: &str, resolution: &Resolution) -> Option<String> {
     let advice = match resolution.approximation {
         Approximation::Polynomials { .. } => "leave `degree` out, or describe the body by a [[solid]]",
@@ -42,7 +42,7 @@ pub fn note(name: &str, resolution: &Resolution) -> Option<String> {
         .then(|| format!("The shape of {name:?} is hard to resolve: {}; {advice}.", known(resolution.error)))
 }
 
-/// How far its dissipation is known.
+/// Error of the dissipation, in words.
 pub fn known(error: f64) -> String {
     if error.is_finite() {
         format!("its dissipation, and times with it, are known to about {} %", significant(100.0 * error, 2))

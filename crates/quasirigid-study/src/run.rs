@@ -22,28 +22,28 @@ use crate::watch::Watch;
 use crate::words::drift_note;
 use crate::{evolution, record, steady, verification};
 
-/// Rows of a history when nothing says how many: enough for smooth curves, within limits.
+/// Rows of a history without a given number: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
 const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
 /// Note on a spin outside the range of the series.
-const NO_MOMENTUM: &str = "The truncated series has no momentum for this spin, so the full system was followed \
+const NO_MOMENTUM: &str = "The truncated series has no angular momentum for this angular velocity, so the full system was followed \
                            in the place of the reduced equations.";
 /// Note on a run that was told to end.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
-/// What a start off the slow manifold means for the histories.
+/// Note on the histories of a start off the slow manifold.
 const SETTLES: &str = "the full system moves until its friction has stilled it, and the reduced body starts from the state that it \
                        settles on";
 
-/// What a run found.
+/// Result of a run.
 #[derive(Clone, Debug)]
 pub struct RunOutcome {
     /// The record.
     pub record: RunRecord,
     /// The reduced equations, as JSON.
     pub reduced: String,
-    /// Whether all that was asked for is done and holds.
+    /// Whether everything asked for is done and holds.
     pub holds: bool,
 }
 
@@ -73,7 +73,7 @@ impl RunOutcome {
 }
 
 impl Study {
-    /// Does all that the model asks for in `[run]`.
+    /// Does everything that the model asks for in `[run]`.
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
@@ -83,7 +83,7 @@ impl Study {
         let motion = Motion::new(self, start);
         let reduced = reduce(body, *order)?;
         let judged = match motion.settled_spin(&reduced) {
-            Err(StudyError::Propagate(PropagateError::NoMomentum)) => start.omega,
+            Err(StudyError::Propagate(PropagateError::NoAngularMomentum)) => start.omega,
             other => other?,
         };
         let validity = Validity::assess_reduced(body, &reduced, judged)?;
@@ -121,7 +121,7 @@ impl Study {
     }
 }
 
-/// What the histories of a run have in common.
+/// Settings that the histories of a run share.
 struct Plan<'a> {
     study: &'a Study,
     motion: &'a Motion<'a>,
@@ -134,7 +134,7 @@ struct Plan<'a> {
 /// The bodies by which nutation is counted. (P8)
 struct Nutating<'a> {
     rigid: &'a ReducedBody,
-    /// The reduced body where it holds, else the rigid one.
+    /// The reduced body where its equations hold, else the rigid one.
     nearly_rigid: &'a ReducedBody,
 }
 
@@ -153,8 +153,8 @@ impl<'a> Plan<'a> {
     ) -> Result<Self, StudyError> {
         let omega = motion.start.omega;
         let duration = propagation.duration(study, omega)?;
-        let turns = duration * norm(omega) / std::f64::consts::TAU;
-        let rows = (ROWS_PER_TURN * turns).ceil().clamp(ROWS[0], ROWS[1]) as usize;
+        let revolutions = duration * norm(omega) / std::f64::consts::TAU;
+        let rows = (ROWS_PER_TURN * revolutions).ceil().clamp(ROWS[0], ROWS[1]) as usize;
         let rows = propagation.samples(study, rows);
         let systems = study.model.run.systems.clone().unwrap_or_else(|| vec![System::Reduced, System::Rigid]);
         room(rows, systems.len() + 1, 0)?;
@@ -176,7 +176,9 @@ impl<'a> Plan<'a> {
             }
             match self.history(*system, watch) {
                 Ok(history) => histories.push(history),
-                Err(StudyError::Propagate(PropagateError::NoMomentum)) if *system == System::Reduced => {
+                Err(StudyError::Propagate(PropagateError::NoAngularMomentum))
+                    if *system == System::Reduced =>
+                {
                     notes.push(NO_MOMENTUM.into());
                     if !self.systems.contains(&System::Full) {
                         histories.push(self.history(System::Full, watch)?);
@@ -227,7 +229,7 @@ impl<'a> Plan<'a> {
             evolution::follow(self.study, start, &self.study.evolution_asked(), watch)?;
         notes.extend(remarks);
         if record.status != "finished" {
-            notes.push(format!("Over many turns: {}", record.message));
+            notes.push(format!("Over many revolutions: {}", record.message));
         }
         Ok(Some(record))
     }
@@ -246,7 +248,7 @@ impl<'a> Plan<'a> {
         Ok(record::history(system, equations, &self.options, (&samples, &budget), (body, &run), counted))
     }
 
-    /// Whether all that was asked for was followed to its end and proved.
+    /// Whether everything asked for was followed to its end and verified.
     fn is_done(&self, record: &RunRecord) -> bool {
         let ended = |status: &str| matches!(status, "finished" | "event");
         record.histories.len() == self.systems.len()

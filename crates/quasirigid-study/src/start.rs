@@ -1,4 +1,4 @@
-//! The rotation that a model starts with, however the file describes it.
+//! Initial rotation of a model, from any of the forms of the file.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -26,7 +26,10 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start
         Rotation::Periods { rotation, precession, mode } => {
             let observed = ObservedPeriods { rotation, precession, mode };
             let motion = observed.motion(principal.moments);
-            momentum(&principal, &motion.map_err(|cause| StudyError::Observed { file: file.into(), cause })?)
+            angular_momentum(
+                &principal,
+                &motion.map_err(|cause| StudyError::Observed { file: file.into(), cause })?,
+            )
         }
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(principal.moments) {
@@ -35,7 +38,7 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start
             }
             let size = rate * principal.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
-            momentum(&principal, &motion?)
+            angular_momentum(&principal, &motion?)
         }
     };
     if let Displacements::Given { q, .. } = &model.initial.displacements {
@@ -57,11 +60,11 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start
     Ok(Start::new(omega, attitude))
 }
 
-/// An angular velocity this many times that of the frozen body is none that its angular momentum has.
+/// An angular velocity this many times that of the frozen body is no solution for its angular momentum.
 const FAR: f64 = 3.0;
 
 /// Angular momentum (N·m·s) and angular velocity (rad/s) of a motion of the frozen body, body axes.
-fn momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]) {
+fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]) {
     let spin = motion.omega(0.0);
     let K = [0, 1, 2].map(|i| principal.moments[i] * spin[i]);
     (principal.vector(K), principal.vector(spin))
@@ -72,14 +75,14 @@ fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f
     let axis = Principal::compute(body.invariants().J).axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
     let principal = Principal::compute(body.inertia_at(&steady.q));
-    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.momentum), mode, angle)?;
-    Ok(momentum(&principal, &motion).0)
+    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.angular_momentum), mode, angle)?;
+    Ok(angular_momentum(&principal, &motion).0)
 }
 
-/// Share of the load that is left unbalanced by displacements that mean nothing.
+/// Share of the load left unbalanced from which the displacements of the series mean nothing.
 const UNBALANCED: f64 = 0.5;
 
-/// Whether the displacements of a body follow its spin (rad/s) as the series of its slow manifold says. (Q8)
+/// Whether the displacements of a body are those of the series of its slow manifold at this angular velocity (rad/s). (Q8)
 pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 3]) -> bool {
     reduced.order < 2
         || (residual(body, reduced, spin).elastic <= UNBALANCED && manifold_has_meaning(body, reduced, spin))
@@ -119,8 +122,8 @@ impl Display for NoWobble {
     }
 }
 
-/// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where something turns inside so
-/// freely that the spin does not slave it. It then turns with the body at the start.
+/// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where internal rotors or liquids are
+/// so free that the spin does not slave them. They then turn with the body at the start.
 pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
     let value = Relaxation::compute(body)?.longest() * norm(spin);
     let criterion = Criterion { comparison: Comparison::Relaxation, value };

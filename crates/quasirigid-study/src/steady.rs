@@ -1,4 +1,4 @@
-//! Steady spins and the modes about them, found, recorded and told.
+//! Steady spins and the modes about them: search, record and text.
 
 use std::fmt::{self, Write};
 
@@ -24,13 +24,13 @@ const SHARES: usize = 4;
 /// The steady spins about the axes of greatest and of least inertia.
 #[derive(Default)]
 pub struct Poles {
-    /// That next to the start first.
+    /// Records, the one next to the start first.
     pub records: Vec<SteadySpinRecord>,
     /// Modes of the first, if they were found.
     pub nearest: Option<SpinModes>,
 }
 
-/// The steady spins about the axes of greatest and of least inertia, that next to an angular velocity first.
+/// The steady spins about the axes of greatest and of least inertia, the one next to an angular velocity first.
 pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
     let body = &study.body;
     let nearest = Principal::compute(body.invariants().J).nearest(omega);
@@ -41,37 +41,37 @@ pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
     Poles { records: vec![first, second], nearest: modes }
 }
 
-/// The steady spins with the angular momentum of the start; none where moments act, of a body without any, and of bodies of more
-/// coordinates than are looked at without being asked.
+/// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
+/// of more coordinates than are analysed unasked.
 pub fn at_start(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
     let Study { body, forces, .. } = study;
     if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MANY {
         return Ok(Poles::default());
     }
-    Ok(match motion.momentum()? {
+    Ok(match motion.angular_momentum()? {
         0.0 => Poles::default(),
-        momentum => poles(study, motion.start.omega, Given::Momentum(momentum)),
+        angular_momentum => poles(study, motion.start.omega, Given::AngularMomentum(angular_momentum)),
     })
 }
 
-/// What the steady spins come to, a paragraph each.
+/// Results of the steady spins, a paragraph each.
 pub fn lines(spins: &[SteadySpinRecord]) -> String {
     if spins.is_empty() {
         return String::new();
     }
     let line = |spin: &SteadySpinRecord| format!("{}\n", paragraph(&spin.sentence, "  ", "    "));
     format!(
-        "\nSteady spins at this momentum, with the modes about them\n{}",
+        "\nSteady spins at this angular momentum, with the modes about them\n{}",
         spins.iter().map(line).collect::<String>()
     )
 }
 
-/// The steady spin near an axis, on the side of it, with its modes.
+/// The steady spin near an axis, on its side, with its modes.
 pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: Given) -> SteadySpinRecord {
     told(study, name, RelativeEquilibrium::near(&study.body, axis, given)).0
 }
 
-/// A steady spin with its modes, or why there is none, and the modes themselves.
+/// Record of a steady spin with its modes, or of its absence, and the modes themselves.
 fn told(
     study: &Study,
     name: &str,
@@ -99,7 +99,7 @@ fn told(
         sentence: sentence(name, &modes),
         axis: name.into(),
         spin: Some(modes.equilibrium.omega),
-        momentum: Some(modes.equilibrium.momentum),
+        angular_momentum: Some(modes.equilibrium.angular_momentum),
         energy: Some(modes.equilibrium.energy),
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
@@ -129,7 +129,7 @@ pub fn missing(name: &str, sentence: String) -> SteadySpinRecord {
         sentence,
         axis: name.into(),
         spin: None,
-        momentum: None,
+        angular_momentum: None,
         energy: None,
         displacements: std::collections::BTreeMap::new(),
         stable: false,
@@ -144,7 +144,7 @@ fn axis(name: &str) -> String {
     }
 }
 
-/// What a steady spin comes to, instability first.
+/// Result of a steady spin in words, instability first.
 fn sentence(name: &str, modes: &SpinModes) -> String {
     let about = format!("About {}", axis(name));
     let growing = modes.modes.iter().filter(|mode| mode.grows());
@@ -168,7 +168,7 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
     }
 }
 
-/// What becomes of a small motion with this decay rate (1/s).
+/// Fate of a small motion with this decay rate (1/s).
 pub fn fate(decay_rate: f64) -> String {
     if decay_rate > 0.0 {
         format!("decays e-fold in {}", time(decay_rate.recip()))

@@ -1,4 +1,4 @@
-//! The steady state of a body under moments with the modes about it, found, recorded and told.
+//! The steady state of a body under moments with the modes about it: search, record and text.
 
 use quasirigid::modes::{Near, SteadyModes, SteadyState};
 use quasirigid_io::model::Rotation;
@@ -14,19 +14,19 @@ use crate::steady::{fate, missing, recorded};
 use crate::study::Study;
 use crate::words::significant;
 
-/// What the record of such a state has for the axis that it was looked for near.
+/// Entry for the axis in the record of a steady state under moments.
 pub const UNDER_FORCES: &str = "under forces";
-/// A state further from where it was looked for is told (rad, share of the rate).
+/// Distance of a state from the place of the search from which the distance is mentioned (rad, share of the rate).
 const AWAY: f64 = 0.1;
 
-/// A steady state under moments, told; none if it was not found.
+/// Record of a steady state under moments, or of its absence.
 pub struct Told {
     pub record: SteadySpinRecord,
-    /// What is found beside what every steady spin has.
+    /// Results beside those of every steady spin.
     pub state: Option<Value>,
 }
 
-/// Where a steady state is looked for: at the angular velocity asked for, or at the start of the file, at rest if that has no rotation.
+/// Place of the search: the angular velocity asked for, or the start of the file, at rest if the file has no rotation.
 pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> {
     let Study { model, body, order, .. } = study;
     let omega = match (asked, model.initial.rotation) {
@@ -38,7 +38,7 @@ pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> 
     Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
-/// The steady state next to a start with the modes about it, or why there is none.
+/// The steady state next to a start with the modes about it, or the reason for its absence.
 pub fn told(study: &Study, near: Near) -> Told {
     let found = SteadyState::near(&study.body, &study.forces, near)
         .and_then(|state| SteadyModes::about(&study.body, &study.forces, state));
@@ -55,7 +55,7 @@ pub fn told(study: &Study, near: Near) -> Told {
     }
 }
 
-/// Liquids whose answer to the slowest of the modes that swing is not known, in words.
+/// Liquids of unknown response to the slowest oscillating mode, in words.
 fn silent(study: &Study, modes: &SteadyModes) -> Option<String> {
     let swinging = modes.modes.iter().map(|mode| mode.frequency).filter(|frequency| *frequency > 0.0);
     unanswered(study, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
@@ -68,7 +68,7 @@ fn record(study: &Study, modes: &SteadyModes, near: Near) -> SteadySpinRecord {
         sentence: sentence(modes, near),
         axis: UNDER_FORCES.into(),
         spin: Some(state.omega.map(|component| tidy(component, norm(state.omega)))),
-        momentum: Some(state.momentum),
+        angular_momentum: Some(state.angular_momentum),
         energy: Some(state.energy),
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
@@ -84,7 +84,7 @@ fn described(modes: &SteadyModes) -> Value {
     })
 }
 
-/// What the steady state comes to, instability first.
+/// Result of the steady state in words, instability first.
 fn sentence(modes: &SteadyModes, near: Near) -> String {
     let fastest = modes.modes.iter().min_by(|a, b| a.decay_rate.total_cmp(&b.decay_rate));
     let mut sentence = match fastest {
@@ -123,7 +123,7 @@ fn sentence(modes: &SteadyModes, near: Near) -> String {
     sentence
 }
 
-/// How the body turns.
+/// Rotation of the body, in words.
 fn rate(modes: &SteadyModes) -> String {
     let Some(axis) = modes.state.axis else { return " The body rests.".into() };
     let axis = axis.map(|component| significant(tidy(component, 1.0), 4)).join(", ");
@@ -133,7 +133,7 @@ fn rate(modes: &SteadyModes) -> String {
     )
 }
 
-/// A component of a vector of this length, without what is rounding.
+/// A component of a vector of this length, zero where it is rounding.
 fn tidy(component: f64, length: f64) -> f64 {
     if component.abs() < 1e-9 * length { 0.0 } else { component }
 }

@@ -14,7 +14,7 @@ use crate::incomplete::beyond;
 use crate::start::initial;
 use crate::{liquids, resolution};
 
-/// A model, assembled: what every question is asked of.
+/// Study: an assembled model that answers every question.
 ///
 /// ```
 /// use quasirigid_study::Study;
@@ -28,26 +28,26 @@ use crate::{liquids, resolution};
 /// ```
 #[derive(Debug)]
 pub struct Study {
-    /// The model, with notes on what is suspect in it.
+    /// The model, with notes on suspect values.
     pub model: Model,
-    /// Its body.
+    /// Body of the model.
     pub body: FlexibleBody,
-    /// External forces, on its places.
+    /// External forces, on places of the body.
     pub forces: Vec<Force<Marker>>,
     /// Rates of cyclic coordinates at the start (rad/s), where the model gives them.
     pub speeds: Vec<(usize, f64)>,
-    /// What each liquid does to a slow rotation.
+    /// Effect of each liquid on a slow rotation.
     pub liquids: Vec<SlowLiquid>,
-    /// How the unknowns of its parts became few coordinates.
+    /// Condensation of the unknowns of the parts into few coordinates.
     pub condensation: Option<Condensation>,
-    /// How a solid inside a surface is approximated.
+    /// Approximation of a solid inside a surface.
     pub resolution: Option<Resolution>,
     /// Order of the reduced equations.
     pub order: usize,
 }
 
 impl Study {
-    /// Of a model file, at an order of the reduced equations, or at the file's own.
+    /// Study of a model file, at an order of the reduced equations, or at the file's own.
     ///
     /// # Errors
     /// [`StudyError::Model`] for a file that cannot be read, and for a body that cannot be.
@@ -55,7 +55,7 @@ impl Study {
         Self::new(Model::read(path.as_ref())?, order)
     }
 
-    /// The same of the text of a model file; `name` stands for the file in messages.
+    /// Study of the text of a model file; `name` stands for the file in messages.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -63,7 +63,7 @@ impl Study {
         Self::new(Model::read_from(name, text)?, order)
     }
 
-    /// The same of a model.
+    /// Study of a model.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -84,7 +84,7 @@ impl Study {
         Ok(Self { model, body, forces, speeds, liquids: slow, condensation, resolution, order })
     }
 
-    /// The rotation that the model starts with, however it describes it.
+    /// Initial rotation of the model, from any of its forms.
     ///
     /// # Errors
     /// [`StudyError`] for a model without a rotation, and for one that its body cannot have.
@@ -93,7 +93,7 @@ impl Study {
     }
 }
 
-/// Notes how well a solid is resolved, and takes the same approximation for the ends of the ranges of its materials.
+/// Notes the resolution of a solid, and takes its approximation for the ends of the ranges of the materials too.
 fn settle(model: &mut Model, resolution: &Resolution) {
     let solids = &model.assembly.surfaces;
     model.notes.extend(solids.iter().filter_map(|solid| resolution::note(&solid.name, resolution)));

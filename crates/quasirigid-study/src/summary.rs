@@ -33,7 +33,11 @@ fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
         write_history(out, history)?;
     }
     if let Some(evolution) = &record.evolution {
-        writeln!(out, "\n{}", paragraph(&format!("Over many turns: {}", evolution.sentence), "", "  "))?;
+        writeln!(
+            out,
+            "\n{}",
+            paragraph(&format!("Over many revolutions: {}", evolution.sentence), "", "  ")
+        )?;
     }
     if let Some(verification) = &record.verification {
         write!(out, "\n{}", verification::text("Verification", verification))?;
@@ -54,8 +58,13 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
     let vector = |value: &dyn Fn(&str) -> f64| {
         spin.map(|name| format!("{:>12}", significant(value(name), 6))).join(" ")
     };
-    let turns = significant(history.turns, 6);
-    let title = format!("{} body, {} ({turns} turns; {})", history.system, time(last("t")), history.message);
+    let revolutions = significant(history.revolutions, 6);
+    let title = format!(
+        "{} body, {} ({revolutions} revolutions; {})",
+        history.system,
+        time(last("t")),
+        history.message
+    );
     writeln!(out, "\n{}", paragraph(&title, "", "  "))?;
     writeln!(out, "  spin at the start  {} rad/s", vector(&first))?;
     writeln!(out, "  spin at the end    {} rad/s", vector(&last))?;

@@ -1,4 +1,4 @@
-//! The proof of the reduced equations: how it is asked for, followed and told.
+//! Verification of the reduced equations against the full system: plan, run and text.
 
 use std::fmt::{self, Write};
 
@@ -18,7 +18,7 @@ use crate::watch::Watch;
 use crate::words::{significant, time};
 
 impl Study {
-    /// What is verified: what is asked for, or what the file asks for; where neither says, every order up to the model's from the highest
+    /// Plan of a verification: as asked for, or as the file asks; by default every order up to the model's from the highest
     /// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
     #[must_use]
     pub fn verification_plan(&self, asked: Verify) -> VerificationPlan {
@@ -49,13 +49,13 @@ impl Study {
     }
 }
 
-/// What was found of the reduced equations and of the average.
+/// Results for the reduced equations and for the average.
 pub(crate) struct Proof {
     pub verification: Verification,
     pub average: Result<AverageRow, AverageError>,
 }
 
-/// Halvings at most at which the average is set beside the full system, and the steps that this may take, in those of the verification.
+/// Halvings at most at which the average is compared with the full system, and the steps of these runs, in those of the verification.
 const HALVINGS: usize = 3;
 const STEPS: u64 = 40;
 

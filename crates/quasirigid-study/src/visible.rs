@@ -1,19 +1,19 @@
-//! Text of files on a terminal: what would steer the terminal is shown instead.
+//! Text of files on a terminal: characters that would steer the terminal are shown instead.
 
 use std::fmt::Write;
 
-/// A text in which control characters, line breaks and tabs apart, stand as `\u001b`; so do those that change the direction of
-/// writing. JSON means the same with them.
+/// A text in which control characters, line breaks and tabs apart, stand as `\u001b`; so do characters that change the direction of
+/// writing. JSON keeps its meaning with them.
 pub fn visible(text: &str) -> String {
     escaped(text, |letter| steers(letter) && !matches!(letter, '\n' | '\t'))
 }
 
-/// The same of a name, which has no line breaks either.
+/// A name made visible likewise, without line breaks.
 pub fn one_line(name: &str) -> String {
     escaped(name, steers)
 }
 
-/// A text of the same length in bytes, in which question marks stand for such characters; ends of lines stay.
+/// A text of equal length in bytes, in which question marks stand for such characters; ends of lines stay.
 pub fn masked(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut letters = text.chars().peekable();

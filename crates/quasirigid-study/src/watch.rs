@@ -6,12 +6,12 @@ use quasirigid_math::watch;
 
 use crate::error::StudyError;
 
-/// Watches long work: shows how far it is, and may end it.
+/// Observer of long work: shows the progress, and may end the work.
 pub trait Watch {
-    /// Told from time to time how far a stage of the work is, from 0 to 1. Work that is told to break ends with what it has.
+    /// Receives now and then the share of a stage that is done, from 0 to 1. Work that is told to break ends with its partial result.
     fn at(&mut self, stage: &str, share: f64) -> ControlFlow<()>;
 
-    /// Told what cannot wait for the end of the work.
+    /// Receives a sentence that cannot wait for the end of the work.
     fn remark(&mut self, _sentence: &str) {}
 }
 

@@ -8,15 +8,15 @@ use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 
 /// A criterion in words.
 pub struct Words {
-    /// What is compared.
+    /// Quantity that is compared.
     pub name: &'static str,
-    /// The same in symbols.
+    /// Quantity in symbols.
     pub symbol: &'static str,
-    /// What its number means, in one sentence.
+    /// Meaning of the number, in one sentence.
     pub sentence: String,
 }
 
-/// Says what a criterion means for this body and spin.
+/// Meaning of a criterion for this body and spin.
 pub fn criterion(criterion: &Criterion, validity: &Validity) -> Words {
     let (name, symbol) = names(criterion.comparison);
     Words { name, symbol, sentence: sentence(criterion, validity) }
@@ -86,7 +86,7 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
             "Two orders more change the power that is dissipated by {ratio} of itself: what follows from it is no better at this order."
         ),
         Comparison::Levels => format!(
-            "The elastic torque is {ratio} of that of the rigid body: the momentum follows the rigid polhode no better than this, and averages along it err in this measure."
+            "The elastic torque is {ratio} of that of the rigid body: the angular momentum follows the rigid polhode no better than this, and averages along it err in this measure."
         ),
         Comparison::Forgetting if verdict == Verdict::Holds => {
             "Vibrations excited at the start die out before the body has turned by a radian.".into()
@@ -102,7 +102,8 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
 
 fn resonance(validity: &Validity) -> String {
     let Some(strongest) = validity.resonances.first() else {
-        return "No harmonic of the polhode frequency that is alive comes within 10 % of an elastic frequency.".into();
+        return "No significant harmonic of the polhode frequency lies within 10 % of an elastic frequency."
+            .into();
     };
     format!(
         "Harmonic {} of the polhode frequency, {} rad/s, is near the elastic frequency {} rad/s; its strength is {} of the load.",
@@ -113,7 +114,7 @@ fn resonance(validity: &Validity) -> String {
     )
 }
 
-/// The verdict on the whole, in one sentence; a second one where the motion holds, and what is made of it does not.
+/// The overall verdict, in one sentence; a second one where the motion holds, and the averages made of it do not.
 pub fn verdict(validity: &Validity) -> String {
     let motion = match validity.verdict() {
         Verdict::Holds => "The reduced equations hold at this spin.",
@@ -144,13 +145,13 @@ pub fn reasons(validity: &Validity) -> Vec<String> {
     failing.iter().map(|criterion| sentence(criterion, validity)).collect()
 }
 
-/// Share of the dissipated energy above which the integrator's own change of energy is worth a note.
+/// Share of the dissipated energy above which the integrator's own change of energy is noted.
 const NOTED_DRIFT: f64 = 0.01;
 /// Roundings of the energy that no tolerance takes away.
 const ROUNDINGS: f64 = 8.0;
 
-/// Says that the numerics may imitate the physics, if they may. Under forces the drift of a reduced body holds what its
-/// series leaves out, too.
+/// Note that the drift of the integrator may imitate dissipation, if it may. Under forces the drift of a reduced body has the
+/// truncation of its series, too.
 pub fn drift_note(system: &str, forced: bool, energy: f64, [drift, dissipated]: [f64; 2]) -> Option<String> {
     let rounding = ROUNDINGS * f64::EPSILON * energy.abs();
     if !(dissipated > 0.0 && drift.abs() > (NOTED_DRIFT * dissipated).max(rounding)) {
@@ -181,7 +182,7 @@ pub fn shares(budget: &[(String, f64)]) -> BTreeMap<String, f64> {
     shares
 }
 
-/// Who dissipates, the largest share first, for a paragraph; none where nobody shares.
+/// Shares of the dissipators in words, the largest first; none where nothing is dissipated.
 pub fn dissipation(shares: &BTreeMap<String, f64>) -> Option<String> {
     if shares.len() < 2 {
         return None;
@@ -243,14 +244,14 @@ pub fn time(seconds: f64) -> String {
     format!("{} {unit}", significant(seconds / size, 4))
 }
 
-/// How many, in the words a person would choose.
+/// A number of things, in the words a person would choose.
 pub fn count(number: f64) -> String {
     const WORDS: [(f64, &str); 4] = [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
     let (size, word) = WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
     format!("{}{word}", significant(number / size, 3))
 }
 
-/// What has left the range of its paths.
+/// Part or hinge that has left the range of its paths, in words.
 pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
     let (reach, share) = match left {
         Displaced::Place { reach, share } => (reach, share),
@@ -270,7 +271,7 @@ pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
     )
 }
 
-/// How far the full system follows parts and hinges; nothing without them.
+/// Range of parts and hinges in the full system, in words; none without them.
 pub fn range(body: &FlexibleBody) -> Option<String> {
     let Watched { reaches, hinges } = body.watched();
     let mut shortest: BTreeMap<&str, &Reach> = BTreeMap::new();

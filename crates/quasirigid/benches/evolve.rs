@@ -1,7 +1,9 @@
 //! Averaged evolution of a tumbling asteroid over ten billion years.
 #![allow(missing_docs, non_snake_case)]
 
-use quasirigid::averaging::{Evolution, MeanPower, ObservedPeriods, PolynomialPower, Response, Stage};
+use quasirigid::averaging::{
+    Evolution, MeanPower, ObservedPeriods, PolynomialPower, Response, RotationState,
+};
 use quasirigid::elements::{Assembly, Ellipsoid, Material};
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::reduction::reduce;
@@ -37,11 +39,11 @@ fn start(moments: [f64; 3]) -> (f64, f64) {
     let observed =
         ObservedPeriods { rotation: 263.0 * HOUR, precession: 27.38 * HOUR, mode: Mode::ShortAxis };
     let motion = observed.motion(moments).expect("the observed periods");
-    let G = motion.momentum();
+    let G = motion.angular_momentum();
     (G, G * G / (2.0 * motion.energy() * moments[2]))
 }
 
-fn ten_billion_years(power: &dyn MeanPower, (G, ratio): (f64, f64)) -> Option<Stage> {
+fn ten_billion_years(power: &dyn MeanPower, (G, ratio): (f64, f64)) -> Option<RotationState> {
     let evolution = Evolution::new(power, G);
     evolution.after(evolution.stage(ratio)?, TEN_BILLION_YEARS)
 }

@@ -27,7 +27,7 @@ const EVALUATIONS: usize = 100_000;
 /// Largest error of the spin over the reference times.
 fn error(problem: &QuarticQuintic, tolerance: f64) -> (f64, u64) {
     let times: Vec<f64> = problem.reference.iter().map(|(t, _)| *t).collect();
-    let options = Options { form: Form::Paper, tolerance, ..Options::default() };
+    let options = Options { form: Form::AngularVelocity, tolerance, ..Options::default() };
     let path = spin_path(&problem.body, problem.omega, &times, &options).expect("a published problem runs");
     let errors = path
         .omega
@@ -41,7 +41,7 @@ fn error(problem: &QuarticQuintic, tolerance: f64) -> (f64, u64) {
 #[divan::bench(args = TOLERANCES)]
 fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
     let problem = QuarticQuintic::published();
-    let options = Options { form: Form::Paper, tolerance, ..Options::default() };
+    let options = Options { form: Form::AngularVelocity, tolerance, ..Options::default() };
     bencher
         .counter(ItemsCount::new(1000_usize))
         .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], &options));
@@ -51,7 +51,7 @@ fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
 #[divan::bench]
 fn with_attitude_and_accounts_1000_s(bencher: Bencher) {
     let problem = QuarticQuintic::published();
-    let options = Options { form: Form::Paper, ..Options::default() };
+    let options = Options { form: Form::AngularVelocity, ..Options::default() };
     let start = Start::new(problem.omega, ALIGNED);
     bencher.counter(ItemsCount::new(1000_usize)).bench(|| {
         let mut samples: Vec<Sample> = Vec::new();
@@ -62,7 +62,7 @@ fn with_attitude_and_accounts_1000_s(bencher: Bencher) {
 /// Many right-hand sides, each waiting for the one before.
 struct Chain<'a> {
     kernel: &'a Kernel,
-    momentum: bool,
+    angular_momentum: bool,
 }
 
 impl Task for Chain<'_> {
@@ -73,7 +73,7 @@ impl Task for Chain<'_> {
         let mut x = black_box([0.3, 1.5, 0.2]);
         for _ in 0..EVALUATIONS {
             let [a, b, c, _] = self.kernel.value::<A>(x);
-            let rate = if self.momentum { cross(x, [a, b, c]) } else { [a, b, c] };
+            let rate = if self.angular_momentum { cross(x, [a, b, c]) } else { [a, b, c] };
             x = std::array::from_fn(|i| x[i] + 1e-9 * rate[i]);
         }
         x
@@ -96,7 +96,7 @@ fn right_hand_side_of_the_papers_form(bencher: Bencher) {
     let kernel = dense(&[2, 4, 5]);
     bencher
         .counter(ItemsCount::new(EVALUATIONS))
-        .bench(|| dispatch(Chain { kernel: &kernel, momentum: false }));
+        .bench(|| dispatch(Chain { kernel: &kernel, angular_momentum: false }));
 }
 
 /// Items are right-hand sides `K × (Ω₁ + Ω₃ + Ω₄)`.
@@ -105,5 +105,5 @@ fn right_hand_side_of_the_momentum_form(bencher: Bencher) {
     let kernel = dense(&[1, 3, 4]);
     bencher
         .counter(ItemsCount::new(EVALUATIONS))
-        .bench(|| dispatch(Chain { kernel: &kernel, momentum: true }));
+        .bench(|| dispatch(Chain { kernel: &kernel, angular_momentum: true }));
 }

@@ -10,10 +10,10 @@ pub fn program() -> Result<String, quasirigid::Error> {
     let body = Assembly::default().with(Ellipsoid::new("rock", [200.0, 140.0, 120.0], rock)).body()?;
     let reduced = reduce(&body, 3)?;
     let moments = Principal::compute(reduced.J).moments;
-    let momentum = moments[2] * std::f64::consts::TAU / (30.0 * 3600.0);
-    let motion = FreeRotation::at_nutation(moments, momentum, Mode::LongAxis, 20_f64.to_radians())?;
-    let evolution = Evolution::compute(&body, &reduced, momentum)?;
-    let start = Stage::from_motion(&motion);
+    let angular_momentum = moments[2] * std::f64::consts::TAU / (30.0 * 3600.0);
+    let motion = FreeRotation::at_nutation(moments, angular_momentum, Mode::LongAxis, 20_f64.to_radians())?;
+    let evolution = Evolution::compute(&body, &reduced, angular_momentum)?;
+    let start = RotationState::from_motion(&motion);
     let row = |t: f64| {
         let stage = evolution.after(start?, t * 1e9 * YEAR)?;
         let wobble = evolution.motion(stage).nutation()[1].to_degrees();

@@ -13,7 +13,7 @@ pub fn program() -> Result<String, quasirigid::Error> {
     propagate(&reduced, start, &times, &Options::default(), &mut samples)?;
     let axis = Principal::compute(reduced.J).axes[2];
     let row = |s: &Sample| {
-        let (nutation, small) = (angle(s.momentum, axis).to_degrees(), s.energy_drift.abs() < 1e-9);
+        let (nutation, small) = (angle(s.angular_momentum, axis).to_degrees(), s.energy_drift.abs() < 1e-9);
         format!("{:4} s: {nutation:.3} deg, {:.4} J, drift below 1 nJ: {small}\n", s.t, s.energy)
     };
     Ok(samples.iter().map(row).collect())

@@ -1,8 +1,7 @@
 //! Two hundred stiffnesses in parallel: the one that damps nutation fastest while the theory holds.
 
-use std::thread;
-
 use quasirigid::prelude::*;
+use rayon::prelude::*;
 
 /// Stiffness, growth rate of a small nutation about the axis of greatest inertia, and the verdict on the theory.
 fn rate(i: u32) -> Result<(f64, f64, Verdict), quasirigid::Error> {
@@ -13,20 +12,13 @@ fn rate(i: u32) -> Result<(f64, f64, Verdict), quasirigid::Error> {
     let (body, omega) = (satellite.body()?, [0.1, 0.0, 1.0]);
     let reduced = reduce(&body, 3)?;
     let verdict = Validity::assess_reduced(&body, &reduced, omega)?.verdict();
-    let spin = steady_spins(&reduced, norm(reduced.momentum(omega)))[2];
+    let spin = steady_spins(&reduced, norm(reduced.angular_momentum(omega)))[2];
     Ok((stiffness, spin.map_or(f64::NAN, |spin| spin.growth), verdict))
 }
 
 /// What the program prints.
 pub fn program() -> Result<String, quasirigid::Error> {
-    let rates = thread::scope(|scope| {
-        let part = |k: u32| scope.spawn(move || (50 * k..50 * k + 50).map(rate).collect::<Vec<_>>());
-        let threads: Vec<_> = (0..4).map(part).collect();
-        threads
-            .into_iter()
-            .flat_map(|thread| thread.join().expect("a thread without a panic"))
-            .collect::<Result<Vec<_>, _>>()
-    })?;
+    let rates = (0..200).into_par_iter().map(rate).collect::<Result<Vec<_>, _>>()?;
     let holding = rates.iter().filter(|(.., verdict)| *verdict != Verdict::Fails);
     let best = holding.clone().min_by(|a, b| a.1.total_cmp(&b.1)).expect("a stiffness that holds");
     Ok(format!("{} of {} hold; best {:.0} N/m, {:.3e} 1/s\n", holding.count(), rates.len(), best.0, best.1))

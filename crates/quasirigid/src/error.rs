@@ -1,4 +1,4 @@
-//! One error for a program that asks several modules: each module's own enum, wrapped.
+//! Error of the crate: wraps the error enums of all modules, for programs that call several.
 
 use thiserror::Error;
 
@@ -12,7 +12,7 @@ use crate::reduction::{ReductionError, ValidityError};
 use crate::secular::MeasureError;
 use crate::verification::{AverageError, VerificationError};
 
-/// Why there is no answer, whichever module was asked.
+/// Error of any module of the crate.
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -29,45 +29,45 @@ use crate::verification::{AverageError, VerificationError};
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error(transparent)]
 pub enum Error {
-    /// An element that no body can have.
+    /// Invalid element.
     Element(Box<ElementError>),
-    /// A flexible body that cannot be.
+    /// Invalid flexible body.
     Flexible(#[from] FlexibleError),
-    /// An inertia tensor that no body has.
+    /// Invalid inertia tensor.
     Inertia(#[from] InertiaError),
-    /// A law of viscoelasticity that no material has.
+    /// Invalid law of viscoelasticity.
     Rheology(#[from] RheologyError),
-    /// A reduction that is not offered.
+    /// Reduction that cannot be made.
     Reduction(#[from] ReductionError),
-    /// A validity that cannot be told.
+    /// Validity that cannot be assessed.
     Validity(#[from] ValidityError),
-    /// A propagation that cannot start.
+    /// Propagation that cannot start.
     Propagate(#[from] PropagateError),
-    /// A steady spin that was not found.
+    /// Steady spin that was not found.
     Equilibrium(#[from] EquilibriumError),
     /// Modes about a steady spin that were not found.
     Modes(#[from] ModesError),
-    /// A steady state under forces that was not found.
+    /// Steady state under forces that was not found.
     Steady(#[from] SteadyError),
-    /// A torque-free rotation that no body makes.
+    /// Torque-free rotation that no body makes.
     FreeRotation(#[from] FreeRotationError),
     /// Periods that no torque-free rotation has.
     Observed(#[from] ObservedError),
-    /// An evolution that cannot be computed.
+    /// Evolution that cannot be computed.
     Evolution(#[from] EvolutionError),
-    /// A force that has no average.
+    /// Force without an average.
     Unaveraged(#[from] Unaveraged),
-    /// A response in the spinning frame that is not known.
+    /// Response in the spinning frame that cannot be computed.
     Hill(#[from] HillError),
     /// Levels of the slow energy that cannot be followed.
     Level(#[from] LevelError),
-    /// A mean power that could not be measured.
+    /// Mean power that could not be measured.
     Measure(#[from] MeasureError),
-    /// A verification that could not be made.
+    /// Verification that could not be made.
     Verification(#[from] VerificationError),
-    /// A verification of an average that could not be made.
+    /// Verification of an average that could not be made.
     Average(#[from] AverageError),
-    /// An eigenvalue solver that failed.
+    /// Eigenvalue solver that failed.
     Vibration(#[from] NoConvergence),
 }
 

@@ -1,4 +1,4 @@
-//! Spin of almost rigid bodies after Chernousko (1978) `[@chernousko1978]`.
+//! Rotation of almost rigid bodies after Chernousko (1978) `[@chernousko1978]`.
 //!
 //! A rigid carrier bears masses on stiff springs with dashpots. The stiff system reduces to
 //!
@@ -8,15 +8,15 @@
 //!
 //! with a small torque that is polynomial in the angular velocity. The modules stand in the order the data flows:
 //!
-//! - [`model`] is what a body *is*: [`FlexibleBody`](model::FlexibleBody) with its internal coordinates, and
+//! - [`model`] describes a body: [`FlexibleBody`](model::FlexibleBody) with its internal coordinates, and
 //!   [`ReducedBody`](model::ReducedBody) without them,
 //! - [`elements`] are the parts a user describes, assembled into a flexible body,
-//! - [`reduction`] derives the reduced equations to any order and says how far they hold,
+//! - [`reduction`] derives the reduced equations to any order and assesses their validity,
 //! - [`dynamics`] integrates them, and the full stiff system beside them,
-//! - [`modes`] are the small motions about a steady spin,
-//! - [`averaging`] follows what dissipation does over millions of turns,
-//! - [`verification`] sets one against the other,
-//! - [`secular`] chooses how many revolutions are followed, and measures the mean power where no average holds,
+//! - [`modes`] has the small motions about a steady spin,
+//! - [`averaging`] follows the secular evolution by dissipation over millions of revolutions,
+//! - [`verification`] compares full and reduced motions,
+//! - [`secular`] chooses the method of a secular evolution, and measures the mean power where no average holds,
 //! - [`problems`] are bodies with known answers.
 //!
 //! A hub with a damped mass on a spring, from its parts to a history of its nutation:
@@ -41,8 +41,8 @@
 //! [`prelude`] has the names that most programs need; [`Error`] wraps the errors of all modules. The folder `examples` holds five
 //! programs of at most 15 lines.
 //!
-//! Mathematics and meshes are crates of their own, `quasirigid-math` and [`quasirigid-mesh`](mesh); what of them shows in
-//! public types here is shown here too.
+//! Mathematics and meshes are crates of their own, `quasirigid-math` and [`quasirigid-mesh`](mesh); their items in public types are
+//! re-exported here.
 //!
 //! SI units throughout. Vectors are in the body frame: the axes of the model file, origin at the pole `O`.
 #![allow(non_snake_case)]

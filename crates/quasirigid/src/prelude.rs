@@ -1,6 +1,6 @@
 //! Names that most programs need: `use quasirigid::prelude::*;`
 
-pub use crate::averaging::{Evolution, FreeRotation, PowerSource, Response, Stage};
+pub use crate::averaging::{Evolution, FreeRotation, PowerSource, Response, RotationState};
 pub use crate::dynamics::{
     Event, Forced, Form, FullState, Method, Observer, Options, Outcome, Sample, Start, propagate,
     propagate_full, spin_path, steady_spins,

@@ -1,10 +1,10 @@
 use super::{notes, open, whole};
 use crate::args::Check;
 use crate::failure::Failure;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// Says how far the reduced equations hold.
-pub fn check(arguments: &Check) -> Result<Ending, Failure> {
+pub fn check(arguments: &Check) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let report = whole(&arguments.common, || study.check())?;
@@ -13,5 +13,5 @@ pub fn check(arguments: &Check) -> Result<Ending, Failure> {
     } else {
         output::print(&report.text())?;
     }
-    Ok(if report.holds() { Ending::Done } else { Ending::CheckFailed })
+    Ok(if report.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

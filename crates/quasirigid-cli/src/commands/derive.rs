@@ -1,10 +1,10 @@
 use super::{notes, open, whole};
 use crate::args::{Derive, DeriveFormat};
 use crate::failure::Failure;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// Prints the reduced equations.
-pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
+pub fn derive(arguments: &Derive) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let equations = whole(&arguments.common, || study.derive())?;
@@ -18,5 +18,5 @@ pub fn derive(arguments: &Derive) -> Result<Ending, Failure> {
         text.push('\n');
     }
     output::print(&text)?;
-    Ok(Ending::Done)
+    Ok(ExitStatus::Done)
 }

@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
-/// Follows the averaged rotation over any number of turns.
-pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
+/// Follows the averaged rotation over any number of revolutions.
+pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let Evolve { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
     notes(&study, common);
@@ -51,10 +51,10 @@ pub fn evolve(arguments: &Evolve) -> Result<Ending, Failure> {
         output::print(&evolution::text(&study.model.name, &record))?;
     }
     if record.status == "finished" {
-        return Ok(if in_place { Ending::Done } else { Ending::CheckFailed });
+        return Ok(if in_place { ExitStatus::Done } else { ExitStatus::CheckFailed });
     }
     remark(&record.message);
-    Ok(Ending::CheckFailed)
+    Ok(ExitStatus::CheckFailed)
 }
 
 fn target(option: &'static str, text: Option<&str>) -> Result<Option<Target>, Failure> {

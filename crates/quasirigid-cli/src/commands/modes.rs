@@ -3,10 +3,10 @@ use quasirigid_study::modes::AskedSpin;
 use super::{notes, open, whole};
 use crate::args::ModesArgs;
 use crate::failure::Failure;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// Finds the steady spin and the small motions about it.
-pub fn modes(arguments: &ModesArgs) -> Result<Ending, Failure> {
+pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
@@ -17,7 +17,7 @@ pub fn modes(arguments: &ModesArgs) -> Result<Ending, Failure> {
     } else {
         output::print(&found.text(name))?;
     }
-    Ok(if found.found() { Ending::Done } else { Ending::CheckFailed })
+    Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
 fn vector(numbers: &[f64]) -> Result<[f64; 3], Failure> {

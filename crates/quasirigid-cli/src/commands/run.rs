@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::output::Folder;
 use crate::progress::Terminal;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// The main job: check, reduce, propagate, and write the record with its report.
-pub fn run(arguments: &RunArgs) -> Result<Ending, Failure> {
+pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let RunArgs { common, overwrite, .. } = arguments;
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
@@ -34,7 +34,7 @@ pub fn run(arguments: &RunArgs) -> Result<Ending, Failure> {
     } else if !common.quiet {
         output::print(&summary::text(&found.record, &placed.path))?;
     }
-    Ok(if found.holds && in_place { Ending::Done } else { Ending::CheckFailed })
+    Ok(if found.holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
 /// The file's name with `-run`; a file called `model.toml` has the name of its folder.

@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// Propagates the spin and prints a table.
-pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
+pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
     notes(&study, common);
@@ -39,14 +39,14 @@ pub fn simulate(arguments: &Simulate) -> Result<Ending, Failure> {
     }
     let message = &history.message;
     match history.run.outcome {
-        Outcome::Finished => Ok(if in_place && !wrong { Ending::Done } else { Ending::CheckFailed }),
+        Outcome::Finished => Ok(if in_place && !wrong { ExitStatus::Done } else { ExitStatus::CheckFailed }),
         Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
             remark(message);
-            Ok(if wrong { Ending::CheckFailed } else { Ending::Done })
+            Ok(if wrong { ExitStatus::CheckFailed } else { ExitStatus::Done })
         }
         _ => {
             remark(&format!("{message}; the table is valid up to there"));
-            Ok(Ending::CheckFailed)
+            Ok(ExitStatus::CheckFailed)
         }
     }
 }

@@ -10,10 +10,10 @@ use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
-use crate::{Ending, output};
+use crate::{ExitStatus, output};
 
 /// Sets the full system against the reduced equations, and prints the differences with their order.
-pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
+pub fn verify(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let quiet = arguments.common.quiet;
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
@@ -32,7 +32,7 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
     let interrupt = Interrupt::listen()?;
     let Some(record) = study.verify(&plan, &mut Terminal::new(&interrupt, quiet))? else {
         remark("the verification was interrupted; nothing was measured");
-        return Ok(Ending::CheckFailed);
+        return Ok(ExitStatus::CheckFailed);
     };
     if arguments.common.json {
         output::print(&format!("{:#}\n", json!(record)))?;
@@ -42,5 +42,5 @@ pub fn verify(arguments: &Verify) -> Result<Ending, Failure> {
             output::print(&format!("{}\n", paragraph(&note, "", "  ")))?;
         }
     }
-    Ok(if record.reached { Ending::Done } else { Ending::CheckFailed })
+    Ok(if record.reached { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

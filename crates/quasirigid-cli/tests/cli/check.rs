@@ -69,13 +69,13 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       f8=2.7e-9   f9=3.3e-11
       terms left out are smallest at order 5 or above; order 3 was asked for
 
-    Steady spins at this momentum, after the reduced equations
+    Steady spins at this angular momentum, after the reduced equations
       about the axis of least inertia, 1.0000 kg m^2:     two moments are equal
       about the axis of middle inertia, 1.0000 kg m^2:    two moments are equal
       about the axis of greatest inertia, 1.5000 kg m^2:  decays e-fold in 9.564 d
       now 14.93 degrees from the axis of greatest inertia
 
-    Steady spins at this momentum, with the modes about them
+    Steady spins at this angular momentum, with the modes about them
       About the axis of greatest inertia the nutation, 0.5172 rad/s in the body,
         decays e-fold in 9.464 d.
       About the axis of least inertia the nutation, 20.30 rad/s in the body, decays
@@ -191,7 +191,7 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
     let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "2.0"), "check model.toml");
     let (_, spins) = checked.stdout.split_once("Steady spins").unwrap();
     assert_snapshot!(spins, @"
-     at this momentum, after the reduced equations
+     at this angular momentum, after the reduced equations
       about the axis of least inertia, 10.000 kg m^2:     grows e-fold in 11.11 h
         the other way round:                              grows e-fold in 11.11 h
       about the axis of middle inertia, 20.000 kg m^2:    grows e-fold in 11.55 s
@@ -200,7 +200,7 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
         the other way round:                              decays e-fold in 13.33 h
       now 0 degrees from the axis of greatest inertia
 
-    Steady spins at this momentum, with the modes about them
+    Steady spins at this angular momentum, with the modes about them
       About the axis of greatest inertia the nutation, 0.2449 rad/s in the body,
         decays e-fold in 8.889 h.
       About the axis of least inertia the spin is UNSTABLE: the nutation, 0.2828
@@ -208,7 +208,7 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
     ");
     let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "-3.0"), "check model.toml");
     assert!(
-        checked.stdout.contains("\nThe momentum is zero: what turns inside takes it up.\n"),
+        checked.stdout.contains("\nThe angular momentum is zero: internal rotors and liquids take it up.\n"),
         "{}",
         checked.stdout
     );

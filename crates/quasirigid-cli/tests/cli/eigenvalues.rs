@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::support::ran_with;
 
-/// Panels with a lossy core on hinges: their rotations in the plane have stiffness and loss and no mass.
+/// Panels with a viscoelastic core on hinges: their rotations in the plane have stiffness and loss and no mass.
 const ARRAY: &str = r#"
 [carrier]
 mass = 300.0

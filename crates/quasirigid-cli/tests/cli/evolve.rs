@@ -82,7 +82,7 @@ fn table_and_words_agree_with_the_object() {
     assert!(again.refusal().contains("--overwrite"));
 }
 
-/// Both roads to the power: by default that of the reduced equations, whose small frequencies the harmonics correct.
+/// Both methods to the power: by default that of the reduced equations, whose small frequencies the harmonics correct.
 #[test]
 fn power_is_that_of_the_road_asked_for() {
     let folder = folder_with(ASTEROID);
@@ -128,8 +128,8 @@ fn slow_torques_are_averaged_and_others_refused() {
     let force = "[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e3\n";
     let dragged = format!("{ASTEROID}{force}");
     let found = ran_with(&dragged, "evolve model.toml --duration 1e13 --format csv");
-    let momentum = Table::of(&found.stdout).column("momentum");
-    assert!(momentum.is_sorted_by(|a, b| a > b), "{momentum:?}");
+    let angular_momentum = Table::of(&found.stdout).column("momentum");
+    assert!(angular_momentum.is_sorted_by(|a, b| a > b), "{angular_momentum:?}");
     assert_snapshot!(ran_with(&dragged, "evolve model.toml").refusal(), @r#"
     quasirigid: under a torque the rotation need not reach any target; say how long
     to follow it, with --duration or with evolve = { duration = "10 yr" } in [run]
@@ -179,14 +179,14 @@ fn run_keeps_the_evolution_and_its_report_shows_it() {
     let ran = ran_in(folder.path(), "run model.toml -o out --duration 100h --samples 50");
     assert_eq!(ran.code, Some(0), "{ran:?}");
     assert!(
-        ran.stdout.contains("\nOver many turns: The wobble about the axis of greatest inertia"),
+        ran.stdout.contains("\nOver many revolutions: The wobble about the axis of greatest inertia"),
         "{}",
         ran.stdout
     );
     let table = Table::of(&fs::read_to_string(folder.path().join("out/evolution.csv")).unwrap());
     assert_eq!(table.rows.len(), 201);
     let report = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    assert!(report.contains("Over many turns") && report.contains("no equation of motion holds"));
+    assert!(report.contains("Over many revolutions") && report.contains("no equation of motion holds"));
 }
 
 /// Observed periods are those of the motion that `simulate` starts.

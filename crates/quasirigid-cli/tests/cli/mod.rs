@@ -15,12 +15,12 @@ mod help;
 mod interrupt;
 mod keys;
 mod left_out;
+mod methods;
 mod model_errors;
 mod modes;
 #[cfg(unix)]
 mod odd_files;
 mod place;
-mod roads;
 mod run;
 mod run_folder;
 mod simulate;

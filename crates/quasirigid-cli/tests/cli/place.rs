@@ -34,7 +34,7 @@ fn a_free_body_falls_as_galileo_says() {
                     difference(table.vector(PLACE, row), place),
                     difference(table.vector(RATE, row), velocity),
                 ];
-                // the paper's form integrates the pole: its centre of mass is right to the order
+                // the angular-velocity form integrates the pole: its centre of mass is right to the order
                 let allowed = if system.contains("paper") && !more.is_empty() { 1e-5 } else { 1e-11 };
                 assert!(gaps.iter().all(|gap| *gap < allowed), "{system}, t = {t}: {gaps:?}");
             }

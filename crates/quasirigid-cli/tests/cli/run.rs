@@ -40,7 +40,7 @@ fn summary_gives_spin_nutation_dissipation_and_drift_of_both_bodies() {
     three masses: The reduced equations hold at this spin.
       Put into the full equations, order 3 leaves 0.0030 of the load.
 
-    reduced body, 30.00 s (7.07891 turns; the run reached its end)
+    reduced body, 30.00 s (7.07891 revolutions; the run reached its end)
       spin at the start      0.723704      1.16382     0.561738 rad/s
       spin at the end         1.07912     0.772885     0.643288 rad/s
       nutation, greatest       62.174 to 62.124 degrees
@@ -50,7 +50,7 @@ fn summary_gives_spin_nutation_dissipation_and_drift_of_both_bodies() {
           3.46 %
       numerical drift [rounding]
 
-    rigid body, 30.00 s (7.07615 turns; the run reached its end)
+    rigid body, 30.00 s (7.07615 revolutions; the run reached its end)
       spin at the start      0.723704      1.16382     0.561738 rad/s
       spin at the end         1.06501     0.788765     0.647581 rad/s
       nutation, greatest       62.288 to 62.288 degrees
@@ -120,8 +120,10 @@ fn theory_that_fails_exits_with_1_and_still_writes() {
     let systems: Vec<&str> = record.histories.iter().map(|history| &*history.system).collect();
     assert_eq!(systems, ["full", "rigid"], "the full system in the place of the reduced body");
     assert!(record.histories[0].dissipated > 1.0);
-    assert!(record.notes[0].starts_with("The truncated series has no momentum for this spin"));
-    assert!(ran.stdout.contains("  Note: The truncated series has no momentum"), "{}", ran.stdout);
+    assert!(
+        record.notes[0].starts_with("The truncated series has no angular momentum for this angular velocity")
+    );
+    assert!(ran.stdout.contains("  Note: The truncated series has no angular momentum"), "{}", ran.stdout);
 }
 
 #[test]

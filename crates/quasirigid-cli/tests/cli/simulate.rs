@@ -83,8 +83,11 @@ fn reduced_body_dissipates_what_it_loses_and_keeps_its_momentum() {
         assert!((loss / dissipated[row] - 1.0).abs() < 0.01, "{loss} {}", dissipated[row]);
         assert!(history.column("energy_drift")[row].abs() < 1e-12 * energy[0]);
     }
-    let momentum = history.column("momentum");
-    assert!(momentum.iter().all(|K| (K / momentum[0] - 1.0).abs() < 1e-14), "{momentum:?}");
+    let angular_momentum = history.column("momentum");
+    assert!(
+        angular_momentum.iter().all(|K| (K / angular_momentum[0] - 1.0).abs() < 1e-14),
+        "{angular_momentum:?}"
+    );
 }
 
 #[test]
@@ -112,9 +115,9 @@ fn rigid_body_of_revolution_precesses_as_euler_says() {
 /// The truncations of the two forms differ by the first degree left out, 1e-7 of the spin here.
 #[test]
 fn form_of_the_paper_is_another_integration_of_the_same_motion() {
-    let [momentum, paper] = ["momentum", "paper"]
+    let [angular_momentum, paper] = ["momentum", "paper"]
         .map(|form| table(&format!("{AXIAL} --form {form} --times 0,20")).vector(SPIN, 1));
-    let gap = difference(paper, momentum);
+    let gap = difference(paper, angular_momentum);
     assert!(gap > 1e-14 && gap < 1e-4, "{gap:e}");
     let model = crate::support::MODEL.replace("[run]", "[run]\nform = \"paper\"");
     let [file, command] = ["", " --form paper"]
@@ -170,8 +173,9 @@ fn theory_that_does_not_hold_is_said_before_the_refusal() {
     let refused = ran("simulate examples/explorer1/model.toml");
     insta::assert_snapshot!(refused.refusal(), @r"
     quasirigid: The reduced equations DO NOT HOLD at this spin. The check says why.
-    quasirigid: the truncated series has no momentum for this spin; the theory does
-    not hold here: lower the spin, stiffen the springs, or use order 1
+    quasirigid: the truncated series has no angular momentum for this angular
+    velocity; the theory does not hold here: lower the spin, stiffen the springs,
+    or use order 1
     ");
 }
 

@@ -43,7 +43,7 @@ fn value(terms: &serde_json::Value, omega: [f64; 3]) -> Vec<f64> {
 }
 
 /// The polynomials of `derive`, the columns of the reduced history, and the coordinates of the full system, which were found
-/// on three roads, agree as the order says.
+/// on three methods, agree as the order says.
 #[test]
 fn displacements_of_derive_are_those_of_the_full_system() {
     let folder = folder_with(&format!("{BODY}[initial]\nangular_velocity = [0.6, 0.35, 0.5]\n"));

@@ -140,7 +140,7 @@ fn slender_bodies_are_answered() {
             assert!(ran.stdout.contains("NO ANSWER"), "{}", ran.stdout);
             continue;
         }
-        // Both roads to the power agree.
+        // Both methods to the power agree.
         let square = (length.parse::<f64>().unwrap() / 3000.0).powi(2);
         let object =
             ran_with(&model.replace("2000", length), &format!("evolve model.toml {options} --json")).json();

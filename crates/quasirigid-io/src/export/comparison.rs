@@ -3,7 +3,7 @@ use std::fmt::{self, Write};
 /// A mechanism with the others locked: how large its torque is, degree by degree.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// What moves.
+    /// Mechanism: internal rotors, liquids, or springs and dashpots.
     pub name: &'static str,
     /// Degrees with the size of each at a spin of 1 rad/s (rad/s²).
     pub sizes: Vec<(usize, f64)>,
@@ -12,7 +12,7 @@ pub struct Mechanism {
 /// Degrees in words, from the first one that a torque can have.
 const DEGREES: [(usize, &str); 3] = [(3, "cubic"), (4, "quartic"), (5, "quintic")];
 
-/// Writes what liquids and rotors do beside what springs and dashpots do: the comparison of the paper's section 6.
+/// Writes the torques of liquids and rotors beside those of springs and dashpots: the comparison of the paper's section 6.
 pub(super) fn write(out: &mut String, mechanisms: &[Mechanism]) -> fmt::Result {
     writeln!(out, "\nlargest mu/J by degree at 1 rad/s, what else moves locked, rad/s^2")?;
     let heads = DEGREES.map(|(_, word)| format!("{word:>12}"));

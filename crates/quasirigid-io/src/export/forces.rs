@@ -1,3 +1,7 @@
+//! External forces in the reduced equations: the formulas, and loads evaluated at the initial state.
+//! Under forces `μ` and `φ` are functions of attitude, place and time, so there are no coefficients to print as without forces.
+//! Equation (E3), docs/theory/08-full-system.md.
+
 use std::fmt::{self, Write};
 
 use serde::Serialize;
@@ -7,9 +11,9 @@ use super::text::{number, vector};
 /// External forces, as the reduced equations have them: paper, (3.1) to (3.4). (E3)
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Forces {
-    /// What acts, by name.
+    /// Names of the forces.
     pub names: Vec<String>,
-    /// What it comes to at the start; none without an initial state.
+    /// Loads at the start; none without an initial state.
     pub start: Option<StartLoads>,
 }
 
@@ -22,11 +26,11 @@ pub struct StartLoads {
     pub moment: [f64; 3],
     /// Force `F*` on the frozen body (N), with the inertial force of a driven pole.
     pub force: [f64; 3],
-    /// What the displacements add; none where the paper's form is not written for the body.
+    /// Contributions of the displacements; none where the angular-velocity form is not written for the body.
     pub displaced: Option<DisplacedLoads>,
 }
 
-/// What the displacements add to the loads, to order `p`, at most 3.
+/// Contributions of the displacements to the loads, to order `p`, at most 3.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct DisplacedLoads {
     /// First variation `M₁* = Σ{r × F* + ρ × (∂F/∂R r + ∂F/∂Ṙ ṙ)}` (N·m), part of `μ`.
@@ -57,7 +61,7 @@ the program has none in the paper's form: it integrates the momentum form,
 K' = K x w + M with w, M at the displacements and rates of (E2).
 ";
 
-/// Writes how the forces enter, and what they are at the start.
+/// Writes the equations with forces, and the loads at the start.
 pub(super) fn write(out: &mut String, forces: &Forces, elastic_only: bool) -> fmt::Result {
     out.push_str(if elastic_only { EQUATIONS } else { OTHERWISE });
     match &forces.start {

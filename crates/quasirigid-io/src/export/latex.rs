@@ -1,3 +1,7 @@
+//! LaTeX export: the reduced equations as displays for `amsmath`, three terms to a line.
+//! Coefficients are rounded to ten digits and rounding noise is left out, so the text is for reading; JSON has every digit.
+//! Equations (R4) and (R7), docs/theory/03-reduction.md.
+
 use std::fmt::{self, Write};
 
 use quasirigid_math::polynomial::Homogeneous;
@@ -37,9 +41,12 @@ impl Derived<'_> {
         } else {
             sum
         };
-        let k = self.body.wheels().momentum(0.0);
-        let momentum = if self.body.wheels().is_empty() { "J\\omega" } else { "(J\\omega + k)" };
-        writeln!(out, "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times {momentum} = {sum}, \\qquad")?;
+        let k = self.body.wheels().angular_momentum(0.0);
+        let angular_momentum = if self.body.wheels().is_empty() { "J\\omega" } else { "(J\\omega + k)" };
+        writeln!(
+            out,
+            "\\begin{{equation*}}\n  J\\dot\\omega + \\omega\\times {angular_momentum} = {sum}, \\qquad"
+        )?;
         writeln!(out, "  J = \\begin{{pmatrix}}")?;
         for row in self.body.inertia() {
             writeln!(out, "    {} \\\\", row.map(number).join(" & "))?;
@@ -55,7 +62,7 @@ impl Derived<'_> {
         self.write_latex_displacements(out)
     }
 
-    /// The internal coordinates that follow the spin, the paper's (2.14); of many coordinates where they are to be had. (R4)
+    /// Displacements on the slow manifold, the paper's (2.14); above [`MOST`] coordinates a comment names the JSON export. (R4)
     fn write_latex_displacements(&self, out: &mut String) -> fmt::Result {
         let (elastic, degrees) = (self.body.elastic(), self.displacements());
         if elastic == 0 || degrees.is_empty() {

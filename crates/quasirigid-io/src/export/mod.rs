@@ -13,7 +13,7 @@ use std::ops::Range;
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid_math::polynomial::{Homogeneous, Series};
 
-/// A derived body: what an export says.
+/// Derived body: the content of an export.
 #[derive(Clone, Copy, Debug)]
 pub struct Derived<'a> {
     /// Name of the body.
@@ -24,7 +24,7 @@ pub struct Derived<'a> {
     pub reduced: &'a ReducedBody,
     /// Natural frequencies (rad/s), ascending: all, or the lowest.
     pub frequencies: &'a [f64],
-    /// What moves inside and what outside, each alone; none of a body that has not both.
+    /// Mechanisms of dissipation, each with the others locked: inside, and elastic; none of a body that has not both.
     pub mechanisms: &'a [Mechanism],
     /// External forces and the inertial force of a driven pole, if anything acts.
     pub forces: Option<&'a Forces>,
@@ -34,23 +34,23 @@ pub struct Derived<'a> {
 const MOST: usize = 12;
 
 impl Derived<'_> {
-    /// Whether something turns inside the body.
+    /// Whether the body has internal rotors or liquids.
     fn turns_inside(&self) -> bool {
         !self.body.cyclic().is_empty()
     }
 
-    /// Whether all that moves inside is elastic.
+    /// Whether every internal coordinate is elastic.
     fn elastic_only(&self) -> bool {
         !self.turns_inside() && self.body.wheels().is_empty()
     }
 
-    /// Internal coordinates that springs hold, degree by degree from 2 up. (R4)
+    /// Elastic coordinates, degree by degree from 2 up. (R4)
     fn displacements(&self) -> Vec<Homogeneous> {
         let elastic = 0..self.body.elastic();
         parts(&self.reduced.q, 2).into_iter().map(|part| rows(part, elastic.clone())).collect()
     }
 
-    /// Rates of what turns inside, degree by degree from 2 up. (C3)
+    /// Rates of the internal rotors and liquids, degree by degree from 2 up. (C3)
     fn rates(&self) -> Vec<Homogeneous> {
         parts(&self.reduced.rate, 2).into_iter().map(|part| rows(part, self.body.cyclic())).collect()
     }
@@ -61,8 +61,8 @@ impl Derived<'_> {
         (lowest..=self.reduced.f.degree()).map(|degree| self.reduced.mu(degree)).collect()
     }
 
-    /// Momentum `K` degree by degree, from 3 up for an elastic body, from 2 with rotors and liquids.
-    fn momentum(&self) -> Vec<&Homogeneous> {
+    /// Angular momentum `K` degree by degree, from 3 up for an elastic body, from 2 with rotors and liquids.
+    fn angular_momentum(&self) -> Vec<&Homogeneous> {
         parts(&self.reduced.K, if self.turns_inside() { 2 } else { 3 })
     }
 

@@ -1,3 +1,7 @@
+//! Text export: the derived body in 80 columns, with tables of the coefficients of `μ`, `K` and the displacements.
+//! Only entries above a share of the largest of their degree are printed: the others are rounding of exact zeros.
+//! Equations (R4) and (R7), docs/theory/03-reduction.md.
+
 use std::fmt::{self, Write};
 
 use quasirigid::model::{Principal, Support};
@@ -21,7 +25,7 @@ impl Derived<'_> {
         let Derived { name, body, reduced, frequencies, mechanisms, forces } = *self;
         let principal = Principal::compute(reduced.J);
         writeln!(out, "{name}: reduced equations of order {}", reduced.order)?;
-        let wheels = body.wheels().momentum(0.0);
+        let wheels = body.wheels().angular_momentum(0.0);
         let equation = match (body.wheels().is_empty(), forces.is_some()) {
             (true, false) => "J w' + w x Jw = mu(w)        w in rad/s",
             (false, false) => "J w' + w x (Jw + k) = mu(w)  w in rad/s",
@@ -79,15 +83,15 @@ impl Derived<'_> {
             let kind = if self.turns_inside() || kind == "dissipative" { kind } else { "elastic" };
             section(out, &format!("torque mu, degree {} ({kind}), N m", part.degree()), &part)?;
         }
-        for part in self.momentum() {
-            section(out, &format!("momentum K, degree {}, N m s", part.degree()), part)?;
+        for part in self.angular_momentum() {
+            section(out, &format!("angular momentum K, degree {}, N m s", part.degree()), part)?;
         }
         self.write_displacements(out)
     }
 }
 
 impl Derived<'_> {
-    /// The internal coordinates that follow the spin, three at a time; of many coordinates where they are to be had. (R4)
+    /// Displacements on the slow manifold, three at a time; above [`MOST`] coordinates a line names the JSON export. (R4)
     fn write_displacements(&self, out: &mut String) -> fmt::Result {
         let (elastic, degrees) = (self.body.elastic(), self.displacements());
         if elastic == 0 || degrees.is_empty() {

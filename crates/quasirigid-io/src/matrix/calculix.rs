@@ -13,7 +13,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MatrixFile, Fault> {
         let (row, column, _) = entry(words, Row::CalculiX).map_err(|problem| (Place::Line(line), problem))?;
         last = last.max(row).max(column);
     }
-    // Each freedom has a diagonal entry, zero or not: the greatest number is the size.
+    // Each degree of freedom has a diagonal entry, zero or not: the greatest number is the size.
     let size = last.saturating_add(1);
     let mut listed = Listed::new(size, size).map_err(|problem| (Place::File, problem))?;
     let mut diagonals = 0;

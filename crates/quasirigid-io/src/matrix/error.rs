@@ -1,40 +1,43 @@
+//! Errors of matrix files, node tables and lists of degrees of freedom: the problem, the place in the file, the advice.
+//! Every message ends with a remedy or a question; tests/data/matrix/errors.txt holds them word for word.
+
 use std::io::ErrorKind;
 
 use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
-use super::Freedom;
+use super::Dof;
 pub(super) use super::row::Row;
 
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
 
-/// A file from which no matrix, nodes or freedoms can be read: where, and what is wrong there.
+/// A file from which no matrix, nodes or degrees of freedom can be read: where, and what is wrong there.
 pub type MatrixError = FileError<MatrixProblem>;
 
-/// What is wrong at a place of a file that is yet to be named.
+/// A problem at a place of a file that is yet to be named.
 pub(super) type Fault = text_file::Fault<MatrixProblem>;
 
-/// What is wrong with a file of a matrix, of nodes or of freedoms.
+/// Problem of a file of a matrix, of nodes or of degrees of freedom.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MatrixProblem {
-    /// It cannot be read at all.
+    /// A file that cannot be read at all.
     #[error("{kind}; is the name right, and may the file be read?")]
     Unreadable {
-        /// What the operating system says.
+        /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// It is a folder.
+    /// A folder in the place of a file.
     #[error("this is a folder; give the file inside it")]
     Folder,
-    /// It is a pipe, a device or the like.
+    /// A pipe, a device or the like in the place of a file.
     #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
     NoFile,
-    /// What it holds takes more memory than there is.
+    /// Contents that take more memory than there is.
     #[error("{0}; reduce what the file holds")]
     Memory(TooMuchMemory),
-    /// It is larger than any matrix that is read.
+    /// A file above the largest size that is read.
     #[error("more than {} MiB, the most that is read; reduce the model", limit / (1024 * 1024))]
     TooLarge {
         /// Largest size that is read (bytes).
@@ -46,16 +49,16 @@ pub enum MatrixProblem {
         /// Largest size that is unpacked (bytes).
         limit: u64,
     },
-    /// It has nothing in it.
+    /// A file without contents.
     #[error("the file is empty; was its writing or its copy cut off?")]
     Empty,
-    /// Neither its beginning nor its name is that of a known format.
+    /// A file whose beginning and name are those of no known format.
     #[error(
         "the file begins with {start:?}, as no matrix known here does; give a Matrix Market, .npy or .npz file, \
          .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
     )]
     NotAMatrix {
-        /// Its first characters.
+        /// First characters of the file.
         start: String,
     },
     /// A byte that no text has.
@@ -69,7 +72,7 @@ pub enum MatrixProblem {
     NotANumber {
         /// The word.
         found: String,
-        /// What the line should be.
+        /// Kind of line expected there.
         row: Row,
     },
     /// A number that is NaN or infinite.
@@ -81,17 +84,17 @@ pub enum MatrixProblem {
     /// Too few values, or too many.
     #[error("{found} values; {row}")]
     Values {
-        /// How many there are.
+        /// Number of values found.
         found: usize,
-        /// What the line should be.
+        /// Kind of line expected there.
         row: Row,
     },
     /// Something that has no place here.
     #[error("{found:?} cannot stand here; {row}")]
     Unexpected {
-        /// What stands there.
+        /// Text found there.
         found: String,
-        /// What should stand there.
+        /// Kind of line expected there.
         row: Row,
     },
     /// A row or column 0 where they count from 1.
@@ -124,9 +127,9 @@ pub enum MatrixProblem {
         "row {row}, column {column} lies outside a matrix of {rows} rows and {columns} columns; are its sizes right?"
     )]
     Outside {
-        /// Its row, from 1.
+        /// Row of the entry, from 1.
         row: usize,
-        /// Its column, from 1.
+        /// Column of the entry, from 1.
         column: usize,
         /// Number of rows.
         rows: usize,
@@ -163,9 +166,9 @@ pub enum MatrixProblem {
     /// A file that ends early.
     #[error("the file ends after {found} of {announced} entries; was it cut off, or is the number wrong?")]
     Cut {
-        /// How many the file announces.
+        /// Number that the file announces.
         announced: u64,
-        /// How many it has.
+        /// Number found.
         found: u64,
     },
     /// A file that ends within a matrix.
@@ -174,7 +177,7 @@ pub enum MatrixProblem {
     /// A file that goes on too long.
     #[error("more follows the {announced} entries announced; is that number right?")]
     Surplus {
-        /// How many the file announces.
+        /// Number that the file announces.
         announced: u64,
     },
     /// A name for the only matrix of a file.
@@ -188,13 +191,13 @@ pub enum MatrixProblem {
     NoSuchMatrix {
         /// The name that was asked for.
         name: String,
-        /// Those that the file has.
+        /// Names of the matrices in the file.
         names: Vec<String>,
     },
     /// Several matrices, and no name.
     #[error("the file has {}; name one of them", listed(.names))]
     WhichMatrix {
-        /// Those that the file has.
+        /// Names of the matrices in the file.
         names: Vec<String>,
     },
     /// A name that stands twice.
@@ -206,7 +209,7 @@ pub enum MatrixProblem {
     /// A NumPy file of an unknown version.
     #[error("version {major} of .npy is not known; write version 1 with numpy.save")]
     NumpyVersion {
-        /// Its number before the point.
+        /// Number of the version before the point.
         major: u8,
     },
     /// A NumPy header that cannot be understood.
@@ -224,17 +227,17 @@ pub enum MatrixProblem {
     /// An array of another form.
     #[error("an array of shape {}; {wanted} is needed here", shape(.found))]
     NumpyShape {
-        /// Its lengths.
+        /// Lengths of the array.
         found: Vec<usize>,
-        /// Which lengths it should have.
+        /// Lengths that are needed.
         wanted: String,
     },
     /// An array with more or fewer bytes than its shape tells.
     #[error("{found} bytes of numbers where the shape and type need {announced}; is the file damaged?")]
     NumpyLength {
-        /// What the header needs.
+        /// Number of bytes that the header needs.
         announced: u64,
-        /// What is there.
+        /// Number of bytes found.
         found: u64,
     },
     /// An archive that cannot be read.
@@ -242,7 +245,7 @@ pub enum MatrixProblem {
         "the archive cannot be read ({detail}); write it again with numpy.savez or scipy.sparse.save_npz"
     )]
     Archive {
-        /// What is wrong with it.
+        /// Error of the decompressor, or the missing file.
         detail: String,
     },
     /// A sparse matrix that lacks a part.
@@ -306,9 +309,9 @@ pub enum MatrixProblem {
     DmigColumns {
         /// The matrix.
         name: String,
-        /// How many the header announces.
+        /// Number that the header announces.
         announced: u64,
-        /// How many have entries.
+        /// Number of columns with entries.
         found: u64,
     },
     /// Two values for one place of a `DMIG` matrix.
@@ -318,18 +321,18 @@ pub enum MatrixProblem {
     )]
     DmigTwice {
         /// The row.
-        row: Freedom,
+        row: Dof,
         /// The column.
-        column: Freedom,
+        column: Dof,
     },
     /// A record that does not end where it should.
     #[error(
         "a record announces {announced} bytes, and {found} can be here; was the file cut off, or changed as text?"
     )]
     Record {
-        /// Its length (bytes).
+        /// Length that the record announces (bytes).
         announced: u64,
-        /// What is possible (bytes).
+        /// Length that is possible there (bytes).
         found: u64,
     },
     /// Records of the 64-bit versions of NASTRAN.
@@ -343,16 +346,16 @@ pub enum MatrixProblem {
         /// The component.
         found: String,
     },
-    /// A freedom that stands twice.
-    #[error("{freedom} stands twice; a matrix has one row for each freedom")]
-    FreedomTwice {
-        /// The freedom.
-        freedom: Freedom,
+    /// A degree of freedom that stands twice.
+    #[error("{dof} stands twice; a matrix has one row for each degree of freedom")]
+    DofTwice {
+        /// The degree of freedom.
+        dof: Dof,
     },
     /// A node that stands twice.
     #[error("node {node} stands twice; give each node one place")]
     NodeTwice {
-        /// Its label.
+        /// Label of the node.
         node: u64,
     },
     /// A node in coordinates of its own.
@@ -360,7 +363,7 @@ pub enum MatrixProblem {
         "{found} places or moves nodes in a coordinate system of its own; write them in the global system"
     )]
     OwnSystem {
-        /// What asks for it.
+        /// Card or parameter that asks for the system.
         found: String,
     },
     /// No nodes.

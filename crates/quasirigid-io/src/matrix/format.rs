@@ -1,3 +1,6 @@
+//! Format detection of matrix files and node files, from the first bytes and the ending of the name.
+//! The beginning of a matrix file decides, since endings such as `.dat` are shared; node tables have no mark, so their name decides.
+
 use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
@@ -6,7 +9,7 @@ use super::op4;
 /// Characters of an unknown file that are shown.
 const SHOWN: usize = 24;
 
-/// How a matrix is written.
+/// Format of a matrix file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Market,
@@ -54,7 +57,7 @@ impl Format {
     }
 }
 
-/// How nodes are written.
+/// Format of a node file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NodeFormat {
     Table,

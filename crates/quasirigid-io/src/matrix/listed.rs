@@ -1,12 +1,16 @@
+//! Coordinate list (COO) of matrix entries in the order of a file, made into a sorted matrix without repetitions.
+//! Entries keep their line or byte, so that a place given twice is reported where the second value stands; memory is asked for
+//! before the list grows, because a file may announce any size.
+
 use quasirigid_math::memory;
 
 use super::MatrixFile;
 use super::error::MatrixProblem;
 
-/// What a file leaves out because its other half tells it.
+/// Symmetry that a file uses to leave out one triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symmetry {
-    /// Nothing.
+    /// Both triangles are given.
     General,
     /// `A_ji = A_ij`.
     Symmetric,
@@ -84,7 +88,7 @@ impl Listed {
         self.entries.sort_unstable_by_key(|entry| (entry.row, entry.column, entry.at));
     }
 
-    /// The matrix, in which no place may be given twice; a square one if half of it was left out.
+    /// The matrix, in which no place may be given twice; a file that leaves out one triangle has a square one.
     pub fn unique(mut self, symmetry: Symmetry) -> Result<MatrixFile, At> {
         self.mirror(symmetry)?;
         self.sort();
@@ -96,7 +100,7 @@ impl Listed {
         Ok(self.matrix())
     }
 
-    /// The matrix, in which what is given several times for one place adds up.
+    /// The matrix, in which the values of one place add up.
     pub fn sum(mut self) -> MatrixFile {
         self.sort();
         self.entries.dedup_by(|next, sum| {

@@ -7,7 +7,7 @@ use super::listed::{Listed, Symmetry};
 use super::text::{entry, number};
 use crate::text_file::{last_line, lines, size, text};
 
-/// What the first line says.
+/// Header: the first line of the file.
 struct Header {
     coordinate: bool,
     integer: bool,

@@ -1,12 +1,12 @@
-//! Matrices from finite-element codes, with the freedoms they are about and the places of the nodes.
+//! Matrices from finite-element codes, with the degrees of freedom they are about and the places of the nodes.
 //!
 //! Numbers are taken as they are, in the units of the file; whether a matrix is a mass or a stiffness is for its
 //! reader to say. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
 
 mod calculix;
+mod dof;
 mod error;
 mod format;
-mod freedom;
 mod listed;
 mod market;
 mod nastran;
@@ -19,9 +19,9 @@ mod text;
 use std::path::Path;
 
 use crate::text_file::{FileError, bytes_of};
+pub use dof::Dof;
 pub use error::{MatrixError, MatrixProblem, Place};
 use format::{Format, NodeFormat};
-pub use freedom::Freedom;
 pub use nodes::{Node, NodeTable};
 pub use row::Row;
 
@@ -38,8 +38,8 @@ pub struct MatrixFile {
     /// Row and column, from 0, and value of each entry that is not zero: in both triangles, by row and then by
     /// column, each place once, finite.
     pub entries: Vec<(usize, usize, f64)>,
-    /// What each row is about, in ascending order, where the file says it; a square matrix has the same columns.
-    pub labels: Option<Vec<Freedom>>,
+    /// Degree of freedom of each row, in ascending order, where the file names them; a square matrix has the same columns.
+    pub labels: Option<Vec<Dof>>,
 }
 
 /// Reads a matrix; the beginning of the file tells the format, and its ending where the beginning leaves a doubt.
@@ -48,8 +48,8 @@ pub struct MatrixFile {
 /// - NumPy `.npy`, versions 1 to 3: one or two dimensions of `f4`, `f8`, `i4` or `i8`, of either byte order, by rows
 ///   or by columns; one dimension is a column. `.npz`: several of these, or what `scipy.sparse.save_npz` writes as
 ///   `csr`, `csc`, `coo` or `bsr`, whose repeated entries are added up.
-/// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the freedoms are in the `.dof`
-///   file beside it, see [`read_freedoms`].
+/// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the degrees of freedom are in the `.dof`
+///   file beside it, see [`read_dofs`].
 /// - NASTRAN bulk data with `DMIG` cards, by its beginning or an ending `.bdf`, `.dat`, `.nas`, `.pch` or `.dmig`:
 ///   real, of form 1, 2, 6 or 9, in fields of 8 or 16 columns or between commas; continuations follow their card. The
 ///   labels are the points and components that occur, and those of the rows alone where the form is 2 or 9.
@@ -111,19 +111,19 @@ pub fn nodes_of(file: &Path, bytes: &[u8]) -> Result<NodeTable, MatrixError> {
     read().map_err(FileError::new(file))
 }
 
-/// Reads what the rows of a matrix are about, in their order: lines `node.component`, as in a `.dof` file of
+/// Reads the degrees of freedom of the rows of a matrix, in their order: lines `node.component`, as in a `.dof` file of
 /// CalculiX, or `node component`.
 ///
 /// # Errors
 /// [`MatrixError`] says what is wrong and on which line.
-pub fn read_freedoms(file: &Path) -> Result<Vec<Freedom>, MatrixError> {
-    freedoms_of(file, &bytes_of(file, LARGEST)?)
+pub fn read_dofs(file: &Path) -> Result<Vec<Dof>, MatrixError> {
+    dofs_of(file, &bytes_of(file, LARGEST)?)
 }
 
-/// The freedoms in the bytes of a file.
+/// The degrees of freedom in the bytes of a file.
 ///
 /// # Errors
-/// Those of [`read_freedoms`], except that the file cannot be read.
-pub fn freedoms_of(file: &Path, bytes: &[u8]) -> Result<Vec<Freedom>, MatrixError> {
-    freedom::read(bytes).map_err(FileError::new(file))
+/// Those of [`read_dofs`], except that the file cannot be read.
+pub fn dofs_of(file: &Path, bytes: &[u8]) -> Result<Vec<Dof>, MatrixError> {
+    dof::read(bytes).map_err(FileError::new(file))
 }

@@ -22,8 +22,8 @@ pub enum Row {
     MarketInteger,
     /// An entry of a CalculiX matrix.
     CalculiX,
-    /// A line of a list of freedoms.
-    Freedom,
+    /// A line of a list of degrees of freedom.
+    Dof,
     /// A line of a table of nodes.
     Node,
     /// A line of a `*NODE` block.
@@ -60,7 +60,7 @@ impl fmt::Display for Row {
             Self::MarketEntry | Self::CalculiX => "an entry is written row column value",
             Self::MarketValue => "an array has one value on a line, column by column",
             Self::MarketInteger => "the first line says that the values are integers",
-            Self::Freedom => "a freedom is written node.component or node component",
+            Self::Dof => "a degree of freedom is written node.component or node component",
             Self::Node => "a node is written label x y z",
             Self::InputNode => "a node is written label, x, y, z below *NODE",
             Self::Grid => "a GRID card has its label, system, x, y and z in fields 2 to 6",

@@ -1,3 +1,6 @@
+//! Errors of surface meshes: the problem, the place in the file, the advice.
+//! Every message ends with a remedy or a question; variants of volume meshes are in their own enum and pass through unchanged.
+
 use std::fmt;
 use std::io::ErrorKind;
 
@@ -13,7 +16,7 @@ use crate::text_file::{self, FileError, ReadProblem, Unread};
 /// A file from which no mesh can be read: where, and what is wrong there.
 pub type MeshError = FileError<MeshProblem>;
 
-/// What is wrong at a place of a file that is yet to be named.
+/// A problem at a place of a file that is yet to be named.
 pub(super) type Fault = text_file::Fault<MeshProblem>;
 
 /// Things that a file announces and then lists.
@@ -52,40 +55,40 @@ impl fmt::Display for Part {
     }
 }
 
-/// What is wrong with a file of triangles.
+/// Problem of a file of triangles.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MeshProblem {
-    /// It cannot be read at all.
+    /// A file that cannot be read at all.
     #[error("{kind}; is the name right, and may the file be read?")]
     Unreadable {
-        /// What the operating system says.
+        /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// It is a folder.
+    /// A folder in the place of a file.
     #[error("this is a folder; give the file of the mesh inside it")]
     Folder,
-    /// It is a pipe, a device or the like.
+    /// A pipe, a device or the like in the place of a file.
     #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
     NoFile,
-    /// What it holds takes more memory than there is.
+    /// Contents that take more memory than there is.
     #[error("{0}; reduce what the file holds")]
     Memory(TooMuchMemory),
-    /// It is larger than any mesh.
+    /// A file above the largest size that is read.
     #[error("the file is larger than {} MiB, the most that is read; make the mesh coarser", limit / (1024 * 1024))]
     TooLarge {
         /// Largest size that is read (bytes).
         limit: u64,
     },
-    /// It has no bytes.
+    /// A file without bytes.
     #[error("the file is empty; was its download cut off?")]
     Empty,
-    /// Neither its beginning nor its name is that of a known format.
+    /// A file whose beginning and name are those of no known format.
     #[error(
         "the file begins with {start:?}, as no surface known here does; give an OBJ, STL or PLY file, or a plate table"
     )]
     NotAMesh {
-        /// Its first characters.
+        /// First characters of the file.
         start: String,
     },
     /// A byte that no text has.
@@ -99,15 +102,15 @@ pub enum MeshProblem {
     NotANumber {
         /// The word.
         found: String,
-        /// What the line should be.
+        /// Kind of line expected there.
         row: Row,
     },
     /// Too few values on a line, or too many.
     #[error("{found} values; {row}")]
     Values {
-        /// How many there are.
+        /// Number of values found.
         found: usize,
-        /// What the line should be.
+        /// Kind of line expected there.
         row: Row,
     },
     /// A line that has no place here.
@@ -115,7 +118,7 @@ pub enum MeshProblem {
     Unexpected {
         /// The line.
         found: String,
-        /// What stands here.
+        /// Kind of line expected here.
         row: Row,
     },
     /// A coordinate that is NaN or infinite.
@@ -131,48 +134,48 @@ pub enum MeshProblem {
         found: String,
         /// Number of the first vertex, 0 or 1.
         first: usize,
-        /// How many vertices there are, up to here where corners count back.
+        /// Number of vertices, up to here where corners count back.
         vertices: usize,
     },
     /// A face without area.
     #[error("a face of {found} corners; give it three or more, or leave it out")]
     Corners {
-        /// How many it has.
+        /// Number found.
         found: usize,
     },
     /// A facet that is no triangle, where nothing else is allowed.
     #[error("a facet of {found} corners; STL has triangles only")]
     Facet {
-        /// How many corners it has.
+        /// Number of corners.
         found: usize,
     },
     /// A file that ends early.
     #[error("the file ends after {found} of {announced} {part}; was it cut off, or is the number wrong?")]
     Cut {
-        /// What is missing.
+        /// Part that is missing.
         part: Part,
-        /// How many the file announces.
+        /// Number that the file announces.
         announced: u64,
-        /// How many it has.
+        /// Number found.
         found: u64,
     },
     /// A file that goes on too long.
     #[error("more follows the {announced} {part} announced; is that number right?")]
     Surplus {
-        /// What was to be the last.
+        /// Part that was to be the last.
         part: Part,
-        /// How many the file announces.
+        /// Number that the file announces.
         announced: u64,
     },
     /// A file that ends within a facet.
     #[error("the file ends without endsolid; was it cut off?")]
     NoEnd,
-    /// A row that does not come in its turn.
+    /// A row whose number is not the next one.
     #[error("number {found} stands where {expected} should; rows count from 1 without a gap")]
     Numbering {
         /// The number of the row.
         found: String,
-        /// Its turn.
+        /// Number that the row should have.
         expected: u64,
     },
     /// A line of a PLY header that cannot be understood.
@@ -202,10 +205,10 @@ pub enum MeshProblem {
     /// Nothing to read.
     #[error("the file has no {part}; export the surface as triangles")]
     Nothing {
-        /// What is missing.
+        /// Part that is missing.
         part: Part,
     },
-    /// What only meshes of cells have.
+    /// A problem that only meshes of cells have.
     #[error(transparent)]
     Volume(#[from] VolumeProblem),
 }

@@ -3,7 +3,7 @@
 /// Largest file that is read (bytes): twenty million triangles as binary STL.
 pub(super) const LARGEST: u64 = 1024 * 1024 * 1024;
 
-/// How the numbers of a file are written.
+/// Encoding of the numbers of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,

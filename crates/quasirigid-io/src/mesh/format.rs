@@ -6,7 +6,7 @@ use super::stl;
 /// Characters of an unknown file that are shown.
 const SHOWN: usize = 24;
 
-/// How a file is written.
+/// Format of a surface file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Obj,

@@ -1,3 +1,6 @@
+//! Plate tables of the Planetary Data System: numbered vertices, then numbered triangles.
+//! Every number is compared with its turn, since a file cut or edited in the middle would otherwise give another surface in silence.
+
 use super::TriangleMesh;
 use super::error::{Fault, MeshProblem, Part, Place, Row};
 use super::text::point;

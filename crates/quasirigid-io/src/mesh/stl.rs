@@ -1,3 +1,6 @@
+//! STL as text or binary: facets whose corners are welded into shared vertices.
+//! Corners are equal bit for bit or not at all: a tolerance would close gaps that the surface check has to find.
+
 use std::collections::HashMap;
 
 use super::TriangleMesh;

@@ -1,3 +1,6 @@
+//! Body reader: every table of elements, the carrier, the support and the reduction become one assembly.
+//! All tables are read even after a wrong one, so that one run reports every mistake; the laws of mechanics are checked later.
+
 use std::path::Path;
 
 use quasirigid::elements::{Assembly, Carrier, ElementId, ElementKind};
@@ -25,14 +28,14 @@ pub(super) const FEWEST_POINTS: usize = 3;
 pub(super) struct Body<'a> {
     /// Names of its parts.
     pub(super) names: Names<'a>,
-    /// Its parts, if nothing is wrong with them.
+    /// Assembly of the body, if nothing is wrong with its parts.
     pub(super) parts: Option<Parts>,
 }
 
-/// Parts of a body.
+/// Assembly of a body, with its ranges and its places in the file.
 pub(super) struct Parts {
     pub(super) assembly: Assembly,
-    /// The same with every rheology at its least and at its greatest, if the file gives ranges.
+    /// Assemblies with every rheology at the least and at the greatest of its range, if the file gives ranges.
     pub(super) extremes: Option<Box<[Assembly; 2]>>,
     /// Places of the elements in the file.
     pub(super) spans: Spans,
@@ -89,7 +92,7 @@ fn has_body(file: &Table<'_>) -> bool {
         || READERS.iter().any(|reader| reader.is_body && present(reader.key))
 }
 
-/// Opens the tables of elements, each with its index among those of its kind.
+/// Opens the tables of elements, each with the index among those of its kind.
 fn opened<'a>(file: &Table<'a>) -> Vec<Opened<'a>> {
     let mut counts: Vec<(Option<ElementKind>, usize)> = Vec::new();
     let mut opened = Vec::new();
@@ -117,7 +120,7 @@ fn every<'a>(opened: &[Opened<'a>], draft: &mut Draft<'_, 'a>) -> bool {
     good
 }
 
-/// Reads the tables that stand once; whether nothing is wrong with them.
+/// Reads the tables that stand once; false if something is wrong with one of them.
 fn single_tables(file: &Table<'_>, assembly: &mut Assembly, spans: &mut Spans) -> bool {
     let table = file.table("carrier", "[carrier]", &CARRIER);
     spans.note(table.iter().map(|table| (ElementId::CARRIER, table.spans())));

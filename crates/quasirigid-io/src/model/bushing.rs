@@ -1,3 +1,7 @@
+//! Bushing reader: `[[bushing]]`, three translational and three rotational stiffnesses and dampings between two places.
+//! One number stands for all three axes; what is left out is zero, so a bushing may resist displacement or rotation alone.
+//! Equation (I11), docs/theory/02-invariants.md.
+
 use quasirigid::elements::{Bushing, ElementKind, End};
 
 use super::names::{Fixed, Part};
@@ -41,7 +45,7 @@ const BUSHING: Keys = Keys {
 /// Axes unless the file chooses others: those of the file.
 const ALIGNED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-/// Reads a `[[bushing]]`, and its rheology at the ends of the range it is known to.
+/// Reads a `[[bushing]]`, and the rheology at both ends of its range.
 fn bushing(entry: &Entry<'_, '_>, draft: &Draft<'_, '_>) -> Option<(Bushing, Extremes)> {
     let table = entry.table;
     let end = |key: &'static str, example: &str| -> Option<End> {

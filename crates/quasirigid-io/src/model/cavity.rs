@@ -1,3 +1,7 @@
+//! Cavity reader: `[[cavity]]`, a liquid in one of nine shapes, or in a mesh or surface from a file.
+//! A surface is filled with a mesh here, since the library takes cells alone; either viscosity is stored as the kinematic one.
+//! Theory of the flows: docs/theory/13-inside.md, from (L1) on.
+
 use std::path::Path;
 
 use quasirigid::elements::{Cavity, CavityShape, ElementKind, Regime};
@@ -67,13 +71,13 @@ const RESOLUTION: usize = 8;
 /// Cells across the longest side of what a surface encloses.
 const RESOLUTION_INSIDE: usize = 16;
 
-/// Words for how a liquid moves.
+/// Words for the flow regime of a liquid.
 const REGIMES: [(&str, Regime); 2] =
     [("viscous", Regime::Viscous), ("boundary-layer", Regime::BoundaryLayer)];
 /// Most cells across.
 const MOST_CELLS: usize = 1000;
 
-/// Where files stand, and how fine a mesh is to be.
+/// Folder of the files, and number of cells across.
 struct Source<'a> {
     folder: &'a Path,
     resolution: usize,
@@ -87,7 +91,7 @@ pub(super) const READER: Reader = Reader {
     naming: Naming::Numbered("cavity"),
     names: |_| Part::Inside,
     aliases: &[
-        // a radius gives the semi-axes, either viscosity the viscosity
+        // a radius is three semi-axes, and either viscosity gives the kinematic one
         ("radius", "semi_axes"),
         ("kinematic_viscosity", "viscosity"),
         ("dynamic_viscosity", "viscosity"),
@@ -126,7 +130,7 @@ fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
     })
 }
 
-/// Kinematic viscosity (m²/s), from either.
+/// Kinematic viscosity (m²/s), from the kinematic or the dynamic one.
 fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
     match (table.get("kinematic_viscosity"), table.get("dynamic_viscosity")) {
         (Some(_), Some(dynamic)) => {

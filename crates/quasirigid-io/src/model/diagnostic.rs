@@ -1,3 +1,6 @@
+//! Diagnostics of a model file: message, place, label and help, collected while the file is read.
+//! All readers share one list behind a cell, so that none stops at the first mistake; above a hundred the rest are one mistake repeated.
+
 use std::cell::RefCell;
 use std::ops::Range;
 
@@ -7,13 +10,13 @@ const MOST: usize = 100;
 /// Something wrong in a model file, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Bytes of the file it is about.
+    /// Bytes of the file that the diagnostic is about.
     pub span: Range<usize>,
-    /// What is wrong, with the offending value.
+    /// Message, with the offending value.
     pub message: String,
     /// A few words to stand beside the place.
     pub label: String,
-    /// What to try.
+    /// Advice.
     pub help: Option<String>,
 }
 
@@ -26,7 +29,7 @@ impl Diagnostic {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// Line and column at which it starts in `text`, both from 1, the column in characters.
+    /// Line and column of the start of the diagnostic in `text`, both from 1, the column in characters.
     #[must_use]
     pub fn position(&self, text: &str) -> (usize, usize) {
         let before = &text[..text.floor_char_boundary(self.span.start)];
@@ -55,12 +58,12 @@ impl<'a> Problems<'a> {
         }
     }
 
-    /// Whether more would not be kept.
+    /// Whether the list is full, so that no more are kept.
     pub(super) fn full(&self) -> bool {
         self.found.borrow().len() > MOST
     }
 
-    /// What the file has at a span.
+    /// Text of the file at a span.
     pub(super) fn text(&self, span: Range<usize>) -> Option<&'a str> {
         self.text.get(span)
     }

@@ -26,7 +26,7 @@ pub(super) const READER: Reader = Reader {
 
 const ELLIPSOID: Keys = Keys { known: &["name", "semi_axes", "center", "material"] };
 
-/// Reads an `[[ellipsoid]]`, and its rheology at the ends of the range it is known to.
+/// Reads an `[[ellipsoid]]`, and the rheology at both ends of its range.
 pub(super) fn ellipsoid(
     table: &Table<'_>,
     name: &str,

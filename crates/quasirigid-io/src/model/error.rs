@@ -15,7 +15,7 @@ pub enum ModelError {
     Unreadable {
         /// The file.
         file: PathBuf,
-        /// Why not.
+        /// Reason of the failure.
         problem: FileProblem,
     },
     /// The file is not a model.
@@ -23,22 +23,22 @@ pub enum ModelError {
     Invalid {
         /// The file and its text.
         model: Source,
-        /// What is wrong with it, in the order of the file.
+        /// Diagnostics of the model, in the order of the file.
         diagnostics: Vec<Diagnostic>,
     },
 }
 
-/// Why a file cannot be read.
+/// Problem of a model file that cannot be read.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum FileProblem {
     /// There is no such file.
     #[error("there is no such file")]
     Missing,
-    /// It is a folder.
+    /// A folder in the place of a file.
     #[error("this is a folder; give the model file inside it")]
     Folder,
-    /// It is larger than any model.
+    /// A file above the largest size that is read.
     #[error("the file is larger than {} MiB, the most a model file may have", limit / (1024 * 1024))]
     TooLarge {
         /// Largest size that is read (bytes).
@@ -47,12 +47,12 @@ pub enum FileProblem {
     /// The operating system refuses.
     #[error("the file cannot be read: {kind}")]
     Refused {
-        /// Its reason.
+        /// Error kind that the operating system reports.
         kind: io::ErrorKind,
     },
 }
 
-/// One line `file:line:column: message` per diagnostic, and its help in a line below.
+/// One line `file:line:column: message` per diagnostic, and the help in a line below.
 struct Listing<'a> {
     model: &'a Source,
     diagnostics: &'a [Diagnostic],

@@ -1,3 +1,7 @@
+//! Settings of the secular evolution: target state, duration, power and method, from `[run] evolve` and from the command line.
+//! A target is written as a share of `I₃` or as an angle; both are parsed here, so that file and command line accept the same texts.
+//! Methods and their criteria: (Q1) to (Q9), docs/theory/16-methods.md.
+
 use std::f64::consts::FRAC_PI_2;
 use std::str::FromStr;
 
@@ -10,22 +14,22 @@ use crate::units::{Dimension, UnitError, quantity};
 
 const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power", "method"] };
 
-/// How the slow evolution of the rotation is followed.
+/// Settings of the secular evolution of the rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evolve {
-    /// State at which it ends.
+    /// Rotation state at which the evolution ends.
     pub until: Option<Target>,
-    /// Longest time to follow it (s).
+    /// Longest time that is followed (s).
     pub duration: Option<f64>,
     /// Number of rows of the history.
     pub samples: Option<usize>,
-    /// Where the power of an average comes from.
+    /// Source of the power of an average.
     pub power: Option<Power>,
-    /// By which road it is followed; the one that holds, if nobody says.
+    /// Method; none leaves the choice to the criteria.
     pub method: Option<EvolveMethod>,
 }
 
-/// By which road the slow evolution of the rotation is followed.
+/// Method of the secular evolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EvolveMethod {
     /// Averaged along the polhode of the frozen body.
@@ -38,16 +42,16 @@ pub enum EvolveMethod {
     Modes,
 }
 
-/// Where the mean power comes from.
+/// Source of the mean power.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Power {
     /// From the power of the reduced equations.
     Polynomial,
-    /// From the answer of every elastic mode and material to the harmonics of the polhode.
+    /// From the response of every elastic mode and material to the harmonics of the polhode.
     Harmonics,
 }
 
-/// A state of rotation, by how far it is from that about the axis of greatest inertia.
+/// A rotation state, by the distance from the rotation about the axis of greatest inertia.
 ///
 /// ```
 /// use quasirigid_io::model::Target;
@@ -93,7 +97,7 @@ pub enum TargetError {
 }
 
 impl TargetError {
-    /// What to write instead.
+    /// Advice: a text to write instead.
     #[must_use]
     pub fn advice(&self) -> String {
         match self {

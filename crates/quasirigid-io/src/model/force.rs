@@ -1,3 +1,7 @@
+//! Force reader: `[[force]]`, one function for each of eight laws.
+//! Whether a law needs a place or refuses one is a law of mechanics and checked by the library; here only keys and units are.
+//! Equations (F3) to (F10), docs/theory/07-forces.md.
+
 use std::f64::consts::TAU;
 
 use quasirigid::elements::{ElementKind, Station};
@@ -167,7 +171,7 @@ fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<S
     Some(ForceLaw::TorqueExpression { torque: formulas(torque, &PLACE, Dimension::TORQUE)?, axes: axes? })
 }
 
-/// Where a force acts: on a point, or at a place of the carrier. Which of them needs a place is for mechanics to say.
+/// Station of a force: a point, or a place of the carrier. The library checks which of them needs a place.
 fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
     let on = table.required("on", "on = \"carrier\"").and_then(|value| names.end(&value, Fixed::Force));
     let at = match table.get("at") {
@@ -182,7 +186,7 @@ fn axes(table: &Table<'_>) -> Option<Axes> {
     table.get("axes").map_or(Some(Axes::Body), |value| value.choice(&choices))
 }
 
-/// Reads how an amplitude varies.
+/// Reads the wave of an amplitude: frequency or period, and phase.
 fn wave(table: &Table<'_>) -> Option<Wave> {
     let phase = table.get("phase").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
     let frequency = match (table.get("frequency"), table.get("period")) {

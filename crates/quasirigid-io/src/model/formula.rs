@@ -3,7 +3,7 @@ use quasirigid_math::expression::Expression;
 use super::value::Value;
 use crate::units::Dimension;
 
-/// Variables of a formula, in the order in which it is given them, and what they mean.
+/// Variables of a formula, in the order of its arguments, and their meaning.
 pub(super) struct Variables {
     pub(super) names: &'static [&'static str],
     pub(super) meaning: &'static str,
@@ -11,7 +11,7 @@ pub(super) struct Variables {
 
 /// The time.
 pub(super) const TIME: Variables = Variables { names: &["t"], meaning: "t (s)" };
-/// Where a force acts, how fast that place moves, the time, the spin and the attitude. (F9)
+/// Position and velocity of the place of a force, time, angular velocity and attitude. (F9)
 pub(super) const PLACE: Variables = Variables {
     names: &["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"],
     meaning: "x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz",

@@ -1,3 +1,7 @@
+//! Hinge reader: `[[hinged]]`, a rigid appendage on one to three axes, with named places for springs and forces.
+//! The names of its places are registered here, because springs and forces are read later and refer to them.
+//! Equations (I8) and (I9), docs/theory/02-invariants.md.
+
 use quasirigid::elements::{ElementKind, HingeCoefficient, Hinged};
 
 use super::body::inertia;
@@ -42,7 +46,7 @@ const HINGED: Keys = Keys {
     ],
 };
 
-/// Reads a `[[hinged]]` appendage, and its rheology at the ends of the range it is known to.
+/// Reads a `[[hinged]]` appendage, and the rheology at both ends of its range.
 pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)> {
     let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
     let center_of_mass = table
@@ -77,7 +81,7 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
     Some((hinged, known.extremes))
 }
 
-/// Reads places on it by name, in the order of the file.
+/// Reads named places on the appendage, in the order of the file.
 fn places(value: &Value<'_>) -> Option<Vec<(String, [f64; 3])>> {
     let Some(entries) = value.entries() else {
         return value.mismatch("a table of places", "write { tip = [2, 0, 0] }");

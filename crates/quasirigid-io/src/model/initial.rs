@@ -1,3 +1,7 @@
+//! Initial state: rotation, attitude, displacements, and the place and velocity of a free body.
+//! Displacements default to the slow manifold: a body started undeformed would first vibrate, which nobody asked for.
+//! Equation (Q8), docs/theory/16-methods.md, tells where the slow manifold can be used as a start.
+
 use quasirigid::elements::Problem;
 use quasirigid::model::Support;
 
@@ -21,15 +25,15 @@ pub(super) const INITIAL: Keys = Keys {
     ],
 };
 
-/// Largest deviation of a quaternion's norm from one that is taken for rounding.
+/// Largest deviation of a quaternion's norm from one that counts as rounding: three digits, as people type them.
 const ROUNDED_NORM: f64 = 1e-3;
-/// Largest deviation that is not worth a note.
+/// Largest deviation that needs no note: nine digits, as programs print them.
 const PRINTED_NORM: f64 = 1e-9;
 
 /// State of the body at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Initial {
-    /// How the body turns; none if the file does not say.
+    /// Rotation; none if the file does not give it.
     pub rotation: Option<Rotation>,
     /// Unit quaternion, scalar first, that turns body components into inertial ones.
     pub attitude: [f64; 4],
@@ -37,21 +41,21 @@ pub struct Initial {
     pub displacements: Displacements,
     /// Place of the centre of mass of a free body (m), inertial axes.
     pub position: [f64; 3],
-    /// Its velocity (m/s), inertial axes.
+    /// Velocity of the centre of mass of a free body (m/s), inertial axes.
     pub velocity: [f64; 3],
 }
 
 /// Internal coordinates at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Displacements {
-    /// Those that follow the spin, without vibration.
+    /// Displacements on the slow manifold, without vibration.
     SlowManifold,
-    /// Given ones of points and appendages on a carrier, which are the first of the body's coordinates, in their order; the
+    /// Given displacements of points and appendages on a carrier, the first of the body's coordinates, in their order; the
     /// others are at rest.
     Given {
         /// Coordinates (m, rad).
         q: Vec<f64>,
-        /// Their rates (m/s, rad/s).
+        /// Rates of the coordinates (m/s, rad/s).
         rate: Vec<f64>,
     },
 }
@@ -68,7 +72,7 @@ impl Default for Initial {
     }
 }
 
-/// Reads `[initial]`; what is merely suspect goes into `notes`.
+/// Reads `[initial]`; suspect but usable values go into `notes`.
 pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String>) -> Option<Initial> {
     let rotation = rotation(table);
     let attitude = match table.get("attitude") {
@@ -87,7 +91,7 @@ pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String
     })
 }
 
-/// Reads an attitude; its norm is one but for the digits that a file prints, and what it was is noted otherwise.
+/// Reads an attitude and normalises it; a norm that differs from one by more than printed digits is noted, or refused.
 pub(super) fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Option<[f64; 4]> {
     let quaternion: [f64; 4] = value.numbers(Dimension::NUMBER)?;
     let norm = quaternion.iter().fold(0.0, |norm: f64, component| norm.hypot(*component));
@@ -123,7 +127,7 @@ fn of_free_body(
     value.refuse(message, "not for this body", Some(help))
 }
 
-/// What a file says of the displacements.
+/// Displacements as a file gives them.
 enum Said<'a> {
     SlowManifold,
     Rest,
@@ -168,7 +172,7 @@ fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     let Some(assembly) = body.assembly().filter(|assembly| assembly.carrier.is_some()) else {
         return Vec::new();
     };
-    // A motion that is none is refused by the laws of mechanics, with the rest of the body.
+    // A `motion` without a direction is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
     let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
     points.chain(hinged).collect()

@@ -3,13 +3,13 @@ use super::value::{Value, alternatives};
 
 /// A kind of table, chosen by one of its keys, such as `kind`.
 pub(super) struct Kind<R: 'static> {
-    /// The word that chooses it.
+    /// The word that chooses the kind.
     pub(super) word: &'static str,
     /// The table as messages call it.
     pub(super) title: &'static str,
-    /// Its keys.
+    /// Keys of the table.
     pub(super) keys: Keys,
-    /// What reads it.
+    /// Function that reads the table.
     pub(super) read: R,
 }
 
@@ -29,7 +29,7 @@ macro_rules! kind {
 }
 pub(super) use kind;
 
-/// A table of the kind it says it is by a key; `title` and `any` are the name and the keys of one that does not say.
+/// Opens a table of the kind that one of its keys names; `title` and `any` are the name and the keys of a table without that key.
 pub(super) fn opened<'a, R>(
     value: &Value<'a>,
     title: &'static str,
@@ -52,7 +52,7 @@ pub(super) fn opened<'a, R>(
     Some((value.table_among(kind.title, &kind.keys, &others)?, kind))
 }
 
-/// The kind that an opened table says it is.
+/// The kind that an opened table names.
 pub(super) fn of_table<R>(
     table: &Table<'_>,
     key: &'static str,

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-/// The place in a written string of a part of the text it means, both in bytes; at its closing quote where the part is
-/// the end of the text.
+/// The place in a written string of a part of the text that the string means, both in bytes; the closing quote where the
+/// part is the end of the text.
 pub(super) fn place(literal: &str, part: Range<usize>) -> Option<Range<usize>> {
     let quote = literal.chars().next().filter(|quote| matches!(quote, '"' | '\''))?;
     let many = literal.len() >= 6 && literal.bytes().take(3).all(|byte| byte == quote as u8);
@@ -20,7 +20,7 @@ fn without_newline(text: &str) -> &str {
     text.strip_prefix("\r\n").or_else(|| text.strip_prefix('\n')).unwrap_or(text)
 }
 
-/// What TOML takes for white space: not every space that Unicode knows.
+/// White space of TOML: not every space that Unicode knows.
 const BLANK: [char; 4] = [' ', '\t', '\n', '\r'];
 
 /// Steps through the inside of a written string.
@@ -30,7 +30,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Where the byte of the text with this index is written, or the end.
+    /// The place at which the byte of the text with this index is written, or the end.
     fn place(&self, from: usize, index: usize) -> usize {
         let (mut at, mut read) = (from, 0);
         while at < self.text.len() && read < index {

@@ -1,7 +1,11 @@
+//! Material reader: `[material.NAME]`, isotropic or orthotropic, shared by the elements that name it.
+//! Materials are read before the elements and remember whether one named them, so that an unused one is noted as a likely misspelling.
+//! Rheology: (G1), docs/theory/11-materials.md.
+
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use quasirigid::elements::{Material, Orthotropic, Substance};
+use quasirigid::elements::{ElasticMaterial, Material, Orthotropic};
 
 use super::names::suggestion;
 use super::rheology::{Extremes, Known, Scale, rheology};
@@ -12,8 +16,8 @@ use crate::units::Dimension;
 
 const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"] };
 
-/// What an element is made of, and its rheology at the ends of the range it is known to.
-pub(super) type Made = (Substance, Extremes);
+/// Material of an element, and the rheology at both ends of its range.
+pub(super) type Made = (ElasticMaterial, Extremes);
 
 /// The `[material.NAME]` tables of a file.
 pub(super) struct Materials<'a> {
@@ -24,12 +28,12 @@ struct Entry {
     /// The material, if nothing is wrong with it.
     material: Option<Made>,
     spans: ElementSpans,
-    /// Whether something is made of it.
+    /// Whether an element names the material.
     used: Cell<bool>,
 }
 
 impl<'a> Materials<'a> {
-    /// Reads every material, also those that nothing is made of.
+    /// Reads every material, also those that no element names.
     pub(super) fn new(file: &Table<'a>) -> Self {
         let help = "write [material.rock], and its name in place of rock, with its keys below";
         let open = |value: Value<'a>| {
@@ -40,7 +44,7 @@ impl<'a> Materials<'a> {
         Self { entries: file.named("material", help).into_iter().filter_map(open).collect() }
     }
 
-    /// What an element is made of that takes isotropic materials alone.
+    /// Material of an element that takes isotropic materials alone.
     pub(super) fn of(&self, element: &Table<'_>) -> Option<(Material, Extremes)> {
         element.required("material", "material = \"rock\"").and_then(|value| self.isotropic(&value))
     }
@@ -48,8 +52,8 @@ impl<'a> Materials<'a> {
     /// The isotropic material with the name that a value gives.
     pub(super) fn isotropic(&self, value: &Value<'_>) -> Option<(Material, Extremes)> {
         match self.named(value)? {
-            (Substance::Isotropic(material), extremes) => Some((material, extremes)),
-            (Substance::Orthotropic(_), _) => value.refuse(
+            (ElasticMaterial::Isotropic(material), extremes) => Some((material, extremes)),
+            (ElasticMaterial::Orthotropic(_), _) => value.refuse(
                 "this needs a material that is the same in every direction".to_owned(),
                 "orthotropic",
                 Some("solids and the layers of panels may be orthotropic".to_owned()),
@@ -71,7 +75,7 @@ impl<'a> Materials<'a> {
         value.refuse(format!("there is no material {name:?}"), "unknown material", Some(help))
     }
 
-    /// Where the values of an element stand, also those of its material.
+    /// Places of the values of an element, also those of its material.
     pub(super) fn spans(&self, element: &Table<'_>) -> ElementSpans {
         let mut spans = element.spans();
         let name = element.get("material").and_then(|value| value.words());
@@ -81,7 +85,7 @@ impl<'a> Materials<'a> {
         spans
     }
 
-    /// A note on each material that nothing is made of.
+    /// A note on each material that no element names.
     pub(super) fn unused(&self) -> impl Iterator<Item = String> {
         let rest = self.entries.iter().filter(|(_, entry)| !entry.used.get());
         rest.map(|(name, _)| format!("nothing is made of the material {name:?}"))
@@ -102,7 +106,7 @@ fn material(table: &Table<'_>) -> Option<Made> {
     let known = relative_to(table, young);
     let (density, young, poisson) = (density?, young?, poisson?);
     let Known { rheology, extremes } = known?;
-    Some((Substance::Isotropic(Material { density, young, poisson, rheology }), extremes))
+    Some((ElasticMaterial::Isotropic(Material { density, young, poisson, rheology }), extremes))
 }
 
 /// Reads the constants of a material with three planes of symmetry.
@@ -120,16 +124,16 @@ fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
     let known = relative_to(table, young.map(|young| young[0]));
     let (density, young, poisson, shear) = (density?, young?, poisson?, shear?);
     let Known { rheology, extremes } = known?;
-    Some((Substance::Orthotropic(Orthotropic { density, young, poisson, shear, rheology }), extremes))
+    Some((ElasticMaterial::Orthotropic(Orthotropic { density, young, poisson, shear, rheology }), extremes))
 }
 
 /// Reads the rheology of a material with this modulus.
 fn relative_to(table: &Table<'_>, modulus: Option<f64>) -> Option<Known> {
-    // the unit of the moduli does not matter where the material is refused for its own modulus
+    // any number does for a missing modulus: the material is refused for it anyway
     rheology(table, Scale { dimension: Dimension::PRESSURE, modulus: modulus.unwrap_or(1.0) })
 }
 
-/// Reads Young's modulus, or the shear modulus and makes it of that: `E = 2 μ (1 + ν)`.
+/// Reads Young's modulus, or computes it from the shear modulus: `E = 2 μ (1 + ν)`.
 fn young(table: &Table<'_>, poisson: Option<f64>) -> Option<f64> {
     match (table.get("young"), table.get("shear")) {
         (None, Some(shear)) => {
@@ -147,7 +151,7 @@ fn young(table: &Table<'_>, poisson: Option<f64>) -> Option<f64> {
     }
 }
 
-/// Where its values stand; a shear modulus gives Young's.
+/// Places of the values of a material; a shear modulus gives Young's.
 fn spans(table: &Table<'_>) -> ElementSpans {
     let mut spans = table.spans();
     if let Some(shear) = table.get("shear") {

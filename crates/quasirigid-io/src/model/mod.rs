@@ -105,13 +105,13 @@ pub struct Model {
     pub assembly: Assembly,
     /// The body with every rheology at the least and at the greatest of its range; none if the file gives no range.
     pub extremes: Option<Box<[Assembly; 2]>>,
-    /// Its state at time zero.
+    /// State of the body at time zero.
     pub initial: Initial,
-    /// What to compute.
+    /// Settings of the computation.
     pub run: RunSettings,
-    /// What is suspect but not wrong.
+    /// Notes on suspect but valid values.
     pub notes: Vec<String>,
-    /// The text it was read from.
+    /// The text of the model.
     pub source: Source,
     spans: Spans,
 }
@@ -142,13 +142,13 @@ impl Model {
         Self::new(Source::new(file, text.to_owned()))
     }
 
-    /// The same error for a user of the file: where it stands there, and what to try.
+    /// Error of the library as a diagnostic of the file: with its place there, and advice.
     #[must_use]
     pub fn diagnose(&self, error: &ElementError) -> ModelError {
         self.diagnose_all(std::slice::from_ref(error))
     }
 
-    /// The same errors for a user of the file, in its order.
+    /// Errors of the library as diagnostics of the file, in the order of the file.
     #[must_use]
     pub fn diagnose_all(&self, errors: &[ElementError]) -> ModelError {
         let mut diagnostics: Vec<Diagnostic> =
@@ -173,7 +173,7 @@ impl Model {
     }
 }
 
-/// What a file says.
+/// Content of a file.
 struct Content {
     name: Option<String>,
     parts: Parts,

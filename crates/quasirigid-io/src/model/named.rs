@@ -14,7 +14,7 @@ use super::settings::System;
 /// assert_eq!(System::of("full"), Some(System::Full));
 /// ```
 pub trait Named: Copy + PartialEq + Send + Sync + 'static {
-    /// Every value: its name, the value, and what it means where the name does not say it.
+    /// Every value: its name, the value, and its meaning where the name does not tell.
     const VALUES: &'static [(&'static str, Self, &'static str)];
 
     /// The name of a value.
@@ -32,7 +32,7 @@ pub trait Named: Copy + PartialEq + Send + Sync + 'static {
 
 impl Named for Form {
     const VALUES: &'static [(&'static str, Self, &'static str)] =
-        &[("momentum", Self::Momentum, ""), ("paper", Self::Paper, "")];
+        &[("momentum", Self::AngularMomentum, ""), ("paper", Self::AngularVelocity, "")];
 }
 
 impl Named for Method {

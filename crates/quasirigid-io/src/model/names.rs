@@ -1,3 +1,6 @@
+//! Names in a model file: who has one, to which element it belongs, and what springs and forces may be fixed to.
+//! Names are claimed in the order of the file, so that of two equal ones the second is reported; references are resolved against all.
+
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -11,16 +14,16 @@ use super::table::Keys;
 use super::value::Value;
 use crate::nearest::nearest;
 
-/// The carrier's name where springs and forces say what they are fixed to.
+/// Name of the carrier in the ends of springs and the stations of forces.
 const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
 
 /// Names in a file.
 pub(super) struct Names<'a> {
-    /// Names of the elements, in the order of their tables; empty for those without.
+    /// Names of the elements, in the order of their tables; empty for elements without a name.
     given: Vec<String>,
-    /// The same by kind.
+    /// Names of the elements by kind.
     of: HashMap<ElementKind, Vec<String>>,
     /// Names of the nodes of parts, by index of the part, once they have been read.
     pub(super) nodes: HashMap<usize, Nodes>,
@@ -29,7 +32,7 @@ pub(super) struct Names<'a> {
     parts: Register<'a, Part>,
 }
 
-/// A part of the body with a name; one that moves by its index in the list of its kind.
+/// A part of the body with a name; a part that moves has an index in the list of its kind.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     Point(usize),
@@ -41,10 +44,10 @@ pub(super) enum Part {
     Inside,
 }
 
-/// A node of a part, or several, where something is fixed to them.
+/// Keys of a reference to one node of a part or to several.
 const NODES: Keys = Keys { known: &["part", "node", "set"] };
 
-/// What says which point it is fixed to.
+/// Kind of element that refers to a place.
 #[derive(Clone, Copy)]
 pub(super) enum Fixed {
     /// A spring or the like, by the word for it.
@@ -67,7 +70,7 @@ impl Fixed {
 }
 
 impl<'a> Names<'a> {
-    /// Reads the names of elements; one without gets a name from its number, such as `point 1`, where its kind needs names.
+    /// Reads the names of elements; an element without a name gets one from its number, such as `point 1`, where its kind needs names.
     pub(super) fn new(opened: &[Opened<'_>], problems: &'a Problems<'a>) -> Self {
         let given: Vec<String> = opened.iter().map(name).collect();
         let mut of: HashMap<ElementKind, Vec<String>> = HashMap::new();
@@ -101,7 +104,7 @@ impl<'a> Names<'a> {
         self.of.get(&kind).map_or(&[], Vec::as_slice)
     }
 
-    /// What a spring or force is fixed to.
+    /// End of a spring, or station of a force.
     pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
         if value.is_table() {
             if let Some(place) = self.place(value) {
@@ -238,7 +241,7 @@ impl<'a> Names<'a> {
     }
 }
 
-/// The name that a table gives, or the one made of its number; empty if the kind does without.
+/// The name that a table gives, or a name made of its number; empty if the kind needs none.
 fn name(Opened { reader, number, table, .. }: &Opened<'_>) -> String {
     let made = match reader.naming {
         Naming::Numbered(word) | Naming::Apart(word) => format!("{word} {number}"),

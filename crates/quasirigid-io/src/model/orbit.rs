@@ -29,7 +29,7 @@ const BODIES: [(&str, f64); 4] = [
 /// Reads an orbit.
 pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
     let table = value.table("`orbit`", &ORBIT)?;
-    let parameter = parameter(&table);
+    let mu = gravitational_parameter(&table);
     let semi_major_axis = table
         .required("semi_major_axis", "semi_major_axis = \"6778 km\"")
         .and_then(|value| value.positive(Dimension::LENGTH));
@@ -37,22 +37,22 @@ pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
         |key, dimension| table.get(key).map_or(Some(0.0), |value: Value<'_>| value.quantity(dimension));
     let eccentricity = number("eccentricity", Dimension::NUMBER);
     let inclination = number("inclination", Dimension::ANGLE);
-    let node = number("node", Dimension::ANGLE);
-    let periapsis = number("periapsis", Dimension::ANGLE);
+    let raan = number("node", Dimension::ANGLE);
+    let argument_of_periapsis = number("periapsis", Dimension::ANGLE);
     let mean_anomaly = number("mean_anomaly", Dimension::ANGLE);
     Some(Orbit {
-        parameter: parameter?,
+        mu: mu?,
         semi_major_axis: semi_major_axis?,
         eccentricity: eccentricity?,
         inclination: inclination?,
-        node: node?,
-        periapsis: periapsis?,
+        raan: raan?,
+        argument_of_periapsis: argument_of_periapsis?,
         mean_anomaly: mean_anomaly?,
     })
 }
 
 /// Reads the gravitational parameter of the centre, or takes that of a body known by name.
-fn parameter(table: &Table<'_>) -> Option<f64> {
+fn gravitational_parameter(table: &Table<'_>) -> Option<f64> {
     match (table.get("body"), table.get("gravitational_parameter")) {
         (Some(body), None) => body.choice(&BODIES),
         (Some(_), Some(parameter)) => parameter.refuse(

@@ -3,7 +3,7 @@ use quasirigid::elements::{Assembly, ElementError, Problem};
 use super::Diagnostic;
 use super::spans::Spans;
 
-/// What a law of mechanics says against an element, at the place of the file it is about.
+/// Diagnostic of a law of mechanics that an element breaks, at its place in the file.
 pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Spans) -> Diagnostic {
     let ElementError { element, field, problem } = error;
     let span = spans.find(*element, *field);

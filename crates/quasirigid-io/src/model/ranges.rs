@@ -1,4 +1,4 @@
-//! How well the rheologies of a body are known.
+//! Ranges within which the rheologies of a body are known.
 
 use std::collections::HashMap;
 
@@ -18,7 +18,7 @@ impl Ranges {
         self.of.insert(element, ranges);
     }
 
-    /// The body with every rheology at its least and at its greatest, if there are ranges.
+    /// The body with every rheology at the least and at the greatest of its range, if there are ranges.
     pub(super) fn ends(&self, assembly: &Assembly) -> Option<Box<[Assembly; 2]>> {
         self.of
             .values()

@@ -16,23 +16,23 @@ use super::value::Value;
 
 /// Kind of table that describes elements: its name, its keys and its reading, in one place.
 pub(super) struct Reader {
-    /// Key of the file that it stands under.
+    /// Key of the table in the file.
     pub(super) key: &'static str,
     /// The table as messages call it.
     pub(super) title: &'static str,
-    /// Its keys.
+    /// Keys of the table.
     pub(super) keys: Keyed,
-    /// Kind of its elements; none of a table that stands for many.
+    /// Kind of the elements; none of a table that stands for many.
     pub(super) kind: Option<ElementKind>,
-    /// Names of its elements.
+    /// Naming of the elements.
     pub(super) naming: Naming,
     /// Part of the body that a name stands for where another table refers to it.
     pub(super) names: fn(usize) -> Part,
     /// Values that stand under other keys, each with its key and that of the element.
     pub(super) aliases: &'static [(&'static str, &'static str)],
-    /// Tables inside it whose values are values of the element, each with its key and its keys.
+    /// Tables inside the table whose values are values of the element, each with its key and its keys.
     pub(super) nested: &'static [(&'static str, &'static Keys)],
-    /// Whether it is a body without a carrier.
+    /// Whether the table makes a body without a carrier.
     pub(super) is_body: bool,
     /// Reads one table into the draft of a body; none if something in it is wrong, which is reported.
     pub(super) read: for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>,
@@ -41,18 +41,18 @@ pub(super) struct Reader {
 /// Keys of a table.
 #[derive(Clone, Copy)]
 pub(super) enum Keyed {
-    /// The same for every table.
+    /// Keys that every table has.
     All(&'static Keys),
-    /// Those of the kind that the table says it is; opens it.
+    /// Keys of the kind that the table names; the function opens the table.
     ByKind(for<'a> fn(&Value<'a>) -> Option<Table<'a>>),
 }
 
 /// Names of the elements of a kind.
 #[derive(Clone, Copy)]
 pub(super) enum Naming {
-    /// Given, or made of this word and a number; no two elements have the same.
+    /// Given, or made of this word and a number; no two elements share a name.
     Numbered(&'static str),
-    /// The same, but apart from the names of other kinds.
+    /// Given or numbered, but apart from the names of other kinds.
     Apart(&'static str),
     /// Given or none.
     Optional,
@@ -84,7 +84,7 @@ pub(super) struct Entry<'t, 'a> {
 pub(super) struct Sources<'s, 'a> {
     pub(super) materials: &'s Materials<'a>,
     pub(super) sections: &'s Sections<'a>,
-    /// Where files are looked for.
+    /// Folder of the files.
     pub(super) folder: &'s Path,
 }
 
@@ -98,7 +98,7 @@ pub(super) struct Draft<'s, 'a> {
 }
 
 impl Reader {
-    /// Opens its tables in a file; those that are no such tables are reported.
+    /// Opens the tables of this reader in a file; values that are no such tables are reported.
     pub(super) fn open<'a>(&self, file: &Table<'a>) -> Vec<Table<'a>> {
         let open = |value: &Value<'a>| match self.keys {
             Keyed::All(keys) => value.table(self.title, keys),
@@ -107,7 +107,7 @@ impl Reader {
         file.several(self.key, self.title).iter().filter_map(open).collect()
     }
 
-    /// Places of its values in the file, also those of its material and those under other keys.
+    /// Places of the values of an element in the file, also those of its material and those under other keys.
     pub(super) fn spans<'a>(&self, table: &Table<'a>, materials: &Materials<'a>) -> ElementSpans {
         let mut spans = materials.spans(table);
         for (key, field) in self.aliases {

@@ -1,3 +1,7 @@
+//! Rheology reader: six laws of viscoelastic response, each with an optional range of its first parameter.
+//! A range gives the rheology at both ends, from which runs bound the times of the evolution; a measured table has none.
+//! Equation (G1), docs/theory/11-materials.md.
+
 use quasirigid::model::{Measured, Rheology, RheologyError};
 
 use super::kinds::{Kind, kind, opened};
@@ -13,10 +17,10 @@ pub(super) struct Known {
     pub(super) extremes: Extremes,
 }
 
-/// The least and the greatest of a rheology, if the file says how well it is known.
+/// Extremes: the rheology at the least and the greatest of its parameter, if the file gives a range.
 pub(super) type Extremes = Option<[Rheology; 2]>;
 
-/// What measured moduli are written in, and the modulus they are relative to.
+/// Dimension of measured moduli, and the modulus that they are relative to.
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub(super) dimension: Dimension,
@@ -43,7 +47,7 @@ static KINDS: [Kind<Read>; 6] = [
 const ANY: Keys =
     Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"] };
 
-/// Exponent of Andrade's law unless the file chooses another: his own, for metals.
+/// Exponent of Andrade's law unless the file chooses another: Andrade's own, for metals.
 const ANDRADE: f64 = 1.0 / 3.0;
 
 /// Reads the `rheology` of an element, elastic if there is none.
@@ -116,7 +120,7 @@ fn descent(rows: &[[f64; 3]], error: RheologyError) -> Option<usize> {
     Some(found + 1)
 }
 
-/// The first parameter of a law, and the least and the greatest that it may be.
+/// The first parameter of a law, and its range.
 struct Parameter {
     value: f64,
     range: Option<[f64; 2]>,

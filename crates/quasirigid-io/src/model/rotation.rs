@@ -1,3 +1,6 @@
+//! Initial rotation: an angular velocity, two observed periods, or a wobble about an axis.
+//! The forms exclude each other, since two of them would state the rotation twice; the state itself is computed in the study.
+
 use std::f64::consts::FRAC_PI_2;
 
 use quasirigid::model::Mode;
@@ -9,12 +12,12 @@ use crate::units::Dimension;
 const PERIODS: Keys = Keys { known: &["rotation", "precession", "mode"] };
 const WOBBLE: Keys = Keys { known: &["angle", "rate", "mode"] };
 
-/// How the body turns at time zero.
+/// Rotation of the body at time zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rotation {
     /// With this angular velocity (rad/s), body axes.
     Spin([f64; 3]),
-    /// As two observed periods tell.
+    /// With two observed periods.
     Periods {
         /// Period of the rotation about the long axis (s).
         rotation: f64,
@@ -23,7 +26,7 @@ pub enum Rotation {
         /// Axis that the angular momentum circles.
         mode: Mode,
     },
-    /// About an axis of the body, and some way off it.
+    /// About an axis of the body, at an angle to it.
     Wobble {
         /// Greatest angle (rad) between the angular momentum and the axis that it circles, above 0 and below a right
         /// angle.
@@ -37,10 +40,10 @@ pub enum Rotation {
 
 type Read = fn(&Value<'_>) -> Option<Rotation>;
 
-/// The keys that say how the body turns.
+/// Keys of the forms of rotation, with their readers.
 const FORMS: [(&str, Read); 3] = [("angular_velocity", spin), ("periods", periods), ("wobble", wobble)];
 
-/// Reads how the body turns, if `[initial]` says so; it says so once.
+/// Reads the rotation, if `[initial]` gives one; two forms at once are refused.
 pub(super) fn rotation(table: &Table<'_>) -> Option<Option<Rotation>> {
     let mut given: Vec<_> = FORMS.iter().filter_map(|(key, read)| Some((table.get(key)?, read))).collect();
     given.sort_by_key(|(value, _)| value.span().start);

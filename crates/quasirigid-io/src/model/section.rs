@@ -1,3 +1,6 @@
+//! Section reader: `[section.NAME]`, cross-sections of beams by shape or by their constants.
+//! Sections have names of their own because many beams share one; a reference to an unknown one suggests the nearest name.
+
 use std::collections::BTreeMap;
 
 use quasirigid::elements::SectionShape;

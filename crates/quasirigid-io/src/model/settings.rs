@@ -1,3 +1,6 @@
+//! Run settings: `[run]` with its tables `stop`, `verify` and `evolve`.
+//! Absent settings stay absent where the command line may give them; defaults are chosen in the study.
+
 use std::f64::consts::PI;
 
 use quasirigid::dynamics::{Form, Method};
@@ -32,7 +35,7 @@ pub(super) const MOST_SAMPLES: usize = 10_000_000;
 /// Most halvings of the spin: the last is a thousandth of the first, and its run a thousand times as long.
 const MOST_HALVINGS: usize = 10;
 
-/// What to compute.
+/// Settings of the computation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunSettings {
     /// Order of the reduced equations, from 0 to 12.
@@ -51,9 +54,9 @@ pub struct RunSettings {
     pub method: Option<Method>,
     /// What ends a run before its time.
     pub stop: Stop,
-    /// How the reduced equations are compared with the full ones; none if the file does not ask for it.
+    /// Comparison of the reduced equations with the full ones; none if the file does not ask for it.
     pub verify: Option<Verify>,
-    /// How the slow evolution of the rotation is followed; none if the file does not ask for it.
+    /// Secular evolution of the rotation; none if the file does not ask for it.
     pub evolve: Option<Evolve>,
 }
 
@@ -85,14 +88,14 @@ pub enum System {
     Full,
 }
 
-/// What ends a run before its time.
+/// Events that end a run before its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stop {
-    /// Energy (J) at which it ends.
+    /// Energy (J) at which a run ends.
     pub energy: Option<f64>,
-    /// Nutation angle (rad) at which it ends.
+    /// Nutation angle (rad) at which a run ends.
     pub nutation: Option<f64>,
-    /// Whether it ends where the reduced equations cease to hold.
+    /// Whether a run ends where the reduced equations cease to hold.
     pub validity: bool,
 }
 
@@ -103,7 +106,7 @@ pub struct Verify {
     pub rotations: Option<f64>,
     /// Orders of the reduced equations.
     pub orders: Option<Vec<usize>>,
-    /// How many times `ε` is halved.
+    /// Number of halvings of `ε`.
     pub halvings: Option<usize>,
 }
 
@@ -133,7 +136,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
     })
 }
 
-/// Reads a value that may be absent: nothing only if it is there and wrong.
+/// Reads a value that may be absent; the outer option is none only if the value is there and wrong.
 pub(super) fn optional<'a, T>(
     value: Option<Value<'a>>,
     read: impl FnOnce(Value<'a>) -> Option<T>,

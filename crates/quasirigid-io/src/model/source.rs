@@ -9,7 +9,7 @@ use crate::text_file::{Unread, all_of, stream_of};
 /// Largest model file that is read (bytes): ten times what 10⁵ points need.
 const LARGEST: u64 = 64 * 1024 * 1024;
 
-/// The text a model was read from.
+/// Source: the text of a model, with its file and its checksum.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Path as the user gave it.
@@ -26,12 +26,12 @@ impl Source {
         Self { file: file.to_owned(), text, sha256 }
     }
 
-    /// Reads a file, and no more of it than a model file may have.
+    /// Reads a file, up to the size that a model file may have.
     pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
         Self::of(file, stream_of(file, LARGEST))
     }
 
-    /// Reads a stream, and no more of it than a model file may have.
+    /// Reads a stream, up to the size that a model file may have.
     pub(super) fn read_from(file: &Path, input: impl Read) -> Result<Self, ModelError> {
         Self::of(file, all_of(input, LARGEST))
     }

@@ -3,14 +3,14 @@ use std::ops::Range;
 
 use quasirigid::elements::{ElementId, ElementKind, Field};
 
-/// Where the elements of a model stand in its file.
+/// Places of the elements of a model in its file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Spans {
     elements: HashMap<ElementId, ElementSpans>,
     pub(super) networks: Vec<NetworkSpans>,
 }
 
-/// Where a network stands, of which there are points and springs.
+/// Place of a network, with the ranges of its points and springs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct NetworkSpans {
     pub(super) points: Range<usize>,
@@ -18,22 +18,22 @@ pub(super) struct NetworkSpans {
     pub(super) table: ElementSpans,
 }
 
-/// Where an element and its values stand.
+/// Places of an element and of its values.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct ElementSpans {
-    /// Header of its table.
+    /// Header of the element's table.
     pub(super) header: Range<usize>,
-    /// Its values, by key.
+    /// Values of the element, by key.
     pub(super) values: Vec<(&'static str, Range<usize>)>,
 }
 
 impl Spans {
-    /// Notes where elements stand.
+    /// Notes the places of elements.
     pub(super) fn note(&mut self, spans: impl IntoIterator<Item = (ElementId, ElementSpans)>) {
         self.elements.extend(spans);
     }
 
-    /// The place of a value; that of its element where the file leaves the value out; the start of the file where it
+    /// The place of a value; that of its element where the file leaves the value out; the start of the file where the file
     /// leaves the element out.
     pub(super) fn find(&self, element: ElementId, field: Field) -> Range<usize> {
         let Some(spans) = self.elements.get(&element).or_else(|| self.network(element)) else {

@@ -1,3 +1,7 @@
+//! Spring reader: `[[spring]]`, a spring and dashpot in space, or along the line that joins its ends.
+//! Keys of the axial kind are refused on a spatial spring rather than ignored, since a tension that does nothing would mislead.
+//! Equations (I9) and (I10), docs/theory/02-invariants.md.
+
 use quasirigid::elements::{Coefficient, ElementKind, End, Prestress, Spring, SpringLaw};
 
 use super::names::{Fixed, Names, Part};
@@ -39,7 +43,7 @@ const SPRING: Keys = Keys {
     ],
 };
 
-/// Reads a `[[spring]]`, and its rheology at the ends of the range it is known to.
+/// Reads a `[[spring]]`, and the rheology at both ends of its range.
 pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option<(Spring, Extremes)> {
     let from =
         table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Link("spring")));
@@ -105,7 +109,7 @@ fn along_the_line(table: &Table<'_>) -> Option<SpringLaw> {
     })
 }
 
-/// Reads what it pulls with at rest.
+/// Reads the prestress: a tension or a natural length.
 fn prestress(table: &Table<'_>) -> Option<Prestress> {
     match (table.get("tension"), table.get("natural_length")) {
         (None, None) => Some(Prestress::Relaxed),

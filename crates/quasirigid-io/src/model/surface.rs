@@ -1,3 +1,7 @@
+//! Surface reader: `[[surface]]`, a homogeneous solid inside a closed surface of triangles from a file.
+//! The file is read at once and scaled to metres, so that its errors appear at `file` in the model and not in a later run.
+//! Equations (G9) and (G10), docs/theory/11-materials.md.
+
 use std::path::Path;
 
 use quasirigid::elements::{ElementKind, Surface};
@@ -33,8 +37,7 @@ pub(super) const READER: Reader = Reader {
 
 const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree", "cells"] };
 
-/// Reads a `[[surface]]` with its file, which is looked for beside the model, and its rheology at the ends of the range it is
-/// known to.
+/// Reads a `[[surface]]` with its file, which is looked for beside the model, and the rheology at both ends of its range.
 pub(super) fn surface(
     table: &Table<'_>,
     name: &str,
@@ -56,7 +59,7 @@ pub(super) fn unit(value: &Value<'_>) -> Option<f64> {
     unit_of(value, Dimension::LENGTH)
 }
 
-/// Reads what one unit of a file is.
+/// Reads the size of one unit of a file.
 pub(super) fn unit_of(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
     let one = value.words().map(|text| format!("1 {text}"));
     match one.and_then(|text| crate::units::quantity(&text, dimension).ok()) {
@@ -65,7 +68,7 @@ pub(super) fn unit_of(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
     }
 }
 
-/// Reads a closed surface; what is wrong with its file is said at its name.
+/// Reads a closed surface; errors of its file are reported at its name.
 pub(super) fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> {
     let path = folder.join(value.text()?);
     let refuse = |message: String, label: &str, help: &str| {

@@ -1,3 +1,7 @@
+//! TOML syntax: the tree of tables of a text, with the parser's errors as diagnostics.
+//! A number with a unit but without quotes is the commonest mistake and gets its own help; overlong dotted keys are refused before
+//! parsing, because the parser recurses into each part.
+
 use std::ops::Range;
 
 use toml::de::{DeTable, Error};

@@ -1,3 +1,6 @@
+//! Tables with checked keys: an unknown key is reported with the nearest known one.
+//! A key that is probably misspelt is not reported as missing too, so that one mistake gives one message.
+
 use std::ops::Range;
 
 use toml::de::DeTable;
@@ -11,7 +14,7 @@ use crate::units::Dimension;
 
 /// The keys a table can have.
 pub(super) struct Keys {
-    /// Their names.
+    /// Names of the keys.
     pub(super) known: &'static [&'static str],
 }
 
@@ -45,19 +48,20 @@ impl<'a> Table<'a> {
                 problems.report(foreign_key(title, key.get_ref(), key.span(), keys, &kinds));
                 continue;
             }
-            let meant = nearest(key.get_ref(), keys.known.iter().copied());
+            let meant =
+                renamed(key.get_ref(), keys).or_else(|| nearest(key.get_ref(), keys.known.iter().copied()));
             problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
             misspelt.extend(meant);
         }
         Self { title, header, entries, misspelt, keys, problems }
     }
 
-    /// Where the table starts.
+    /// Span of the start of the table.
     pub(super) fn header(&self) -> Range<usize> {
         self.header.clone()
     }
 
-    /// Where its values stand.
+    /// Places of the values of the table.
     pub(super) fn spans(&self) -> ElementSpans {
         let values = self.keys.known.iter().filter_map(|key| Some((*key, self.get(key)?.span()))).collect();
         ElementSpans { header: self.header(), values }
@@ -69,7 +73,7 @@ impl<'a> Table<'a> {
         Some(Value::new(key, value, self.problems))
     }
 
-    /// The value of a key that must be there; a line such as `example` is missing otherwise.
+    /// The value of a key that must be there; a table without it is told to add a line such as `example`.
     pub(super) fn required(&self, key: &'static str, example: &str) -> Option<Value<'a>> {
         let value = self.get(key);
         if value.is_none() && !self.misspelt.contains(&key) {
@@ -81,7 +85,7 @@ impl<'a> Table<'a> {
         value
     }
 
-    /// Three quantities, zero if the table has none.
+    /// Three quantities, zero if the key is absent.
     pub(super) fn vector_or_zero(&self, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
         self.get(key).map_or(Some([0.0; 3]), |value| value.vector(dimension))
     }
@@ -96,7 +100,7 @@ impl<'a> Table<'a> {
         self.single(key, title)?.table(title, keys)
     }
 
-    /// What stands under a key that stands once.
+    /// The value under a key that stands once.
     pub(super) fn single(&self, key: &'static str, title: &'static str) -> Option<Value<'a>> {
         let value = self.get(key)?;
         if value.is_array() {
@@ -108,7 +112,7 @@ impl<'a> Table<'a> {
         Some(value)
     }
 
-    /// What stands under a key that can stand any number of times.
+    /// The values under a key that can stand any number of times.
     pub(super) fn several(&self, key: &'static str, title: &'static str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else {
             return Vec::new();
@@ -122,7 +126,7 @@ impl<'a> Table<'a> {
         items
     }
 
-    /// The tables under a key that have a name each, as in `[material.rock]`; `help` says how one is written.
+    /// The named tables under a key, as in `[material.rock]`; `help` shows one.
     pub(super) fn named(&self, key: &'static str, help: &str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else { return Vec::new() };
         let Some(named) = value.entries() else {
@@ -137,6 +141,15 @@ impl<'a> Table<'a> {
         };
         named.filter_map(table).collect()
     }
+}
+
+/// Keys of earlier versions, with those of today.
+const FORMER: &[(&str, &str)] = &[("freedoms", "dofs")];
+
+/// The present name of a former key, if the table has such a key.
+fn renamed(key: &str, keys: &Keys) -> Option<&'static str> {
+    let (_, now) = FORMER.iter().find(|(former, now)| *former == key && keys.known.contains(now))?;
+    Some(now)
 }
 
 fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &str) -> Diagnostic {

@@ -1,3 +1,6 @@
+//! Values of a model file with the key above them: each reading checks type, unit and range.
+//! A failed reading reports a diagnostic and returns none, so that readers go on with `?` and every mistake is found in one run.
+
 use std::ops::{Range, RangeInclusive};
 
 use quasirigid_math::memory;
@@ -13,7 +16,7 @@ use super::table::{Keys, Table};
 use crate::nearest::nearest;
 use crate::units::{Dimension, quantity};
 
-/// A value of the file and the key it stands under. Every reading of it that fails reports why and returns nothing.
+/// A value of the file and the key above it. Every failed reading reports a diagnostic and returns none.
 #[derive(Clone, Copy)]
 pub(super) struct Value<'a> {
     key: &'a str,
@@ -26,17 +29,17 @@ impl<'a> Value<'a> {
         Self { key, inner, problems }
     }
 
-    /// The key it stands under.
+    /// The key above the value.
     pub(super) fn key(&self) -> &'a str {
         self.key
     }
 
-    /// Where it stands.
+    /// Span of the value.
     pub(super) fn span(&self) -> Range<usize> {
         self.inner.span()
     }
 
-    /// Where a part of it stands, given by its bytes in a text.
+    /// Span of a part of the value, given by the bytes of that part in a text.
     pub(super) fn span_of(&self, part: Range<usize>) -> Range<usize> {
         let Range { start, end } = self.span();
         match self.problems.text(start..end).and_then(|literal| literal::place(literal, part)) {
@@ -49,12 +52,12 @@ impl<'a> Value<'a> {
         self.inner.get_ref().is_array()
     }
 
-    /// Whether it is an array without elements.
+    /// Whether the value is an array without elements.
     pub(super) fn is_empty(&self) -> bool {
         self.inner.get_ref().as_array().is_some_and(|items| items.is_empty())
     }
 
-    /// Whether it is this text.
+    /// Whether the value is this text.
     pub(super) fn is_word(&self, word: &str) -> bool {
         self.inner.get_ref().as_str() == Some(word)
     }
@@ -99,7 +102,7 @@ impl<'a> Value<'a> {
         Some(Self { key, inner, ..*self })
     }
 
-    /// Where a table and its values stand.
+    /// Places of a table and of its values.
     pub(super) fn spans(&self, keys: &Keys) -> ElementSpans {
         let values = keys.known.iter().filter_map(|key| Some((*key, self.entry(key)?.span()))).collect();
         ElementSpans { header: self.span(), values }
@@ -152,7 +155,6 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// An integer in a range.
     /// Refuses a value that makes elements, so many of these bytes each, for which there is no room.
     pub(super) fn room(&self, elements: f64, bytes: f64) -> Option<()> {
         match memory::ask(elements * bytes) {
@@ -165,6 +167,7 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// An integer in a range.
     pub(super) fn integer(&self, range: RangeInclusive<usize>) -> Option<usize> {
         let expected = format!("an integer from {} to {}", range.start(), range.end());
         let DeValue::Integer(integer) = self.inner.get_ref() else {
@@ -281,12 +284,12 @@ impl<'a> Value<'a> {
         )
     }
 
-    /// Reports what is wrong with the value.
+    /// Reports a problem of the value.
     pub(super) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
         self.refuse_at(self.span(), message, label, help)
     }
 
-    /// Reports what is wrong at a place that belongs to the value.
+    /// Reports a problem at a place that belongs to the value.
     pub(super) fn refuse_at<T>(
         &self,
         span: Range<usize>,
@@ -298,7 +301,7 @@ impl<'a> Value<'a> {
         None
     }
 
-    /// What kind of value it is, in words.
+    /// Kind of the value, in words.
     pub(super) fn found(&self) -> String {
         match self.inner.get_ref() {
             DeValue::String(_) => "a text".to_owned(),

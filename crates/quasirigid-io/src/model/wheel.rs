@@ -45,7 +45,7 @@ fn given_momentum(table: &Table<'_>, momentum: &Value<'_>) -> Option<WheelSpeed>
         }
     }
     let momentum = momentum.quantity(Dimension::ANGULAR_MOMENTUM)?;
-    Some(WheelSpeed::Constant { momentum })
+    Some(WheelSpeed::Constant { angular_momentum: momentum })
 }
 
 fn given_speed(table: &Table<'_>) -> Option<WheelSpeed> {
@@ -54,7 +54,7 @@ fn given_speed(table: &Table<'_>) -> Option<WheelSpeed> {
     let speed = table.required("speed", "speed = \"3000 rpm\"")?;
     if !speed.is_table() {
         let speed = speed.quantity(Dimension::ANGULAR_VELOCITY)?;
-        return Some(WheelSpeed::Constant { momentum: inertia? * speed });
+        return Some(WheelSpeed::Constant { angular_momentum: inertia? * speed });
     }
     let prescribed = speed.table("`speed`", &PRESCRIBED)?;
     let value = prescribed.required("formula", "speed = { formula = \"300 + 20 * sin(0.1 * t)\" }")?;

@@ -1,9 +1,12 @@
+//! Errors of records: files that cannot be written, and files that are no record.
+//! Each names its file, and the line where there is one; records are never overwritten, so a folder in use is an error.
+
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// Why a record could not be written or read.
+/// Problem of a record that could not be written or read.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum RecordError {
@@ -18,7 +21,7 @@ pub enum RecordError {
     NotEmpty {
         /// The folder.
         folder: PathBuf,
-        /// Something it holds.
+        /// A file that the folder holds.
         found: String,
     },
     /// A history whose name cannot be part of a file name.
@@ -40,7 +43,7 @@ pub enum RecordError {
         file: String,
         /// The column that differs.
         column: String,
-        /// Its rows.
+        /// Rows of the column.
         rows: usize,
         /// Rows of the first column.
         expected: usize,
@@ -50,7 +53,7 @@ pub enum RecordError {
     File {
         /// The file.
         file: PathBuf,
-        /// What went wrong.
+        /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
     /// A `record.json` that is no record.
@@ -62,7 +65,7 @@ pub enum RecordError {
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What the JSON reader found.
+        /// Message of the JSON reader.
         problem: String,
     },
     /// A CSV file whose header differs from the columns that `record.json` lists.

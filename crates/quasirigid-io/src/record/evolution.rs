@@ -1,36 +1,41 @@
+//! Record of the secular evolution: its answer, its times and powers, its harmonics and resonances, and its rows.
+//! Fields added by later versions have defaults, so that older records read; JSON writes unknown and infinite numbers alike as `null`,
+//! and `not_known` tells them apart.
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use super::{Column, number};
 
-/// The rotation over many turns, averaged over its wobble.
+/// The rotation over many revolutions, averaged over its wobble.
 ///
 /// The columns are `t`, `D_over_I3`, `circled_axis` (1 of least, 3 of greatest inertia), `nutation_min` and
-/// `nutation_max` (angle between the momentum and that axis), `energy`, `momentum`, `polhode_period`,
-/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `turns`.
+/// `nutation_max` (angle between the angular momentum and that axis), `energy`, `momentum`, `polhode_period`,
+/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `revolutions`.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.
     pub sentence: String,
-    /// The road: `average` along the polhode, `modes` at the poles, `micro-runs` of the full system, `direct` integration of it, or
-    /// `none` where no road holds.
+    /// The method: `average` along the polhode, `modes` at the poles, `micro-runs` of the full system, `direct` integration of it, or
+    /// `none` where no method holds.
     #[serde(default)]
     pub road: String,
-    /// Why this road was taken and how far it holds, in a sentence.
+    /// Reason for the method and limits of its validity, in a sentence.
     #[serde(default)]
     pub verdict: String,
-    /// How the power was computed, in words.
+    /// Source of the power, in words.
     pub method: String,
     /// `finished` (the time or the target reached), `interrupted`, or how a torque ended the evolution before: `held` (at the
     /// separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
     pub status: String,
-    /// How it ended, in a sentence.
+    /// End of the evolution, in a sentence.
     #[serde(default)]
     pub message: String,
     /// Angular momentum `|K|` at the start (N·m·s).
     #[serde(with = "number")]
-    pub momentum: f64,
+    #[serde(rename = "momentum")]
+    pub angular_momentum: f64,
     /// Mode at the start: `short-axis` or `long-axis`.
     pub mode_start: String,
     /// Mode at the end.
@@ -38,37 +43,38 @@ pub struct EvolutionRecord {
     /// `D/I₃ = |K|²/2EI₃` at the start.
     #[serde(with = "number")]
     pub ratio_start: f64,
-    /// The same at the end.
+    /// `D/I₃ = |K|²/2EI₃` at the end.
     #[serde(with = "number")]
     pub ratio_end: f64,
-    /// The rotation at the start as observers describe it; none in a record of a version that did not tell it.
+    /// The rotation at the start as observers describe it; none in records of versions before this field.
     #[serde(default)]
     pub start: Option<ObservedRecord>,
-    /// The same at the end.
+    /// The rotation at the end as observers describe it.
     #[serde(default)]
     pub end: Option<ObservedRecord>,
     /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number::unbounded")]
     pub time: f64,
-    /// Estimate of the relative error of that time; none if it is not known.
+    /// Estimate of the relative error of `time`; none if not known.
     #[serde(with = "number", default)]
     pub time_error: Option<f64>,
-    /// Least and greatest of that time (s) over the ranges of the materials; none where they have no ranges.
+    /// Least and greatest `time` (s) over the ranges of the materials; none where they have no ranges.
     #[serde(with = "number::unbounded")]
     pub time_range: Option<[f64; 2]>,
-    /// Turns about the angular momentum.
+    /// Revolutions about the angular momentum.
     #[serde(with = "number::unbounded")]
-    pub turns: f64,
+    #[serde(rename = "turns")]
+    pub revolutions: f64,
     /// Mean power dissipated at the start (W).
     #[serde(with = "number")]
     pub power: f64,
-    /// Shares of what dissipates in that power, by name; empty in a record of a version that did not know them.
+    /// Shares of the dissipators in `power`, by name; empty in records of versions before this field.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
-    /// Time from the start to the separatrix (s); none when it is not passed.
+    /// Time from the start to the separatrix (s); none when the separatrix is not passed.
     #[serde(with = "number")]
     pub separatrix_time: Option<f64>,
-    /// Time spent within 1 % of the separatrix (s); none when it does not come so near.
+    /// Time spent within 1 % of the separatrix (s); none when the evolution does not come so near.
     #[serde(with = "number")]
     pub lingering: Option<f64>,
     /// Time in which a small wobble about the axis of greatest inertia decays by e (s).
@@ -77,7 +83,7 @@ pub struct EvolutionRecord {
     /// Time in which a small wobble about the axis of least inertia grows by e (s).
     #[serde(with = "number::unbounded")]
     pub growth_time: f64,
-    /// Which of `time`, `turns`, `damping_time` and `growth_time` are not known: in JSON those are `null` as well as infinite ones.
+    /// Names of the unknown among `time`, `revolutions`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
     #[serde(default)]
     pub not_known: Vec<String>,
     /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.
@@ -95,7 +101,7 @@ pub struct EvolutionRecord {
 }
 
 impl EvolutionRecord {
-    /// Names in `not_known` the numbers that are NaN.
+    /// Lists in `not_known` the numbers that are NaN.
     #[must_use]
     pub fn with_unknown_named(mut self) -> Self {
         let unknown = self.unbounded().into_iter().filter(|(_, value)| value.is_nan());
@@ -114,11 +120,11 @@ impl EvolutionRecord {
         self.not_known = unknown;
     }
 
-    /// The numbers that may be infinite, or not known.
+    /// The numbers that may be infinite or unknown.
     fn unbounded(&mut self) -> [(&'static str, &mut f64); 4] {
         [
             ("time", &mut self.time),
-            ("turns", &mut self.turns),
+            ("turns", &mut self.revolutions),
             ("damping_time", &mut self.damping_time),
             ("growth_time", &mut self.growth_time),
         ]
@@ -134,10 +140,10 @@ pub struct ObservedRecord {
     /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
     #[serde(with = "number::unbounded")]
     pub precession_period: f64,
-    /// Least angle between the angular momentum and the axis that it circles (rad).
+    /// Least angle between the angular momentum and the axis that the angular momentum circles (rad).
     #[serde(with = "number")]
     pub nutation_least: f64,
-    /// Greatest angle (rad).
+    /// Greatest angle between the two (rad).
     #[serde(with = "number")]
     pub nutation_greatest: f64,
     /// Energy over the least that this angular momentum allows; `E/E₀ = I₃/D`.
@@ -148,12 +154,12 @@ pub struct ObservedRecord {
 /// A published estimate of the time in which a wobble is damped.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EstimateRecord {
-    /// Who published it, and when.
+    /// Author and year of the publication.
     pub source: String,
-    /// Least time (s) that it gives.
+    /// Least time (s) of the estimate.
     #[serde(with = "number::unbounded")]
     pub least: f64,
-    /// Greatest time (s).
+    /// Greatest time (s) of the estimate.
     #[serde(with = "number::unbounded")]
     pub greatest: f64,
 }
@@ -161,12 +167,12 @@ pub struct EstimateRecord {
 /// A harmonic of the polhode.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct HarmonicRecord {
-    /// Its number, from 1.
+    /// Number of the harmonic, from 1.
     pub number: usize,
-    /// Its frequency (rad/s).
+    /// Frequency of the harmonic (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Its share in the mean power.
+    /// Share of the harmonic in the mean power.
     #[serde(with = "number")]
     pub share: f64,
 }
@@ -176,17 +182,17 @@ pub struct HarmonicRecord {
 pub struct CrossingRecord {
     /// Number of the harmonic.
     pub harmonic: usize,
-    /// Frequency of both (rad/s).
+    /// Frequency of the harmonic and of the vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
     /// Coordinate with the largest share in the vibration.
     pub coordinate: String,
-    /// `D/I₃` there.
+    /// `D/I₃` at the crossing.
     #[serde(with = "number")]
     pub ratio: f64,
-    /// Mode of the rotation there: `short-axis` or `long-axis`.
+    /// Mode of the rotation at the crossing: `short-axis` or `long-axis`.
     pub mode: String,
-    /// Share of the harmonic in the mean power there.
+    /// Share of the harmonic in the mean power at the crossing.
     #[serde(with = "number")]
     pub share: f64,
 }
@@ -199,12 +205,12 @@ pub struct ApproachRecord {
     /// Frequency of the vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Coordinate with the largest share in it.
+    /// Coordinate with the largest share in the vibration.
     pub coordinate: String,
     /// Frequency of the harmonic over that of the vibration, less one.
     #[serde(with = "number")]
     pub distance: f64,
-    /// `D/I₃` there.
+    /// `D/I₃` at the nearest place.
     #[serde(with = "number")]
     pub ratio: f64,
 }

@@ -33,7 +33,7 @@ impl RunRecord {
         })
     }
 
-    /// Reads back what [`write`](Self::write) wrote, finite numbers bit for bit. Other files in the folder are ignored.
+    /// Reads a record that [`write`](Self::write) wrote, finite numbers bit for bit. Other files in the folder are ignored.
     ///
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
@@ -70,7 +70,7 @@ impl RunRecord {
         histories.chain(self.evolution.iter().map(|evolution| (EVOLUTION.into(), &evolution.columns)))
     }
 
-    /// The same, to be filled.
+    /// Every CSV file with its columns, to be filled.
     fn tables_mut(&mut self) -> impl Iterator<Item = (String, &mut Vec<Column>)> {
         let histories =
             self.histories.iter_mut().map(|history| (history_file(&history.system), &mut history.columns));

@@ -1,4 +1,4 @@
-//! What a run leaves behind: numbers and words enough to remake its report years later.
+//! Record of a run: numbers and words enough to remake its report years later.
 //!
 //! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution,
 //! `history-<system>.csv` holds the rows of one history and `evolution.csv` those of the evolution. Every
@@ -28,7 +28,7 @@ pub use table::history_csv;
 pub struct RunRecord {
     /// Version of `quasirigid` that made the record.
     pub version: String,
-    /// The model it was made from.
+    /// The model of the record.
     pub model: ModelRecord,
     /// Remarks the user should read before the numbers.
     pub notes: Vec<String>,
@@ -37,7 +37,7 @@ pub struct RunRecord {
     /// Liquids in cavities.
     #[serde(default)]
     pub liquids: Vec<LiquidRecord>,
-    /// How far the reduced equations hold.
+    /// Validity of the reduced equations.
     pub validity: ValidityRecord,
     /// Steady spins with the angular momentum of the start, each with the small motions about it.
     #[serde(default)]
@@ -49,7 +49,7 @@ pub struct RunRecord {
     /// The reduced equations against the full ones, where the model asks for it.
     #[serde(default)]
     pub verification: Option<VerificationRecord>,
-    /// The rotation over many turns, where the model asks for it.
+    /// The rotation over many revolutions, where the model asks for it.
     #[serde(default)]
     pub evolution: Option<EvolutionRecord>,
 }
@@ -90,22 +90,22 @@ pub struct BodyRecord {
     pub principal_axes: [[f64; 3]; 3],
     /// Names of the internal coordinates.
     pub coordinates: Vec<String>,
-    /// How well the shape of a solid inside a surface is resolved; none of other bodies.
+    /// Resolution of the shape of a solid inside a surface; none of other bodies.
     #[serde(default)]
     pub resolution: Option<ResolutionRecord>,
 }
 
-/// How well the shape of a solid inside a surface is resolved.
+/// Resolution of the shape of a solid inside a surface.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ResolutionRecord {
-    /// Degree of the polynomials of its displacement; none of finite elements.
+    /// Degree of the polynomials of the displacement; none of finite elements.
     pub degree: Option<usize>,
     /// Number of finite elements; none of polynomials.
     pub cells: Option<usize>,
-    /// Estimate of the relative error of its dissipation; none where nothing bounds it.
+    /// Estimate of the relative error of the dissipation; none where nothing bounds that error.
     #[serde(with = "number")]
     pub error: Option<f64>,
-    /// The same in a sentence.
+    /// The resolution in a sentence.
     pub sentence: String,
 }
 
@@ -117,7 +117,7 @@ pub struct LiquidRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Radius of a ball of liquid that follows as slowly (m).
+    /// Radius of a ball of liquid with the same time of response (m).
     #[serde(with = "number")]
     pub radius: f64,
     /// Kinematic viscosity (m²/s).
@@ -138,21 +138,21 @@ pub struct LiquidRecord {
     pub equivalent_inertia: Option<[[f64; 3]; 3]>,
 }
 
-/// How far the reduced equations hold.
+/// Validity of the reduced equations.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ValidityRecord {
     /// Whether no criterion fails.
     pub valid: bool,
     /// The verdict in one sentence.
     pub verdict: String,
-    /// The verdict of all that judge the equations, which leaves out how long vibrations last: `holds`, `marginal` or `fails`; empty in
-    /// a record of a version that did not tell it.
+    /// Verdict of the criteria of the equations, without the one on the duration of vibrations: `holds`, `marginal` or `fails`; empty in
+    /// records of versions before this field.
     #[serde(default)]
     pub overall: String,
     /// Longest period of free vibration (s).
     #[serde(with = "number::unbounded")]
     pub T1: f64,
-    /// Time in which the slowest free vibration decays by e (s); none when it does not decay.
+    /// Time in which the slowest free vibration decays by e (s); none for a vibration that does not decay.
     #[serde(with = "number")]
     pub T2: Option<f64>,
     /// Time of the spin, `1/|ω|` (s).
@@ -164,7 +164,7 @@ pub struct ValidityRecord {
     /// Decay rates of the free vibrations (1/s), ascending.
     #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
-    /// Times in which what turns inside comes to rest while the attitude is held (s), descending.
+    /// Times in which internal rotors and liquids come to rest while the attitude is held (s), descending.
     #[serde(with = "number::unbounded", default)]
     pub relaxations: Vec<f64>,
     /// Every criterion with its number.
@@ -174,19 +174,19 @@ pub struct ValidityRecord {
 /// One criterion of validity.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct CriterionRecord {
-    /// What is compared, in words.
+    /// Quantity that is compared, in words.
     pub name: String,
-    /// What is compared, in symbols.
+    /// Quantity that is compared, in symbols.
     pub symbol: String,
-    /// Its value.
+    /// Value of the quantity.
     #[serde(with = "number::unbounded")]
     pub value: f64,
-    /// The value below which it holds.
+    /// Value below which the criterion holds.
     #[serde(with = "number")]
     pub limit: f64,
     /// `holds`, `marginal` or `fails`.
     pub verdict: String,
-    /// What it means, in one sentence.
+    /// Meaning of the criterion, in one sentence.
     pub sentence: String,
 }
 
@@ -197,7 +197,7 @@ pub struct ReductionRecord {
     pub order: usize,
     /// Order at which the terms are smallest at this spin.
     pub optimal_order: usize,
-    /// Residual of the invariance equation relative to the load on what is inside.
+    /// Residual of the invariance equation relative to the load on the internal coordinates.
     #[serde(with = "number")]
     pub residual: f64,
     /// Size of each degree of `ω̇` at this spin.
@@ -205,7 +205,7 @@ pub struct ReductionRecord {
     /// Mean power dissipated at the initial spin (W).
     #[serde(with = "number")]
     pub power: f64,
-    /// Shares of what dissipates in that power, by name; empty in a record of a version that did not know them.
+    /// Shares of the dissipators in `power`, by name; empty in records of versions before this field.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
 }
@@ -218,7 +218,7 @@ pub struct DegreeRecord {
     /// Largest `|f_d|` over directions of the spin (rad/s²).
     #[serde(with = "number")]
     pub size: f64,
-    /// The same relative to degree two.
+    /// Size relative to degree two.
     #[serde(with = "number")]
     pub relative: f64,
 }
@@ -230,11 +230,11 @@ pub struct HistoryRecord {
     pub system: String,
     /// Equations integrated, in words.
     pub form: String,
-    /// How they were integrated, in words.
+    /// Integrator, in words.
     pub method: String,
     /// `finished`, or why the run ended early.
     pub status: String,
-    /// What the end of the run means, in one sentence.
+    /// Meaning of the status, in one sentence.
     pub message: String,
     /// Relative tolerance of the integrator.
     #[serde(with = "number")]
@@ -243,16 +243,17 @@ pub struct HistoryRecord {
     pub steps: u64,
     /// Steps rejected.
     pub rejected: u64,
-    /// Turns made, `∫|ω| dt / 2π`.
+    /// Revolutions made, `∫|ω| dt / 2π`.
     #[serde(with = "number")]
-    pub turns: f64,
+    #[serde(rename = "turns")]
+    pub revolutions: f64,
     /// Energy at the start (J).
     #[serde(with = "number")]
     pub energy: f64,
     /// Energy taken by the dashpots (J).
     #[serde(with = "number")]
     pub dissipated: f64,
-    /// Shares of what dissipates in that energy, by name; empty in a record of a version that did not know them, and of a
+    /// Shares of the dissipators in that energy, by name; empty in records of versions before this field, and of a
     /// reduced body under forces.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
@@ -265,7 +266,7 @@ pub struct HistoryRecord {
     /// Change of `|K|` made by the integrator alone, relative.
     #[serde(with = "number")]
     pub momentum_drift: f64,
-    /// Rows of the history, one array per column. The values are kept in a CSV file of its own.
+    /// Rows of the history, one array per column. The values are kept in a CSV file for each history.
     pub columns: Vec<Column>,
 }
 
@@ -286,10 +287,10 @@ pub struct Column {
 pub struct VerificationRecord {
     /// Whether every order was reached.
     pub reached: bool,
-    /// Turns followed, at the initial spin.
+    /// Revolutions followed, at the initial spin.
     #[serde(with = "number")]
     pub rotations: f64,
-    /// Their duration (s).
+    /// Duration of these revolutions (s).
     #[serde(with = "number")]
     pub duration: f64,
     /// One entry per order.
@@ -297,7 +298,7 @@ pub struct VerificationRecord {
     /// Mean power of the average against that of the full system, where there is an average.
     #[serde(default)]
     pub average: Option<AverageRecord>,
-    /// Why there is none, in words.
+    /// Reason for a missing comparison with the average, in words.
     #[serde(default)]
     pub average_left_out: Option<String>,
 }
@@ -311,48 +312,48 @@ pub struct AverageRecord {
     /// Relative difference of the mean power at each `ε`.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Measured order in `ε`; none if the differences cannot be told from those of the measurement.
+    /// Measured order in `ε`; none if the differences are within the error of the measurement.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// The order it should have.
+    /// Expected order in `ε`.
     pub expected: usize,
-    /// Whether it has.
+    /// Whether the measured order reaches the expected one.
     pub reached: bool,
 }
 
-/// What one order was measured at.
+/// Comparison of one order of the reduced equations with the full system.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct OrderRecord {
     /// Order `p`.
     pub p: usize,
     /// Form of the reduced equations: `momentum` or `paper`.
-    #[serde(default = "momentum")]
+    #[serde(default = "angular_momentum_form")]
     pub form: String,
-    /// Measured order in `ε` of the difference in spin; none if the differences cannot be told from rounding.
+    /// Measured order in `ε` of the difference in spin; none if the differences are within rounding.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// The order it should have, `p + 1`.
+    /// Expected order in `ε`, `p + 1`.
     pub expected: usize,
-    /// Whether it has.
+    /// Whether the measured order reaches the expected one.
     pub reached: bool,
     /// Factors `ε` of the stiffness `C/ε²` and the damping `B/ε`, descending from 1, which is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Largest difference in spin at each, relative to the spin.
+    /// Largest difference in spin at each `ε`, relative to the spin.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Largest difference in attitude (rad).
+    /// Largest difference in attitude at each `ε` (rad).
     #[serde(with = "number")]
     pub attitude: Vec<f64>,
-    /// Largest difference in the energy dissipated (J).
+    /// Largest difference in the energy dissipated at each `ε` (J).
     #[serde(with = "number")]
     pub dissipated: Vec<f64>,
-    /// That energy itself (J), at the end of the full history.
+    /// Energy dissipated (J), at the end of the full history.
     #[serde(with = "number")]
     pub dissipation: Vec<f64>,
 }
 
-/// The form of records that do not say it.
-fn momentum() -> String {
+/// Default form, for records of versions before this field.
+fn angular_momentum_form() -> String {
     "momentum".into()
 }

@@ -4,19 +4,20 @@ use serde::{Deserialize, Serialize};
 
 use super::number;
 
-/// A steady spin with the small motions about it, or why there is none.
+/// A steady spin with the small motions about it, or the reason for its absence.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SteadySpinRecord {
-    /// What it says of the spin, instability first, in one or two sentences.
+    /// Result, instability first, in one or two sentences.
     pub sentence: String,
-    /// The axis that it was looked for near: `least`, `middle` or `greatest` inertia, or `asked`.
+    /// Axis near which the spin was looked for: `least`, `middle` or `greatest` inertia, or `asked`.
     pub axis: String,
     /// Angular velocity (rad/s), body axes; none if no steady spin was found.
     #[serde(with = "number")]
     pub spin: Option<[f64; 3]>,
     /// Angular momentum (N·m·s), body axes.
     #[serde(with = "number")]
-    pub momentum: Option<[f64; 3]>,
+    #[serde(rename = "momentum")]
+    pub angular_momentum: Option<[f64; 3]>,
     /// Energy (J).
     #[serde(with = "number")]
     pub energy: Option<f64>,
@@ -34,15 +35,15 @@ pub struct SteadySpinRecord {
 pub struct ModeRecord {
     /// `nutation`, or the coordinate that moves most.
     pub name: String,
-    /// Whether it is the nutation.
+    /// Whether the mode is the nutation.
     pub nutation: bool,
-    /// Decay rate (1/s), negative when it grows.
+    /// Decay rate (1/s), negative for a mode that grows.
     #[serde(with = "number")]
     pub decay_rate: f64,
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Time in which it falls by e (s), negative when it grows; none when it does neither.
+    /// Time in which the mode falls by e (s), negative for a mode that grows; none for a neutral one.
     #[serde(with = "number")]
     pub time_constant: Option<f64>,
     /// Damping ratio.
@@ -54,7 +55,7 @@ pub struct ModeRecord {
     /// Shares of the kinetic energy, by part.
     #[serde(with = "number")]
     pub moves: BTreeMap<String, f64>,
-    /// Shares of what is dissipated, by spring, hinge, part, material, rotor or cavity.
+    /// Shares of the dissipated energy, by spring, hinge, part, material, rotor or cavity.
     #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
 }

@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize, Serializer};
 
 /// A number, or numbers, that a field of a record holds.
 pub trait Numbers: Sized {
-    /// The same with [`Written`] in the place of `f64`.
+    /// Type with [`Written`] in the place of `f64`.
     type Wire: Serialize + DeserializeOwned;
-    /// To what is written.
+    /// Converts to the written type.
     fn to_wire(&self) -> Self::Wire;
-    /// From what was read, with this number for `null`.
+    /// Converts from the written type, with this number for `null`.
     fn from_wire(wire: Self::Wire, null: f64) -> Self;
 }
 

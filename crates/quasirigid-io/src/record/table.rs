@@ -38,7 +38,7 @@ pub fn history_csv(columns: &[Column], out: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// What was wrong with the file, which the writer of a table wraps into an error of its own.
+/// The error of the file that the CSV writer wraps into one of its own.
 fn cause(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

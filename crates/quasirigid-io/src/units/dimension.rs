@@ -1,7 +1,10 @@
+//! Dimensions of quantities: names for messages, SI units, and exponents of kilogram, metre, second, ampere and radian.
+//! The radian has an exponent of its own, so that `N m` is accepted for `N m/rad` but not the reverse.
+
 /// Exponents of kilogram, metre, second, ampere and radian.
 pub(super) type Exponents = [i32; 5];
 
-/// What a quantity of the model file measures.
+/// Dimension of a quantity of the model file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
     name: &'static str,
@@ -50,7 +53,7 @@ impl Dimension {
         Self::new("a dynamic viscosity", "Pa s", "1.5 mPa s", [1, -1, -1, 0, 0]);
     /// Angle (rad).
     pub const ANGLE: Self = Self::new("an angle", "rad", "30 deg", [0, 0, 0, 0, 1]);
-    /// Frequency (rad/s); hertz are turns per second.
+    /// Frequency (rad/s); hertz are revolutions per second.
     pub const FREQUENCY: Self = Self::new("a frequency", "rad/s", "2 Hz", [0, 0, -1, 0, 1]);
     /// Velocity (m/s).
     pub const VELOCITY: Self = Self::new("a velocity", "m/s", "3 km/s", [0, 1, -1, 0, 0]);
@@ -77,7 +80,7 @@ impl Dimension {
     pub const DIPOLE_STRENGTH: Self =
         Self::new("a dipole strength", "T m^3", "7.8e15 T m^3", [1, 3, -2, -1, 0]);
 
-    /// Those a unit alone can stand for: hertz and radians per second are told apart by their symbols.
+    /// Dimensions that a unit alone can stand for: hertz and radians per second are told apart by their symbols.
     const ALL: [Self; 25] = [
         Self::NUMBER,
         Self::MASS,
@@ -139,7 +142,7 @@ impl Dimension {
         base == own_base && (radian == 0 || radian == own_radian)
     }
 
-    /// What a unit with these exponents measures, in words.
+    /// Name of the quantity that a unit with these exponents measures.
     pub(super) fn describe(exponents: Exponents) -> String {
         let same = Self::ALL.iter().filter(|dimension| dimension.exponents == exponents);
         let names: Vec<&str> = same.map(|dimension| dimension.name).collect();

@@ -1,3 +1,6 @@
+//! Errors of quantities with units, with advice for each.
+//! Advice is apart from the message because a diagnostic shows it on its own line; a unit that is nearly a known one is suggested.
+
 use thiserror::Error;
 
 use super::Dimension;
@@ -9,7 +12,7 @@ pub enum UnitError {
     /// Nothing but spaces.
     #[error("an empty text, where {} is needed", dimension.name())]
     Empty {
-        /// What was asked for.
+        /// Dimension that was asked for.
         dimension: Dimension,
     },
     /// The text does not start with a decimal number.
@@ -17,7 +20,7 @@ pub enum UnitError {
     NotANumber {
         /// The text.
         text: String,
-        /// What was asked for.
+        /// Dimension that was asked for.
         dimension: Dimension,
     },
     /// The number is NaN or infinite.
@@ -37,7 +40,7 @@ pub enum UnitError {
     NoUnit {
         /// The text.
         text: String,
-        /// What was asked for.
+        /// Dimension that was asked for.
         dimension: Dimension,
     },
     /// A symbol that is not a unit.
@@ -45,7 +48,7 @@ pub enum UnitError {
     UnknownUnit {
         /// The symbol.
         symbol: String,
-        /// The unit it probably means.
+        /// The unit that the symbol probably means.
         suggestion: Option<&'static str>,
     },
     /// The unit measures something else.
@@ -53,13 +56,13 @@ pub enum UnitError {
     WrongDimension {
         /// The text.
         text: String,
-        /// What it measures, in words.
+        /// Quantity that the unit measures, in words.
         found: String,
-        /// What was asked for.
+        /// Dimension that was asked for.
         needed: Dimension,
     },
-    /// Hertz for an angular velocity: it may mean turns or radians per second.
-    #[error("{text:?} may mean turns or radians per second")]
+    /// Hertz for an angular velocity: it may mean revolutions or radians per second.
+    #[error("{text:?} may mean revolutions or radians per second")]
     Hertz {
         /// The text.
         text: String,
@@ -96,7 +99,7 @@ pub enum UnitError {
 }
 
 impl UnitError {
-    /// What to write instead.
+    /// Advice: a text to write instead.
     #[must_use]
     pub fn advice(&self) -> String {
         match self {

@@ -1,3 +1,6 @@
+//! Unit expressions: products, quotients and powers of symbols, parsed by recursive descent.
+//! Factors are kept as fractions `up / down`, so that decimal units need one rounding only; a product after `/` is refused as ambiguous.
+
 use super::UnitError;
 use super::dimension::Exponents;
 use super::symbols::{Unit, suggestion, unit};
@@ -32,7 +35,7 @@ impl Expression {
         if self.up >= self.down { number * (self.up / self.down) } else { number / (self.down / self.up) }
     }
 
-    /// Whether an angle takes part, which says what hertz count.
+    /// Whether an angle takes part: beside one, hertz are 1/s and not revolutions per second.
     pub(super) fn has_angle(&self) -> bool {
         let [.., radian] = self.exponents;
         radian != 0

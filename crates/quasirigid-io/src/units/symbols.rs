@@ -1,3 +1,6 @@
+//! Unit symbols with their SI values, prefixes, and words that people write for them.
+//! Values are fractions of exact numbers, as the units are defined, and prefixes apply only where the SI or usage has them.
+
 use std::f64::consts::{PI, TAU};
 
 use super::dimension::Exponents;

@@ -1,3 +1,6 @@
+//! Tests of units: defined values, wrong dimensions, ambiguous and damaged texts, and random ones.
+//! Factors come from the definitions or from NIST SP 811, not from the table under test; messages are fixed by snapshots.
+
 use std::f64::consts::{PI, TAU};
 
 use proptest::prelude::*;
@@ -5,7 +8,7 @@ use proptest::test_runner::RngSeed;
 
 use super::{Dimension, UnitError, quantity};
 
-/// What a refusal tells: message, then advice.
+/// Text of a refusal: message, then advice.
 fn refusal(text: &str, dimension: Dimension) -> String {
     let error = quantity(text, dimension).expect_err(text);
     format!("{error}; {}", error.advice())
@@ -118,10 +121,10 @@ fn another_dimension_is_refused() {
 
 #[test]
 fn hertz_is_refused_only_for_an_angular_velocity() {
-    insta::assert_snapshot!(refusal("3 Hz", Dimension::ANGULAR_VELOCITY), @r#""3 Hz" may mean turns or radians per second; write rev/s or rad/s"#);
+    insta::assert_snapshot!(refusal("3 Hz", Dimension::ANGULAR_VELOCITY), @r#""3 Hz" may mean revolutions or radians per second; write rev/s or rad/s"#);
     assert!(quantity("3 rad Hz", Dimension::ANGULAR_VELOCITY).is_err());
     assert!(quantity("3 Hz rad", Dimension::ANGULAR_VELOCITY).is_err());
-    insta::assert_snapshot!(refusal("3 kHz", Dimension::ANGULAR_VELOCITY), @r#""3 kHz" may mean turns or radians per second; write rev/s or rad/s"#);
+    insta::assert_snapshot!(refusal("3 kHz", Dimension::ANGULAR_VELOCITY), @r#""3 kHz" may mean revolutions or radians per second; write rev/s or rad/s"#);
     assert_eq!(quantity("3 kg Hz", Dimension::DAMPING), Ok(3.0));
 }
 

@@ -1,4 +1,4 @@
-//! The same matrix in every format is the same, and a damaged file is refused by line or byte.
+//! One matrix in every format reads as one matrix, and a damaged file is refused by line or byte.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid_io::matrix::{
-    Freedom, MatrixFile, freedoms_of, matrix_of, nodes_of, read_freedoms, read_matrix, read_nodes,
+    Dof, MatrixFile, dofs_of, matrix_of, nodes_of, read_dofs, read_matrix, read_nodes,
 };
 
 fn data(name: &str) -> PathBuf {
@@ -30,11 +30,11 @@ fn stiffness() -> Vec<(usize, usize, f64)> {
     entries
 }
 
-fn freedoms() -> Vec<Freedom> {
-    read_freedoms(&data("beam.dof")).unwrap()
+fn dofs() -> Vec<Dof> {
+    read_dofs(&data("beam.dof")).unwrap()
 }
 
-/// Files of the stiffness, the name of the matrix, and how far their digits go.
+/// Files of the stiffness, the name of the matrix, and the relative error of their digits.
 const FILES: [(&str, Option<&str>, f64); 23] = [
     ("beam.sti", None, 0.0),
     ("symmetric.mtx", None, 0.0),
@@ -65,7 +65,7 @@ const FILES: [(&str, Option<&str>, f64); 23] = [
 /// The stiffness as a `DMIG` matrix between commas, with terms above and below the diagonal and all ways to write
 /// exponents.
 fn free() -> String {
-    let freedoms = freedoms();
+    let dofs = dofs();
     let number = |value: f64, k: usize| {
         let text = format!("{value:.13e}");
         match k % 3 {
@@ -76,11 +76,11 @@ fn free() -> String {
     };
     let mut text =
         String::from("$ Größe in N/m\nCEND\nBEGIN BULK\nDMIG,kaax,0,6,2,0,,,,+A\n+A,\nGRID,1,,0.,0.,0.\n");
-    for (j, column) in freedoms.iter().enumerate() {
+    for (j, column) in dofs.iter().enumerate() {
         text += &format!("dmig,KAAX,{},{},", column.node, column.component);
         let here = |i: usize, k: usize| k == j && if (i + j).is_multiple_of(2) { i >= j } else { i < j };
         for (k, (i, _, value)) in stiffness().into_iter().filter(|(i, k, _)| here(*i, *k)).enumerate() {
-            let row = freedoms[i];
+            let row = dofs[i];
             text += if k % 2 == 1 { ",\n" } else { "" };
             text += &format!(",{}, {},{},", row.node, row.component, number(value, k));
         }
@@ -110,7 +110,7 @@ fn one_matrix_in_all_formats_is_one_matrix() {
             matrix_of(Path::new(name), &bytes(name), matrix).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!((found.rows, found.columns), (17, 17), "{name}");
         assert_same(&found, &expected, tolerance, name);
-        let labels = (name.ends_with("bdf") || name.ends_with("dmig")).then(freedoms);
+        let labels = (name.ends_with("bdf") || name.ends_with("dmig")).then(dofs);
         assert_eq!(found.labels, labels, "{name}");
     }
 }
@@ -148,8 +148,8 @@ fn rows_and_columns_are_not_exchanged() {
 /// Displacements along different axes move the mass independently of each other.
 #[test]
 fn a_mass_of_calculix_has_a_positive_diagonal_and_zeros_between_directions() {
-    let (mass, freedoms) = (read_matrix(&data("beam.mas"), None).unwrap(), freedoms());
-    assert!(mass.entries.iter().all(|(i, j, _)| freedoms[*i].component == freedoms[*j].component));
+    let (mass, dofs) = (read_matrix(&data("beam.mas"), None).unwrap(), dofs());
+    assert!(mass.entries.iter().all(|(i, j, _)| dofs[*i].component == dofs[*j].component));
     assert_eq!(mass.entries.iter().filter(|(i, j, value)| i == j && *value > 0.0).count(), 17);
 }
 
@@ -169,7 +169,7 @@ fn skew_and_rectangular_matrices_keep_signs_and_sides() {
     let load = entries("a", load);
     assert_eq!((load.rows, load.columns), (2, 2));
     assert_eq!(load.entries, [(0, 1, 400.0), (1, 0, 1.5e-3), (1, 1, -2.0)]);
-    assert_eq!(load.labels.unwrap(), [Freedom { node: 5, component: 0 }, Freedom { node: 7, component: 3 }]);
+    assert_eq!(load.labels.unwrap(), [Dof { node: 5, component: 0 }, Dof { node: 7, component: 3 }]);
 }
 
 /// Cuts of the length of the numbers that announce them.
@@ -210,7 +210,7 @@ fn nodes_are_the_same_in_tables_cards_and_blocks() {
     }
 }
 
-/// The stiffness in a file, with one thing replaced: what is said about it without the name of the file.
+/// Message about a file of the stiffness with one thing replaced, without the name of the file.
 fn says(name: &str, bytes: &[u8], matrix: Option<&str>) -> String {
     match matrix_of(Path::new(name), bytes, matrix) {
         Ok(_) => "nothing".to_owned(),
@@ -299,9 +299,9 @@ fn errors_have_their_line_or_byte() {
 }
 
 #[test]
-fn errors_in_nodes_and_freedoms_have_their_line() {
+fn errors_in_nodes_and_dofs_have_their_line() {
     let nodes = |name: &str, text: &str| nodes_of(Path::new(name), text.as_bytes()).unwrap_err().to_string();
-    let freedoms = |text: &str| freedoms_of(Path::new("a.dof"), text.as_bytes()).unwrap_err().to_string();
+    let dofs = |text: &str| dofs_of(Path::new("a.dof"), text.as_bytes()).unwrap_err().to_string();
     let messages = [
         nodes("a.csv", "node,x,y,z\nfirst,0,0,0"),
         nodes("a.csv", "1,0,0"),
@@ -315,11 +315,11 @@ fn errors_in_nodes_and_freedoms_have_their_line() {
         nodes("a.bdf", "GRID,1,,0.,0.,0.,3"),
         nodes("a.bdf", "GRID,1,,0.,0.,0\n"),
         nodes("a.bdf", "GRDSET,,2\nGRID,1,,0.,0.,0."),
-        freedoms("1.1\n1.7"),
-        freedoms("1.1\n2 2\n1 1"),
-        freedoms("1.1\n2\n"),
-        freedoms("1.x\n"),
-        freedoms("\n"),
+        dofs("1.1\n1.7"),
+        dofs("1.1\n2 2\n1 1"),
+        dofs("1.1\n2\n"),
+        dofs("1.x\n"),
+        dofs("\n"),
     ];
     assert_eq!(messages.join("\n"), include_str!("../data/matrix/errors_in_nodes.txt").trim_end());
 }
@@ -344,7 +344,7 @@ fn a_billion_announced_is_not_a_billion_taken() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1024) })]
 
-    /// What survives a cut or a change lies inside the matrix, is finite and in order, and not more than its bytes.
+    /// Entries that survive a cut or a change lie inside the matrix, are finite and in order, and take no more than the file's bytes.
     #[test]
     fn damaged_files_are_refused_or_whole(
         file in 0..FILES.len(), end in 0.5..1.5f64, changes in vec((0.0..1.0f64, any::<u8>()), 0..4),
@@ -359,7 +359,7 @@ proptest! {
         changes.into_iter().for_each(|(at, byte)| bytes[at] = byte);
         bytes.truncate(end);
         let _ = nodes_of(Path::new(name), &bytes);
-        let _ = freedoms_of(Path::new(name), &bytes);
+        let _ = dofs_of(Path::new(name), &bytes);
         if let Ok(found) = matrix_of(Path::new(name), &bytes, matrix) {
             prop_assert!(found.entries.len() <= 2 * 8 * bytes.len().max(300));
             let inside = |(i, j, value): &(usize, usize, f64)| *i < found.rows && *j < found.columns && value.is_finite();
@@ -390,11 +390,11 @@ proptest! {
     ) {
         let name = Path::new(["a.sti", "a.bdf", "a.op4", "a.inp", "a.dof"][name]);
         let _ = matrix_of(name, text.as_bytes(), None);
-        let _ = (nodes_of(name, text.as_bytes()), freedoms_of(name, text.as_bytes()));
+        let _ = (nodes_of(name, text.as_bytes()), dofs_of(name, text.as_bytes()));
     }
 }
 
-/// An archive a thousand times smaller than what it unpacks to is not unpacked.
+/// An archive a thousand times smaller than its contents is not unpacked.
 #[test]
 fn archives_that_inflate_are_refused() {
     use std::io::Write;

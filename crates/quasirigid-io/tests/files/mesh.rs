@@ -1,4 +1,4 @@
-//! The same surface in every format is the same mesh, and a damaged file is refused by line or byte.
+//! One surface in every format reads as one mesh, and a damaged file is refused by line or byte.
 
 use std::fmt::Write;
 use std::fs;
@@ -320,7 +320,7 @@ proptest! {
         let _ = triangles_of(Path::new(files()[name].0), text.as_bytes());
     }
 
-    /// What survives a cut or a change has corners that exist and vertices that are finite.
+    /// A mesh that survives a cut or a change has corners that exist and vertices that are finite.
     #[test]
     fn damaged_files_are_refused_or_whole(
         name in 0..8usize, end in 0.0..1.5f64, changes in vec((0.0..1.0f64, any::<u8>()), 0..4),

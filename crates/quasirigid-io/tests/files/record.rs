@@ -102,9 +102,9 @@ prop_compose! {
         form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
         numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
-        let [tolerance, turns, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
+        let [tolerance, revolutions, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
-            system: system.into(), form, method, status, message, tolerance, steps, rejected, turns,
+            system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
             energy, dissipated, dissipation, work, energy_drift, momentum_drift, columns,
         }
     }
@@ -147,7 +147,7 @@ prop_compose! {
         estimates in vec((".*", finite(), finite()), 0..3), approach in option::of((1usize..9, ".*", [finite(); 3])), observed in [option::of([finite(); 5]), option::of([finite(); 5])],
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
-        let [momentum, ratio_start, ratio_end, time, turns, power, damping_time, growth_time] = numbers;
+        let [angular_momentum, ratio_start, ratio_end, time, revolutions, power, damping_time, growth_time] = numbers;
         let harmonic = |(number, frequency, share)| HarmonicRecord { number, frequency, share };
         let mode = mode_end.clone();
         let [start, end] = observed.map(|numbers| numbers.map(|[rotation_period, precession_period, nutation_least, nutation_greatest, energy_ratio]| {
@@ -165,8 +165,8 @@ prop_compose! {
             estimates: estimates.into_iter().map(estimate).collect(),
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
-            sentence, road, verdict, method, status, message, momentum, mode_start, mode_end, ratio_start, ratio_end, start, end, time,
-            time_error, time_range, turns, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
+            sentence, road, verdict, method, status, message, angular_momentum, mode_start, mode_end, ratio_start, ratio_end, start, end, time,
+            time_error, time_range, revolutions, power, dissipation, separatrix_time, lingering, damping_time, growth_time, columns,
             not_known: vec![],
         }
     }
@@ -187,10 +187,10 @@ prop_compose! {
 
 prop_compose! {
     fn steady_spin()(
-        sentence in ".*", axis in ".*", spin in option::of([finite(); 3]), momentum in option::of([finite(); 3]),
+        sentence in ".*", axis in ".*", spin in option::of([finite(); 3]), angular_momentum in option::of([finite(); 3]),
         energy in option::of(finite()), displacements in shares(), stable: bool, modes in vec(mode(), 0..3),
     ) -> SteadySpinRecord {
-        SteadySpinRecord { sentence, axis, spin, momentum, energy, displacements, stable, modes }
+        SteadySpinRecord { sentence, axis, spin, angular_momentum, energy, displacements, stable, modes }
     }
 }
 
@@ -263,7 +263,7 @@ fn sample() -> RunRecord {
             tolerance: 1e-10,
             steps: 2,
             rejected: 0,
-            turns: 0.1,
+            revolutions: 0.1,
             energy: 1.0,
             dissipated: 0.0,
             dissipation: BTreeMap::new(),
@@ -280,7 +280,7 @@ fn sample() -> RunRecord {
             method: "strain energy".into(),
             status: "held".into(),
             message: "Ended at once.".into(),
-            momentum: 1.0,
+            angular_momentum: 1.0,
             mode_start: "short-axis".into(),
             mode_end: "short-axis".into(),
             ratio_start: 0.9,
@@ -296,7 +296,7 @@ fn sample() -> RunRecord {
             time: f64::INFINITY,
             time_error: Some(f64::NAN),
             time_range: Some([1.5, f64::INFINITY]),
-            turns: f64::INFINITY,
+            revolutions: f64::INFINITY,
             power: 0.0,
             dissipation: BTreeMap::new(),
             separatrix_time: None,
@@ -313,7 +313,7 @@ fn sample() -> RunRecord {
     }
 }
 
-/// Same bits: `Debug` prints floats so that different bits differ, and NaN equals NaN.
+/// Text that tells records apart by their bits: `Debug` prints different floats differently, and NaN like NaN.
 fn bits(record: &RunRecord) -> String {
     format!("{record:?}")
 }
@@ -383,7 +383,7 @@ fn numbers_that_are_not_finite_are_null_in_json() {
     assert!(text.contains(r#""power": -0.0"#) && !text.contains("-1e300"), "{text}");
 }
 
-/// Infinity where a field can be infinite, unless the record says that it is not known; else NaN, or none.
+/// `null` reads as infinity where a field can be infinite and the record does not list it as unknown; else as NaN, or none.
 #[test]
 fn null_reads_back_as_what_the_field_means() {
     let read = RunRecord::read(written().path()).unwrap();
@@ -391,7 +391,7 @@ fn null_reads_back_as_what_the_field_means() {
     assert!(infinite(&[read.validity.T1]) && read.validity.T2.is_none());
     assert!(read.reduction.residual.is_nan() && read.reduction.dissipation["tank"].is_nan());
     let evolution = read.evolution.unwrap();
-    assert!(infinite(&[evolution.time, evolution.turns, evolution.damping_time]));
+    assert!(infinite(&[evolution.time, evolution.revolutions, evolution.damping_time]));
     assert!(infinite(&[evolution.end.unwrap().rotation_period]));
     assert_eq!(evolution.time_range, Some([1.5, f64::INFINITY]));
     assert_eq!(evolution.time_error, None);
@@ -474,7 +474,7 @@ fn columns_of_unequal_length_are_refused() {
     assert_eq!(refused.kind(), ErrorKind::InvalidInput);
 }
 
-/// Neither file is written, although the history itself is sound.
+/// No file is written if a later table is wrong, although the history itself is sound.
 #[test]
 fn ragged_evolution_is_refused_before_writing() {
     let dir = tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Beams, and what parts of every kind have in common.
+//! Beams, and keys that parts of every kind share.
 
 use insta::assert_snapshot;
 use quasirigid::elements::{
@@ -13,7 +13,7 @@ fn model(lines: &str) -> String {
     format!("{CARRIER}{ALUMINIUM}{TUBE}{lines}")
 }
 
-/// How a boom with these further lines is refused; they start in line 19.
+/// Refusal of a boom with these further lines, which start in line 19.
 fn refused(lines: &str) -> String {
     refusal(&model(&format!("{BOOM}{lines}")))
 }
@@ -113,7 +113,7 @@ fn the_reduction_keeps_as_many_modes_as_the_file_says() {
 /// Each part at the ends of the range of its own material, and a spring at those of its own.
 #[test]
 fn ranges_of_rheologies_go_to_their_parts() {
-    let lossy = |name: &str, time: &str| {
+    let viscoelastic = |name: &str, time: &str| {
         format!(
             "[material.{name}]\ndensity = 1\nyoung = 1\npoisson = 0\nrheology = {{ kind = \"kelvin-voigt\", {time} }}\n"
         )
@@ -126,8 +126,8 @@ fn ranges_of_rheologies_go_to_their_parts() {
                   stiffness = 3\nrheology = { kind = \"kelvin-voigt\", time = 7, range = [6, 8] }\n";
     let text = format!(
         "{CARRIER}{TUBE}{}{}{boom}{bent}{spring}",
-        lossy("slow", "time = 2, range = [1, 3]"),
-        lossy("fast", "time = \"20 ms\", range = [\"10 ms\", 0.03]"),
+        viscoelastic("slow", "time = 2, range = [1, 3]"),
+        viscoelastic("fast", "time = \"20 ms\", range = [\"10 ms\", 0.03]"),
     );
     let model = read(&text);
     let times = |assembly: &quasirigid::elements::Assembly| -> Vec<f64> {

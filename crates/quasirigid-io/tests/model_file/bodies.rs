@@ -10,10 +10,10 @@ use super::same::{assert_same, differences};
 
 /// Files that gmsh and CalculiX wrote, see the page beside them.
 const BODIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/bodies/model.toml");
-/// Lighter than what it carries, and off its centre.
+/// A carrier lighter than the parts on it, and off their centre.
 const HUB: &str = "[carrier]\nmass = \"9 g\"\ncenter_of_mass = [\"31 mm\", \"-8 mm\", \"12 mm\"]\n\
                    inertia = [[8e-7, 1e-7, -2e-7], [1e-7, 1.1e-6, 3e-7], [-2e-7, 3e-7, 1.3e-6]]\n";
-/// Two materials that answer alike; the numbers are those of `write.py`.
+/// Two materials of equal elasticity; the numbers are those of `write.py`.
 const PLASTIC: &str = "[material.nylon]\ndensity = \"1.15 g/cm^3\"\nyoung = \"2.7 GPa\"\npoisson = 0.39\n\
                        rheology = { kind = \"kelvin-voigt\", time = \"2 ms\" }\n";
 const METAL: &str = "[material.titanium]\ndensity = \"4.43 g/cm^3\"\nyoung = \"113.8 GPa\"\npoisson = 0.342\n\
@@ -40,10 +40,10 @@ fn both_files_of_gmsh_are_one_body() {
 
 const SPUR: &str = "unit = \"mm\"\nmaterials = { STEM = \"nylon\", TIP = \"titanium\" }\nattach = \"ROOT\"\n";
 
-/// The spur as matrices over what CalculiX says of its rows; N, mm and s make t the unit of mass.
+/// The spur as matrices, with the rows that CalculiX lists; N, mm and s make t the unit of mass.
 fn spur(mass: &str) -> String {
     format!(
-        "[[matrices]]\nname = \"part\"\nnodes = \"spur.inp\"\nfreedoms = \"spur.dof\"\nstiffness = \"spur.sti\"\n\
+        "[[matrices]]\nname = \"part\"\nnodes = \"spur.inp\"\ndofs = \"spur.dof\"\nstiffness = \"spur.sti\"\n\
          mass = \"{mass}\"\nlength_unit = \"mm\"\nmass_unit = \"t\"\n\
          rheology = {{ kind = \"kelvin-voigt\", time = \"2 ms\" }}\nattach = [1, 2, 3, 4, 5, 6, 7, 8, 9]\n"
     )
@@ -55,7 +55,7 @@ fn stiffness_of_calculix_with_the_exact_mass_is_our_solid() {
     assert_same(&on_hub(&spur("spur-mass.npz")), &on_hub(&solid("spur.msh", SPUR)), 1e-8);
 }
 
-/// Nothing is held in the matrices, so the body can float.
+/// The matrices have no constrained node, so the body can float.
 #[test]
 fn a_body_that_floats_is_the_same_from_matrices_and_cells() {
     let floating = |text: String| {
@@ -66,7 +66,7 @@ fn a_body_that_floats_is_the_same_from_matrices_and_cells() {
     assert_same(&floating(spur("spur-mass.npz")), &cells, 1e-8);
 }
 
-/// Hexahedra with displacements of their own, whose mass CalculiX has and we have not; in inches and pounds of force.
+/// Hexahedra with incompatible modes, whose mass CalculiX has and we have not; in inches and pounds of force.
 #[test]
 fn stiffness_and_mass_of_calculix_are_our_hexahedra() {
     let aluminium =
@@ -76,7 +76,7 @@ fn stiffness_and_mass_of_calculix_are_our_hexahedra() {
         "{aluminium}[[solid]]\nfile = \"brick.inp\"\nunit = \"in\"\nmaterial = \"aluminium\"\nattach = \"ROOT\"\n{rayleigh}"
     );
     let matrices = format!(
-        "[[matrices]]\nnodes = \"brick-nodes.csv\"\nfreedoms = \"brick.dof\"\nstiffness = \"brick.sti\"\n\
+        "[[matrices]]\nnodes = \"brick-nodes.csv\"\ndofs = \"brick.dof\"\nstiffness = \"brick.sti\"\n\
          mass = \"brick.mas\"\nlength_unit = \"in\"\nmass_unit = \"lbf s^2/in\"\n\
          attach = [11, 13, 15, 17, 19, 21]\n{rayleigh}"
     );
@@ -99,14 +99,14 @@ fn mass_of_calculix_is_short_of_points() {
     }
 }
 
-/// The freedoms that CalculiX gives the cells of type C3D8I are at no node of the mesh.
+/// The degrees of freedom that CalculiX gives the cells of type C3D8I are at no node of the mesh.
 #[test]
-fn freedoms_of_no_node_are_refused() {
-    let keys = "freedoms = \"brick.dof\"\nstiffness = \"brick.sti\"\nmass = \"brick.mas\"\n";
+fn dofs_of_no_node_are_refused() {
+    let keys = "dofs = \"brick.dof\"\nstiffness = \"brick.sti\"\nmass = \"brick.mas\"\n";
     let text = format!("{HUB}[[matrices]]\nnodes = \"brick.inp\"\n{keys}");
     let error = Model::parse(Path::new(BODIES), &text).expect_err("a refusal");
     assert_snapshot!(located(&error), @"
-    model.toml:8:13: there is no freedom 58.1 of a node in the table `nodes`
+    model.toml:8:13: there is no degree of freedom 58.1 of a node in the table `nodes`
       every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
     ");
 }

@@ -9,12 +9,12 @@ const ARRAY: &str = "[[panel]]\nname = \"array\"\nrectangle = { sides = [[2, 0, 
 const TIP: &str = "from = { part = \"boom\", node = \"tip\" }\n";
 const EDGE: &str = "to = { part = \"array\", set = \"left\" }\n";
 
-/// How these lines after a boom on the carrier and a panel are refused; they start in line 25.
+/// Refusal of these lines after a boom on the carrier and a panel; they start in line 25.
 fn refused(lines: &str) -> String {
     super::verdict(&format!("{CARRIER}{ALUMINIUM}{TUBE}{BOOM}attach = \"root\"\n{ARRAY}{lines}"))
 }
 
-/// The same for a connection with these lines, which start in line 26.
+/// Refusal of a connection with these lines, which start in line 26.
 fn connection(lines: &str) -> String {
     refused(&format!("[[connection]]\n{lines}"))
 }
@@ -118,7 +118,7 @@ fn a_part_that_nothing_joins_to_the_carrier_is_refused() {
     model.toml:20:1: panel "array": nothing joins this part to the carrier; attach some of its nodes, or connect it
       write attach = with one of its nodes, or a [[connection]]; springs alone do not hold a part
     "#);
-    // a spring does not hold it, nor does a weld to a part that hangs in the air itself
+    // neither a spring nor a weld to a part that is not attached itself attaches the panel
     let spring = "[[spring]]\nfrom = \"carrier\"\nto = { part = \"array\", node = 1 }\nstiffness = 1\n";
     assert_snapshot!(refused(spring), @r#"
     model.toml:20:1: panel "array": nothing joins this part to the carrier; attach some of its nodes, or connect it
@@ -187,7 +187,7 @@ fn a_hinge_has_values_for_its_axes() {
     ");
 }
 
-/// Without a stiffness a hinge turns freely; the message is of the hinge, not of all that moves with it.
+/// Without a stiffness a hinge turns freely; the message names the hinge, not every coordinate that moves with it.
 #[test]
 fn a_hinge_without_stiffness_is_named() {
     assert_snapshot!(connection(&format!("{TIP}{EDGE}hinge = [0, 1, 0]\n")), @"

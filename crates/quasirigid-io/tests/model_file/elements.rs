@@ -1,3 +1,6 @@
+//! Refusals of elements: names, springs, motions of points, and hinges; snapshots fix place, message and advice.
+//! Only what reading alone can tell is tested here; laws of mechanics are in `physics.rs`.
+
 use insta::assert_snapshot;
 use quasirigid::elements::HingeCoefficient;
 

@@ -1,4 +1,4 @@
-//! A body without a carrier, and what cannot stand beside it.
+//! A body without a carrier, and elements that cannot stand beside it.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ fn with(rest: &str) -> String {
     made_of(&format!("{ROCK}{rest}"))
 }
 
-/// What the laws of mechanics say to such a file.
+/// Diagnostics of the laws of mechanics for such a file.
 fn verdict(rest: &str) -> String {
     let model = read(&with(rest));
     let errors = model.assembly.check();
@@ -135,7 +135,7 @@ fn what_stands_beside_an_ellipsoid_is_refused() {
     );
 }
 
-/// Beyond what the file can say, as from a program.
+/// Elements that no file can describe, as a program can build them.
 #[test]
 fn what_mechanics_says_of_an_ellipsoid_is_located() {
     let mut model = read(&with(""));

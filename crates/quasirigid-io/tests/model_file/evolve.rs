@@ -1,4 +1,4 @@
-//! How far the slow evolution is followed.
+//! Settings of the secular evolution: target, duration, method.
 
 use insta::assert_snapshot;
 use proptest::prelude::*;
@@ -11,12 +11,12 @@ fn evolve(text: &str) -> Option<Evolve> {
     read(&format!("{CARRIER}[run]\nevolve = {text}\n")).run.evolve
 }
 
-/// How an `evolve` is refused; it is in line 10, from column 10.
+/// Refusal of an `evolve`, which is in line 10, from column 10.
 fn refused(text: &str) -> String {
     refusal_of(&format!("[run]\nevolve = {text}\n"))
 }
 
-/// How a text on the command line is refused: message, then advice.
+/// Refusal of a text on the command line: message, then advice.
 fn refused_alone(text: &str) -> String {
     let error = text.parse::<Target>().expect_err(text);
     format!("{error}; {}", error.advice())
@@ -133,7 +133,7 @@ proptest! {
         let _ = text.parse::<Target>();
     }
 
-    /// Whatever is read is a state of rotation.
+    /// Every text that is read gives a rotation state.
     #[test]
     fn what_is_read_is_a_state(text in "-?[0-9]{0,3}(\\.[0-9]{0,3})?(e-?[0-9])? ?(% of I3| deg| rad|)") {
         match text.parse() {

@@ -1,3 +1,6 @@
+//! Files that are no models: missing, too large, endless, empty, binary, or not TOML.
+//! Refusing must be quick: work that grows with the square of the length would hang an editor, so times are limited too.
+
 use std::path::Path;
 
 use insta::assert_snapshot;

@@ -1,4 +1,4 @@
-//! External forces and the driven pole: what is read, and how each mistake is refused.
+//! External forces and the driven pole: values that are read, and refusals of mistakes.
 
 use std::f64::consts::{PI, TAU};
 
@@ -27,19 +27,19 @@ fn text(kind: &str, lines: &str) -> String {
     format!("[[force]]\nkind = \"{kind}\"\n{lines}")
 }
 
-/// How a force is refused; its kind is in line 10, the lines start in line 11.
+/// Refusal of a force; its kind is in line 10, the lines start in line 11.
 fn refused(kind: &str, lines: &str) -> String {
     refusal_of(&text(kind, lines))
 }
 
 fn orbit(a: f64) -> Orbit {
     Orbit {
-        parameter: 3.986_004_418e14,
+        mu: 3.986_004_418e14,
         semi_major_axis: a,
         eccentricity: 0.0,
         inclination: 0.0,
-        node: 0.0,
-        periapsis: 0.0,
+        raan: 0.0,
+        argument_of_periapsis: 0.0,
         mean_anomaly: 0.0,
     }
 }
@@ -172,8 +172,8 @@ fn orbits_are_read() {
     let expected = Orbit {
         eccentricity: 0.1,
         inclination: PI,
-        node: 1.0,
-        periapsis: 2.0,
+        raan: 1.0,
+        argument_of_periapsis: 2.0,
         mean_anomaly: 3.0,
         ..orbit(7e6)
     };
@@ -187,7 +187,7 @@ fn the_centres_known_by_name_have_their_gravitational_parameters() {
     let parameter = |body: &str| {
         let orbit = format!("orbit = {{ body = \"{body}\", semi_major_axis = 1 }}\n");
         match law("central-gravity", &orbit) {
-            ForceLaw::CentralGravity { orbit } => orbit.parameter,
+            ForceLaw::CentralGravity { orbit } => orbit.mu,
             _ => panic!("gravity"),
         }
     };

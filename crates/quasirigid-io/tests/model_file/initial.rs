@@ -7,7 +7,7 @@ use quasirigid_io::model::{Displacements, Model};
 
 use super::{CARRIER, HINGED, POINT, read, refusal, refusal_of};
 
-/// A point that is free, one on a slanted line, one in a slanted plane, and a boom with two axes, in lines 5 to 30.
+/// A free point, one on a slanted line, one in a slanted plane, and a boom with two axes, in lines 5 to 30.
 fn parts() -> String {
     let slider = POINT.replace("tip", "slider");
     let sheet = POINT.replace("tip", "sheet");
@@ -33,7 +33,7 @@ fn start(lines: &str) -> (Vec<f64>, Vec<f64>) {
     }
 }
 
-/// How these lines of `[initial]` are refused; they start in line 46.
+/// Refusal of these lines of `[initial]`, which start in line 46.
 fn refused(lines: &str) -> String {
     refusal(&format!("{CARRIER}{}[initial]\n{lines}", parts()))
 }
@@ -181,7 +181,7 @@ fn mistakes_in_the_body_do_not_hide_those_in_its_displacements() {
     "#);
 }
 
-/// A motion that is none is for the laws of mechanics to refuse, where it stands.
+/// A `motion` without a direction is refused by the laws of mechanics, at its place.
 #[test]
 fn a_motion_without_direction_is_not_the_fault_of_the_displacement() {
     let text = format!(

@@ -28,8 +28,8 @@ fn wheels_are_read_by_momentum_or_by_speed() {
         let model = read(&model(&format!("[[wheel]]\naxis = [1, 0, 0]\n{keys}\n")));
         model.assembly.wheels[0].speed.clone()
     };
-    assert_eq!(wheel("momentum = \"12 N m s\""), WheelSpeed::Constant { momentum: 12.0 });
-    assert_eq!(wheel("inertia = 0.5\nspeed = -3"), WheelSpeed::Constant { momentum: -1.5 });
+    assert_eq!(wheel("momentum = \"12 N m s\""), WheelSpeed::Constant { angular_momentum: 12.0 });
+    assert_eq!(wheel("inertia = 0.5\nspeed = -3"), WheelSpeed::Constant { angular_momentum: -1.5 });
     let WheelSpeed::Prescribed { inertia, speed } = wheel("inertia = 0.5\nspeed = { formula = \"2*t + 1\" }")
     else {
         panic!("a formula")
@@ -89,8 +89,8 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
       write a number in N m s/rad, or a text with its unit such as "0.01 N m s/rad"
     "#);
     assert_snapshot!(verdict(&model("[[rotor]]\naxis = [0, 0, 1]\ninertia = 90\nfriction = 1\n")), @r"
-    model.toml:4:11: the carrier: what turns inside has more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked
-      add the inertia of what turns inside to that of the carrier, or check the units of both
+    model.toml:4:11: the carrier: the rotors and liquids inside have more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked
+      add the inertia of the rotors and liquids inside to that of the carrier, or check the units of both
     ");
     assert_snapshot!(verdict(&model("[[rotor]]\nshape = \"sphere\"\naxis = [0, 0, 1]\ninertia = 0.2\nfriction = 1\n")), @r"
     model.toml:7:8: a sphere turns about any axis, so it has no `axis`

@@ -1,3 +1,6 @@
+//! Keys: unknown, missing, misspelt, of the wrong kind of table, or in single brackets for double.
+//! One mistake gives one message with the nearest known key; snapshots fix place, message and advice.
+
 use insta::assert_snapshot;
 
 use super::{CARRIER, refusal, refusal_of, refusal_of_spring};

@@ -12,7 +12,7 @@ fn ellipsoid(lines: &str) -> Ellipsoid {
     ellipsoid
 }
 
-/// How a material with these lines is refused; they start in line 5.
+/// Refusal of a material with these lines, which start in line 5.
 fn refused(lines: &str) -> String {
     refusal(&made_of(lines))
 }
@@ -134,7 +134,7 @@ fn materials_have_names() {
     "#);
 }
 
-/// A range of theirs is that of no body.
+/// A range of an unused material is no range of the body.
 #[test]
 fn materials_that_nothing_is_made_of_are_noted() {
     let ice =

@@ -10,7 +10,7 @@ use quasirigid_io::model::{Model, ModelError};
 use super::same::assert_same;
 use super::{CARRIER, only_part, written};
 
-/// Stiffness of one hexahedron in the formats of many programs; seven of its displacements are held.
+/// Stiffness of one hexahedron in the formats of many programs; seven of its displacements are constrained.
 const FORMATS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/matrix/model.toml");
 
 /// A carrier and these lines of a table `[[matrices]]`, which start in line 6, beside files.
@@ -27,7 +27,7 @@ fn given(model: &Model) -> &Matrices {
     given
 }
 
-/// Freedoms of three nodes that turn.
+/// Degrees of freedom of three nodes that turn.
 const ALL: usize = 18;
 
 /// A square matrix by rows.
@@ -60,7 +60,7 @@ fn mass(i: usize, j: usize) -> f64 {
     }
 }
 
-/// Whether a row is about a rotation, of six to a node.
+/// 1 for the row of a rotation, of six rows to a node, else 0.
 fn turns(row: usize) -> i32 {
     i32::from(row % 6 >= 3)
 }
@@ -89,11 +89,11 @@ pub fn market(matrix: &[Vec<f64>]) -> String {
 
 /// A matrix on the points 3, 7 and 11 as NASTRAN punches it, between commas.
 fn dmig(name: &str, matrix: &[Vec<f64>]) -> String {
-    let freedom = |row: usize| format!("{},{}", [3, 7, 11][row / 6], row % 6 + 1);
+    let dof = |row: usize| format!("{},{}", [3, 7, 11][row / 6], row % 6 + 1);
     let mut text = format!("DMIG,{name},0,1,2,0\n");
     for j in 0..matrix.len() {
         for (i, row) in matrix.iter().enumerate().filter(|(_, row)| row[j] != 0.0) {
-            writeln!(text, "DMIG,{name},{},,{},{:.16E}", freedom(j), freedom(i), row[j]).expect("memory");
+            writeln!(text, "DMIG,{name},{},,{},{:.16E}", dof(j), dof(i), row[j]).expect("memory");
         }
     }
     text
@@ -153,7 +153,7 @@ fn matrices_in_other_units_are_the_same_body() {
 
 /// Stiffness and damping of NASTRAN by point and component, mass by the order of the nodes; six components of each.
 #[test]
-fn rows_with_labels_and_rows_in_order_are_the_same_freedoms() {
+fn rows_with_labels_and_rows_in_order_are_the_same_dofs() {
     let (inch, pound) = (0.0254, 0.453_592_37);
     let cards =
         dmig("KAAX", &in_units(stiffness, inch, pound)) + &dmig("BAAX", &in_units(damping, inch, pound));
@@ -167,9 +167,9 @@ fn rows_with_labels_and_rows_in_order_are_the_same_freedoms() {
     assert_same(&read(&files, lines), &plain("damping = \"B.mtx\"\n"), 1e-12);
 }
 
-/// A list of freedoms in any order; without it three rows belong to each node, in the order of the table.
+/// A list of degrees of freedom in any order; without a list three rows belong to each node, in the order of the table.
 #[test]
-fn a_list_of_freedoms_says_what_the_rows_are_about() {
+fn a_list_of_dofs_says_what_the_rows_are_about() {
     const LIST: [&str; 9] = ["7.2", "3 1", "11.1", "7.3", "3.3", "11.3", "7.1", "3.2", "11 2"];
     // where these are among 3.1, 3.2, 3.3, 7.1, …
     const ORDER: [usize; 9] = [4, 0, 6, 5, 2, 8, 3, 1, 7];
@@ -181,25 +181,25 @@ fn a_list_of_freedoms_says_what_the_rows_are_about() {
     let in_order = read(&files(moved(stiffness), moved(mass)), &attached);
     let mixed = |matrix: Square| square(9, |i, j| matrix[ORDER[i]][ORDER[j]]);
     let files = files(mixed(moved(stiffness)), mixed(moved(mass)));
-    let listed = read(&files, &format!("{attached}freedoms = \"rows.dof\"\n"));
-    assert_eq!(given(&listed).mass.freedoms, (0..9).map(|row| (row / 3, row % 3)).collect::<Vec<_>>());
+    let listed = read(&files, &format!("{attached}dofs = \"rows.dof\"\n"));
+    assert_eq!(given(&listed).mass.dofs, (0..9).map(|row| (row / 3, row % 3)).collect::<Vec<_>>());
     assert_same(&listed, &in_order, 1e-13);
 }
 
 /// Three rows to a node in one matrix, six in the other.
 #[test]
-fn matrices_may_have_different_freedoms() {
+fn matrices_may_have_different_dofs() {
     let displacements = |i, j| if turns(i) + turns(j) == 0 { mass(i, j) } else { 0.0 };
     let files = |M: Square| {
         [("nodes.txt", nodes(1.0)), ("K.mtx", market(&square(ALL, stiffness))), ("M.mtx", market(&M))]
     };
     let attached = format!("{KEYS}attach = 11\n");
     let fewer = read(&files(moved(mass)), &attached);
-    assert_eq!(given(&fewer).mass.freedoms.len(), ALL);
+    assert_eq!(given(&fewer).mass.dofs.len(), ALL);
     assert_same(&fewer, &read(&files(square(ALL, displacements)), &attached), 1e-13);
 }
 
-/// What the other program held has no rows, and is on the carrier without more words.
+/// Degrees of freedom that the other program constrained have no rows, and are fixed to the carrier without further keys.
 #[test]
 fn a_node_without_rows_is_held_on_the_carrier() {
     let free = |matrix: Square| square(6, |i, j| matrix[i][j]);
@@ -209,14 +209,14 @@ fn a_node_without_rows_is_held_on_the_carrier() {
         ("M.mtx", market(&free(moved(mass)))),
         ("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n7.3\n".to_owned()),
     ];
-    let held = read(&files, &format!("{KEYS}freedoms = \"rows.dof\"\n"));
+    let held = read(&files, &format!("{KEYS}dofs = \"rows.dof\"\n"));
     let light = |i: usize, j: usize| if i.max(j) < 12 { mass(i, j) } else { 0.0 };
     let files =
         [("nodes.txt", nodes(1.0)), ("K.mtx", market(&moved(stiffness))), ("M.mtx", market(&moved(light)))];
     assert_same(&held, &read(&files, &format!("{KEYS}attach = 11\n")), 1e-13);
 }
 
-/// Two roads to a mass on springs.
+/// Two methods to a mass on springs.
 #[test]
 fn a_node_on_springs_is_a_point_on_springs() {
     let (k, c) = ([[90.0, 5.0, -8.0], [5.0, 70.0, 4.0], [-8.0, 4.0, 60.0]], [0.4, 0.2, 0.3]);
@@ -227,7 +227,7 @@ fn a_node_on_springs_is_a_point_on_springs() {
         ("M.mtx", market(&square(3, |i, j| if i == j { 1.5 } else { 0.0 }))),
         ("B.mtx", market(&square(3, |i, j| if i == j { c[i] } else { 0.0 }))),
     ];
-    let node = read(&files, &format!("{KEYS}freedoms = \"rows.dof\"\ndamping = \"B.mtx\"\n"));
+    let node = read(&files, &format!("{KEYS}dofs = \"rows.dof\"\ndamping = \"B.mtx\"\n"));
     let point = super::read(&format!(
         "{CARRIER}[[point]]\nname = \"tip\"\nmass = 1.5\nposition = [0.8, 0.3, 0.5]\n\
          [[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = {k:?}\ndamping = {c:?}\n"
@@ -250,13 +250,13 @@ fn damping_comes_with_a_rheology_or_in_proportion() {
 fn every_format_has_the_same_stiffness() {
     let read = |stiffness: &str| {
         let lines = format!(
-            "[[matrices]]\nnodes = \"beam.inp\"\nfreedoms = \"beam.dof\"\nstiffness = {stiffness}\nmass = \"beam.mas\"\n"
+            "[[matrices]]\nnodes = \"beam.inp\"\ndofs = \"beam.dof\"\nstiffness = {stiffness}\nmass = \"beam.mas\"\n"
         );
         Model::parse(Path::new(FORMATS), &format!("{CARRIER}{lines}"))
             .unwrap_or_else(|error| panic!("{error}"))
     };
     let calculix = read("\"beam.sti\"");
-    assert_eq!(given(&calculix).mass.freedoms.len(), 17);
+    assert_eq!(given(&calculix).mass.dofs.len(), 17);
     let formats = [
         ("\"symmetric.mtx\"", 1e-13),
         ("\"array.mtx\"", 1e-13),
@@ -271,8 +271,8 @@ fn every_format_has_the_same_stiffness() {
         let model = read(format);
         let (found, expected) = (given(&model), given(&calculix));
         assert_eq!(
-            (&found.mass.freedoms, &found.mass.nodes),
-            (&expected.mass.freedoms, &expected.mass.nodes),
+            (&found.mass.dofs, &found.mass.nodes),
+            (&expected.mass.dofs, &expected.mass.nodes),
             "{format}"
         );
         assert_eq!(found.stiffness.len(), expected.stiffness.len(), "{format}");

@@ -22,7 +22,7 @@ fn files() -> Vec<(&'static str, String)> {
 
 const KEYS: &str = "nodes = \"nodes.txt\"\nstiffness = \"K.mtx\"\nmass = \"M.mtx\"\n";
 
-/// How these lines, which start in line 6, are refused beside files of which one is replaced; by reading or by the
+/// Refusal of these lines, which start in line 6, beside files of which one is replaced; by reading or by the
 /// laws of mechanics.
 fn with(replaced: (&'static str, &str), lines: &str) -> String {
     let mut files = files();
@@ -56,10 +56,11 @@ fn a_table_that_lacks_a_file_is_refused() {
     model.toml:7:13: `stiffness`: K.sti: entity not found; is the name right, and may the file be read?
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
-    assert_snapshot!(refused(&format!("{KEYS}freedoms = \"M.mtx\"\n")), @"
-    model.toml:9:12: `freedoms`: M.mtx:1: 5 values; a freedom is written node.component or node component
+    assert_snapshot!(refused(&format!("{KEYS}dofs = \"M.mtx\"\n")), @"
+    model.toml:9:8: `dofs`: M.mtx:1: 5 values; a degree of freedom is written node.component or node component
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
+    assert_snapshot!(refused(&format!("{KEYS}freedoms = \"rows.dof\"\n")), @"");
     assert_snapshot!(refused(&format!("{KEYS}damping = {{ name = \"B\" }}\n")), @r#"
     model.toml:9:11: the matrix has no `file`
       add a line such as: file = "model.op4"
@@ -96,20 +97,20 @@ fn rows_that_are_about_nothing_are_refused() {
       mass, damping and stiffness are square
     ");
     assert_snapshot!(with(("M.mtx", &diagonal(5, 2.0, &[])), KEYS), @r#"
-    model.toml:8:8: the matrix has 5 rows, but 6 freedoms are known
-      say what each row is about: freedoms = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
+    model.toml:8:8: the matrix has 5 rows, but 6 degrees of freedom are known
+      say what each row is about: dofs = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
     "#);
-    let listed = format!("{KEYS}freedoms = \"rows.dof\"\n");
+    let listed = format!("{KEYS}dofs = \"rows.dof\"\n");
     assert_snapshot!(with(("M.mtx", &diagonal(7, 2.0, &[])), &listed), @r#"
-    model.toml:8:8: the matrix has 7 rows, but 6 freedoms are known
-      say what each row is about: freedoms = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
+    model.toml:8:8: the matrix has 7 rows, but 6 degrees of freedom are known
+      say what each row is about: dofs = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
     "#);
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n8.3\n"), &listed), @"
     model.toml:7:13: there is no freedom 8.3 of a node in the table `nodes`
       every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
     ");
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n7.2\n"), &listed), @"
-    model.toml:9:12: `freedoms`: rows.dof:6: 7.2 stands twice; a matrix has one row for each freedom
+    model.toml:9:8: `dofs`: rows.dof:6: 7.2 stands twice; a matrix has one row for each degree of freedom
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     let point = "DMIG,M,0,6,2,0\nDMIG,M,3,1,,3,1,2.\nDMIG,M,9,0,,9,0,2.\n";
@@ -148,8 +149,8 @@ fn matrices_that_nothing_holds_are_refused() {
     model.toml:5:1: matrices "matrices 1": nothing joins this part to the carrier; attach some of its nodes, or connect it
       write attach = with one of its nodes, or a [[connection]]; springs alone do not hold a part
     "#);
-    // and the other way round: the matrices hold what nothing carries
-    let text = format!("[[matrices]]\n{KEYS}freedoms = \"rows.dof\"\n");
+    // and the other way round: matrices with ground springs and nothing that carries them
+    let text = format!("[[matrices]]\n{KEYS}dofs = \"rows.dof\"\n");
     let mut files = files();
     for (name, text) in &mut files {
         match *name {

@@ -1,4 +1,4 @@
-//! Model files: what is read from them, and how each mistake is refused.
+//! Model files: values that are read from them, and refusals of mistakes.
 
 mod beams;
 mod bodies;
@@ -66,27 +66,27 @@ fn made_of(lines: &str) -> String {
     format!("{ELLIPSOID}[material.rock]\n{lines}")
 }
 
-/// How a text is refused.
+/// Refusal of a text.
 fn refusal(text: &str) -> String {
     Model::parse(Path::new("model.toml"), text).expect_err("a refusal").to_string()
 }
 
-/// How a text after a good carrier and a good point is refused; it starts in line 9.
+/// Refusal of a text after a good carrier and a good point; the text starts in line 9.
 fn refusal_of(rest: &str) -> String {
     refusal(&format!("{CARRIER}{POINT}{rest}"))
 }
 
-/// How a spring between the point and the carrier with these further lines is refused; they start in line 12.
+/// Refusal of a spring between the point and the carrier with these further lines, which start in line 12.
 fn refusal_of_spring(lines: &str) -> String {
     refusal_of(&format!("[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"))
 }
 
-/// How a text is refused, by its reading or by the laws of mechanics.
+/// Refusal of a text, by its reading or by the laws of mechanics.
 fn verdict(text: &str) -> String {
     told(Model::parse(Path::new("model.toml"), text))
 }
 
-/// What is wrong with a model, by its reading or by the laws of mechanics.
+/// Diagnostics of a model, from its reading or from the laws of mechanics.
 fn told(read: Result<Model, ModelError>) -> String {
     let model = match read {
         Err(error) => return error.to_string(),

@@ -52,7 +52,7 @@ fn chain() -> Model {
 
 /// Files of a chain in units of length and mass; with or without the nodes before the first mass.
 struct Files {
-    /// The first node and what is beyond it.
+    /// The nodes, from the first one on.
     links: std::ops::RangeInclusive<usize>,
     length: f64,
     mass: f64,
@@ -163,7 +163,7 @@ fn an_interface_is_attached_in_units_of_the_files() {
     let units = Files { links: 0..=LINKS, length: 1e-3, mass: 1e3 };
     let mut files = files(&units, true);
     let count = 3 + 3 * LINKS;
-    // Of a mode: energy in the units of the files, for a displacement of one unit.
+    // Stiffness of a mode: energy in the units of the files, for a displacement of one unit.
     let diagonal = |row: usize| match row.checked_sub(3) {
         None => 0.0,
         Some(number) => {
@@ -182,7 +182,7 @@ fn an_interface_is_attached_in_units_of_the_files() {
     assert_same(&model, &chain(), 1e-12);
 }
 
-/// How these lines, which start in line 6, are refused, by their reading or by the laws of mechanics.
+/// Refusal of these lines, which start in line 6, by their reading or by the laws of mechanics.
 fn refusal(files: &[(&str, String)], lines: &str) -> String {
     located(&told(beside(files, lines)))
 }
@@ -221,8 +221,8 @@ fn modes_of_another_size_or_form_are_refused() {
     let mut wrong = all.clone();
     wrong[2] = ("phi.mtx", array(&[vec![1.0; 5]]));
     insta::assert_snapshot!(refusal(&wrong, &format!("{LINES}{frequencies}")), @r#"
-    model.toml:8:10: the matrix has 5 rows, but 12 freedoms are known
-      say what each row is about: freedoms = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
+    model.toml:8:10: the matrix has 5 rows, but 12 degrees of freedom are known
+      say what each row is about: dofs = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
     "#);
     let mut wrong = all.clone();
     wrong[1] = ("m.mtx", array(&[vec![1.0, 2.0, 30.0, 4.0]]));

@@ -57,7 +57,7 @@ fn reach_and_seed_have_defaults() {
     assert_ne!(read(&rubble("")).assembly, read(&rubble("seed = 2\n")).assembly);
 }
 
-/// The same numbers, larger: a network does not know the unit of length.
+/// Scaled by a factor, all lengths give the same network: it does not know the unit of length.
 #[test]
 fn a_network_grows_with_its_lengths() {
     let large = rubble("")

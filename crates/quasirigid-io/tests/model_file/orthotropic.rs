@@ -1,7 +1,7 @@
 //! Materials with three planes of symmetry, in solids and in the layers of panels.
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Orthotropic, PartKind, Substance};
+use quasirigid::elements::{ElasticMaterial, Orthotropic, PartKind};
 use quasirigid::model::{Measured, Rheology};
 
 use super::{BOOM, CARRIER, TUBE, only_part, read, refusal, verdict};
@@ -32,7 +32,7 @@ fn an_orthotropic_material_is_read_in_the_order_of_its_axes() {
         shear: [5e9, 4.5e9, 3e9],
         rheology: Rheology::KelvinVoigt { time: 2e-3 },
     };
-    assert_eq!(panel.layers[0].substance, Substance::Orthotropic(expected));
+    assert_eq!(panel.layers[0].material, ElasticMaterial::Orthotropic(expected));
 }
 
 /// A measured modulus is relative to the first of Young's moduli.
@@ -42,7 +42,7 @@ fn a_table_of_an_orthotropic_material_is_relative_to_its_first_modulus() {
     let model = read(&model(&format!("{PLY}{rows}")));
     let PartKind::Panel(panel) = &only_part(&model.assembly).kind else { panic!("a panel") };
     let measured = Measured::new(vec![[1.0, 0.5, 0.02], [2.0, 1.0, 0.01]]).expect("a table");
-    assert_eq!(panel.layers[0].substance.rheology(), &Rheology::Table(measured));
+    assert_eq!(panel.layers[0].material.rheology(), &Rheology::Table(measured));
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn rectangle(lines: &str) -> Assembly {
     read(&model(&format!("{sides}{LAYERS}{lines}"))).assembly
 }
 
-/// From a file beside the model, `plates.inp`.
+/// A panel from a file `plates.inp` beside the model.
 fn from_file(plates: &str, lines: &str) -> Result<Model, ModelError> {
     let text = model(&format!("file = \"plates.inp\"\n{LAYERS}{lines}"));
     written(&[("plates.inp", plates.to_owned())], &text)
@@ -38,7 +38,7 @@ fn from_file(plates: &str, lines: &str) -> Result<Model, ModelError> {
 fn close(found: &[[f64; 3]], expected: &[[f64; 3]]) {
     assert_eq!(found.len(), expected.len());
     for (found, expected) in found.iter().zip(expected) {
-        // some sums of products of numbers of size 5
+        // tolerance: some sums of products of numbers of size 5
         let off = (0..3).map(|axis| (found[axis] - expected[axis]).abs()).fold(0.0, f64::max);
         assert!(off < 1e-14, "{found:?} {expected:?}");
     }
@@ -57,7 +57,7 @@ fn a_rectangle_has_its_nodes_row_by_row_from_its_corner() {
     assert_eq!(mesh.check(), Ok(()));
 }
 
-/// From the places of the nodes, not from the order in which they are made.
+/// Sets follow from the places of the nodes, not from the order in which they are made.
 #[test]
 fn edges_and_corners_of_a_rectangle_have_names() {
     let held = |name: &str| {

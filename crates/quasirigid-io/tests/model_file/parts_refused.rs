@@ -1,4 +1,4 @@
-//! Parts that cannot be held, and joints of solids, whose nodes do not turn.
+//! Parts that cannot be attached, and joints of solids, whose nodes have no rotations.
 
 use std::fs;
 

@@ -1,3 +1,6 @@
+//! Laws of mechanics in a model file: each refusal points to the value that breaks the law, or to its table.
+//! The library knows nothing of files, so these tests hold the way from an element and a field back to a line and a column.
+
 use insta::assert_snapshot;
 use quasirigid::elements::{ElementError, ElementId, ElementKind, Field, Problem};
 use quasirigid::model::InertiaError;
@@ -14,12 +17,12 @@ fn model() -> Model {
     read(&format!("{CARRIER}{POINT}{spring}{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n"))
 }
 
-/// What the laws of mechanics say to a good carrier with the rest of a file, which starts in line 5.
+/// Diagnostics of the laws of mechanics for a good carrier with the rest of a file, which starts in line 5.
 fn verdict(rest: &str) -> String {
     super::verdict(&format!("{CARRIER}{rest}"))
 }
 
-/// The same for a point with a spring to the carrier and these further lines, which start in line 12.
+/// Diagnostics of a point with a spring to the carrier and these further lines, which start in line 12.
 fn verdict_on_spring(lines: &str) -> String {
     verdict(&format!("{POINT}[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\n{lines}"))
 }
@@ -114,7 +117,7 @@ fn impossible_hinges_and_motions_are_refused() {
     "#);
 }
 
-/// What mechanics says to a force with these lines, which start in line 10, on a body with a point.
+/// Diagnostics of a force with these lines, which start in line 10, on a body with a point.
 fn verdict_on_force(lines: &str) -> String {
     verdict(&format!("{POINT}[[force]]\n{lines}"))
 }

@@ -1,3 +1,6 @@
+//! Reading of a full model: every value in its place, defaults of absent ones, and every way to write TOML.
+//! A snapshot-free comparison, value by value: a key that is read into the wrong field would pass a round trip.
+
 use std::fmt::Write as _;
 
 use insta::assert_snapshot;
@@ -102,7 +105,7 @@ form = "momentum"
     assert!(matches!(model.initial.rotation, Some(Rotation::Spin([_, 0.35, _]))));
     assert_eq!(model.initial.attitude, [0.6, 0.0, 0.8, 0.0]);
     assert_eq!((model.run.order, model.run.duration, model.run.samples), (5, Some(7200.0), Some(1000)));
-    assert_eq!((model.run.tolerance, model.run.form), (Some(1e-10), Some(Form::Momentum)));
+    assert_eq!((model.run.tolerance, model.run.form), (Some(1e-10), Some(Form::AngularMomentum)));
     assert_eq!(model.notes, [""; 0]);
     assert_eq!(model.extremes, None);
 }

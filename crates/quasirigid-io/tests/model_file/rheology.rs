@@ -1,4 +1,4 @@
-//! Rheology of materials, springs and hinges, and how well it is known.
+//! Rheology of materials, springs and hinges, and its ranges.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use quasirigid::model::{Measured, Rheology};
 
 use super::{CARRIER, HINGED, POINT, ROCK, made_of, read, refusal};
 
-/// The rheology of an ellipsoid of rock with this one; Young's modulus is 1 GPa.
+/// Rheology of an ellipsoid of rock, read from this text; Young's modulus is 1 GPa.
 fn rheology(text: &str) -> Rheology {
     rheology_of(&format!("{ROCK}rheology = {text}\n"))
 }
@@ -18,7 +18,7 @@ fn rheology_of(lines: &str) -> Rheology {
     read(&made_of(lines)).assembly.ellipsoids[0].material.rheology.clone()
 }
 
-/// How a rheology of rock is refused; it is in line 8, from column 12.
+/// Refusal of a rheology of rock, which is in line 8, from column 12.
 fn refused(text: &str) -> String {
     refusal(&made_of(&format!("{ROCK}rheology = {text}\n")))
 }
@@ -48,7 +48,7 @@ fn every_rheology_is_read() {
     );
 }
 
-/// Moduli are relative to that of the material, however it is given.
+/// Moduli are relative to the modulus of the material, however that is given.
 #[test]
 fn a_measured_rheology_is_read() {
     let measured = |rows: Vec<[f64; 3]>| Rheology::Table(Measured::new(rows).expect("a table"));
@@ -66,7 +66,7 @@ fn a_rheology_can_be_a_table_of_its_own() {
     assert_eq!(read(&text).assembly.ellipsoids[0].material.rheology, Rheology::Maxwell { time: 2.0 });
 }
 
-/// All at their least together, all at their greatest together; what follows from the parameter follows it.
+/// Extremes: all rheologies at their least together, and all at their greatest; derived parameters follow.
 #[test]
 fn ranges_give_the_extremes_of_the_body() {
     let text = made_of(&format!(

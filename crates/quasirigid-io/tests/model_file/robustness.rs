@@ -1,3 +1,6 @@
+//! Random and mutated model files: read, or refused with places inside the text, and never a panic.
+//! Mutations start from models with every kind of element, since random text alone hardly passes the TOML parser.
+
 use std::path::Path;
 
 use proptest::prelude::*;
@@ -28,7 +31,7 @@ proptest! {
     }
 }
 
-/// A model with something of everything.
+/// A model with a table of every kind that goes with a carrier.
 fn good() -> String {
     let spring =
         "[[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = \"6 N/cm\"\ndamping = [1, 2, 3]\n";
@@ -46,7 +49,7 @@ fn good() -> String {
     format!("{CARRIER}{POINT}motion = {{ line = [1, 0, 0] }}\n{spring}{HINGED}{hinge}{rest}")
 }
 
-/// The same of what goes with a body without a carrier.
+/// A model with a table of every kind that goes without a carrier.
 fn elastic_throughout() -> String {
     let maxwell = "rheology = { kind = \"maxwell\", time = \"2 h\", range = [3600, 9e3] }\n";
     let ice = "[material.ice]\ndensity = 900\nshear = \"3 GPa\"\npoisson = 0.3\n";

@@ -1,4 +1,4 @@
-//! How the body turns at time zero.
+//! Initial rotation: angular velocity, periods, or wobble.
 
 use insta::assert_snapshot;
 use quasirigid::model::Mode;
@@ -10,7 +10,7 @@ fn rotation(lines: &str) -> Option<Rotation> {
     read(&format!("{CARRIER}[initial]\n{lines}\n")).initial.rotation
 }
 
-/// How these lines of `[initial]` are refused; they start in line 10.
+/// Refusal of these lines of `[initial]`, which start in line 10.
 fn refused(lines: &str) -> String {
     refusal_of(&format!("[initial]\n{lines}\n"))
 }
@@ -105,7 +105,7 @@ fn impossible_wobbles_are_refused() {
       add a line such as: mode = "short-axis", or mode = "long-axis"
     model.toml:10:20: `angle` is 0 rad, but must be between 0 and 90 deg
       write a number in rad, or a text with its unit such as "30 deg"
-    model.toml:10:30: `rate`: "1 Hz" may mean turns or radians per second
+    model.toml:10:30: `rate`: "1 Hz" may mean revolutions or radians per second
       write rev/s or rad/s
     model.toml:10:38: unknown key "axis" in `wobble`
       the keys are angle, rate, mode

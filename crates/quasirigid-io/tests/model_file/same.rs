@@ -1,4 +1,4 @@
-//! Bodies of two model files beside each other, by what does not depend on their coordinates.
+//! Comparison of the bodies of two model files, by quantities that do not depend on their coordinates.
 
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::{frequencies, reduce};

@@ -117,7 +117,7 @@ fn sections_have_names() {
     "#);
 }
 
-/// What only the law of the section knows: walls that meet, a web out of proportion.
+/// Sections that only the library can refuse: walls that meet, a web out of proportion.
 #[test]
 fn a_section_that_cannot_be_is_refused_at_its_beam() {
     let verdict = |lines: &str| super::verdict(&model(lines));

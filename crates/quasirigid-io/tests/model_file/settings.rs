@@ -1,3 +1,6 @@
+//! Settings of a run: ranges of numbers, lists of systems and orders, conditions to stop, verification.
+//! The limits are those of the command line too, so both are compared where they meet.
+
 use insta::assert_snapshot;
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::model::{Stop, System, Verify};
@@ -46,7 +49,7 @@ fn settings_out_of_range_are_refused() {
         "{CARRIER}[run]\norder = 12\ntolerance = 1.1e-15\nsamples = 10_000_000\nform = \"paper\"\n"
     ))
     .run;
-    assert_eq!((run.order, run.samples, run.form), (12, Some(10_000_000), Some(Form::Paper)));
+    assert_eq!((run.order, run.samples, run.form), (12, Some(10_000_000), Some(Form::AngularVelocity)));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
-use quasirigid::elements::{Part, PartKind, Region, Solid, Substance};
+use quasirigid::elements::{ElasticMaterial, Part, PartKind, Region, Solid};
 use quasirigid_io::model::{Model, ModelError};
 
 use super::{ALUMINIUM, CARRIER, located, only_part, written};
@@ -25,7 +25,7 @@ fn block(lines: &str) -> Result<Model, ModelError> {
     Model::parse(Path::new(BLOCK), &model(&format!("file = \"block.inp\"\n{lines}")))
 }
 
-/// From a mesh `pair.inp` beside the model; the lines start in line 15.
+/// A solid from a mesh `pair.inp` beside the model; the lines start in line 15.
 fn pair(mesh: &str, lines: &str) -> Result<Model, ModelError> {
     let text = model(&format!("file = \"pair.inp\"\n{lines}"));
     written(&[("pair.inp", mesh.to_owned())], &text)
@@ -37,9 +37,9 @@ fn solid(part: &Part) -> &Solid {
 }
 
 fn young(region: &Region) -> f64 {
-    match &region.substance {
-        Substance::Isotropic(material) => material.young,
-        Substance::Orthotropic(material) => material.young[0],
+    match &region.material {
+        ElasticMaterial::Isotropic(material) => material.young,
+        ElasticMaterial::Orthotropic(material) => material.young[0],
     }
 }
 
@@ -114,7 +114,7 @@ fn ranges_of_regions_go_to_their_materials() {
         let regions = &solid(part).regions;
         let mut all: Vec<String> = regions
             .iter()
-            .map(|region| format!("{} {:?}", region.cells[0] < 20, region.substance.rheology()))
+            .map(|region| format!("{} {:?}", region.cells[0] < 20, region.material.rheology()))
             .collect();
         all.sort();
         all
@@ -252,7 +252,7 @@ fn a_face_does_not_hold_a_node_of_a_solid() {
     "#);
 }
 
-/// One node holds a point, two hold an axis.
+/// One attached node leaves three rotations, two leave one.
 #[test]
 fn a_solid_that_still_turns_is_a_mechanism() {
     for held in ["1", "[1, 2]"] {
@@ -268,7 +268,7 @@ fn a_solid_that_still_turns_is_a_mechanism() {
     }
 }
 
-/// The constants are judged where the solid says what it is made of, in one region or in several.
+/// Constants of a material are judged where the solid names it, in one region or in several.
 #[test]
 fn constants_of_no_material_are_refused_at_the_solid() {
     let wood = "[material.wood]\ndensity = 500\nyoung = [1e10, 1e9, 1e9]\npoisson = [0.3, 0.3, 1.1]\nshear = [1e9, 1e9, 1e9]\n";

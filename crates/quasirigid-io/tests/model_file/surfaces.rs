@@ -20,7 +20,7 @@ fn read(shape: &str, lines: &str) -> Result<Model, ModelError> {
     Model::read(&folder.path().join("model.toml"))
 }
 
-/// How it is refused, with the folder's name left out; the lines start in line 7.
+/// Refusal of such a model, with the folder's name left out; the lines start in line 7.
 fn refused(shape: &str, lines: &str) -> String {
     let message = read(shape, lines).expect_err("a refusal").to_string();
     let folder = |line: &str| {

@@ -1,3 +1,6 @@
+//! Values of the wrong kind, not finite, not positive, or with the wrong unit; columns counted in characters.
+//! Messages name what was found and what was expected; a plain number is always in SI units, so a bare text number is refused.
+
 use insta::assert_snapshot;
 
 use super::{CARRIER, POINT, carrier, read, refusal, refusal_of, refusal_of_spring};
@@ -112,7 +115,7 @@ fn a_wrong_unit_is_refused() {
       lb is the mass, lbf the force; write for example "12.5 lbf/in", or a plain number in N/m
     "#);
     assert_snapshot!(refusal_of("[initial]\nangular_velocity = [\"3 Hz\", 0, \"12\"]\n"), @r#"
-    model.toml:10:21: `angular_velocity`: "3 Hz" may mean turns or radians per second
+    model.toml:10:21: `angular_velocity`: "3 Hz" may mean revolutions or radians per second
       write rev/s or rad/s
     model.toml:10:32: `angular_velocity`: "12" is a text without a unit
       add the unit, or write 12 without the quotes for 12 rad/s

@@ -1,3 +1,6 @@
+//! Abaqus meshes: keywords, sets, cell types, includes, and refusals by line.
+//! Keywords that generate or move nodes are refused, since a mesh read without them would be another body.
+
 use std::fs;
 
 use insta::assert_snapshot;

@@ -1,3 +1,6 @@
+//! Gmsh meshes of versions 2.2 and 4.1: text and binary of both byte orders, groups, and refusals by line or byte.
+//! The binary files are written here after the manual of gmsh, because gmsh itself writes one byte order only.
+
 use insta::assert_snapshot;
 use quasirigid_mesh::{Mesh, Shape};
 

@@ -1,4 +1,4 @@
-//! The same cells in every format are the same mesh, and a damaged file is refused by line or byte.
+//! Cells written in every format read as one mesh, and a damaged file is refused by line or byte.
 
 mod abaqus;
 mod gmsh;
@@ -29,12 +29,12 @@ fn parsed(name: &str, bytes: impl AsRef<[u8]>) -> Mesh {
     mesh_of(Path::new(name), bytes.as_ref()).unwrap()
 }
 
-/// What is said about a bad file.
+/// Message about a bad file.
 fn says(name: &str, bytes: impl AsRef<[u8]>) -> String {
     mesh_of(Path::new(name), bytes.as_ref()).unwrap_err().to_string()
 }
 
-/// What is said about a text in which something is replaced once.
+/// Message about a text in which something is replaced once.
 fn with(text: &str, from: &str, to: &str) -> String {
     assert!(text.contains(from), "{from:?} is not in the text");
     says("a", text.replacen(from, to, 1))

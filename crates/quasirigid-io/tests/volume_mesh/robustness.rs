@@ -54,7 +54,7 @@ const FILES: [&str; 18] = [
     "block.vtk",
 ];
 
-/// Reads bytes, whatever comes of it: what is read is consistent.
+/// Reads bytes; a mesh that results is consistent.
 fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
     LARGEST.set(0);
     if let Ok(mesh) = mesh_of(Path::new("nowhere/a"), bytes) {

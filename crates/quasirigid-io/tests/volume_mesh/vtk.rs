@@ -1,3 +1,6 @@
+//! VTK meshes: legacy and XML, arrays that become sets, and refusals by line or byte.
+//! Compressed arrays of zeros, a thousand times smaller than their contents, must be refused before memory is taken for them.
+
 use insta::assert_snapshot;
 use quasirigid_mesh::Shape;
 

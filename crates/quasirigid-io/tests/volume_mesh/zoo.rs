@@ -99,7 +99,7 @@ fn mean(points: impl IntoIterator<Item = [f64; 3]>) -> [f64; 3] {
     [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64)
 }
 
-/// Relative to the size of the zoo: VTK writes 11 digits in a text, gmsh 16.
+/// Whether two places agree, relative to the size of the zoo: VTK writes 11 digits in a text, gmsh 16.
 fn same(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 40.0 * 1e-15)
 }

@@ -1,4 +1,4 @@
-//! What is known of a factor before its entries are computed.
+//! Symbolic analysis of a factor: its order, size and cost, before its entries are computed.
 
 use super::softest::refusal;
 use super::{Factor, FactorWork, LARGE, NotPositive, Ordering, Precision, Stored, Structure, unit_diagonal};
@@ -82,7 +82,7 @@ impl Analysis {
             if factor.holds()? {
                 return Ok(factor);
             }
-            // Frees the memory of the one before the other is made.
+            // Frees the memory of the first factor before the second is made.
             factor.triangle = Stored::Nothing;
         }
         factor.work.precision = Precision::Double;

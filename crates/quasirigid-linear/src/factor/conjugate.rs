@@ -15,7 +15,7 @@ pub(super) struct System<'a> {
     pub precondition: &'a dyn Fn(&mut [f64]),
 }
 
-/// What a refinement came to.
+/// Result of a refinement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refinement {
     /// Products with the approximate inverse after the first.
@@ -24,7 +24,7 @@ pub struct Refinement {
     pub residual: f64,
 }
 
-/// Most that one run of conjugate gradients gains, before the true residual is computed anew.
+/// Largest gain of one run of conjugate gradients, before the true residual is computed anew.
 const GAIN: f64 = 1e-7;
 /// A step that leaves more than this of the residual is the last.
 const STALLED: f64 = 0.5;

@@ -42,7 +42,7 @@ pub enum Precision {
     Single,
 }
 
-/// How a factor is computed.
+/// Method of a factorisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Method {
     /// Number format of the factor.
@@ -51,7 +51,7 @@ pub struct Method {
     pub ordering: Ordering,
 }
 
-/// What a factorisation came to.
+/// Cost of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorWork {
     /// Number of unknowns.
@@ -92,7 +92,7 @@ const RESIDUAL: f64 = 1e-14;
 const REFINEMENTS: usize = 100;
 /// Residual of the solutions with which a factor in 32 bits is tried.
 const TRIAL_RESIDUAL: f64 = 1e-6;
-/// Refinements of such a solution, at most; a full solution takes twice as many.
+/// Refinements of a trial solution, at most; a full solution takes twice as many.
 const TRIAL_REFINEMENTS: usize = 15;
 
 impl Factor {
@@ -129,13 +129,13 @@ impl Factor {
         holds
     }
 
-    /// What the factorisation came to.
+    /// Cost of the factorisation.
     #[must_use]
     pub fn work(&self) -> FactorWork {
         self.work
     }
 
-    /// Solves in place for right-hand sides stored row by row, `width` to a row, and tells how well.
+    /// Solves in place for right-hand sides stored row by row, `width` to a row; returns iterations and residual.
     ///
     /// Solutions are refined until their residual is about 1e-14 of the right-hand side, each row in units of the
     /// root of its diagonal entry, or a few roundings of the solution, or falls no more.

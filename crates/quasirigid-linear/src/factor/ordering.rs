@@ -5,11 +5,11 @@ use super::graph::Graph;
 use super::metis;
 use super::tree::postordered;
 
-/// How the order of elimination is found.
+/// Method for the order of elimination.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Ordering {
-    /// Minimum degree for matrices that are small or fill little, else the first that is built in of the others.
+    /// Minimum degree for matrices that are small or fill little, else the first of the others that is built in.
     #[default]
     Automatic,
     /// Approximate minimum degree.
@@ -26,7 +26,7 @@ const SMALL: usize = 2000;
 /// Neighbours of a vertex, on average, up to which a graph is almost a tree, which fills little in any order.
 const FEW_NEIGHBOURS: usize = 4;
 
-/// Unknowns in the order of elimination and how it was found; no list stands for minimum degree.
+/// Unknowns in the order of elimination, and the method that gave it; no list stands for minimum degree.
 pub(super) fn elimination(
     starts: &[usize],
     rows: &[u32],

@@ -6,7 +6,7 @@ use crate::symmetric::Symmetric;
 
 /// Quadratic forms below this, for a unit diagonal, are rounding.
 const SINGULAR: f64 = 1e-13;
-/// After two inverse iterations a form above this leaves no place for a singular direction: that would have grown
+/// After two inverse iterations a form above this excludes a singular direction: such a direction would have grown
 /// 10⁸ times as much.
 const SAFE: f64 = 1e-9;
 /// Steps of inverse iteration; each gains the ratio of the two smallest eigenvalues.

@@ -1,3 +1,6 @@
+//! Tests of the factor: against dense solvers, in every order and precision, and on singular and indefinite matrices.
+//! Rows have units from 1e-9 to 1e9, because scaling to a unit diagonal has to make results independent of them.
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
@@ -6,7 +9,7 @@ use super::*;
 use crate::symmetric::Pattern;
 
 /// Springs between all nodes of a cubic grid that share a cell, three unknowns to a node, each in a unit of its own,
-/// and a foundation under every node. `held` nodes are left out.
+/// and a foundation under every node. The first `held` nodes are fixed.
 fn grid(nodes: usize, held: usize, foundation: f64, unit: impl Fn(usize) -> f64) -> Symmetric {
     let count = nodes.pow(3);
     let place = |node: usize| [node % nodes, node / nodes % nodes, node / nodes / nodes].map(|i| i as f64);
@@ -56,7 +59,7 @@ fn right(length: usize) -> Vec<f64> {
     (0..length).map(|i| (i as f64 * 0.7).cos()).collect()
 }
 
-/// From 1e-9 to 1e9, in no order.
+/// Unit of an unknown, from 1e-9 to 1e9, in no order.
 fn odd_unit(unknown: usize) -> f64 {
     10_f64.powi((unknown * 7 % 19) as i32 - 9)
 }
@@ -208,7 +211,7 @@ fn a_free_grid_is_singular_along_its_rigid_motions() {
     }
 }
 
-/// A negative stiffness far from rounding must be found, and the direction must show it.
+/// A negative stiffness far from rounding must be found, and the direction must have a negative form.
 #[test]
 fn an_indefinite_matrix_is_refused_along_a_direction_of_negative_form() {
     let mut matrix = grid(5, 6, 0.0, |_| 1.0);

@@ -2,7 +2,7 @@
 
 use super::graph::Graph;
 
-/// The same elimination with every vertex right after its children; the fill does not change.
+/// Postorder: an equivalent elimination with every vertex right after its children; the fill does not change.
 ///
 /// Liu, The role of elimination trees in sparse factorization, SIAM J. Matrix Anal. Appl. 11 (1990), 134.
 pub(super) fn postordered(graph: &Graph, order: &[u32]) -> Vec<u32> {

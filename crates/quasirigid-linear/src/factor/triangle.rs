@@ -19,7 +19,7 @@ use crate::symmetric::Symmetric;
 #[derive(Clone, Debug)]
 pub(crate) struct Structure {
     symbolic: Arc<SymbolicCholesky<usize>>,
-    /// How the order of elimination was found.
+    /// Method that gave the order of elimination.
     pub ordering: Ordering,
 }
 
@@ -48,7 +48,7 @@ impl Real for f32 {
 }
 
 impl Structure {
-    /// Orders the unknowns and finds where the factor fills; none if it has no room in memory.
+    /// Orders the unknowns and finds the fill of the factor; none if the structure has no room in memory.
     pub fn new(matrix: &Symmetric, ordering: Ordering) -> Option<Self> {
         let pattern = matrix.pattern();
         let (order, ordering) = elimination(pattern.starts(), pattern.rows(), ordering);

@@ -1,4 +1,4 @@
-//! What can be wrong with a pattern or with what is added to it.
+//! Errors of patterns, and of matrices added on them.
 
 use thiserror::Error;
 

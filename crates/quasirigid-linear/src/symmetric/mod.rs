@@ -27,7 +27,7 @@ impl Symmetric {
         Self { entries: Arc::new(vec![0.0; pattern.places()]), pattern }
     }
 
-    /// Adds the matrix of an element, row-major, one row for each of `unknowns`; a held unknown is `None`.
+    /// Adds the matrix of an element, row-major, one row for each of `unknowns`; a constrained unknown is `None`.
     ///
     /// Only the half of `element` on and below the diagonal of the whole matrix is read.
     ///

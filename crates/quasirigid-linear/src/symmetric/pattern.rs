@@ -1,4 +1,4 @@
-//! Where a sparse symmetric matrix may have entries.
+//! Sparsity pattern of symmetric matrices.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ impl Pattern {
     /// The places that elements fill, each of which joins all unknowns of its nodes with each other.
     ///
     /// Unknowns are numbered node by node: those of node `i` are `first[i]..first[i + 1]`, so `first` holds one
-    /// number more than there are nodes, and a node that is held has an empty range. An element is the list of its
+    /// number more than there are nodes, and a fixed node has an empty range. An element is the list of its
     /// nodes. Beside the result this needs one list of the elements of each node.
     ///
     /// # Errors
@@ -79,7 +79,7 @@ impl Pattern {
         Some(self.starts[column as usize]..*end)
     }
 
-    /// Where each column begins among the places, and where the last one ends.
+    /// First place of each column, and the end of the last column.
     pub(crate) fn starts(&self) -> &[usize] {
         &self.starts
     }

@@ -1,3 +1,6 @@
+//! Tests of symmetric matrices: sums of elements, products, sharing of entries, and refusals.
+//! Each sum is formed twice, on the pattern and dense; one element names a node twice, whose mirror images fall on the diagonal.
+
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
@@ -7,7 +10,7 @@ use super::*;
 const FIRST: [u32; 5] = [0, 3, 3, 4, 6];
 const ELEMENTS: [&[u32]; 4] = [&[3, 0], &[1, 2, 0], &[2], &[0, 0]];
 
-/// Unknowns of an element; of three for each node, those beyond its own are held.
+/// Unknowns of an element; of three for each node, those that the node lacks are constrained.
 fn unknowns(nodes: &[u32]) -> Vec<Option<u32>> {
     let of_node =
         |node: usize| (0..3).map(move |i| FIRST[node] + i).map(move |i| (i < FIRST[node + 1]).then_some(i));
@@ -20,7 +23,7 @@ fn symmetric(size: usize, seed: f64) -> Vec<f64> {
         .collect()
 }
 
-/// The same sum twice: on the pattern, and dense.
+/// One sum of elements, formed on the pattern and dense.
 fn assembled(seed: f64) -> (Symmetric, DMatrix<f64>) {
     let mut sparse = Symmetric::zero(Arc::new(Pattern::new(&FIRST, ELEMENTS.into_iter()).unwrap()));
     let mut dense = DMatrix::zeros(6, 6);
@@ -39,7 +42,7 @@ fn assembled(seed: f64) -> (Symmetric, DMatrix<f64>) {
     (sparse, dense)
 }
 
-/// Every entry, as products with unit vectors show it.
+/// Every entry, from products with unit vectors.
 fn shown(matrix: &Symmetric) -> DMatrix<f64> {
     let columns = (0..6).flat_map(|j| {
         let unit: Vec<f64> = (0..6).map(|i| f64::from(u8::from(i == j))).collect();
@@ -101,7 +104,7 @@ fn what_has_no_place_is_refused() {
 }
 
 proptest! {
-    /// A matrix by rows and the same one by its lower triangle have the same products.
+    /// A matrix by rows and the matrix of its lower triangle have equal products.
     #[test]
     fn rows_and_triangle_are_one_matrix(parts in prop::collection::vec((0..9_usize, 0..9_usize, -1.0..1.0), 0..40)) {
         let both = parts.iter().flat_map(|(i, j, entry)| [(*i, *j, *entry), (*j, *i, *entry)]).collect();

@@ -2,7 +2,7 @@
 
 use crate::scalar::Smooth;
 
-/// Something done to one number.
+/// Operation on one number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unary {
     Negate,
@@ -22,7 +22,7 @@ pub enum Unary {
     Abs,
 }
 
-/// Something done to two numbers.
+/// Operation on two numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Binary {
     Add,
@@ -36,7 +36,7 @@ pub enum Binary {
     Hypot,
 }
 
-/// Something done to as many numbers as it takes.
+/// Operation with its number of operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operation {
     Unary(Unary),
@@ -113,7 +113,7 @@ impl Binary {
 }
 
 impl Operation {
-    /// How many numbers it takes.
+    /// Number of operands.
     pub fn arity(self) -> usize {
         match self {
             Self::Unary(_) => 1,

@@ -1,11 +1,11 @@
-//! Words of a formula.
+//! Lexer of formulas.
 
 use std::ops::Range;
 
 use super::ExpressionError;
 use super::message;
 
-/// A word of a formula.
+/// Token of a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Token {
     /// A number without a sign.
@@ -14,7 +14,7 @@ pub enum Token {
     Name,
     /// One of `+ - * / ^ ( ) ,`; `**` is `^`.
     Symbol(char),
-    /// Nothing is left.
+    /// End of the text.
     End,
 }
 
@@ -25,12 +25,12 @@ pub struct Lexer<'a> {
 }
 
 impl<'a> Lexer<'a> {
-    /// At the start of a text.
+    /// Lexer at the start of a text.
     pub fn new(text: &'a str) -> Self {
         Self { text, at: 0 }
     }
 
-    /// The next word and its place.
+    /// Next token and its place.
     pub fn read(&mut self) -> Result<(Token, Range<usize>), ExpressionError> {
         let rest = self.text[self.at..].trim_start();
         let start = self.text.len() - rest.len();

@@ -1,11 +1,11 @@
-//! What is said of a text that is no formula.
+//! Messages for a text that is no formula.
 
 use std::ops::Range;
 
 use super::ExpressionError;
 use super::function::{CONSTANTS, FUNCTIONS};
 
-/// Characters that mean something elsewhere, and what they are here.
+/// Characters with a meaning in other languages, and their form here.
 const FOREIGN: [(&str, &str); 8] = [
     ("×·∙⋅", "write `*`"),
     ("÷:", "write `/`"),

@@ -31,7 +31,7 @@ pub struct Expression {
 pub struct ExpressionError {
     /// Bytes of the text at fault; empty at its end where something is missing there.
     pub span: std::ops::Range<usize>,
-    /// What is wrong with it, and what to try.
+    /// Problem and remedy.
     pub message: String,
 }
 
@@ -49,7 +49,7 @@ impl Expression {
         Ok(Self { text: text.to_owned(), variables, program })
     }
 
-    /// The formula as it was written.
+    /// Text of the formula as the user wrote it.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
@@ -67,7 +67,7 @@ impl Expression {
         self.program.uses(variable)
     }
 
-    /// Its value at the variables, in the order they were named in; NaN where it has none.
+    /// Value at the variables, in the order in which they were named; NaN where there is none.
     ///
     /// A power with a constant exponent is [`Smooth::powf`], any other is `exp(b ln a)`; `abs`, `min` and `max` are the
     /// branch that the values choose.

@@ -1,4 +1,4 @@
-//! Formulas by precedence climbing (Pratt 1973): from text straight to steps.
+//! Parser of formulas by precedence climbing (Pratt 1973): from text straight to steps.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ const LONGEST: usize = 16_384;
 /// Most parentheses, signs and powers inside one another.
 const DEEPEST: usize = 200;
 
-/// How tightly a sign binds: more than `*`, less than `^`.
+/// Precedence of a sign: above `*`, below `^`.
 const SIGN: u8 = 3;
 
 /// Reads a formula.
@@ -44,15 +44,15 @@ struct Parser<'a> {
     variables: &'a [&'a str],
     lexer: Lexer<'a>,
     program: Program,
-    /// The word that comes next.
+    /// Next token.
     token: Token,
     span: Range<usize>,
-    /// Where the word before it stands.
+    /// Place of the token before.
     before: Range<usize>,
     depth: usize,
 }
 
-/// The operation a symbol stands for between two operands, and how tightly it binds.
+/// Operation of a symbol between two operands, and its precedence.
 fn infix(token: Token) -> Option<(Binary, u8)> {
     match token {
         Token::Symbol('+') => Some((Binary::Add, 1)),
@@ -65,14 +65,14 @@ fn infix(token: Token) -> Option<(Binary, u8)> {
 }
 
 impl<'a> Parser<'a> {
-    /// Operands joined by whatever binds at least as tightly as `tight`.
+    /// Operands joined by operations of at least the precedence `tight`.
     fn operand(&mut self, tight: u8) -> Result<(), ExpressionError> {
         let start = self.span.start;
         self.single()?;
         while let Some((binary, binds)) = infix(self.token).filter(|(_, binds)| *binds >= tight) {
             self.advance()?;
             match binary {
-                // From the right, and a sign may stand in the exponent.
+                // Grouped from the right, and a sign may stand in the exponent.
                 Binary::Power => self.nested(|parser| parser.operand(SIGN))?,
                 _ => self.operand(binds + 1)?,
             }
@@ -186,7 +186,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Appends an operation; what it is applied to begins at `start`.
+    /// Appends an operation, whose operands begin at `start`.
     fn apply(&mut self, operation: Operation, start: usize) -> Result<(), ExpressionError> {
         self.program.apply(operation).map_err(|value| {
             let constant = &self.text[start..self.before.end];
@@ -201,7 +201,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// An operand was to come.
+    /// Error: an operand is missing.
     fn missing(&self) -> ExpressionError {
         let wanted = "a number, a name or `(` is missing";
         let message = match self.token {
@@ -212,7 +212,7 @@ impl<'a> Parser<'a> {
         message::error(self.span.clone(), message)
     }
 
-    /// Two operands stand side by side.
+    /// Error: two operands stand side by side.
     fn unjoined(&self) -> ExpressionError {
         let (before, found) = (self.before(), self.found());
         let message =
@@ -220,7 +220,7 @@ impl<'a> Parser<'a> {
         message::error(self.span.clone(), message)
     }
 
-    /// An operand is complete, and this cannot follow it.
+    /// Error: a token that cannot follow a complete operand.
     fn stray(&self) -> ExpressionError {
         let message = match self.token {
             Token::Symbol(',') => {

@@ -1,4 +1,4 @@
-//! A formula as steps on a stack of numbers.
+//! Program of a formula: steps on a stack of numbers.
 
 use super::function::{Binary, Operation, Unary};
 use crate::scalar::Smooth;
@@ -20,11 +20,11 @@ pub struct Program {
     steps: Vec<Step>,
     /// Numbers on the stack after the last step.
     height: usize,
-    /// The most numbers ever on it.
+    /// Greatest number ever on the stack.
     room: usize,
 }
 
-/// Numbers for which no memory is asked; few formulas need more.
+/// Height of the stack up to which no memory is allocated; few formulas need more.
 const SHALLOW: usize = 12;
 
 impl Program {
@@ -38,7 +38,7 @@ impl Program {
         self.push(Step::Variable(index));
     }
 
-    /// Appends an operation on what the last steps leave; constants are worked out at once.
+    /// Appends an operation on the results of the last steps; constants are evaluated at once.
     ///
     /// # Errors
     /// The result of constants, if it is not a finite number.

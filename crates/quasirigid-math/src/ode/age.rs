@@ -1,33 +1,38 @@
-/// Age of a stiff linear part that changes with the state: it is taken again when the iteration of the stages slows, or has slowed at
-/// that age before.
+//! Age of the Jacobian in an implicit method: when a linear part that changes with the state is evaluated again.
+//! An evaluation costs far more than a sweep, an old part more sweeps and shorter steps; the period adapts to the slowing of the iteration.
+//! The linear part of the full system is (T4), docs/theory/08-full-system.md.
+
+/// Age of a stiff linear part that changes with the state: the part is evaluated again when the iteration of the stages slows, or has
+/// slowed at that age before.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Age {
-    /// Steps since it was taken; none if it never was.
+    /// Steps since the last evaluation; none before the first.
     pub steps: Option<u32>,
-    /// Steps after the first for which it lasts.
+    /// Steps after the first during which the part is used.
     lasts: u32,
-    /// Ratio of corrections over the step (1/s) when it was new.
+    /// Ratio of corrections over the step (1/s) when the part was new.
     pace: f64,
 }
 
-/// Growth of the pace that shows the age, and below which it lasts longer.
+/// Growth of the pace above which the part is too old, and below which it is used for longer.
 const AGED: f64 = 1.5;
 const FRESH: f64 = 1.1;
 
 impl Age {
-    /// Whether it is to be taken again.
+    /// Whether the part is to be evaluated again.
     pub fn is_due(self) -> bool {
         self.steps.is_none_or(|steps| steps > self.lasts)
     }
 
-    /// After stages that were not found: whether the age may be why, so that it is due.
+    /// After stages that were not found: whether the age may be the cause; the part is then due.
     pub fn is_to_blame(&mut self) -> bool {
         let Some(steps @ 1..) = self.steps else { return false };
         (self.steps, self.lasts) = (None, steps / 2);
         true
     }
 
-    /// After a step with this ratio of corrections over the step (1/s): whether the age shows in it where it limits the next step.
+    /// After a step with this ratio of corrections over the step (1/s): whether the age has slowed the iteration where that limits the next
+    /// step.
     pub fn shows(&mut self, pace: f64, limits: bool) -> bool {
         let steps = self.steps.unwrap_or_default();
         if steps == 0 {

@@ -1,3 +1,7 @@
+//! Explicit Runge–Kutta method DOP853: order 8, step control by embedded orders 5 and 3, dense output of order 7.
+//! The state is kept in two parts, because a history of millions of steps would lose digits in a single sum.
+//! Method and coefficients `[@hairer1993]`.
+
 use std::marker::PhantomData;
 
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
@@ -12,7 +16,7 @@ pub struct Dop853<S, Y, R> {
     system: S,
     t: f64,
     y: Y,
-    /// What rounding has kept out of `y`.
+    /// Rounding error of `y`, kept for the next step.
     carry: Y,
     /// Error allowed per step in each component; infinite where it is not controlled.
     allowed: Y,
@@ -22,21 +26,21 @@ pub struct Dop853<S, Y, R> {
     last: (f64, f64),
     /// State at the start of the last step.
     start: Y,
-    /// Rates at the stages; the rate of the state reached stands at [`STAGES`].
+    /// Rates at the stages; the rate of the state reached is at [`STAGES`].
     stages: [Y; STAGES + EXTRA + 1],
-    /// Where a stage's rate is taken, then the change of a trial.
+    /// State at which a stage's rate is evaluated, then the change of a trial.
     place: Y,
     arithmetic: PhantomData<R>,
 }
 
-/// Step factors: caution, and the limits of one change.
+/// Step factors: safety, and the limits of one change.
 const CAUTION: f64 = 0.9;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
 
-/// Rates at the later stages of a step from a time and a state; that at its start stands in the first.
+/// Rates at the later stages of a step from a time and a state; the rate at its start is in the first.
 #[inline(always)]
 fn stage_rates<S: System<Y>, Y: State, R: Arithmetic>(
     system: &mut S,
@@ -70,7 +74,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         solver
     }
 
-    /// The system followed.
+    /// System that is integrated.
     pub fn system(&self) -> &S {
         &self.system
     }
@@ -88,7 +92,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         self.work.evaluations += 1;
     }
 
-    /// Rates at the stages of a step, and its change of the state, with what rounding had kept out of it, in `place`.
+    /// Rates at the stages of a step, and its change of the state, with the rounding error kept so far, in `place`.
     #[inline(always)]
     fn trial(&mut self, h: f64) {
         let Self { system, stages, place, work, .. } = self;
@@ -130,7 +134,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         h * fifth / (fifth + 0.01 * third).sqrt()
     }
 
-    /// Adds the change of a trial to the state, keeping what rounding drops.
+    /// Adds the change of a trial to the state, keeping the rounding error.
     #[inline(always)]
     fn accept(&mut self, h: f64, t: f64) {
         self.last = (self.t, h);

@@ -1,3 +1,6 @@
+//! Integration to output times: steps, events, dense outputs and the reasons to stop.
+//! Events and corrections of an observer act between steps, so that every method gets them without code of its own.
+
 use std::ops::ControlFlow;
 
 use super::{DenseOutput, Solver, StepError};
@@ -7,7 +10,7 @@ pub trait StepObserver<M: Solver> {
     /// The state at an output time.
     fn output(&mut self, t: f64, y: &M::State);
 
-    /// The time within the last step at which the integration is to end, if there is one.
+    /// Time of an event within the last step, at which the integration ends; none without an event.
     fn event(&mut self, solver: &mut M) -> Option<f64> {
         let _ = solver;
         None
@@ -17,7 +20,7 @@ pub trait StepObserver<M: Solver> {
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()>;
 }
 
-/// Why an integration ended.
+/// Reason for which an integration stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StopReason {
     /// The last output time was reached.
@@ -26,7 +29,7 @@ pub enum StopReason {
     Interrupted,
     /// An event of the observer happened; the state is the one of that moment.
     Event,
-    /// The steps allowed were used up.
+    /// The steps allowed are used up.
     StepLimit,
     /// No step could be made.
     Failed(StepError),
@@ -69,7 +72,7 @@ pub fn integrate<M: Solver>(
     StopReason::Finished
 }
 
-/// Outputs at the times up to the one reached; the number of the next time.
+/// Writes the outputs up to the time reached and returns the number of the next one.
 #[inline(always)]
 fn outputs<M: Solver>(
     solver: &mut M,

@@ -1,3 +1,7 @@
+//! Implicit Runge–Kutta method Radau IIA of order 13 for a stiff linear part and a non-stiff rest.
+//! Only the linear part is factored, and the step is kept where it would change little: a factorisation then lasts for many steps.
+//! Method `[@hairer1999]`; equations (T2) and (T4), docs/theory/08-full-system.md.
+
 use std::marker::PhantomData;
 use std::ops::Range;
 
@@ -10,9 +14,8 @@ use crate::simd::Arithmetic;
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
 /// linear and constant or changes slowly, so that a factorisation lasts as long as the step, or until the iteration slows.
 ///
-/// The stages are found by sweeps over what is not stiff, and by the constant linear part on the rest. The step is
-/// controlled by an embedded formula of order 7, as far as the dense output is good; the state at the end of the step is
-/// better by far.
+/// The stages are found by sweeps over the non-stiff components, and by the constant linear part for the rest. The step is controlled by an
+/// embedded formula of order 7, as far as the dense output is good; the state at the end of the step is better by far.
 #[derive(Clone, Debug)]
 pub struct Radau<S, R> {
     system: S,
@@ -33,25 +36,25 @@ pub struct Radau<S, R> {
     continues: bool,
     /// Step for which the linear part is factored.
     factored: f64,
-    /// Where the linear part changes: when it was taken.
+    /// Age of the linear part, where it changes.
     age: Age,
     error: Vec<f64>,
     smoothed: Vec<[f64; 2]>,
     arithmetic: PhantomData<R>,
 }
 
-/// Caution, and the limits of one change of the step.
+/// Safety factor, and the limits of one change of the step.
 const CAUTION: f64 = 0.82;
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 5.0;
-/// Steps that would change by less are kept, and with them the factorisation.
+/// Factors of the step that are not worth a new factorisation: the step stays.
 const KEPT: Range<f64> = 0.93..1.2;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
-/// Ratio of consecutive corrections of the stages up to which longer steps pay; far beyond it shorter ones do.
+/// Ratio of consecutive corrections of the stages up to which longer steps pay; shorter ones pay beyond `FAR` times as much.
 const CONTRACTION: f64 = 0.12;
 const FAR: f64 = 2.0;
-/// Factor of the step then.
+/// Factor of the step in that case.
 const SHORTER: f64 = 0.7;
 /// Stage in the middle of a step.
 const MIDDLE: usize = 3;
@@ -84,7 +87,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         }
     }
 
-    /// The system followed.
+    /// System that is integrated.
     pub fn system(&self) -> &S {
         &self.system
     }
@@ -94,7 +97,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.h
     }
 
-    /// Factors the linear part, taken in the middle of the step where it changes and has aged. (T4)
+    /// Factors the linear part, evaluated in the middle of the step where it changes and is too old. (T4)
     fn factor(&mut self, h: f64) {
         let renewed = self.system.changes() && self.age.is_due();
         if renewed {
@@ -121,7 +124,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.stages.find::<S, R>(&mut self.system, attempt)
     }
 
-    /// Error estimate of the step in units of the error allowed, smoothed by the linear part.
+    /// Error estimate of the step in units of the error allowed, filtered by the linear part.
     fn estimate(&mut self, h: f64) -> f64 {
         let stiff = self.system.stiff();
         for (i, error) in self.error.iter_mut().enumerate() {
@@ -155,8 +158,8 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.age.steps = self.age.steps.map(|steps| steps + 1);
     }
 
-    /// Growth of the step that the iteration of the stages can afford, where accuracy affords `wanted`; a linear part that has aged is
-    /// taken again first.
+    /// Growth of the step that the iteration of the stages permits, where accuracy permits `wanted`; a linear part that is too old is
+    /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
         let growth = if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);

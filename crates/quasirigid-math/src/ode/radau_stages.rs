@@ -1,8 +1,12 @@
+//! Stages of the Radau IIA method: sweeps for the non-stiff components, solutions at four shifts for the stiff ones.
+//! The inverse of the weights is diagonalised once, so that a solution of all stages is one real and three complex ones.
+//! Transformation of the stages `[@hairer1999]`.
+
 use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
 use super::system::System;
 use crate::simd::Arithmetic;
 
-/// A system with a stiff linear part `L` that hardly changes in a step: `rate = L y + (what is not stiff)`.
+/// System with a stiff linear part `L` that hardly changes in a step: `rate = L y + non-stiff rest`.
 pub trait Stiff: System<Vec<f64>> {
     /// First of the components that `L` acts on; the components before it are not stiff.
     fn stiff(&self) -> usize;
@@ -12,7 +16,7 @@ pub trait Stiff: System<Vec<f64>> {
         false
     }
 
-    /// Takes `L` at a time and a state, if it changes; [`shift`](Self::shift) is due.
+    /// Evaluates `L` at a time and a state, if it changes; [`shift`](Self::shift) is due.
     fn renew(&mut self, t: f64, y: &[f64]) {
         let _ = (t, y);
     }
@@ -24,14 +28,14 @@ pub trait Stiff: System<Vec<f64>> {
     fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]);
 }
 
-/// The stages of a step of the method Radau IIA, found by iteration.
+/// Stages of a step of the method Radau IIA, found by iteration.
 #[derive(Clone, Debug)]
 pub(super) struct Stages {
     /// Changes of the state from the start of the step to each stage.
     pub changes: [Vec<f64>; STAGES],
     /// Rates at the stages.
     pub rates: [Vec<f64>; STAGES],
-    /// Those of the step before, and the rate at its start.
+    /// Changes and rates of the step before, and the rate at its start.
     earlier: [[Vec<f64>; STAGES]; 2],
     earlier_rate: Vec<f64>,
     place: Vec<f64>,
@@ -41,7 +45,7 @@ pub(super) struct Stages {
     pub sweeps: u64,
 }
 
-/// The step whose stages are looked for.
+/// Step whose stages are sought.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<'a> {
     pub t: f64,
@@ -58,25 +62,25 @@ impl Attempt<'_> {
     }
 }
 
-/// How an attempt at the stages ended.
+/// Result of a search for the stages.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Search {
-    /// With this ratio of the last two corrections above rounding.
+    /// Stages found, with the ratio of the last two corrections above rounding.
     Found(f64),
     Slow(f64),
     NotFinite,
 }
 
-/// Sweeps over the stages, at most.
+/// Most sweeps over the stages.
 const SWEEPS: usize = 12;
-/// The iteration ends when what is left of it is below this share of the error allowed: the state at the end of the step
-/// is better than the error estimate by that much.
+/// Share of the error allowed below which the rest of the iteration ends it: the state at the end of the step is better than the error
+/// estimate by that much.
 const CONVERGED: f64 = 3e-5;
-/// What rounding leaves of the iteration, in roundings of the state, and the ratio of corrections that shows it.
+/// Rounding error of the iteration, in roundings of the state, and the ratio of corrections that shows it.
 const ROUNDING: f64 = 32.0;
 const STALLED: f64 = 0.3;
 
-/// For each stage, what its value adds to the real and imaginary parts at the shifts; a complex shift counts twice.
+/// Contribution of each stage to the real and imaginary parts at the shifts; a complex shift counts twice.
 const TO_SHIFTS: [[f64; 2 * SHIFTS]; STAGES] = {
     let mut rows = [[0.0; 2 * SHIFTS]; STAGES];
     let (mut stage, mut shift) = (0, 0);
@@ -92,7 +96,7 @@ const TO_SHIFTS: [[f64; 2 * SHIFTS]; STAGES] = {
     rows
 };
 
-/// For each shift, what the real and the imaginary part of its solution add to the stages, filled up with a zero.
+/// Contribution of the real and the imaginary part of the solution at each shift to the stages, filled up with a zero.
 const FROM_SHIFTS: [[[f64; STAGES + 1]; 2]; SHIFTS] = {
     let mut rows = [[[0.0; STAGES + 1]; 2]; SHIFTS];
     let (mut shift, mut stage) = (0, 0);
@@ -179,8 +183,8 @@ impl Stages {
         Search::Slow(ratios[1])
     }
 
-    /// One sweep over the stages, each with the newest rates of the others; the square of how far the components that
-    /// are not stiff moved, in units of the error allowed.
+    /// One sweep over the stages, each with the newest rates of the others; returns the squared change of the non-stiff components, in
+    /// units of the error allowed.
     fn sweep<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> f64 {
         let Attempt { t, h, y, weights } = attempt;
         let stiff = system.stiff();
@@ -202,7 +206,7 @@ impl Stages {
         moved
     }
 
-    /// Solves for the stiff components with the rest of the rates as they are; the square of how far they moved.
+    /// Solves for the stiff components with the rest of the rates as they are; returns their squared change.
     fn solve_stiff(&mut self, system: &mut impl Stiff, attempt: Attempt) -> f64 {
         let stiff = system.stiff();
         self.load_shifts(attempt.h, stiff);
@@ -225,7 +229,7 @@ impl Stages {
         moved
     }
 
-    /// What the stiff components lack of the equations of the stages, at each shift.
+    /// Residuals of the stiff components in the equations of the stages, at each shift.
     fn load_shifts(&mut self, h: f64, stiff: usize) {
         let gammas = GAMMA.map(|gamma| gamma.map(|part| part / h));
         for i in 0..self.place.len() - stiff {
@@ -243,7 +247,7 @@ impl Stages {
         }
     }
 
-    /// Makes the changes that are not stiff agree with the last rates.
+    /// Recomputes the changes of the non-stiff components from the last rates.
     fn close(&mut self, h: f64, stiff: usize) {
         for (change, weights) in self.changes.iter_mut().zip(&A) {
             combine(&self.rates, &weights.map(|weight| h * weight), &mut change[..stiff]);
@@ -251,7 +255,7 @@ impl Stages {
     }
 }
 
-/// Weighted sum of rows, as far as the list is long that takes it.
+/// Weighted sum of rows, as long as the list that takes it.
 fn combine(rows: &[Vec<f64>; STAGES], weights: &[f64; STAGES], sums: &mut [f64]) {
     let rows = rows.each_ref().map(|row| &row[..sums.len()]);
     for (i, sum) in sums.iter_mut().enumerate() {

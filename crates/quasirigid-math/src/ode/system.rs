@@ -1,3 +1,6 @@
+//! Interfaces of initial value problems: systems, solvers, dense output and errors of a step.
+//! Solvers take the state as array or list and the arithmetic as a type, so that small systems compile to vector code without heap.
+
 use thiserror::Error;
 
 use crate::simd::{Arithmetic, Task, scaled_sum};
@@ -48,9 +51,9 @@ pub trait System<Y> {
     fn rate<R: Arithmetic>(&mut self, t: f64, y: &Y, rate: &mut Y);
 }
 
-/// The rate of a system where a method asks for it.
+/// Rate of a system at the places where a method needs it.
 ///
-/// A method asks at half a dozen places; [`Arithmetic::call`] compiles a rate once for all of them, as it may be long.
+/// A method needs it at half a dozen places; [`Arithmetic::call`] compiles a rate once for all of them, as it may be long.
 pub(super) struct Rate<'a, S, Y> {
     pub system: &'a mut S,
     pub t: f64,
@@ -67,7 +70,7 @@ impl<S: System<Y>, Y> Task for Rate<'_, S, Y> {
     }
 }
 
-/// A method that follows a system step by step.
+/// Solver: a method that advances a system step by step.
 pub trait Solver {
     /// State of the system.
     type State: State;
@@ -142,7 +145,7 @@ pub enum StepError {
 }
 
 impl StepError {
-    /// The error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
+    /// Error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
     fn at(t: f64, undefined: bool) -> Self {
         if undefined { Self::NotFinite { t } } else { Self::TooSmall { t } }
     }
@@ -180,8 +183,8 @@ impl<Y: State> DenseOutput<Y> {
     }
 }
 
-/// The step of length `h` from `t`, or what of it there is until `end`, and whether it reaches that; the rate just beyond
-/// `t` is undefined or not.
+/// Step of length `h` from `t`, or the rest until `end`, and whether it reaches `end`; `undefined` says whether the rate just beyond `t` is
+/// undefined.
 #[inline(always)]
 pub(super) fn towards(end: f64, t: f64, h: f64, undefined: bool) -> Result<(f64, bool), StepError> {
     let remaining = end - t;
@@ -190,8 +193,7 @@ pub(super) fn towards(end: f64, t: f64, h: f64, undefined: bool) -> Result<(f64,
     if h > f64::EPSILON * t.abs() { Ok((h, reaches)) } else { Err(StepError::at(t, undefined)) }
 }
 
-/// Adds a change to a state kept in two parts, so that many small changes lose no digits: `carry` takes what rounding
-/// keeps out of `y`.
+/// Adds a change to a state kept in two parts, so that many small changes lose no digits: `carry` takes the rounding error of `y`.
 #[inline(always)]
 pub(super) fn accumulate<Y: State>(y: &mut Y, carry: &mut Y, change: &Y) {
     for ((y, carry), change) in y.as_mut().iter_mut().zip(carry.as_mut()).zip(change.as_ref()) {

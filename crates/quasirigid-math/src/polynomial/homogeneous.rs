@@ -1,3 +1,7 @@
+//! Homogeneous polynomial maps of three variables, with a constant that is graded as degree one.
+//! The constant lets an angular momentum of given size, as of a wheel, enter the recursion at the degree of the angular velocity.
+//! Equations (R3) and (R6), docs/theory/03-reduction.md, and (C4), docs/theory/13-inside.md.
+
 use std::ops::Range;
 
 use super::monomial::count;
@@ -6,9 +10,9 @@ use crate::scalar::Scalar;
 
 /// Rows of homogeneous polynomials of one degree in three variables and a constant of degree one.
 ///
-/// A vector field has three rows; a function of all internal coordinates has one row each. The constant, `σ` below, has
-/// the value 1: it marks what a constant of the problem that is graded as degree one brings in, as the momentum of a
-/// wheel, which stands with the spin. Without it only powers of the three variables are kept.
+/// A vector field has three rows; a function of all internal coordinates has one row each. The constant, `σ` below, has the value 1: it
+/// marks the terms of a constant of the problem that is graded as degree one, as the angular momentum of a wheel, which is of the degree of
+/// the angular velocity. Without it only powers of the three variables are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Homogeneous {
     /// The part without `σ`.
@@ -89,7 +93,7 @@ impl Homogeneous {
         self.pure.row_mut(row)
     }
 
-    /// Every monomial with its coefficient in each row; those below the degree are what the constant brings in.
+    /// Monomials with their coefficients in each row; those below the degree come from the constant.
     pub fn terms(&self) -> impl Iterator<Item = ([usize; 3], Vec<f64>)> + '_ {
         self.parts().flat_map(Ternary::terms)
     }

@@ -1,3 +1,6 @@
+//! Compiled polynomial map: nested Horner form over all rows at once, for the right-hand side of the reduced equations.
+//! The rows fill one vector register; loops of fixed degree are unrolled, higher ones are streamed over the same table.
+
 use super::Series;
 use super::monomial::count;
 use crate::simd::{Arithmetic, scaled_sum};
@@ -10,11 +13,11 @@ use crate::simd::{Arithmetic, scaled_sum};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernel {
     degree: usize,
-    /// In the order of evaluation: powers of x fall, within them those of y, within them those of z.
+    /// Coefficients in the order of evaluation: powers of x fall, within them those of y, within them those of z.
     coefficients: Vec<[f64; 4]>,
 }
 
-/// Degrees up to this one are unrolled by the compiler.
+/// Highest degree that the compiler unrolls.
 const UNROLLED: usize = 6;
 
 impl Kernel {

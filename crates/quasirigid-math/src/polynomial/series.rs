@@ -1,3 +1,7 @@
+//! Graded series: polynomial maps of three variables degree by degree, with products and rates of one degree at a time.
+//! Recursions need single degrees of a product; parts above the last are unknown, not zero, so nothing above is ever returned.
+//! Equations (R2) and (R3), docs/theory/03-reduction.md.
+
 use super::Homogeneous;
 use super::monomial::index;
 use crate::scalar::Scalar;
@@ -63,7 +67,7 @@ impl Series {
         self.parts[degree].add_row(row, factor, other);
     }
 
-    /// The same map without the parts above a degree.
+    /// The map without the parts above a degree.
     #[must_use]
     pub fn truncated(&self, degree: usize) -> Self {
         Self { rows: self.rows, parts: self.parts.iter().take(degree + 1).cloned().collect() }
@@ -76,7 +80,7 @@ impl Series {
         self
     }
 
-    /// The map of the argument multiplied by a number, degree by degree.
+    /// The map with its argument multiplied by a number, degree by degree.
     #[must_use]
     pub fn stretched(&self, factor: f64) -> Self {
         let mut stretched = self.clone();

@@ -1,3 +1,7 @@
+//! Homogeneous polynomials of three variables: rows of coefficients in one order of the monomials.
+//! The index of a monomial depends on `(j + k, k)` alone, so products and derivatives are sums over contiguous blocks.
+//! Order of [`monomial`](super::monomial); derivative along a field (R6), docs/theory/03-reduction.md.
+
 use super::monomial::{count, exponents, index};
 use crate::scalar::Scalar;
 

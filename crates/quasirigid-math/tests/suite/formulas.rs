@@ -1,4 +1,4 @@
-//! Formulas that users write mean what their parts mean, and so do their rates.
+//! Formulas that users write: values are those of their parts, and so are their rates.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ enum Tree {
     Infix(char, Box<Tree>, Box<Tree>),
     Unary(&'static str, Box<Tree>),
     Binary(&'static str, Box<Tree>, Box<Tree>),
-    /// If the first is not above the second the third, else the fourth; no text has it.
+    /// Choice: if the first is not above the second the third, else the fourth; no text has it.
     Choice(Box<[Tree; 4]>),
 }
 
@@ -78,7 +78,7 @@ impl fmt::Display for Tree {
 }
 
 impl Tree {
-    /// In parentheses if it binds less tightly than its place asks.
+    /// Text in parentheses if it binds less tightly than its place asks.
     fn inside(&self, tight: u8) -> String {
         let binds = match self {
             Infix('+' | '-', ..) => 1,
@@ -304,7 +304,7 @@ proptest! {
         }
     }
 
-    /// A text is read, or its first mistake is told in its place.
+    /// Every text is read, or its first mistake is reported at its place.
     #[test]
     fn no_text_is_too_strange(text in prop_oneof![".{0,40}", soup()]) {
         match Expression::parse(&text, &NAMES) {

@@ -1,4 +1,4 @@
-//! Laws of formulas over random ones, and elliptic functions beside an independent library.
+//! Laws of formulas over random ones, and elliptic functions against an independent library.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod elliptic;
@@ -7,7 +7,7 @@ mod formulas;
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;
 
-/// How many cases a law is tried on; the same ones in every run unless the environment says otherwise.
+/// Number of cases on which a law is tried; the same ones in every run unless the environment says otherwise.
 fn cases(count: u32) -> ProptestConfig {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     ProptestConfig {

@@ -1,3 +1,7 @@
+//! Meshes of cylinders and annuli: a round section times its height, cut into curved tetrahedra.
+//! The section is a hexagon mapped smoothly to a disc; cells are nearly even, and the bounds on their angles are tested, not proved.
+//! Moments converge with the fourth power of the width of a cell.
+
 use std::f64::consts::PI;
 
 use super::MeshingError;
@@ -6,7 +10,7 @@ use super::round::{hexagon, rounded};
 use super::simplices::Simplices;
 use crate::Mesh;
 
-/// Cells around a circle, at least.
+/// Least number of cells around a circle.
 pub(super) const AROUND: usize = 6;
 
 /// A circular cylinder around the z axis, with an even number of cells across its diameter. No dihedral angle of even
@@ -31,8 +35,8 @@ pub fn cylinder(radius: f64, height: f64, resolution: usize, exponent: f64) -> R
     )
 }
 
-/// What lies between two cylinders around the z axis, of an inner and an outer radius. No dihedral angle of
-/// even cells is below 22° from a resolution of 2 on if the inner radius is at least half the outer one.
+/// A space between two cylinders around the z axis, of an inner and an outer radius. No dihedral angle of even cells is below 22° from a
+/// resolution of 2 on if the inner radius is at least half the outer one.
 ///
 /// # Errors
 /// [`MeshingError`] for lengths that are not positive or too different, radii in the wrong order, no cells, too many, or
@@ -72,7 +76,7 @@ mod tests {
     use super::super::testing::{angles_deg, assert_fourth_order, assert_sound};
     use super::*;
 
-    /// Of what lies between two cylinders.
+    /// Exact moments of a space between two cylinders.
     fn exact([a, b]: [f64; 2], height: f64) -> [f64; 7] {
         let v = PI * (b * b - a * a) * height;
         let across = v * (a * a + b * b) / 4.0;

@@ -1,6 +1,9 @@
+//! Errors of meshing: lengths out of range, too many cells, or cells too wide for the shape.
+//! Wherever a finer mesh may help, the error names the resolution to try.
+
 use thiserror::Error;
 
-/// Why there is no mesh.
+/// Error of a shape for which there is no mesh.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MeshingError {
@@ -17,7 +20,7 @@ pub enum MeshingError {
     Disparate {
         /// The longest length over the shortest.
         ratio: f64,
-        /// What is allowed.
+        /// Largest ratio allowed.
         most: f64,
     },
     /// An inner length that is not less than the outer one around it.
@@ -42,9 +45,9 @@ pub enum MeshingError {
     /// More cells than are allowed.
     #[error("there would be about {cells:.3e} cells, more than {most}; {}", coarser(*resolution))]
     TooMany {
-        /// How many there would be.
+        /// Number of cells that would be made.
         cells: f64,
-        /// How many are allowed.
+        /// Number allowed.
         most: usize,
         /// The resolution that has about as many; 0 if none has.
         resolution: usize,
@@ -52,9 +55,9 @@ pub enum MeshingError {
     /// Curved cells that overlap themselves.
     #[error("{count} of {cells} curved cells are inside out near a wall; raise the resolution")]
     Folded {
-        /// How many are.
+        /// Number of such cells.
         count: usize,
-        /// How many cells there are.
+        /// Number of all cells.
         cells: usize,
     },
     /// A mesh without some of the volume, or with too much: its cells are too wide for thin parts and sharp edges.
@@ -65,7 +68,7 @@ pub enum MeshingError {
     Volume {
         /// Volume of the mesh over that of the surface.
         found: f64,
-        /// Part of the volume that it may be off.
+        /// Allowed departure of the volume, as a share.
         allowed: f64,
         /// The resolution to try.
         resolution: usize,
@@ -82,21 +85,21 @@ pub enum MeshingError {
         /// The resolution to try.
         resolution: usize,
     },
-    /// A mesh that hangs together otherwise than the surface: cells as wide as a ring's tube tear it, and join what a gap parts.
+    /// A mesh with another topology than the surface: cells as wide as a ring's tube tear it, and join the sides of a gap.
     #[error(
         "the mesh has the Euler characteristic {found}, the surface {expected}: cells tear what is thinner, or join what is nearer, than they are wide; try a resolution of {resolution}"
     )]
     Torn {
         /// Euler characteristic of the wall of the mesh.
         found: i64,
-        /// That of the surface.
+        /// Euler characteristic of the surface.
         expected: i64,
         /// The resolution to try.
         resolution: usize,
     },
 }
 
-/// What to try when there are too many cells.
+/// Advice for too many cells.
 fn coarser(resolution: usize) -> String {
     match resolution {
         0 => "the shape is too thin beside its length".to_owned(),

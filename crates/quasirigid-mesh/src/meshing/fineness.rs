@@ -1,10 +1,10 @@
-//! How finely a shape is divided, and what sizes it may have.
+//! Fineness of a division, and the sizes that a shape may have.
 
 use super::MeshingError;
 
 /// Most cells of a mesh.
 pub(super) const MOST_CELLS: usize = 5_000_000;
-/// Longest length of a shape over its shortest, at most.
+/// Greatest ratio of the longest length of a shape to its shortest.
 const MOST_RATIO: f64 = 1e4;
 /// Largest exponent of grading.
 const MOST_EXPONENT: f64 = 4.0;
@@ -49,7 +49,7 @@ impl Fineness {
     }
 }
 
-/// Accepts a number of cells if a mesh may have as many, else says at which resolution it would.
+/// Accepts a number of cells if a mesh may have as many; the error names a resolution that would do.
 pub(super) fn allowed(cells: f64, resolution: usize) -> Result<(), MeshingError> {
     if cells <= MOST_CELLS as f64 {
         return Ok(());
@@ -58,7 +58,7 @@ pub(super) fn allowed(cells: f64, resolution: usize) -> Result<(), MeshingError>
     Err(MeshingError::TooMany { cells, most: MOST_CELLS, resolution: coarser as usize })
 }
 
-/// The longest of several lengths, and all of them beside it.
+/// Longest of several lengths, and all lengths relative to it.
 pub(super) fn relative<const N: usize>(lengths: [f64; N]) -> Result<(f64, [f64; N]), MeshingError> {
     if let Some(value) = lengths.into_iter().find(|length| !(*length > 0.0 && length.is_finite())) {
         return Err(MeshingError::Length { value });

@@ -7,16 +7,16 @@ use crate::surface::Proximity;
 use quasirigid_math::vec3::{add, norm, scale};
 use quasirigid_math::watch;
 
-/// Nearer to the surface than this, in sides of a cube, points are on it.
+/// Distance to the surface, in sides of a cube, below which points are on it.
 const ON: f64 = 1e-9;
-/// Cuts are on the surface when they are nearer than this.
+/// Distance to the surface below which cuts are on it.
 const CUT: f64 = 1e-13;
-/// Steps towards a cut, at most: many times what a polyhedron needs.
+/// Most steps towards a cut: many times the number that a polyhedron needs.
 const STEPS: usize = 100;
 /// Shares of a long and of a short edge within which a cut draws the end of the edge to it `[@labelle2007]`.
 const DRAWN: [f64; 2] = [0.249_99, 0.411_89];
 
-/// Where a point is.
+/// Side of the surface on which a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Inside,
@@ -24,7 +24,7 @@ pub(super) enum Side {
     Outside,
 }
 
-/// Points of a lattice, some of them moved to a surface, and where the surface cuts edges between the others.
+/// Fit: points of a lattice, some of them moved to a surface, and the cuts of the surface through edges between the others.
 pub(super) struct Fit {
     places: Vec<[f64; 3]>,
     pub sides: Vec<Side>,
@@ -32,7 +32,7 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// In lattice units. Of several cuts of an edge one is found; an edge with both ends on one side has none.
+    /// Fits a lattice, in its units. Of several cuts of an edge one is found; an edge with both ends on one side has none.
     pub fn new(lattice: &Lattice, surface: &Proximity) -> Self {
         let mut fit = Self { places: Vec::new(), sides: Vec::new(), cuts: HashMap::new() };
         let mut distances = Vec::with_capacity(lattice.size());
@@ -70,7 +70,7 @@ impl Fit {
         self.cuts.get(&ends(a, b)).copied().unwrap_or(self.places[a])
     }
 
-    /// Moves a point to the nearest of the cuts that are near to it, after which its edges have none.
+    /// Moves a point to the nearest of the cuts that are near, after which its edges have none.
     fn draw(&mut self, lattice: &Lattice, index: usize) {
         let Some(point) = lattice.point(index) else { return };
         let edges = || lattice.neighbours(point);
@@ -105,8 +105,8 @@ fn ends(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Where a surface cuts an edge, from the distances of its ends: false position, with the weight of an end that stays
-/// halved (the Illinois rule).
+/// Cut of an edge by a surface, from the distances of its ends: false position, with the weight of an end that stays halved (the Illinois
+/// rule).
 fn cut(surface: &Proximity, [inner, outer]: [[f64; 3]; 2], [mut low, mut high]: [f64; 2]) -> [f64; 3] {
     let along = add(outer, scale(-1.0, inner));
     let [mut from, mut to] = [0.0, 1.0];

@@ -41,16 +41,17 @@ struct Grading {
     scale: f64,
 }
 
-/// Radii of a neck within which cells are about equal.
+/// Radius, in those of a neck, within which cells are about equal.
 const EVEN: f64 = 1.5;
-/// Nearer to the surface than this, in sides of a cube, corners are on it.
+/// Distance to the surface, in sides of a cube, below which corners are on it.
 const ON: f64 = 1e-9;
-/// Part of a neck's radius by which triangles may cut its map short, and the number to which they are divided for it.
+/// Sag of a triangle in the map, as a share of a neck's radius, that is allowed, and the number of triangles up to which they are divided
+/// for it.
 const SAG: f64 = 0.02;
 const MOST_TRIANGLES: usize = 60_000;
 
-/// What a surface encloses, with about so many cells; they are finest around a neck, if one is given, and grow with the
-/// distance from it.
+/// Mesh of the body inside a surface, with about so many cells; they are finest around a neck, if one is given, and grow with the distance
+/// from it.
 ///
 /// # Errors
 /// As [`inside`](super::inside); [`MeshingError::Folded`] if cells are too wide for the map.
@@ -67,7 +68,7 @@ pub fn graded(
         triangles = divided(triangles);
     }
     let vertices = triangles.0.into_iter().map(|place| map.there(place)).collect();
-    // A surface that its map folds is filled evenly.
+    // A surface that the map folds is filled evenly.
     match ClosedSurface::new(vertices, triangles.1) {
         Ok(mapped) => fill(surface, &mapped, grading, cells),
         Err(_) => fill(surface, surface, None, cells),
@@ -120,7 +121,7 @@ fn fill(
     Ok(GradedMesh { mesh, side: frame.side, grading })
 }
 
-/// Cubes along the longest side that make about so many cells.
+/// Cubes along the longest side for about so many cells.
 fn resolution(image: &ClosedSurface, cells: usize) -> usize {
     let [low, high] = image.bounds();
     let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
@@ -150,7 +151,7 @@ impl Grading {
         1.0_f64.hypot(norm(add(place, scale(-1.0, self.center))) / self.scale)
     }
 
-    /// How far edges bend at most in the map, in its lengths.
+    /// Largest sag of an edge in the map, in its lengths.
     fn sag(&self, (vertices, triangles): &(Vec<[f64; 3]>, Vec<[usize; 3]>)) -> f64 {
         let bend = |[a, b]: [[f64; 3]; 2]| {
             let middle = self.there(scale(0.5, add(a, b)));

@@ -1,3 +1,7 @@
+//! Isosurface stuffing: fills a closed surface with tetrahedra of a body-centred cubic lattice.
+//! The lattice bounds the angles for any surface; what it cannot resolve (thin necks, torn rings, lost volume) is refused, not meshed.
+//! Method of `[@labelle2007]`.
+
 use super::MeshingError;
 use super::fineness::allowed;
 use super::fit::Fit;
@@ -12,13 +16,13 @@ use crate::surface::{ClosedSurface, Proximity};
 
 /// Tetrahedra of the lattice in a cube of it.
 pub(super) const IN_CUBE: f64 = 12.0;
-/// Part of its volume that a mesh may lack or have too much.
+/// Share of the volume by which a mesh may be off.
 pub(super) const OFF: f64 = 0.03;
-/// Parts of a cube by which a side may be longer than whole cubes without needing another.
+/// Parts of a cube by which a side may be longer than whole cubes without another cube.
 const WHOLE: f64 = 1e-9;
 
-/// What a surface encloses, with about `resolution` cubes of a body-centred cubic lattice along the longest side of the
-/// box around it, by isosurface stuffing `[@labelle2007]`.
+/// Mesh of the body inside a surface, with about `resolution` cubes of a body-centred cubic lattice along the longest side of the box
+/// around it, by isosurface stuffing `[@labelle2007]`.
 ///
 /// Points of the lattice near the surface are drawn to it, tetrahedra that it cuts are cut off there, so that all corners
 /// on the wall are on the surface; so are middles of edges on the wall unless a cell would bend too much. No dihedral
@@ -43,7 +47,7 @@ pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, Meshin
     let quadratic = Quadratic::new(&filling.cells, filling.points.len());
     let nodes = curved(filling.points, &quadratic, &proximity);
     let mut mesh = quadratic.mesh(nodes);
-    // The sum of nothing is −0.
+    // An empty sum is −0.
     let found = (0.0 + mesh.volume(&(0..mesh.cells.len()).collect::<Vec<_>>())) / volume;
     if !((found - 1.0).abs() <= OFF) {
         return Err(MeshingError::Volume { found, allowed: OFF, resolution: resolution.saturating_mul(2) });
@@ -53,7 +57,7 @@ pub fn inside(surface: &ClosedSurface, resolution: usize) -> Result<Mesh, Meshin
     Ok(mesh)
 }
 
-/// Where the lattice is: its origin, the side of its cubes, and their numbers, with one to spare on each side.
+/// Frame of the lattice: its origin, the side of its cubes, and their numbers, with one to spare on each side.
 pub(super) struct Frame {
     origin: [f64; 3],
     pub side: f64,
@@ -86,7 +90,7 @@ mod tests {
     use super::*;
     use crate::surface::testing::{ball, ball_triangles, block, cube, prism, turned};
 
-    /// A ball of radius 1 with a ball of radius ½ taken out of it, off its middle.
+    /// A ball of radius 1 without a ball of radius ½ off its middle.
     fn hollow(place: impl Fn([f64; 3]) -> [f64; 3]) -> ClosedSurface {
         let (mut vertices, mut triangles) = ball_triangles(5);
         let (inner, inward) = ball_triangles(4);

@@ -1,12 +1,12 @@
-//! Whether a curved tetrahedron is valid.
+//! Validity of a curved tetrahedron.
 
 use std::sync::OnceLock;
 
 use crate::{Rule, Shape};
 use quasirigid_math::vec3::{add, cross, dot, scale};
 
-/// Least Jacobian of a quadratic tetrahedron at its nodes and where it is integrated, over that of the straight one
-/// with its corners: 1 if it is straight, below 0 if it folds.
+/// Least Jacobian of a quadratic tetrahedron at its nodes and quadrature points, over that of the straight one with its corners: 1 if the
+/// cell is straight, below 0 if it folds.
 pub(super) fn least_jacobian(nodes: &[[f64; 3]; 10]) -> f64 {
     let straight = six_volumes([nodes[0], nodes[1], nodes[2], nodes[3]]);
     let at = |gradients: &[[f64; 3]; 10]| {
@@ -29,7 +29,7 @@ pub(super) fn six_volumes([a, b, c, d]: [[f64; 3]; 4]) -> f64 {
     dot(add(b, from), cross(add(c, from), add(d, from)))
 }
 
-/// Derivatives of the shape functions at the nodes and at the points of integration.
+/// Derivatives of the shape functions at the nodes and at the quadrature points.
 fn probes() -> &'static [[[f64; 3]; 10]] {
     static KEPT: OnceLock<Vec<[[f64; 3]; 10]>> = OnceLock::new();
     KEPT.get_or_init(|| {

@@ -1,4 +1,4 @@
-//! Tetrahedra between corners and middles of cubes.
+//! Body-centred cubic lattice and its tetrahedra.
 
 /// Body-centred cubic lattice: corners and middles of cubes of side 1 between the origin and `cubes`. Coordinates are
 /// doubled: corners have even ones, middles odd ones.
@@ -16,7 +16,7 @@ impl Lattice {
         Self { cubes }
     }
 
-    /// Indices of points are below this number.
+    /// Upper bound of the indices of points.
     pub fn size(&self) -> usize {
         2 * self.cubes.iter().map(|cubes| cubes + 1).product::<usize>()
     }

@@ -1,4 +1,4 @@
-//! Meshes of curved quadratic tetrahedra of what a cavity full of liquid can be.
+//! Meshes of curved quadratic tetrahedra, for shapes with a name and for any closed surface.
 //!
 //! Shapes with a name are divided into cells that a smooth map bends: [`cuboid`], [`ellipsoid`], [`cylinder`],
 //! [`annulus`], [`ring`], [`shell`]. They are centred at the origin. Their `resolution` is the number of cells across
@@ -6,8 +6,8 @@
 //! the walls thinner than those in the middle, `1 − (1 − x)^exponent` from the middle (0) to a wall (1). Middles of
 //! edges lie where the map puts the middle of the straight edge, those on a wall therefore on the wall.
 //!
-//! What any closed surface of triangles encloses is filled by [`inside`]; [`graded`] makes the cells finer at a
-//! neck that [`necks`] finds.
+//! The body inside any closed surface of triangles is filled by [`inside`]; [`graded`] makes the cells finer at a neck that [`necks`]
+//! finds.
 
 mod cuboid;
 mod cylinder;

@@ -1,26 +1,26 @@
-//! Where a body is narrow between parts that are thicker.
+//! Necks: narrow places of a body between thicker parts.
 
 use super::MeshingError;
 use crate::surface::{ClosedSurface, Proximity};
 use quasirigid_math::vec3::{add, norm, scale};
 
-/// A place where a body is narrower than on both sides of it: a saddle of the distance to its surface.
+/// Neck: a place where a body is narrower than on both sides, a saddle of the distance to its surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neck {
-    /// Where it is.
+    /// Place of the neck.
     pub center: [f64; 3],
-    /// Radius of the largest ball about that place that lies in the body.
+    /// Radius of the largest ball in the body about that place.
     pub radius: f64,
 }
 
 /// Cells of the grid along the longest side of the box around a body, and of that around a neck.
 const CELLS: [usize; 2] = [32, 24];
-/// Radius of the smaller of the largest balls on both sides over that of a neck, at least.
+/// Least ratio of the smaller of the largest balls on both sides to the ball of the neck.
 const NARROW: f64 = 1.15;
-/// The same over that of the largest ball in the body: a smaller part beyond a neck does not count.
+/// Least ratio of that ball to the largest one in the body: a smaller part beyond a neck does not count.
 const LOBE: f64 = 0.2;
 
-/// The necks of a body, the narrowest first, found on a grid and then on a finer one around each.
+/// Necks of a body, the narrowest first, found on a grid and then on a finer one around each.
 ///
 /// # Errors
 /// [`MeshingError::Severed`] if a neck is thinner than the grid: about a thirtieth of the body's length.
@@ -51,7 +51,7 @@ impl Grid {
     fn new(low: [f64; 3], high: [f64; 3], cells: usize) -> Self {
         let sides: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
         let side = sides.into_iter().fold(0.0, f64::max) / cells as f64;
-        // An odd number, so that the middle of a straight body is met.
+        // An odd number, so that a point is on the middle of a straight body.
         let counts = sides.map(|length| (length / side).ceil() as usize | 1);
         let low = std::array::from_fn(|axis| {
             low[axis] + 0.5 * sides[axis] - 0.5 * (counts[axis] as f64 - 1.0) * side
@@ -83,7 +83,7 @@ impl Grid {
         })
     }
 
-    /// Where parts that are deep enough come together as the depth falls, and the number of parts that never do.
+    /// Saddles, at which parts that are deep enough merge as the depth falls, and the number of parts that never do.
     fn saddles(&self, least: f64) -> (Vec<Neck>, usize) {
         let mut order: Vec<usize> =
             (0..self.depths.len()).filter(|index| self.depths[*index] > 0.0).collect();
@@ -113,7 +113,7 @@ impl Grid {
         (found, tops.count())
     }
 
-    /// The same neck on a finer grid around it.
+    /// Neck refined on a finer grid around it.
     fn nearer(&self, neck: Neck, proximity: &Proximity) -> Neck {
         let half = 1.5 * neck.radius + 2.0 * self.side;
         let corner = |sign: f64| neck.center.map(|x| x + sign * half);

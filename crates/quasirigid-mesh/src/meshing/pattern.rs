@@ -1,4 +1,4 @@
-//! From tetrahedra in flat coordinates to curved ones in space.
+//! Pattern: tetrahedra in flat coordinates, and their image as curved cells in space.
 
 use super::MeshingError;
 use super::jacobian::{least_jacobian, six_volumes};
@@ -7,8 +7,8 @@ use super::simplices::Simplices;
 use crate::Mesh;
 
 impl<const N: usize> Simplices<4, N> {
-    /// Layers of prisms over triangles, each cut into three. The rule of the lower number makes neighbours fit: on every
-    /// side the diagonal rises from the end with the lower number. Closed, the last layer meets the first.
+    /// Layers of prisms over triangles, each cut into three. The rule of the lower number makes neighbours fit: on every side the diagonal
+    /// rises from the end with the lower number. In a closed stack the last layer meets the first.
     pub fn prisms<const M: usize>(
         base: &Simplices<3, M>,
         layers: usize,

@@ -1,4 +1,4 @@
-//! From tetrahedra with four corners to those with ten nodes.
+//! Tetrahedra of ten nodes from those of four corners.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ pub(super) struct Quadratic {
 }
 
 impl Quadratic {
-    /// From cells by their corners, which are nodes below `corners`.
+    /// Quadratic cells from cells by their corners, which are nodes below `corners`.
     pub fn new(cells: &[[usize; 4]], corners: usize) -> Self {
         let mut edges = Vec::new();
         let mut known: HashMap<[usize; 2], usize> = HashMap::new();

@@ -1,3 +1,6 @@
+//! Mesh of a torus: a disc swept round the axis, cut into curved tetrahedra.
+//! Cells on the inside of the bend are compressed, so a ring too tight for its cells is refused instead of folded.
+
 use std::f64::consts::PI;
 
 use super::MeshingError;

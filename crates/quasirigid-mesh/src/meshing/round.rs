@@ -1,4 +1,4 @@
-//! Flat shapes that become round: the hexagon a disc, the icosahedron a ball.
+//! Maps of flat shapes to round ones: the hexagon to a disc, the icosahedron to a ball.
 
 use std::f64::consts::PI;
 
@@ -99,7 +99,7 @@ mod tests {
         let (disc, ball) = (hexagon(4, fineness), icosahedron(4, fineness));
         assert!(disc.points.iter().all(|[_, _, rho]| on_layer(*rho)));
         assert!(ball.points.iter().all(|[_, _, _, rho]| on_layer(*rho)));
-        // Along the line from the middle to a corner of the hexagon the points are as far as ρ says.
+        // Along the line from the middle to a corner of the hexagon the points are at the distance ρ.
         let along: Vec<f64> =
             disc.points.iter().filter(|[x, y, _]| *x > 0.0 && *y == 0.0).map(|[x, ..]| *x).collect();
         assert!(along.len() == 4 && along.iter().all(|x| on_layer(*x)), "{along:?}");

@@ -1,3 +1,6 @@
+//! Mesh of the space between two ellipsoids: a divided icosahedron in layers.
+//! The inner and the outer wall are images of one sphere, so cells join equal points of both and no layer needs a search.
+
 use super::MeshingError;
 use super::fineness::{Fineness, cells, relative};
 use super::round::icosahedron_hull;
@@ -7,11 +10,10 @@ use crate::Mesh;
 /// Angle between neighbouring corners of an icosahedron: arctan 2.
 const CORNERS_APART: f64 = 1.107_148_717_794_090_4;
 
-/// What lies between two ellipsoids with semi-axes along the axes, the inner within the outer.
+/// A space between two ellipsoids with semi-axes along the axes, the inner within the outer.
 ///
-/// Points on the two that a stretch of the unit sphere makes of the same point are joined by straight lines. Cells are as
-/// wide as the gaps along the three axes are on average. Between balls no dihedral angle of even cells is below 22° if
-/// the inner radius is at least half the outer one.
+/// Straight lines join the images of a point of the unit sphere on the two walls. Cells are as wide as the gaps along the three axes are on
+/// average. Between balls no dihedral angle of even cells is below 22° if the inner radius is at least half the outer one.
 ///
 /// # Errors
 /// [`MeshingError`] for lengths that are not positive or too different, semi-axes in the wrong order, no cells, too many,

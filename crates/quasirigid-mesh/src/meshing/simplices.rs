@@ -8,7 +8,7 @@ pub(super) struct Simplices<const K: usize, const N: usize> {
     pub cells: Vec<[usize; K]>,
 }
 
-/// A point between the corners of a simplex: those that have a share in it, ascending, each with its share.
+/// A point between the corners of a simplex: the corners with a share in it, ascending, each with its share.
 type Place<const K: usize> = [(usize, usize); K];
 
 impl<const K: usize, const N: usize> Simplices<K, N> {
@@ -42,7 +42,7 @@ impl<const K: usize, const N: usize> Simplices<K, N> {
 }
 
 impl<const N: usize> Simplices<3, N> {
-    /// Columns and rows of squares, each halved; closed, the last column meets the first.
+    /// Columns and rows of squares, each halved; in a closed grid the last column meets the first.
     pub fn grid([columns, rows]: [usize; 2], closed: bool, point: impl Fn(usize, usize) -> [f64; N]) -> Self {
         let across = if closed { columns } else { columns + 1 };
         let index = |column: usize, row: usize| row * across + column % across;
@@ -70,8 +70,8 @@ fn place<const K: usize>(simplex: &[usize; K], shares: &[usize; K]) -> Place<K> 
     place
 }
 
-/// The parts of a simplex, each by the shares, out of `parts`, that its corners have of those of the whole: from one to
-/// the next, a share goes from one corner of the whole to the following one, each such step once.
+/// Parts of a simplex, each by the shares, out of `parts`, that its corners have of those of the whole: from one corner to the next, a
+/// share goes from one corner of the whole to the following one, each such step once.
 fn walks<const K: usize>(parts: usize) -> Vec<[[usize; K]; K]> {
     let mut walks = Vec::new();
     let base = parts + 1;

@@ -1,18 +1,18 @@
-//! Removal of slivers: cells that are connected with no body.
+//! Removal of slivers: small cells that are not connected to any body.
 
 use super::MeshingError;
 use super::jacobian::six_volumes;
 use super::simplices::Simplices;
 use quasirigid_math::connected_components::connected_components;
 
-/// Part of the volume of all cells below which a connected part is a sliver.
+/// Share of the volume of all cells below which a connected part is a sliver.
 const SLIVER: f64 = 1e-3;
 
-/// The cells without slivers: parts that share no node with the largest ones, of which there are as many as
-/// `bodies`. They are left in tips that are thinner than a cell.
+/// Cells without slivers: parts that share no node with the largest ones, of which there are as many as `bodies`. Slivers remain in tips
+/// that are thinner than a cell.
 ///
 /// # Errors
-/// [`MeshingError::Severed`] where such a part is no sliver; says to try twice the `resolution`.
+/// [`MeshingError::Severed`] where such a part is no sliver; suggests twice the `resolution`.
 pub(super) fn without_slivers(
     Simplices { points, cells }: Simplices<4, 3>,
     bodies: usize,

@@ -10,7 +10,7 @@ use super::simplices::Simplices;
 /// A corner of a tetrahedron, twice, or the cut between two: the first inside, the second outside.
 type Place = [usize; 2];
 
-/// What lies inside of every tetrahedron that has a corner inside, as cells of positive volume.
+/// Inside parts of all tetrahedra with a corner inside, as cells of positive volume.
 pub(super) fn cells(lattice: &Lattice, fit: &Fit) -> Simplices<4, 3> {
     let (mut points, mut cells) = (Vec::new(), Vec::new());
     let mut known: HashMap<[usize; 2], usize> = HashMap::new();
@@ -32,8 +32,8 @@ pub(super) fn cells(lattice: &Lattice, fit: &Fit) -> Simplices<4, 3> {
     Simplices { points, cells }
 }
 
-/// Cells within a tetrahedron, from the sides its corners are on, after `[@labelle2007]`: all that see a four-sided
-/// face that cuts leave agree about its diagonal.
+/// Cells within a tetrahedron, from the sides of its corners, after `[@labelle2007]`: neighbours at a four-sided face that cuts leave agree
+/// about its diagonal.
 fn stencil(sides: [Side; 4], even: [bool; 4]) -> Vec<[Place; 4]> {
     let of = |side: Side| (0..4).filter(move |k| sides[*k] == side);
     let at = |k: usize| [k, k];
@@ -81,8 +81,8 @@ fn stencil(sides: [Side; 4], even: [bool; 4]) -> Vec<[Place; 4]> {
     }
 }
 
-/// Of two corners inside, next to one outside, first the one from which a diagonal leaves for the cut of the other: that
-/// of the long edge if one of the two edges is cut there is long, else by the place in the lattice.
+/// Order of two corners inside, next to one outside: first the one from which a diagonal leaves for the cut of the other. That is the
+/// corner of the long edge if one of the two edges cut there is long, else the order follows from the place in the lattice.
 fn diagonal([p, q]: [usize; 2], outside: usize, even: [bool; 4]) -> [usize; 2] {
     let first = if opposite(outside) == p {
         q
@@ -94,7 +94,7 @@ fn diagonal([p, q]: [usize; 2], outside: usize, even: [bool; 4]) -> [usize; 2] {
     if first == p { [p, q] } else { [q, p] }
 }
 
-/// The other end of the long edge of a corner.
+/// Other end of the long edge of a corner.
 fn opposite(corner: usize) -> usize {
     corner ^ 1
 }
@@ -136,7 +136,7 @@ mod tests {
         angles_deg(&mesh)
     }
 
-    /// Of shapes with sharp edges, thinner than a cell in places. The bounds are those that the authors prove.
+    /// Shapes with sharp edges, thinner than a cell in places. The bounds are those that the authors prove.
     #[test]
     fn cells_fit_and_have_bounded_angles_whatever_the_surface() {
         for surface in (0..100).filter_map(tetrahedron) {

@@ -1,4 +1,4 @@
-//! What the tests ask of every mesh.
+//! Checks of meshes for the tests.
 
 use std::collections::HashMap;
 
@@ -10,8 +10,8 @@ use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 const FACES: [([usize; 3], [usize; 3]); 4] =
     [([0, 2, 1], [6, 5, 4]), ([0, 1, 3], [4, 8, 7]), ([1, 2, 3], [5, 9, 8]), ([2, 0, 3], [6, 7, 9])];
 
-/// Faces of one cell only, by corners and nodes between, after asking that every other face has two cells that agree
-/// about all its nodes and pass it in opposite directions, and that the wall is closed.
+/// Faces of one cell only, by corners and nodes between. Asserts that every other face has two cells that agree about all its nodes and
+/// pass it in opposite directions, and that the wall is closed.
 pub fn wall(mesh: &Mesh) -> Vec<[usize; 6]> {
     let mut faces: HashMap<[usize; 3], Vec<[usize; 6]>> = HashMap::new();
     for cell in &mesh.cells {
@@ -58,7 +58,7 @@ pub fn euler_characteristic(wall: &[[usize; 6]]) -> i64 {
     counted(0) - counted(3) + wall.len() as i64
 }
 
-/// Asks that a mesh is one of valid cells that fit, with a wall of some Euler characteristic. Returns its faces.
+/// Asserts a mesh of valid cells that fit, with a wall of some Euler characteristic, and returns its faces.
 pub fn assert_valid(mesh: &Mesh, euler: i64) -> Vec<[usize; 6]> {
     assert_eq!(mesh.check(), Ok(()));
     assert_eq!(mesh.notes(), []);
@@ -68,7 +68,7 @@ pub fn assert_valid(mesh: &Mesh, euler: i64) -> Vec<[usize; 6]> {
     wall
 }
 
-/// Asks the same, and that all nodes of the wall, and no others, are on what `distance` is zero on.
+/// Asserts a valid mesh, all of whose wall nodes, and no others, are on the zeros of `distance`.
 pub fn assert_sound(mesh: &Mesh, euler: i64, distance: impl Fn([f64; 3]) -> f64) {
     let wall = assert_valid(mesh, euler);
     let size = mesh.nodes.iter().map(|node| norm(*node)).fold(0.0, f64::max);
@@ -125,8 +125,7 @@ pub fn moments(mesh: &Mesh) -> [f64; 7] {
     sums
 }
 
-/// Largest error of the moments of a mesh beside exact ones: of the volume beside itself, of the others beside the
-/// largest of them.
+/// Largest error of the moments of a mesh: of the volume relative to itself, of the others relative to the largest of them.
 pub fn error(mesh: &Mesh, exact: [f64; 7]) -> f64 {
     let found = moments(mesh);
     let largest = exact[1..].iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -134,7 +133,7 @@ pub fn error(mesh: &Mesh, exact: [f64; 7]) -> f64 {
     second.max((found[0] / exact[0] - 1.0).abs())
 }
 
-/// Asks that errors of meshes with resolutions `n` and `2 n` fall with at least the power 3.5 of the width of a cell.
+/// Asserts that errors of meshes with resolutions `n` and `2 n` fall with at least the power 3.5 of the width of a cell.
 pub fn assert_fourth_order(exact: [f64; 7], n: usize, mesh: impl Fn(usize) -> Mesh) {
     let [coarse, fine] = [n, 2 * n].map(|n| error(&mesh(n), exact));
     let order = (coarse / fine).log2();

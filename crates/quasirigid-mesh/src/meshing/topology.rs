@@ -1,4 +1,4 @@
-//! Whether a mesh hangs together as the surface that it fills does.
+//! Topology of a mesh against that of the surface that it fills.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,11 +8,11 @@ use crate::surface::ClosedSurface;
 /// Corners of the faces of a tetrahedron.
 const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
 
-/// Asks that the wall of the cells has the Euler characteristic of the surface, 2 less twice the number of handles: a ring that cells
-/// tear where it is thinner than they are, and arms that they join across a gap, are other bodies.
+/// Accepts cells whose wall has the Euler characteristic of the surface, 2 less twice the number of handles: a ring that cells tear where
+/// it is thinner than they are, and arms that they join across a gap, are other bodies.
 ///
 /// # Errors
-/// [`MeshingError::Torn`]; says to try twice the `resolution`.
+/// [`MeshingError::Torn`]; suggests twice the `resolution`.
 pub(super) fn same_topology(
     surface: &ClosedSurface,
     cells: &[[usize; 4]],

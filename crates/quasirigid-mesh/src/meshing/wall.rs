@@ -5,15 +5,15 @@ use super::quadratic::Quadratic;
 use crate::surface::Proximity;
 use quasirigid_math::vec3::{add, norm, scale};
 
-/// Farthest that a middle moves, beside its edge: beyond, another part of the surface is near.
+/// Largest shift of a middle, as a share of its edge: beyond, another part of the surface is near.
 const FARTHEST: f64 = 0.25;
-/// Least Jacobian of a curved cell beside that of the straight one.
+/// Least Jacobian of a curved cell relative to that of the straight one.
 const LEAST: f64 = 0.3;
 /// Corners of the faces of a tetrahedron, and the nodes in the middles of their edges.
 const FACES: [([usize; 3], [usize; 3]); 4] =
     [([0, 1, 2], [4, 5, 6]), ([0, 1, 3], [4, 7, 8]), ([1, 2, 3], [5, 8, 9]), ([0, 2, 3], [6, 7, 9])];
 
-/// Nodes at corners and middles of edges, those of edges on the wall on the surface where no cell bends too much.
+/// Nodes at corners and middles of edges; those of edges on the wall are on the surface where no cell bends too much.
 pub(super) fn curved(corners: Vec<[f64; 3]>, mesh: &Quadratic, surface: &Proximity) -> Vec<[f64; 3]> {
     let first = corners.len();
     let mut nodes = corners;

@@ -1,16 +1,19 @@
+//! Closed surface of triangles: checked on construction, with volume, centroid, bodies and convexity.
+//! Moments, meshes and distances all presume the invariant below, so no surface exists that breaks it.
+//! Equation (G9), docs/theory/11-materials.md.
+
 use super::geometry::{bounds, is_flat, minus, normalised};
 use super::{Moments, SurfaceError, crossing, shells, topology};
 use quasirigid_math::vec3::{cross, dot, norm};
 
-/// Height over a triangle, beside the largest coordinate, that is rounding.
+/// Height over a triangle, relative to the largest coordinate, that is rounding.
 const FLAT: f64 = 1e-7;
 
 /// A surface of triangles that bounds a body: one shell or several, side by side or as cavities one in the other.
 ///
-/// Invariant: every edge has two triangles that pass it in opposite directions; no triangle is flat, and no two meet
-/// except in a corner or an edge that they share; triangles run
-/// counterclockwise seen from outside the body, so those of a cavity seen from within it. Shells may share single
-/// vertices. All lengths are judged beside the largest coordinate, so that the unit does not matter.
+/// Invariant: every edge has two triangles that pass it in opposite directions; no triangle is flat, and no two meet except in a corner or
+/// an edge that they share; triangles run counterclockwise seen from outside the body, so those of a cavity seen from within it. Shells may
+/// share single vertices. All lengths are judged relative to the largest coordinate, so that the unit does not matter.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::written::Written", into = "super::written::Written"))]
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +28,7 @@ impl ClosedSurface {
     /// triangle are allowed.
     ///
     /// # Errors
-    /// [`SurfaceError`] says what is wrong, where first, and how often.
+    /// [`SurfaceError`] with the kind of fault, its first place and the count.
     pub fn new(vertices: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Result<Self, SurfaceError> {
         if triangles.len() < 4 {
             return Err(SurfaceError::TooFew { triangles: triangles.len() });
@@ -50,7 +53,7 @@ impl ClosedSurface {
         Ok(Self { vertices, triangles, bounds })
     }
 
-    /// The same seen from a place along unit axes at right angles.
+    /// The surface seen from a place along unit axes at right angles.
     #[must_use]
     pub fn seen(&self, from: [f64; 3], axes: [[f64; 3]; 3]) -> Self {
         let vertices: Vec<[f64; 3]> =
@@ -97,7 +100,7 @@ impl ClosedSurface {
         std::array::from_fn(|axis| middle[axis] + unit[axis] * mean[axis])
     }
 
-    /// Number of bodies: shells that look outward. Those that share only vertices count each.
+    /// Number of bodies: shells that look outward. Bodies that share only vertices count each.
     #[must_use]
     pub fn bodies(&self) -> usize {
         // Every edge has two triangles, as it had when the surface was accepted.
@@ -106,7 +109,7 @@ impl ClosedSurface {
         shells::outward(&corners, &neighbours)
     }
 
-    /// Whether it bounds one convex body: at every edge the next triangle bends inward, or not at all.
+    /// Whether the surface bounds one convex body: at every edge the next triangle bends inward, or not at all.
     #[must_use]
     pub fn is_convex(&self) -> bool {
         let neighbours = topology::neighbours(&self.triangles).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Triangles that meet where they should not.
+//! Triangles that cross or touch where they should not.
 
 use std::ops::ControlFlow;
 
@@ -7,7 +7,7 @@ use super::geometry::{Corners, bounds, minus};
 use super::tree::{Bounds, overlapping};
 use quasirigid_math::vec3::{cross, dot, norm};
 
-/// Gaps below this part of the extent of two triangles are rounding.
+/// Share of the extent of two triangles below which a gap is rounding.
 const GAP: f64 = 8.0 * f64::EPSILON;
 /// Pairs are counted up to this number.
 const COUNTED: usize = 1000;
@@ -33,7 +33,7 @@ fn meet([a, b]: [&Corners; 2], [a_corners, b_corners]: [[usize; 3]; 2]) -> bool 
     let shared: Vec<[usize; 2]> = (0..3).filter_map(|i| same(i).map(|j| [i, j])).collect();
     match shared.as_slice() {
         [] => !apart(a, b),
-        // Seen from the shared corner, what else they had in common would reach the far side of one of them.
+        // Seen from the shared corner, any other common point would reach the far side of one of them.
         [[i, j]] => !(apart(&far_side(a, *i), b) && apart(&far_side(b, *j), a)),
         [_, _] => folded(a, b),
         _ => true,

@@ -1,13 +1,16 @@
+//! Errors of closed surfaces: kinds of fault for which triangles enclose no body.
+//! Messages count from 1, as files and mesh tools do, the fields from 0; the first fault and the count are enough to mend a surface.
+
 use thiserror::Error;
 
-/// Why triangles enclose no body. Fields count vertices and triangles from 0, messages from 1.
+/// Fault for which triangles enclose no body. Fields count vertices and triangles from 0, messages from 1.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum SurfaceError {
     /// Fewer triangles than a tetrahedron has.
     #[error("{triangles} triangles enclose nothing; a closed surface has at least 4")]
     TooFew {
-        /// How many there are.
+        /// Number of triangles.
         triangles: usize,
     },
     /// A triangle with a corner that is not in the list of vertices.
@@ -17,9 +20,9 @@ pub enum SurfaceError {
         triangle: usize,
         /// The corner that it names.
         index: usize,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
-        /// How many triangles have such a corner.
+        /// Number of triangles with such a corner.
         count: usize,
     },
     /// A vertex at NaN or at infinity.
@@ -27,7 +30,7 @@ pub enum SurfaceError {
     NotFinite {
         /// The first such vertex.
         vertex: usize,
-        /// How many there are.
+        /// Number of such vertices.
         count: usize,
     },
     /// A triangle without area: a corner twice, or all three on a line to within rounding.
@@ -38,7 +41,7 @@ pub enum SurfaceError {
     Degenerate {
         /// The first such triangle.
         triangle: usize,
-        /// How many there are.
+        /// Number of such triangles.
         count: usize,
     },
     /// An edge that belongs to one triangle only.
@@ -51,7 +54,7 @@ pub enum SurfaceError {
         edge: [usize; 2],
         /// Its triangle.
         triangle: usize,
-        /// How many open edges there are.
+        /// Number of open edges.
         count: usize,
     },
     /// An edge of more than two triangles.
@@ -64,10 +67,10 @@ pub enum SurfaceError {
         edge: [usize; 2],
         /// Its triangles.
         triangles: Vec<usize>,
-        /// How many such edges there are.
+        /// Number of such edges.
         count: usize,
     },
-    /// An edge that both its triangles pass in the same direction, so that one of them is turned around.
+    /// An edge that both its triangles pass in the same direction, so that one of them is reversed.
     #[error(
         "triangles {} and {} both run from vertex {} to vertex {}{}; turn one of them around",
         triangles[0] + 1, triangles[1] + 1, edge[0] + 1, edge[1] + 1, among(*count, "edges")
@@ -77,7 +80,7 @@ pub enum SurfaceError {
         edge: [usize; 2],
         /// Its triangles.
         triangles: [usize; 2],
-        /// How many such edges there are.
+        /// Number of such edges.
         count: usize,
     },
     /// Two triangles that cross or touch where they share no corner, or lie back to back.
@@ -88,7 +91,7 @@ pub enum SurfaceError {
     SelfIntersecting {
         /// The first such pair.
         triangles: [usize; 2],
-        /// How many there are; no more than 1000 are counted.
+        /// Number of such pairs; no more than 1000 are counted.
         count: usize,
     },
     /// The surface looks inward: what it encloses has a negative volume.
@@ -104,10 +107,10 @@ pub enum SurfaceError {
     LooseCavity {
         /// A triangle of the first such shell.
         triangle: usize,
-        /// How many such shells there are.
+        /// Number of such shells.
         count: usize,
     },
-    /// A shell that looks outward inside the body, which would be counted twice.
+    /// A shell that looks outward inside the body, whose volume would count twice.
     #[error(
         "the shell of triangle {} lies inside the body and looks outward{}; turn its triangles around if it is a cavity, else leave it out",
         triangle + 1, among(*count, "shells")
@@ -115,12 +118,12 @@ pub enum SurfaceError {
     Buried {
         /// A triangle of the first such shell.
         triangle: usize,
-        /// How many such shells there are.
+        /// Number of such shells.
         count: usize,
     },
 }
 
-/// That an element is the first of several.
+/// Words for an element that is the first of several.
 fn among(count: usize, elements: &str) -> String {
     if count > 1 { format!(", the first of {count} such {elements}") } else { String::new() }
 }

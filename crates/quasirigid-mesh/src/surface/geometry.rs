@@ -5,7 +5,7 @@ use quasirigid_math::vec3::{cross, dot, norm};
 /// Corners of a triangle.
 pub(super) type Corners = [[f64; 3]; 3];
 
-/// Heights below this part of the largest coordinate are rounding of the coordinates.
+/// Share of the largest coordinate below which heights are rounding of the coordinates.
 const FLAT: f64 = 16.0 * f64::EPSILON;
 
 /// `a − b`.

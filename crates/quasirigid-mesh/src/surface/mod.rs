@@ -1,4 +1,4 @@
-//! Closed surfaces of triangles, and exact integrals over what they enclose.
+//! Closed surfaces of triangles, and exact integrals over the bodies inside them.
 
 mod closed;
 mod crossing;

@@ -1,18 +1,22 @@
+//! Moments of a closed surface: integrals of all monomials over the body inside, by the divergence theorem.
+//! No mesh of the volume is needed and Gauss rules are exact; terms are summed with a compensation, so many triangles cost no digits.
+//! Equation (G9), docs/theory/11-materials.md.
+
 use super::ClosedSurface;
 use super::geometry::{minus, triple};
 use quasirigid_math::polynomial::monomial::{count, index};
 use quasirigid_math::quadrature::gauss_legendre;
 use quasirigid_math::simd::{Arithmetic, Task, dispatch};
 
-/// Points of a triangle that are worked on together.
+/// Points of a triangle in one vector operation.
 const LANES: usize = 8;
-/// One number at each of them.
+/// Numbers at these points.
 type Lanes = [f64; LANES];
 
-/// Integrals of all monomials `x^i y^j z^k` up to a degree over what a surface encloses.
+/// Moments: integrals of all monomials `x^i y^j z^k` up to a degree over the body inside a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moments {
-    /// By degree, then in the order of [`monomial`](quasirigid_math::polynomial::monomial).
+    /// Values by degree, then in the order of [`monomial`](quasirigid_math::polynomial::monomial).
     values: Vec<Vec<f64>>,
 }
 
@@ -62,8 +66,8 @@ fn monomials(degree: usize) -> impl Iterator<Item = [usize; 3]> {
         .flat_map(move |i| (0..=degree - i).flat_map(move |j| (0..=degree - i - j).map(move |k| [i, j, k])))
 }
 
-/// Points `u`, `v` and weights of a rule on the triangle `u, v ≥ 0`, `u + v ≤ 1` that is exact for polynomials of a
-/// degree: Gauss's rule on the square `u = s`, `v = t(1−s)`. Filled up with points of no weight.
+/// Points `u`, `v` and weights of a rule on the triangle `u, v ≥ 0`, `u + v ≤ 1` that is exact for polynomials of a degree: the Gauss rule
+/// on the square `u = s`, `v = t(1−s)`. Filled up with points of no weight.
 fn triangle_rule(degree: usize) -> Vec<[Lanes; 3]> {
     let half = |[node, weight]: [f64; 2]| [0.5 * (1.0 + node), 0.5 * weight];
     // The area element 1 − s adds a degree in s.
@@ -80,7 +84,7 @@ fn triangle_rule(degree: usize) -> Vec<[Lanes; 3]> {
     points.chunks(LANES).map(lanes).collect()
 }
 
-/// `∮ p (r·n) dS` for every monomial, each as a sum and what rounding left of it.
+/// Surface integral `∮ p (r·n) dS` for every monomial, each as a sum and its rounding error.
 struct Integration<'a> {
     surface: &'a ClosedSurface,
     degree: usize,
@@ -159,7 +163,7 @@ fn inner<A: Arithmetic>(a: &[Lanes], b: &[Lanes]) -> f64 {
     ((p + t) + (q + u)) + ((r + v) + (s + w))
 }
 
-/// Adds to a sum and keeps what rounding takes away, so that many triangles are as exact as few.
+/// Adds to a sum and keeps the rounding error, so that many triangles are as exact as few.
 #[inline(always)]
 fn add([sum, rest]: &mut [f64; 2], term: f64) {
     let total = *sum + term;

@@ -1,4 +1,4 @@
-//! The nearest point of a surface, and on which side of it a point is.
+//! Distance to a surface: the nearest point, and the side on which a point is.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use super::tree::{Bounds, Tree};
 use quasirigid_math::connected_components::connected_components;
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
-/// A closed surface prepared for questions about what is near.
+/// A closed surface prepared for queries of distance.
 pub(crate) struct Proximity {
     triangles: Vec<Corners>,
     normals: Vec<Normals>,
@@ -21,7 +21,7 @@ pub(crate) struct Proximity {
 struct Normals {
     face: [f64; 3],
     edges: [[f64; 3]; 3],
-    /// None where parts of the surface meet in a corner and nowhere near it.
+    /// Normals of corners; none where parts of the surface meet in a corner and nowhere near it.
     corners: [Option<[f64; 3]>; 3],
 }
 
@@ -37,12 +37,12 @@ enum Feature {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearest {
     pub at: [f64; 3],
-    /// How far away it is, negative from inside.
+    /// Distance, negative from inside.
     pub distance: f64,
 }
 
 impl Proximity {
-    /// The surface after a map of its vertices, which may move, turn and stretch it as a whole.
+    /// Surface after a map of its vertices, which may move, rotate and stretch it as a whole.
     pub fn new(surface: &ClosedSurface, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         let place = |corners: &[usize; 3]| corners.map(|corner| map(surface.vertices[corner]));
         let triangles: Vec<Corners> = surface.triangles.iter().map(place).collect();
@@ -57,8 +57,8 @@ impl Proximity {
         self.triangles.iter().map(six).sum::<f64>() / 6.0
     }
 
-    /// The nearest point. The side is that of the normal there; that of edges and corners is the mean of their
-    /// triangles, weighted by angles `[@baerentzen2005]`.
+    /// Nearest point. The side is that of the normal there; the normal of edges and corners is the mean of their triangles, weighted by
+    /// angles `[@baerentzen2005]`.
     pub fn nearest(&self, point: [f64; 3]) -> Nearest {
         let (mut best, mut square) = ((0, Feature::Face, point), f64::INFINITY);
         let mut open = vec![(self.tree.nodes.len() - 1, 0.0)];
@@ -69,7 +69,7 @@ impl Proximity {
             let node = &self.tree.nodes[node];
             if let Some(children) = node.children {
                 let mut children = children.map(|child| (child, away(&self.tree.nodes[child].bounds, point)));
-                // The nearer one is opened first.
+                // The nearer child is opened first.
                 children.sort_by(|a, b| b.1.total_cmp(&a.1));
                 open.extend(children);
                 continue;
@@ -108,7 +108,7 @@ fn away([low, high]: &Bounds, point: [f64; 3]) -> f64 {
     dot(out, out)
 }
 
-/// The nearest point of a triangle, and the part it is on `[@ericson2005]`.
+/// Nearest point of a triangle, and the feature on which it is `[@ericson2005]`.
 fn nearest_of([a, b, c]: &Corners, point: [f64; 3]) -> (Feature, [f64; 3]) {
     let (ab, ac) = (minus(*b, *a), minus(*c, *a));
     let along = |from: [f64; 3]| [dot(ab, minus(point, from)), dot(ac, minus(point, from))];
@@ -230,7 +230,7 @@ mod tests {
     }
 
     proptest! {
-        /// No point of a triangle is nearer, and it does not matter which corner comes first.
+        /// No point of a triangle is nearer, and the choice of the first corner does not matter.
         #[test]
         fn the_nearest_point_of_a_triangle_is_the_nearest(
             [ax, ay, bx, by, cx, cy, x, y, z] in prop::array::uniform9(-1.0..1.0), u in 0.0..1.0, v in 0.0..1.0
@@ -257,7 +257,7 @@ mod tests {
 
     #[test]
     fn sides_are_right_where_bodies_share_a_corner() {
-        // Two tetrahedra tip to tip; that below has a notch, so that points in it have the tip for their nearest.
+        // Two tetrahedra tip to tip; the lower one has a notch, so that points in it have the tip for their nearest.
         let mut vertices = vec![[0.0; 3], [1.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [-1.0, -1.0, 1.0]];
         vertices.extend([[3.0, 0.0, 1.0], [-3.0, 3.0, 1.0], [-3.0, -3.0, 1.0], [0.0, 0.0, -5.0]]);
         let up = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
@@ -271,7 +271,7 @@ mod tests {
             let vertices = vertices.iter().copied().map(turned).collect();
             let surface = ClosedSurface::new(vertices, up.into_iter().chain(down).collect()).unwrap();
             for sign in [1.0, -1.0] {
-                // Both turned around an axis through the tip.
+                // Both rotated around an axis through the tip.
                 let around = |[x, y, z]: [f64; 3]| [x, sign * y, sign * z];
                 let proximity = Proximity::new(&surface, around);
                 let distance = |at: [f64; 3]| proximity.nearest(around(turned(at))).distance;

@@ -1,4 +1,4 @@
-//! Shells of a surface, and which of them lie in which.
+//! Shells of a surface, and their nesting.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use super::geometry::{Corners, bounds, minus, triple};
 use quasirigid_math::connected_components::connected_components;
 use quasirigid_math::vec3::{dot, norm, scale};
 
-/// A part of the surface whose triangles hang together by their edges.
+/// Shell: a part of the surface whose triangles are connected by their edges.
 struct Shell {
     triangles: Vec<usize>,
     bounds: [[f64; 3]; 2],
@@ -26,7 +26,7 @@ impl Shell {
         Self { triangles, bounds, volume }
     }
 
-    /// How many times the shell winds around a point off it: 1 inside, −1 inside a cavity, 0 outside.
+    /// Winding number of the shell around a point off it: 1 inside, −1 inside a cavity, 0 outside.
     fn winding(&self, corners: &[Corners], point: [f64; 3]) -> f64 {
         let [low, high] = self.bounds;
         if (0..3).any(|axis| point[axis] < low[axis] || point[axis] > high[axis]) {

@@ -44,7 +44,7 @@ pub fn ball_triangles(n: usize) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     let mut vertices = vec![[0.0, 0.0, -1.0]];
     for ring in 1..rings {
         let (sin, cos) = (PI * ring as f64 / rings as f64).sin_cos();
-        // Every other ring is turned by half a triangle.
+        // Every other ring is rotated by half a triangle.
         let turn = 0.5 * (ring % 2) as f64;
         vertices.extend((0..around).map(|k| {
             let (y, x) = (2.0 * PI * (k as f64 + turn) / around as f64).sin_cos();
@@ -66,7 +66,7 @@ pub fn ball_triangles(n: usize) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     (vertices, triangles)
 }
 
-/// A turn about no axis of the coordinates, and a shift, in a unit of length.
+/// Rotation about no axis of the coordinates, and a shift, in a unit of length.
 pub fn turned(unit: f64) -> impl Fn([f64; 3]) -> [f64; 3] + Copy {
     move |[x, y, z]| {
         [0.6 * x - 0.8 * y + 7.0, 0.48 * x + 0.36 * y - 0.8 * z - 2.0, 0.64 * x + 0.48 * y + 0.6 * z]

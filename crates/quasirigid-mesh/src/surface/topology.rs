@@ -1,8 +1,8 @@
-//! How triangles hang together, whatever their shape.
+//! Connectivity of triangles, whatever their shape.
 
 use super::SurfaceError;
 
-/// An edge as one of its triangles has it.
+/// Edge with the direction in which one of its triangles passes it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Side {
     /// Ends of the edge, the lower one first.

@@ -4,7 +4,7 @@ use std::ops::{ControlFlow, Range};
 
 use super::geometry::bounds;
 
-/// Lowest and highest corner.
+/// Lowest and highest corner of a box.
 pub(super) type Bounds = [[f64; 3]; 2];
 
 /// Most boxes in a node without children.
@@ -93,7 +93,7 @@ fn overlap([a_low, a_high]: &Bounds, [b_low, b_high]: &Bounds) -> bool {
 mod tests {
     use super::*;
 
-    /// Boxes at places that follow from their number, many of them equal in some coordinate.
+    /// Boxes at places derived from their number, many of them equal in some coordinate.
     fn boxes(count: usize) -> Vec<Bounds> {
         let place = |n: usize| [n * 7 % 31, n * 11 % 23, n * 13 % 17].map(|x| x as f64);
         (0..count).map(place).map(|low| [low, low.map(|x| x + 3.0)]).collect()

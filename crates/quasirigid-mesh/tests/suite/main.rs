@@ -1,4 +1,4 @@
-//! Closed surfaces: moments, what they must not depend on, and what is refused.
+//! Closed surfaces: moments, their invariances, and refusals.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod refused_surfaces;
@@ -8,7 +8,7 @@ mod surfaces;
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;
 
-/// How many cases a law is tried on; the same ones in every run unless the environment says otherwise.
+/// Number of cases on which a law is tried; the same ones in every run unless the environment says otherwise.
 fn cases(count: u32) -> ProptestConfig {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     ProptestConfig {

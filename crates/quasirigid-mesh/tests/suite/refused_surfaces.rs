@@ -73,7 +73,7 @@ fn refusals_count_from_one_and_say_what_to_do() {
     says((vertices, vec![[0, 1, 2]; 3]), "3 triangles enclose nothing; a closed surface has at least 4");
 }
 
-/// Lines that are nearly straight: the last bit decides, and it is the same bit for a grain and for a moon.
+/// Lines that are nearly straight: the last bit decides, and it is the same bit for a speck of dust and for a moon.
 #[test]
 fn a_sliver_is_a_triangle_until_rounding() {
     for unit in [1e-9, 1.0, 1e9] {
@@ -92,7 +92,7 @@ fn a_sliver_is_a_triangle_until_rounding() {
     }
 }
 
-/// Turned by a rotation of the whole, so that flat sides are flat to rounding only.
+/// Mesh rotated as a whole, so that flat sides are flat to rounding only.
 fn turned(mesh: &Mesh, axis: [f64; 3], unit: f64) -> Mesh {
     let [x, y, z] = axis;
     let square = 1.0 + x * x + y * y + z * z;
@@ -167,13 +167,13 @@ fn surfaces_that_touch_themselves_are_refused() {
         a surface must not meet itself: pull them apart, or join the parts into one body"
     );
     closed(&on_corner(1e-12));
-    // The same corner for both cubes is a body that hangs together there.
+    // A common corner of both cubes makes a body that is connected there.
     let (vertices, mut triangles) = on_corner(0.0);
     triangles[12..].iter_mut().flatten().for_each(|corner| *corner = if *corner == 8 { 7 } else { *corner });
     assert!((closed(&(vertices, triangles)).volume() - 16.0).abs() < 1e-13);
 }
 
-/// A fold: the last row of triangles is pulled back over the one before, without an edge that could tell.
+/// A fold: the last row of triangles is pulled back over the one before, without an edge that could show it.
 #[test]
 fn a_side_folded_back_is_refused() {
     let mut mesh = split_in_four(&split_in_four(&block(UNIT_CUBE)));

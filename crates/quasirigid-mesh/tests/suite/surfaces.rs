@@ -1,4 +1,4 @@
-//! Moments of closed surfaces: closed forms, and what they must not depend on.
+//! Moments of closed surfaces: closed forms, and invariances.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -18,7 +18,7 @@ fn all(degree: usize) -> impl Iterator<Item = [usize; 3]> {
     (0..=degree).flat_map(exponents)
 }
 
-/// Largest difference of two sets of moments, beside those of `sizes`: even ones, which are integrals of `|x^i y^j z^k|`.
+/// Largest difference of two sets of moments, relative to those of `sizes`: even ones, which are integrals of `|x^i y^j z^k|`.
 fn difference(a: &Moments, b: &Moments, degree: usize) -> f64 {
     // ∫|x^a y^b z^c| is at least of the order of the geometric mean of its even neighbours.
     let size = |m: [usize; 3]| {
@@ -136,8 +136,7 @@ proptest! {
         }
     }
 
-    /// Which corner comes first, which triangle comes first and which vertices are of no triangle does not matter;
-    /// nor do triangles split in four.
+    /// The order of corners and triangles and vertices of no triangle do not matter; nor do triangles split in four.
     #[test]
     fn the_body_matters_and_not_its_triangles(mesh in star(1), turns in vec(0..3usize, 80), start in 0..80usize) {
         let (vertices, triangles) = mesh.clone();
@@ -176,7 +175,7 @@ proptest! {
         }
     }
 
-    /// Nothing knows the unit of length, nor where the axes of the file start.
+    /// Moments do not depend on the unit of length, nor on the origin of the file's axes.
     #[test]
     fn moments_do_not_know_units(mesh in star(1), unit in -9..=9i32, shift in uniform3(-3.0..3.0)) {
         let unit = 10f64.powi(unit);

@@ -10,7 +10,7 @@ pub struct Tick {
     pub label: String,
 }
 
-/// A linear or logarithmic axis over the values it shows.
+/// A linear or logarithmic axis over a range of values.
 ///
 /// Values are divided by `10ᵖᵒʷᵉʳ`, which the label of the axis names, so that ticks stay short from 10⁻³⁰⁰ to 10³⁰⁰.
 /// On a logarithmic axis `low` and `high` are decades.
@@ -21,7 +21,7 @@ pub struct Axis {
     pub high: f64,
     /// Power of ten taken out of the values.
     pub power: i32,
-    /// Whether it is logarithmic.
+    /// Whether the axis is logarithmic.
     pub log: bool,
 }
 

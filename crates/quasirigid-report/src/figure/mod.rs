@@ -11,9 +11,9 @@ use trace::{HEIGHT, Trace, WIDTH};
 
 /// A curve.
 pub struct Series {
-    /// Label at its right end.
+    /// Label at the right end of the curve.
     pub label: String,
-    /// CSS class of its colour, `s1` to `s4`.
+    /// CSS class of the colour, `s1` to `s4`.
     pub class: &'static str,
     /// Places along the time axis.
     pub x: Vec<f64>,
@@ -29,11 +29,11 @@ pub struct Quantity {
     pub unit: String,
 }
 
-/// A place on the horizontal axis where something happens.
+/// An event: a place on the horizontal axis with a label.
 pub struct Mark {
-    /// Where.
+    /// Place along the axis.
     pub x: f64,
-    /// What.
+    /// Name of the event.
     pub label: String,
 }
 
@@ -41,9 +41,9 @@ pub struct Mark {
 pub struct Figure {
     /// Identifier within the page.
     pub id: &'static str,
-    /// What it shows.
+    /// Title.
     pub title: &'static str,
-    /// What to see in it, and how it was drawn.
+    /// Caption: the content, and the way of drawing.
     pub caption: String,
     /// The horizontal axis.
     pub x: Quantity,
@@ -127,7 +127,7 @@ impl Figure {
 }
 
 impl Mark {
-    /// The line and its label, on the side with more room; nothing if it lies off the axis.
+    /// Draws the line and its label, on the side with more room; nothing if the line lies off the axis.
     fn draw(&self, x: &Axis) -> Markup {
         let place = x.place(self.x);
         let (at, left) = (percent(place), place > 0.5);

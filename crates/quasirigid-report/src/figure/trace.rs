@@ -1,4 +1,4 @@
-//! A curve as SVG path data, thinned without loss: what a pixel column shows is kept.
+//! A curve as SVG path data, thinned without loss: every pixel column keeps its extremes.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ pub const HEIGHT: f64 = 240.0;
 /// Path data of a curve.
 #[derive(Default)]
 pub struct Trace {
-    /// Where it is continuous.
+    /// Continuous parts.
     pub line: String,
     /// Points alone between gaps.
     pub dots: String,
@@ -54,7 +54,7 @@ struct Point {
     y: f64,
 }
 
-/// What one pixel column holds; no points if every row in it was a gap.
+/// Points of one pixel column; none if every row in it was a gap.
 #[derive(Clone, Default)]
 struct Span {
     points: Option<[Point; 4]>,

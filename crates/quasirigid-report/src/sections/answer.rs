@@ -10,7 +10,7 @@ use crate::number::{digits, duration, percent, short, tidy};
 /// Drift up to this part of the dissipation is called small.
 const SMALL_DRIFT: f64 = 0.01;
 
-/// Spin now and after, energy dissipated, the integrator's own drift beside it, and turns.
+/// Spin at the start and at the end, energy dissipated, the integrator's own drift beside it, and revolutions.
 pub fn section(record: &RunRecord) -> Markup {
     html! {
         section.answer aria-label="Result" {
@@ -25,7 +25,7 @@ pub fn section(record: &RunRecord) -> Markup {
                     (spin(history))
                     (dissipation(record, history))
                     (drift(history))
-                    (turns(history))
+                    (revolutions(history))
                 }
                 (bars("What dissipated", &history.dissipation))
                 },
@@ -65,7 +65,7 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
         return tile(
             "Energy dissipated",
             html! { "not in this history" },
-            html! { "what dissipates has no equation of motion; over many turns it takes " (short(power)) " W at the start" },
+            html! { "what dissipates has no equation of motion; over many revolutions it takes " (short(power)) " W at the start" },
         );
     }
     let (share, of) = match free_energy(record, history) {
@@ -81,7 +81,7 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
     )
 }
 
-/// Mean power (W) of what dissipates by laws that the equations of a history do not hold; none if there is no such thing.
+/// Mean power (W) of dissipators whose laws the equations of a history leave out; none if there are no such dissipators.
 fn elsewhere(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
     let evolution = record.evolution.as_ref()?;
     (history.dissipated == 0.0 && evolution.power > 0.0).then_some(evolution.power)
@@ -93,8 +93,8 @@ fn free_energy(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
     if column(&history.columns, "work").is_some_and(|work| work.values.iter().any(|&work| work != 0.0)) {
         return None;
     }
-    let (momentum, _) = ends(column(&history.columns, "momentum")?.values.iter().copied())?;
-    let free = history.energy - 0.5 * momentum * momentum / record.body.principal_moments[2];
+    let (angular_momentum, _) = ends(column(&history.columns, "momentum")?.values.iter().copied())?;
+    let free = history.energy - 0.5 * angular_momentum * angular_momentum / record.body.principal_moments[2];
     (free > 1e-12 * history.energy.abs()).then_some(free)
 }
 
@@ -117,11 +117,11 @@ fn drift(history: &HistoryRecord) -> Markup {
     )
 }
 
-fn turns(history: &HistoryRecord) -> Markup {
+fn revolutions(history: &HistoryRecord) -> Markup {
     let span = column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
     tile(
         "Turns",
-        html! { (tidy(history.turns, 5)) },
+        html! { (tidy(history.revolutions, 5)) },
         html! {
             @if let Some(((first, last), column)) = span {
                 "in " @if column.unit == "s" { (duration(last - first)) } @else { (short(last - first)) " " (column.unit) }

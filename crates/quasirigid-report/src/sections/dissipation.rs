@@ -8,7 +8,7 @@ use crate::number::percent;
 /// Dissipators shown.
 const MOST: usize = 12;
 
-/// Who dissipates: a bar for each share, the largest first; nothing where nobody shares.
+/// Shares of the dissipators: a bar for each, the largest first; nothing where there are none.
 pub fn bars(caption: &str, shares: &BTreeMap<String, f64>) -> Markup {
     let mut parts: Vec<(&str, f64)> = shares.iter().map(|(name, share)| (name.as_str(), *share)).collect();
     parts.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -1,3 +1,7 @@
+//! Section on the secular evolution: its answer, nutation and power against time, harmonics, resonances and details.
+//! The reduced power is drawn beside the one that was followed, because their distance shows where the reduced equations miss resonances.
+//! Record: `EvolutionRecord` of quasirigid-io; theory in docs/theory/10-torque-free.md and (G5) to (G8), docs/theory/11-materials.md.
+
 use std::f64::consts::TAU;
 
 use maud::{Markup, html};
@@ -16,27 +20,27 @@ use crate::verdict::Verdict;
 
 /// Harmonics and resonances shown.
 const MOST: usize = 12;
-/// Error of a time below which it is not worth a word.
+/// Relative error of a time below which the error is not mentioned.
 const EXACT: f64 = 1e-6;
 /// Resonances marked in the map.
 const MARKED: usize = 4;
 
-/// The rotation over many turns: the answer, its numbers, nutation and power against time, and what drives it.
+/// The rotation over many revolutions: the answer, its numbers, nutation and power against time, and the dissipators.
 pub fn section(evolution: &EvolutionRecord) -> Markup {
     if evolution.status == "refused" {
-        return html! { section aria-label="Over many turns" { h2 { "Over many turns" } (sentence(evolution)) } };
+        return html! { section aria-label="Over many revolutions" { h2 { "Over many revolutions" } (sentence(evolution)) } };
     }
     let columns = with_gaps(&evolution.columns);
     html! {
-        section aria-label="Over many turns" {
-            h2 { "Over many turns" }
+        section aria-label="Over many revolutions" {
+            h2 { "Over many revolutions" }
             (sentence(evolution))
             @if let Some(seconds) = evolution.separatrix_time.filter(|seconds| seconds.is_finite()) {
                 p { (separatrix(evolution, seconds)) }
             }
             dl {
                 (time(evolution))
-                (turns(evolution))
+                (revolutions(evolution))
                 (mode(evolution))
                 (power(evolution))
             }
@@ -51,7 +55,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
     }
 }
 
-/// The answer, under a warning with the reason where the evolution ended before what was asked.
+/// The answer, under a warning with the reason where the evolution ended before its target.
 fn sentence(evolution: &EvolutionRecord) -> Markup {
     let (verdict, words) = match evolution.status.as_str() {
         "finished" => {
@@ -88,7 +92,7 @@ fn separatrix(evolution: &EvolutionRecord, seconds: f64) -> Markup {
     }
 }
 
-/// The axis that the momentum circles in a mode.
+/// The axis that the angular momentum circles in a mode.
 fn axis(mode: &str) -> Option<&'static str> {
     match mode {
         "long-axis" => Some("least"),
@@ -114,8 +118,8 @@ fn time(evolution: &EvolutionRecord) -> Markup {
     tile(title, html! { (until(evolution.time)) }, html! { (remark) })
 }
 
-fn turns(evolution: &EvolutionRecord) -> Markup {
-    tile("Turns", html! { (tidy(evolution.turns, 3)) }, html! { "about the angular momentum" })
+fn revolutions(evolution: &EvolutionRecord) -> Markup {
+    tile("Revolutions", html! { (tidy(evolution.revolutions, 3)) }, html! { "about the angular momentum" })
 }
 
 fn mode(evolution: &EvolutionRecord) -> Markup {
@@ -134,16 +138,16 @@ fn power(evolution: &EvolutionRecord) -> Markup {
     tile(
         "Mean power at the start",
         html! { (tidy(evolution.power, 3)) small { " W" } },
-        html! { "at the angular momentum " (short(evolution.momentum)) " N m s" },
+        html! { "at the angular momentum " (short(evolution.angular_momentum)) " N m s" },
     )
 }
 
-/// A time after which something happens, which may be never.
+/// A time to an event, or "never" where it is infinite.
 fn until(seconds: f64) -> String {
     if seconds == f64::INFINITY { "never".into() } else { duration(seconds) }
 }
 
-/// The columns with a gap wherever the momentum comes to circle another axis: a curve jumps there.
+/// The columns with a gap wherever the angular momentum comes to circle another axis: a curve jumps there.
 fn with_gaps(columns: &[Column]) -> Vec<Column> {
     let axes = column(columns, "circled_axis").map_or(&[][..], |column| &column.values);
     let changes =
@@ -169,7 +173,7 @@ fn nutation_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
     ];
     Figure {
         id: "evolution-nutation",
-        title: "Nutation over many turns",
+        title: "Nutation over many revolutions",
         caption: format!(
             "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
              wobble.{}",
@@ -188,7 +192,7 @@ fn power_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
     let curve = Curve { name: "power", label: "power", class: "s1" };
     Figure {
         id: "evolution-power",
-        title: "Mean power dissipated over many turns",
+        title: "Mean power dissipated over many revolutions",
         caption: format!(
             "{}{}",
             if evolution.road == "direct" {
@@ -215,7 +219,7 @@ fn separatrix_mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Vec<Mark> {
     evolution.separatrix_time.map(mark).into_iter().collect()
 }
 
-/// Dissipation over the way, whatever the time it takes, with the resonances on it.
+/// Power against `D/I₃` instead of time, with the resonances marked.
 fn map(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
     let curves = [("power", "followed", "s1"), ("polynomial_power", "reduced", "s2")];
     let series = |(name, label, class): (&str, &str, &'static str)| {

@@ -1,4 +1,4 @@
-//! Which columns are drawn, and how.
+//! Figures of a history: spin, energy, nutation, and the sphere of the angular momentum.
 
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
@@ -8,14 +8,14 @@ use crate::columns::{TimeUnit, column, main_history};
 use crate::figure::{Figure, Quantity};
 use crate::sphere;
 
-/// Turns after which the spin is drawn once more, its beginning enlarged.
+/// Revolutions after which the spin is drawn once more, with the beginning enlarged.
 const MANY_TURNS: f64 = 60.0;
-/// Turns that the enlargement shows.
+/// Revolutions that the enlargement shows.
 const FIRST_TURNS: f64 = 20.0;
 /// Rows the enlargement needs to be worth drawing.
 const ENOUGH_ROWS: usize = 60;
 
-/// As many curves as there are colours are drawn together.
+/// Colours of curves, which limit the number drawn together.
 const COLOURS: [&str; 4] = ["s1", "s2", "s3", "s4"];
 
 /// Spin, energy, nutation and the sphere of the angular momentum.
@@ -27,7 +27,7 @@ pub fn section(record: &RunRecord) -> Markup {
                 None => p.absent { "No history, nothing to draw." },
                 Some(history) => {
                     (spin(history, usize::MAX).draw())
-                    @if let Some(first_turns) = first_turns(history) { (first_turns.draw()) }
+                    @if let Some(first_revolutions) = first_revolutions(history) { (first_revolutions.draw()) }
                     (energy(history).draw())
                     (nutation(record, history).draw())
                     (sphere::figure(&record.body, history))
@@ -61,19 +61,19 @@ fn spin(history: &HistoryRecord, rows: usize) -> Figure {
     }
 }
 
-/// The beginning of a long run, in which single turns can be seen.
-fn first_turns(history: &HistoryRecord) -> Option<Figure> {
+/// The beginning of a long run, in which single revolutions can be seen.
+fn first_revolutions(history: &HistoryRecord) -> Option<Figure> {
     let t = &column(&history.columns, "t")?.values;
     let (first, last) = (*t.first()?, *t.last()?);
-    let until = first + (last - first) * FIRST_TURNS / history.turns;
+    let until = first + (last - first) * FIRST_TURNS / history.revolutions;
     let rows = t.iter().take_while(|&&t| t <= until).count();
-    if history.turns < MANY_TURNS || rows < ENOUGH_ROWS || rows == t.len() {
+    if history.revolutions < MANY_TURNS || rows < ENOUGH_ROWS || rows == t.len() {
         return None;
     }
     Some(Figure {
         id: "first-turns",
         title: "Spin in body axes: the beginning",
-        caption: format!("About the first {FIRST_TURNS} turns of the figure above."),
+        caption: format!("About the first {FIRST_TURNS} revolutions of the figure above."),
         ..spin(history, rows)
     })
 }
@@ -98,7 +98,7 @@ fn energy(history: &HistoryRecord) -> Figure {
     }
 }
 
-/// Of every system, so that what dissipation changes stands beside what it would have been without.
+/// Nutation of every system, so that the dissipative body stands beside the rigid one.
 fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
     let time = TimeUnit::of(&main.columns, usize::MAX);
     let curves = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {

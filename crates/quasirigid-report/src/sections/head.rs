@@ -4,7 +4,7 @@ use quasirigid_io::record::{HistoryRecord, RunRecord};
 use crate::columns::main_history;
 use crate::verdict::Verdict;
 
-/// Name, verdict, how the run ended if early, and the remarks to read before the numbers.
+/// Name, verdict, reason of an early end, and the remarks to read before the numbers.
 pub fn section(record: &RunRecord) -> Markup {
     let verdict = Verdict::of_all(&record.validity);
     html! {

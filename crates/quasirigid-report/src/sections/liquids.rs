@@ -4,7 +4,7 @@ use quasirigid_io::record::LiquidRecord;
 use super::table::{facts, table};
 use crate::number::{aligned, digits, tidy, unit_with_power};
 
-/// What each liquid does to a slow rotation, or the body it is equivalent to.
+/// Effect of each liquid on a slow rotation, or the body that the liquid is equivalent to.
 pub fn section(liquids: &[LiquidRecord]) -> Markup {
     html! {
         section aria-label="Liquids" {

@@ -5,7 +5,7 @@ use super::table::{facts, table};
 use crate::columns::ends;
 use crate::number::{short, tidy};
 
-/// What made these numbers, and how each history was integrated.
+/// Program and model that made these numbers, and the integration of each history.
 pub fn section(record: &RunRecord) -> Markup {
     html! {
         section aria-label="Record" {
@@ -34,7 +34,7 @@ fn integration(history: &HistoryRecord) -> Markup {
             ("Status", html! { (history.status) @if !history.message.is_empty() { ": " (history.message) } }),
             ("Relative tolerance", html! { (short(history.tolerance)) }),
             ("Steps", html! { (history.steps) " accepted, " (history.rejected) " rejected" }),
-            ("Turns", html! { (tidy(history.turns, 6)) }),
+            ("Revolutions", html! { (tidy(history.revolutions, 6)) }),
             ("Energy at the start", joules(history.energy)),
             ("Energy dissipated", joules(history.dissipated)),
             ("Work of external forces", joules(history.work)),

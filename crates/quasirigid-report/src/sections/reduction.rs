@@ -5,7 +5,7 @@ use super::dissipation::bars;
 use super::table::{facts, table};
 use crate::number::{digits, short};
 
-/// Size of each degree of the reduced equations, and what the reduction says of itself.
+/// Size of each degree of the reduced equations, and the order, residual and power of the reduction.
 pub fn section(reduction: &ReductionRecord) -> Markup {
     html! {
         section aria-label="Reduced equations" {

@@ -27,7 +27,7 @@ pub fn facts(caption: &str, facts: &[(&str, Markup)]) -> Markup {
     }
 }
 
-/// The first of many, and how many more the record holds.
+/// The first of many, and the number of further ones in the record.
 pub fn first<T>(items: &[T], most: usize) -> (&[T], Option<String>) {
     let shown = &items[..items.len().min(most)];
     let more = items.len() - shown.len();

@@ -1,3 +1,7 @@
+//! Section on validity: criteria with their verdicts, the three times, free vibrations and relaxations.
+//! Values are shown beside their limits, so that a reader can judge a marginal case; frequencies are undamped ones.
+//! Criteria: (V1) to (V11), docs/theory/04-validity.md.
+
 use std::f64::consts::TAU;
 
 use maud::{Markup, html};
@@ -26,7 +30,7 @@ pub fn section(validity: &ValidityRecord) -> Markup {
                 (vibrations("Decay rates of free vibrations", ["No.", "Rate [1/s]", "Decay time [s]"], &validity.decay_rates, 1.0))
                 @if !validity.relaxations.is_empty() {
                     @let rates: Vec<f64> = validity.relaxations.iter().map(|time| 1.0 / time).collect();
-                    (vibrations("Relaxations of what turns inside, attitude held", ["No.", "Rate [1/s]", "Time [s]"], &rates, 1.0))
+                    (vibrations("Relaxations of internal rotors and liquids, attitude fixed", ["No.", "Rate [1/s]", "Time [s]"], &rates, 1.0))
                 }
             }
         }
@@ -74,7 +78,7 @@ fn longest(validity: &ValidityRecord) -> Markup {
     }
 }
 
-/// In seconds, and in a longer unit where that says more.
+/// A time in seconds, and in a longer unit from 90 s on.
 fn seconds(time: f64) -> Markup {
     html! {
         (short(time)) " s"
@@ -100,7 +104,7 @@ fn vibrations(caption: &str, headings: [&str; 3], rates: &[f64], numerator: f64)
     )
 }
 
-/// The time `numerator / rate`, in words where there is none.
+/// The time `numerator / rate`, or "for ever" at a rate of zero.
 fn lasting(rate: f64, numerator: f64) -> String {
     if rate == 0.0 { "for ever".into() } else { digits(numerator / rate, 4) }
 }

@@ -1,3 +1,7 @@
+//! Section on the verification: differences between reduced and full equations as the body is stiffened, and their orders.
+//! Curves are drawn for the angular-momentum form alone; the table also has the angular-velocity form, the paper's.
+//! Orders in `ε`: (V8), docs/theory/04-validity.md.
+
 use maud::{Markup, html};
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
@@ -6,10 +10,10 @@ use crate::figure::{Figure, Quantity, Series};
 use crate::number::{digits, duration, short, tidy};
 use crate::verdict::Verdict;
 
-/// As many orders as there are colours are drawn together.
+/// Colours of curves, which limit the number of orders drawn together.
 const COLOURS: [&str; 4] = ["s1", "s2", "s3", "s4"];
 
-/// The reduced equations against the full ones: what they are off by, and how fast that falls as the body is stiffened.
+/// The reduced equations against the full ones: the difference, and its fall as the body is stiffened.
 pub fn section(verification: &VerificationRecord) -> Markup {
     let VerificationRecord { reached, rotations, duration: seconds, orders, average, average_left_out } =
         verification;
@@ -17,7 +21,7 @@ pub fn section(verification: &VerificationRecord) -> Markup {
         section aria-label="Verification" {
             h2 { "Proof against the full system" }
             p {
-                "Both were followed from the slow manifold over " (tidy(*rotations, 4)) " turns (" (duration(*seconds))
+                "Both were followed from the slow manifold over " (tidy(*rotations, 4)) " revolutions (" (duration(*seconds))
                 "), of the body as it is and of bodies ever stiffer: stiffness " i { "C" } "/ε², damping " i { "B" } "/ε. "
                 @if *reached { "The difference in spin falls with every order as the theory says." }
                 @else { strong.warning { "Not every order is reached." } }

@@ -22,7 +22,7 @@ stays on one of them. J is the inertia of the frozen body, so K is placed as exa
 
 const SAMPLED: &str = "The history is long: stretches of it are drawn, evenly spaced over the run.";
 
-/// The figure, or a sentence saying what it lacks.
+/// The figure, or a sentence on the missing data.
 pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
     html! {
         figure {
@@ -40,7 +40,7 @@ pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
     }
 }
 
-/// The drawing alone; none if the record lacks what it needs.
+/// The drawing alone; none if the record lacks the data.
 pub fn drawing(body: &BodyRecord, history: &HistoryRecord) -> Option<Markup> {
     Scene::new(body, history).map(|scene| scene.draw())
 }
@@ -55,7 +55,7 @@ struct Scene {
     path: Vec<Option<Vector>>,
     /// The path as drawn, with the shade of each piece.
     pieces: Vec<(usize, Halves)>,
-    /// Whether the pieces leave something out.
+    /// Whether the pieces are a sample of the path.
     sampled: bool,
 }
 
@@ -81,10 +81,10 @@ impl Scene {
                 circle.ball r=(RADIUS) {}
                 path.polhode.far d=(plain.far) {}
                 path.polhode.separatrix.far d=(dashed.far) {}
-                @for (shade, halves) in &self.pieces { path.momentum.far.{ "t" (shade) } d=(halves.far) {} }
+                @for (shade, halves) in &self.pieces { path.angular_momentum.far.{ "t" (shade) } d=(halves.far) {} }
                 path.polhode d=(plain.near) {}
                 path.polhode.separatrix d=(dashed.near) {}
-                @for (shade, halves) in &self.pieces { path.momentum.{ "t" (shade) } d=(halves.near) {} }
+                @for (shade, halves) in &self.pieces { path.angular_momentum.{ "t" (shade) } d=(halves.near) {} }
                 (self.ends())
                 @for &axis in &self.axes { (self.stub(axis, 1.0)) }
                 (self.labels())
@@ -120,7 +120,7 @@ impl Scene {
         }
     }
 
-    /// Where an axis, drawn long enough, is so many radii from the centre.
+    /// Spot on an axis at so many radii from the centre of the drawing.
     fn beside(&self, axis: Vector, radii: f64) -> Spot {
         let Spot { x, y, near } = self.view.spot(axis);
         let stretch = radii * RADIUS / x.hypot(y);

@@ -1,4 +1,4 @@
-//! Polhodes of the rigid body: where the angular momentum can run on its sphere at constant energy.
+//! Polhodes of the rigid body: curves of constant energy on the sphere of the angular momentum.
 
 use super::vector::Vector;
 
@@ -6,7 +6,7 @@ use super::vector::Vector;
 pub struct Polhode {
     /// Points, the first repeated at the end.
     pub points: Vec<Vector>,
-    /// Whether it passes through the middle axis.
+    /// Whether the curve passes through the middle axis.
     pub separatrix: bool,
 }
 

@@ -8,9 +8,9 @@ use crate::columns::vectors;
 
 /// Shades that tell early from late.
 const SHADES: usize = 6;
-/// Rows drawn when not all are.
+/// Rows drawn of a path that is too long.
 const SAMPLE: usize = 4000;
-/// Stretches that they make up.
+/// Stretches that these rows make up.
 const STRETCHES: usize = 20;
 /// Most characters of path data that the whole path may take.
 const LONGEST: usize = 150_000;
@@ -25,11 +25,11 @@ struct Stretch<'a> {
 
 /// Direction of `J ω` in every row; none unless some row has one.
 pub fn momentum_directions(J: [Vector; 3], columns: &[Column]) -> Option<Vec<Option<Vector>>> {
-    let momentum = |omega: Vector| {
+    let angular_momentum = |omega: Vector| {
         let unit = direction(omega)?;
         direction(J.map(|row| dot(row, unit)))
     };
-    let path: Vec<_> = vectors(columns, ["wx", "wy", "wz"])?.into_iter().map(momentum).collect();
+    let path: Vec<_> = vectors(columns, ["wx", "wy", "wz"])?.into_iter().map(angular_momentum).collect();
     path.iter().any(Option::is_some).then_some(path)
 }
 
@@ -55,7 +55,7 @@ fn whole(path: &[Option<Vector>]) -> Vec<Stretch<'_>> {
 
 /// Stretches of consecutive points evenly spaced over a long path, its first and last included; none of a short path.
 ///
-/// Stretches, because all turns of a long history drawn over each other would only fill the sphere.
+/// Stretches, because all revolutions of a long history drawn over each other would only fill the sphere.
 fn sample(path: &[Option<Vector>]) -> Option<Vec<Stretch<'_>>> {
     let length = SAMPLE / STRETCHES;
     let room = path.len().checked_sub(SAMPLE)? + SAMPLE - length;

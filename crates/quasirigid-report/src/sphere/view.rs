@@ -14,7 +14,7 @@ pub struct Spot {
     pub x: f64,
     /// Below the centre.
     pub y: f64,
-    /// On the side of the viewer.
+    /// Whether the place is on the side of the viewer.
     pub near: bool,
 }
 
@@ -31,14 +31,14 @@ pub struct Halves {
 pub struct View([Vector; 3]);
 
 impl View {
-    /// From between three orthonormal axes, all turned towards the viewer, with the third upwards.
+    /// A view from between three orthonormal axes, all turned towards the viewer, with the third upwards.
     pub fn between(axes: [Vector; 3]) -> Option<Self> {
         let towards = direction(combined([0.62, 0.60, 0.50], axes))?;
         let right = direction(cross(axes[2], towards))?;
         Some(Self([right, cross(towards, right), towards]))
     }
 
-    /// Where a point is drawn; points off the sphere stay off it.
+    /// Spot of a point; points off the sphere stay off the disc.
     pub fn spot(&self, point: Vector) -> Spot {
         let [right, up, depth] = self.0.map(|axis| dot(axis, point));
         Spot { x: RADIUS * right, y: -RADIUS * up, near: depth >= 0.0 }

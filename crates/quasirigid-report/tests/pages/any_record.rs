@@ -31,7 +31,7 @@ fn record() -> impl Strategy<Value = RunRecord> {
         let mut numbers = numbers.into_iter().cycle();
         let mut set = |place: &mut f64| *place = numbers.next().unwrap_or_default();
         let history = &mut record.histories[0];
-        [&mut history.turns, &mut history.energy, &mut history.dissipated, &mut history.energy_drift]
+        [&mut history.revolutions, &mut history.energy, &mut history.dissipated, &mut history.energy_drift]
             .into_iter()
             .for_each(&mut set);
         record.body.inertia.as_flattened_mut().iter_mut().for_each(&mut set);
@@ -57,16 +57,17 @@ fn record() -> impl Strategy<Value = RunRecord> {
 fn evolution_numbers(evolution: &mut EvolutionRecord) -> impl Iterator<Item = &mut f64> {
     let EvolutionRecord {
         time,
-        turns,
+        revolutions,
         power,
-        momentum,
+        angular_momentum,
         damping_time,
         growth_time,
         ratio_start,
         ratio_end,
         ..
     } = evolution;
-    let numbers = [time, turns, power, momentum, damping_time, growth_time, ratio_start, ratio_end];
+    let numbers =
+        [time, revolutions, power, angular_momentum, damping_time, growth_time, ratio_start, ratio_end];
     let harmonics = evolution.harmonics.iter_mut().flat_map(|row| [&mut row.frequency, &mut row.share]);
     let crossings = evolution.resonances.iter_mut().flat_map(|row| [&mut row.frequency, &mut row.ratio]);
     let maybe = evolution.separatrix_time.iter_mut().chain(&mut evolution.lingering);

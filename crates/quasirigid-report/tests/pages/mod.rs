@@ -1,4 +1,4 @@
-//! What a page holds, of a record as a run leaves it and of any other.
+//! Contents of a page, of a record as a run leaves it and of any other.
 
 mod any_record;
 mod page;

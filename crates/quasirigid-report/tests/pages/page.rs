@@ -1,4 +1,4 @@
-//! What every report page keeps, whatever the record holds.
+//! Invariants of every report page, whatever the record holds.
 
 use quasirigid_io::record::*;
 use quasirigid_report::page;
@@ -32,7 +32,7 @@ fn assert_balanced(page: &str) {
     assert!(open.is_empty(), "left open: {open:?}");
 }
 
-/// Geometry is made of numbers, and what is read aloud exists.
+/// Geometry is made of numbers, and labels that are read aloud exist.
 fn assert_drawable(page: &str) {
     for attribute in [" d=\"", " x=\"", " y=\"", " x1=\"", " y1=\"", " cx=\"", " cy=\""] {
         for value in page.split(attribute).skip(1).map(|rest| rest.split('"').next().unwrap()) {
@@ -71,7 +71,7 @@ fn page_answers_from_the_top() {
             "62\u{a0}%",
             "width:62.00%",
             "0.05\u{a0}%",
-            "Over many turns",
+            "Over many revolutions",
             "Dissipation turns the rotation into a steady spin",
             "It reaches the separatrix after 4.41\u{a0}Gyr: there the angular momentum leaves the axis of least inertia",
             "End reached after",
@@ -80,10 +80,10 @@ fn page_answers_from_the_top() {
             "about the angular momentum",
             "long-axis → short-axis",
             "Mean power at the start",
-            "Nutation over many turns",
+            "Nutation over many revolutions",
             "t [Gyr]</text>",
             "separatrix</text>",
-            "Mean power dissipated over many turns",
+            "Mean power dissipated over many revolutions",
             "power [W]</text>",
             "Mean power over the way",
             "D/I₃ [1]</text>",
@@ -102,7 +102,7 @@ fn page_answers_from_the_top() {
             "Criteria",
             "|ω|/Ω₁",
             "Natural frequencies",
-            "Relaxations of what turns inside, attitude held",
+            "Relaxations of internal rotors and liquids, attitude fixed",
             "24.53",
             "What dissipates at the initial spin</caption>",
             "Degrees of dω/dt",
@@ -123,7 +123,7 @@ fn page_answers_from_the_top() {
     assert_drawable(&page);
 }
 
-/// A record of a version that did not know the shares, and a body with one dissipator, show no bars.
+/// A record without shares, of an earlier version, and a body with one dissipator show no bars.
 #[test]
 fn shares_of_one_are_not_drawn() {
     let mut record = crate::support::record(40, 600.0, 1e-4);
@@ -145,7 +145,13 @@ fn proof_tells_each_order_and_what_was_not_reached() {
     let page = page(&record);
     assert_in_order(
         &page,
-        &["Proof against the full system", "5 turns", "Not every order is reached", "2.010", "not reached"],
+        &[
+            "Proof against the full system",
+            "5 revolutions",
+            "Not every order is reached",
+            "2.010",
+            "not reached",
+        ],
     );
     assert_drawable(&page);
     record.verification = None;
@@ -182,13 +188,13 @@ fn evolution_without_end_is_told_in_words() {
     record.evolution.as_mut().unwrap().status = "failed".into();
     assert_in_order(
         &quasirigid_report::page(&record),
-        &["<h2>Over many turns", "<strong>Failed.</strong> The target was reached. Dissipation"],
+        &["<h2>Over many revolutions", "<strong>Failed.</strong> The target was reached. Dissipation"],
     );
     record.evolution = None;
-    assert!(!quasirigid_report::page(&record).contains("many turns"));
+    assert!(!quasirigid_report::page(&record).contains("many revolutions"));
 }
 
-/// The curve ends where the momentum leaves one axis, and begins anew where it circles the other.
+/// The curve ends where the angular momentum leaves one axis, and begins anew where it circles the other.
 #[test]
 fn curve_is_broken_where_the_circled_axis_changes() {
     let mut record = crate::support::record(40, 600.0, 1e-4);
@@ -310,7 +316,7 @@ fn bodies_with_many_modes_stay_below_a_megabyte() {
     record.validity.frequencies = (1..=100_000).map(f64::from).collect();
     record.validity.decay_rates = record.validity.frequencies.clone();
     record.body.coordinates = (1..=100_000).map(|i| format!("node {i}")).collect();
-    let mut evolution = crate::support::ageing::evolution(0.75);
+    let mut evolution = crate::support::secular::evolution(0.75);
     evolution.harmonics = vec![evolution.harmonics[0].clone(); 100_000];
     evolution.resonances = vec![evolution.resonances[0].clone(); 100_000];
     record.evolution = Some(evolution);

@@ -1,12 +1,12 @@
 //! A record as a run would leave it: a free body whose energy falls while its angular momentum stays.
 
-pub mod ageing;
+pub mod secular;
 
 use std::collections::BTreeMap;
 
 use quasirigid_io::record::*;
 
-use ageing::evolution;
+use secular::evolution;
 
 /// Principal moments (kg·m²).
 pub const MOMENTS: [f64; 3] = [9.21, 13.4, 16.3];
@@ -88,7 +88,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
     };
     let mut k = [11.7, 3.9, 2.2];
     let (first, size) = (energy(k), dot(k, k).sqrt());
-    let (mut dissipated, mut turns, mut angle) = (0.0, 0.0, 0.0f64);
+    let (mut dissipated, mut revolutions, mut angle) = (0.0, 0.0, 0.0f64);
     let mut columns: Vec<Column> = COLUMNS
         .iter()
         .chain(&[("nutation_max", "rad")])
@@ -101,7 +101,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
                 let middle = [0, 1, 2].map(|i| 0.5 * (k[i] + next[i]));
                 dissipated += h / 6.0 * (power(k) + 4.0 * power(middle) + power(next));
                 let turn = h * dot(omega(k), omega(k)).sqrt();
-                turns += turn / std::f64::consts::TAU;
+                revolutions += turn / std::f64::consts::TAU;
                 angle += turn;
                 k = next;
             }
@@ -138,7 +138,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         tolerance: 1e-10,
         steps: (rows * substeps) as u64,
         rejected: 12,
-        turns,
+        revolutions,
         energy: first,
         dissipated,
         dissipation: shares(),
@@ -248,7 +248,7 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
         sentence: "About the axis of greatest inertia the nutation decays e-fold in 44 min.".into(),
         axis: "greatest".into(),
         spin: Some([0.0, 0.0, 0.3]),
-        momentum: Some([0.0, 0.0, 12.0]),
+        angular_momentum: Some([0.0, 0.0, 12.0]),
         energy: Some(1.8),
         displacements: shares(),
         stable: true,
@@ -342,7 +342,7 @@ fn verification() -> VerificationRecord {
     }
 }
 
-/// The same without any history or evolution.
+/// A record without any history or evolution.
 pub fn without_histories() -> RunRecord {
     RunRecord { histories: vec![], verification: None, evolution: None, ..record(2, 1.0, 0.0) }
 }

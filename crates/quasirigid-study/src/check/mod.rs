@@ -1,4 +1,4 @@
-//! How far the reduced equations hold.
+//! Validity of the reduced equations at the start of a study.
 
 mod text;
 
@@ -18,29 +18,29 @@ use crate::study::Study;
 use crate::words::{criterion, reasons, shares, word};
 use crate::{record, steady, steady_state};
 
-/// How far the reduced equations of a study hold at its spin.
+/// Validity of the reduced equations of a study at its spin.
 #[derive(Debug)]
 pub struct CheckReport<'a> {
     study: &'a Study,
     /// The reduced equations.
     pub reduced: ReducedBody,
-    /// The spin that is judged (rad/s): that of the start, or the one on which what moves inside settles.
+    /// Angular velocity that is judged (rad/s): that of the start, or the one on which the internal coordinates settle.
     pub omega: [f64; 3],
-    /// The spin of the start (rad/s), where another one is judged.
+    /// Angular velocity of the start (rad/s), where another one is judged.
     pub start: Option<[f64; 3]>,
     /// The criteria.
     pub validity: Validity,
     /// Share of the power that each dissipator takes, where it is known.
     pub budget: BTreeMap<String, f64>,
-    /// Steady spins with the modes about them, that next to the start first.
+    /// Steady spins with the modes about them, the one next to the start first.
     pub spins: Vec<SteadySpinRecord>,
-    /// What the equations of motion leave out.
+    /// Losses that the equations of motion leave out.
     pub left_out: LeftOut,
-    /// What the steady state under the forces comes to, where moments act.
+    /// Steady state under the forces, in words, where moments act.
     pub under_forces: Option<String>,
 }
 
-/// Coordinates of a body whose modes under forces are found in a moment.
+/// Coordinates of a body whose modes under forces take a moment.
 const FEW: usize = 60;
 
 impl Study {
@@ -55,7 +55,7 @@ impl Study {
         let reduced = reduce(body, *order)?;
         let omega = motion.settled_spin(&reduced)?;
         let validity = Validity::assess_reduced(body, &reduced, omega)?;
-        let known = validity.verdict() != Verdict::Fails && body.lossy().is_empty();
+        let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
         let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;
         Ok(CheckReport {
@@ -72,7 +72,7 @@ impl Study {
     }
 }
 
-/// What the steady state under the forces comes to; nothing of a body that no moment acts on.
+/// Steady state under the forces, in words; none of a body that no moment acts on.
 fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
     let Study { body, forces, .. } = study;
     if !acts(body, forces) {
@@ -86,7 +86,7 @@ fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
 }
 
 impl CheckReport<'_> {
-    /// Whether nothing fails of what was judged.
+    /// Whether no criterion and no steady spin fails.
     #[must_use]
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);

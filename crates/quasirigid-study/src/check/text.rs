@@ -1,4 +1,4 @@
-//! How far the reduced equations hold, for a terminal of 80 columns.
+//! Validity of the reduced equations, for a terminal of 80 columns.
 
 use std::fmt::{self, Write};
 
@@ -54,9 +54,9 @@ pub(super) fn text(report: &CheckReport) -> String {
     text
 }
 
-/// What the steady spins of the reduced equations leave out.
+/// Note on the forces and wheels that the steady spins of the reduced equations leave out.
 fn without(study: &Study) -> &'static str {
-    match (acting(study, None).is_some(), !study.body.lossy().is_empty()) {
+    match (acting(study, None).is_some(), !study.body.viscoelastic().is_empty()) {
         (true, true) => " WITHOUT the forces and the losses of materials",
         (true, false) => " WITHOUT the forces",
         (false, true) => " WITHOUT the losses of materials",
@@ -64,7 +64,7 @@ fn without(study: &Study) -> &'static str {
     }
 }
 
-/// Which spin was judged, where what moves inside does not start on the slow manifold.
+/// Note on the spin that was judged, where internal coordinates do not start on the slow manifold.
 fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
     let words = format!(
         "{DISPLACED}. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
@@ -134,7 +134,7 @@ fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
         list(out, "decay rates", &vibrations.decay_rates, "1/s")?;
     }
     if !relaxations.is_empty() {
-        writeln!(out, "\nRelaxations of what turns inside")?;
+        writeln!(out, "\nRelaxations of internal rotors and liquids")?;
         list(out, "times, attitude held", relaxations, "s")?;
     }
     Ok(())
@@ -161,11 +161,11 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
 
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
     let principal = Principal::compute(reduced.J);
-    let K = reduced.momentum(omega);
+    let K = reduced.angular_momentum(omega);
     if norm(K) <= ROUNDING * norm(sym3::times(reduced.J, omega)) {
-        return writeln!(out, "\nThe momentum is zero: what turns inside takes it up.");
+        return writeln!(out, "\nThe angular momentum is zero: internal rotors and liquids take it up.");
     }
-    let heading = format!("Steady spins at this momentum, after the reduced equations{without}");
+    let heading = format!("Steady spins at this angular momentum, after the reduced equations{without}");
     writeln!(out, "\n{}", paragraph(&heading, "", "  "))?;
     let names = ["least", "middle", "greatest"];
     let steady = [1.0, -1.0].map(|sense| steady_spins(reduced, sense * norm(K)));
@@ -205,9 +205,9 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
         (false, true) => "these are all",
         (false, false) => "more may exist",
     };
-    writeln!(out, "  isolated ones by the direction of the momentum, {} in all; {others}", isolated.len())?;
-    for IsolatedSpin { spin, momentum, kind } in isolated {
-        let [x, y, z] = scale(norm(*momentum).recip(), *momentum);
+    writeln!(out, "  isolated ones by direction of angular momentum, {} in all; {others}", isolated.len())?;
+    for IsolatedSpin { spin, angular_momentum, kind } in isolated {
+        let [x, y, z] = scale(norm(*angular_momentum).recip(), *angular_momentum);
         let energy = match kind {
             Stationary::Minimum => "least energy",
             Stationary::Maximum => "greatest energy",
@@ -219,10 +219,10 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
     Ok(())
 }
 
-/// A momentum below this share of that of the frozen body is zero.
+/// An angular momentum below this share of that of the frozen body is zero.
 const ROUNDING: f64 = 1e-12;
 
-/// How the gravity of an ellipsoid compares with its stiffness: it is not in the model.
+/// Gravity of an ellipsoid compared with its stiffness: self-gravity is not in the model.
 fn self_gravity(ellipsoid: &Ellipsoid) -> String {
     let pressure = ellipsoid.central_pressure();
     let [pressure, share] =
@@ -234,7 +234,7 @@ fn self_gravity(ellipsoid: &Ellipsoid) -> String {
     format!("\n{}\n", paragraph(&text, "", "  "))
 }
 
-/// How few coordinates hold the slow motion of the parts.
+/// Number of coordinates that hold the slow motion of the parts.
 fn condensed(known: &Condensation) -> String {
     let Condensation { unknowns, coordinates, left_out } = known;
     let text = format!(
@@ -244,7 +244,7 @@ fn condensed(known: &Condensation) -> String {
     format!("\n{}\n", paragraph(&text, "", "  "))
 }
 
-/// What modes that another program did not export could add.
+/// Bound on the modes that another program did not export.
 fn truncation(part: &Part, pole: [f64; 3]) -> String {
     let PartKind::Modes(modes) = &part.kind else { return String::new() };
     let Some(missing) = modes.missing(pole) else { return String::new() };
@@ -256,7 +256,7 @@ fn truncation(part: &Part, pole: [f64; 3]) -> String {
     format!("\n{}\n", paragraph(&text, "", "  "))
 }
 
-/// What becomes of a small nutation about a steady spin. Without valid `rates` of dissipation, a rate that follows from it is
+/// Fate of a small nutation about a steady spin. Without valid `rates` of dissipation, rates that follow from the dissipation are
 /// left out.
 fn fate(spin: &SteadySpin, rates: bool) -> String {
     if !rates && spin.frequency > 0.0 {

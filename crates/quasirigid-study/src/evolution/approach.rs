@@ -1,23 +1,27 @@
-use quasirigid::averaging::{Evolution, Response, Stage};
+use quasirigid::averaging::{Evolution, Response, RotationState};
 use quasirigid_io::record::ApproachRecord;
 
-use super::ageing::FAINT;
+use super::secular::FAINT;
 
 /// Relative distance within which a harmonic is near a vibration.
 const NEAR: f64 = 0.1;
 
 /// The harmonic of the polhode that comes nearest to a vibration at an end of the way; none if none comes near.
 ///
-/// The frequency of the polhode rises from the separatrix to either axis, so that what is not passed is nearest at an end.
-pub fn approach(response: &Response, evolution: &Evolution, ends: [Stage; 2]) -> Option<ApproachRecord> {
+/// The frequency of the polhode rises from the separatrix to either axis, so that a vibration that is not passed is nearest at an end.
+pub fn approach(
+    response: &Response,
+    evolution: &Evolution,
+    ends: [RotationState; 2],
+) -> Option<ApproachRecord> {
     response.frequencies().next()?; // harmonics may cost much, and meet nothing in a body that does not vibrate
     let near = ends.into_iter().flat_map(|stage| {
         let motion = evolution.motion(stage);
         let powers: Vec<(f64, f64)> = response.harmonic_powers(&motion).collect();
         let sum: f64 = powers.iter().map(|(_, power)| power).sum();
         let ratio = motion.ratio();
-        let alive = powers.into_iter().zip(1..).filter(move |((_, power), _)| *power > FAINT * sum);
-        alive.flat_map(move |((harmonic, _), number)| {
+        let significant = powers.into_iter().zip(1..).filter(move |((_, power), _)| *power > FAINT * sum);
+        significant.flat_map(move |((harmonic, _), number)| {
             response.frequencies().map(move |(frequency, coordinate)| ApproachRecord {
                 harmonic: number,
                 frequency,

@@ -1,16 +1,16 @@
-//! The averaged rotation: how it is asked for, followed and recorded.
+//! Secular evolution: request, method, times and record.
 
-mod ageing;
 mod approach;
 mod method;
+mod secular;
 mod table;
 mod words;
 
 use std::sync::Arc;
 
 use quasirigid::averaging::{
-    DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, SlowTorque,
-    SmallBody, Stage,
+    DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, RotationState,
+    SlowTorque, SmallBody,
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
@@ -24,37 +24,37 @@ use crate::liquids::{NOTABLE, unresolved};
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
-use ageing::Ageing;
 use method::History;
+use secular::SecularEvolution;
 use table::EvolutionTable;
 
 pub use words::text;
 
-/// What is asked for, by the file or on the command line.
+/// Request for an evolution, from the file or the command line.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    /// Where to start; the initial state if it is not said.
+    /// Start; none for the initial state of the model.
     pub from: Option<Target>,
-    /// Where to end.
+    /// Target.
     pub until: Option<Target>,
-    /// When to end (s).
+    /// Longest time (s).
     pub duration: Option<f64>,
     /// Rows of the history.
     pub samples: usize,
-    /// Where the power comes from; from the harmonics only where a material needs them, if nobody says.
+    /// Source of the power; none takes the harmonics only where a material needs them.
     pub power: Option<Power>,
-    /// By which road; by the one that holds, if nobody says.
+    /// Method; none leaves the choice to the criteria.
     pub method: Option<EvolveMethod>,
 }
 
 impl Asked {
-    /// The same after a time (s).
+    /// Request for the rest of the evolution after a time (s).
     fn after(&self, t: f64) -> Self {
         Self { duration: self.duration.map(|duration| (duration - t).max(0.0)), ..self.clone() }
     }
 }
 
-/// Rows of the history unless somebody says how many.
+/// Rows of the history unless another number is given.
 const SAMPLES: usize = 201;
 
 /// An evolution that was followed.
@@ -62,12 +62,12 @@ const SAMPLES: usize = 201;
 pub struct Evolved {
     /// The record; its status and message say whether it holds.
     pub record: EvolutionRecord,
-    /// What the reader should know before the numbers.
+    /// Notes to read before the numbers.
     pub notes: Vec<String>,
 }
 
 impl Study {
-    /// What the file asks for of an evolution.
+    /// Request of the model file for an evolution.
     #[must_use]
     pub fn evolution_asked(&self) -> Asked {
         let evolve = self.model.run.evolve.unwrap_or_default();
@@ -108,66 +108,66 @@ pub(crate) fn follow(
     let reduced = reduce(body, *order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
-    let mut ageing = Ageing::new(body, [&reduced, state], start, asked.power)?;
+    let mut secular = SecularEvolution::new(body, [&reduced, state], start, asked.power)?;
     let mut watch = |share: f64| observer.at("following", share);
     let run = if torque.is_zero() {
-        match method::choose(study, start, asked, &mut ageing, &mut watch)? {
+        match method::choose(study, start, asked, &mut secular, &mut watch)? {
             Ok(history) => history,
-            Err(refusal) => return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() }),
+            Err(refusal) => return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() }),
         }
-    } else if let Some(refusal) = method::under_torque(study, start, asked, &mut ageing)? {
-        return Ok(Evolved { record: ageing.refused(refusal), notes: Vec::new() });
+    } else if let Some(refusal) = method::under_torque(study, start, asked, &mut secular)? {
+        return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() });
     } else {
         History::None
     };
-    ageing.verdict.close(approximated(study));
-    let evolution = ageing.evolution();
+    secular.verdict.close(approximated(study));
+    let evolution = secular.evolution();
     let from = match &run {
-        History::Levels(passage) => EvolutionTable::of_levels(passage, &ageing.principal).first.stage,
-        _ => ageing.start(&evolution, asked.from, torque.is_zero())?,
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &secular.principal).first.stage,
+        _ => secular.start(&evolution, asked.from, torque.is_zero())?,
     };
     let mut rows = match &run {
         History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
-        History::Levels(passage) => EvolutionTable::of_levels(passage, &ageing.principal),
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &secular.principal),
         History::Settled(row, range) => {
             let stage = range.stage(row.energy).unwrap_or(from);
-            let to = ageing.end(&evolution, stage, &asked.after(row.t))?;
+            let to = secular.end(&evolution, stage, &asked.after(row.t))?;
             EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
         }
         History::None if torque.is_zero() => EvolutionTable::of_evolution(
             &evolution,
             from,
-            ageing.end(&evolution, from, asked)?,
+            secular.end(&evolution, from, asked)?,
             asked.samples,
         ),
         History::None => {
-            let limits = ageing.limits(&evolution, asked)?;
+            let limits = secular.limits(&evolution, asked)?;
             EvolutionTable::of_drift(
-                &ageing,
+                &secular,
                 torque,
-                ageing.drifting(from),
+                secular.drifting(from),
                 limits,
                 asked.samples,
                 &mut watch,
             )
         }
     };
-    let columns = ageing.columns(&mut rows, &mut watch);
+    let columns = secular.columns(&mut rows, &mut watch);
     let time_range = match &model.extremes {
-        Some(extremes) if rows.steady() && ageing.verdict.road == "average" => {
-            Some(range(extremes, &ageing, from, rows.last().stage)?)
+        Some(extremes) if rows.steady() && secular.verdict.road == "average" => {
+            Some(range(extremes, &secular, from, rows.last().stage)?)
         }
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
-    let mut notes = words::notes(&ageing, [from, rows.last().stage], unranged);
+    let mut notes = words::notes(&secular, [from, rows.last().stage], unranged);
     notes.extend(words::uncertain(&rows));
-    let record = ageing.record(&evolution, from, &rows, asked, time_range, columns);
-    let estimates = estimates(study, record.momentum / ageing.principal.moments[2]);
+    let record = secular.record(&evolution, from, &rows, asked, time_range, columns);
+    let estimates = estimates(study, record.angular_momentum / secular.principal.moments[2]);
     Ok(Evolved { record: EvolutionRecord { estimates, ..record }, notes })
 }
 
-/// What of a body is approximated so that a reader must know, with its error: a solid, or the flow of liquids.
+/// Approximated shape or flow with a significant error: a solid, or the flow of liquids.
 fn approximated(study: &Study) -> Option<(&'static str, f64)> {
     let solid = study.resolution.as_ref().map(|resolution| ("the solid", resolution.error));
     let liquids = study.liquids.iter().map(unresolved).fold(0.0, f64::max);
@@ -189,16 +189,21 @@ fn estimates(Study { model, body, .. }: &Study, spin: f64) -> Vec<EstimateRecord
     DAMPING_ESTIMATES.map(estimate).into()
 }
 
-/// Times (s) of the same way at both ends of what is known of the materials.
-fn range(extremes: &[Assembly; 2], ageing: &Ageing, from: Stage, to: Stage) -> Result<[f64; 2], StudyError> {
+/// Times (s) of one way at both ends of the ranges of the materials.
+fn range(
+    extremes: &[Assembly; 2],
+    secular: &SecularEvolution,
+    from: RotationState,
+    to: RotationState,
+) -> Result<[f64; 2], StudyError> {
     let time = |assembly: &Assembly| -> Result<f64, StudyError> {
         let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
-        let power: Arc<dyn MeanPower> = if ageing.by_polynomial {
-            Arc::new(PolynomialPower::from_reduced(&reduce(&body, ageing.order)?))
+        let power: Arc<dyn MeanPower> = if secular.by_polynomial {
+            Arc::new(PolynomialPower::from_reduced(&reduce(&body, secular.order)?))
         } else {
             Arc::new(Response::compute(&body)?)
         };
-        Ok(Evolution::new(power, ageing.initial.momentum()).time(from, to))
+        Ok(Evolution::new(power, secular.initial.angular_momentum()).time(from, to))
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])

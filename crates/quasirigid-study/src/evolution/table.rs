@@ -1,26 +1,29 @@
+//! Table of an evolution: states along a way, along a drift under a torque, along levels, or of a run of the full system.
+//! Times are integrated row by row while the table is printed, so that an interrupted one is a shorter table and not a lost one.
+
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Elapsed, Evolution, LevelPassage, LevelRow,
-    SlowTorque, Stage,
+    Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, Elapsed, Evolution, LevelPassage,
+    LevelRow, RotationState, SlowTorque,
 };
 
 use quasirigid::model::{Mode, Principal};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
 use quasirigid_math::vec3::norm;
 
-use super::ageing::Ageing;
+use super::secular::SecularEvolution;
 
 /// Place of a state at an axis, as `ξ`.
 const AT_AXIS: f64 = 36.0;
 
-/// The rows of a table: stages of an evolution, or states of a drift.
+/// The rows of a table: states of an evolution or of a drift.
 pub struct EvolutionTable {
     pub first: DriftState,
     pub states: Vec<DriftState>,
-    /// What the times of the states are still to be found from.
+    /// Evolution that gives the times of the states, where they are not known yet.
     evolution: Option<Evolution>,
-    /// How the drift went, where there is a torque.
+    /// History of the drift, where there is a torque.
     pub drift: Option<DriftHistory>,
     pub status: &'static str,
     /// Estimated error of the time of the last state (s).
@@ -34,10 +37,15 @@ pub struct EvolutionTable {
 }
 
 impl EvolutionTable {
-    /// Stages along the way; the first alone where nothing is dissipated.
-    pub fn of_evolution(evolution: &Evolution, from: Stage, to: Stage, samples: usize) -> Self {
-        let momentum = evolution.motion(from).momentum();
-        let state = |stage| DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 };
+    /// States along the way; the first alone where nothing is dissipated.
+    pub fn of_evolution(
+        evolution: &Evolution,
+        from: RotationState,
+        to: RotationState,
+        samples: usize,
+    ) -> Self {
+        let angular_momentum = evolution.motion(from).angular_momentum();
+        let state = |stage| DriftState { t: 0.0, stage, angular_momentum, side: 1.0, revolutions: 0.0 };
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
         let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
         let evolution = Some(evolution.clone());
@@ -54,18 +62,18 @@ impl EvolutionTable {
         }
     }
 
-    /// The same rows behind the start of the full system, which has come to the first of them at a time.
-    pub fn behind(mut self, start: Stage, row: &DirectRow) -> Self {
-        self.states[0] = DriftState { t: row.t, turns: row.turns, ..self.states[0] };
-        self.first = DriftState { stage: start, t: 0.0, turns: 0.0, ..self.first };
+    /// Rows behind the start of the full system, which reaches the first of them at the time of `row`.
+    pub fn behind(mut self, start: RotationState, row: &DirectRow) -> Self {
+        self.states[0] = DriftState { t: row.t, revolutions: row.revolutions, ..self.states[0] };
+        self.first = DriftState { stage: start, t: 0.0, revolutions: 0.0, ..self.first };
         self.states.insert(0, self.first);
         self.known = 2;
         self
     }
 
-    /// Even times up to the end, which is located whatever they are; a drift that ends early is followed once more for them.
+    /// Rows at even times up to the end of a drift, which is located exactly; a drift that ends early is followed once more for them.
     pub fn of_drift(
-        ageing: &Ageing,
+        secular: &SecularEvolution,
         torque: SlowTorque,
         start: DriftState,
         limits: DriftLimits,
@@ -76,9 +84,9 @@ impl EvolutionTable {
         let times = |end: f64| -> Vec<f64> {
             (0..samples).map(|i| if i == last { end } else { end * i as f64 / last as f64 }).collect()
         };
-        let drift = Drift::new(ageing.power(), &ageing.principal, torque);
+        let drift = Drift::new(secular.power(), &secular.principal, torque);
         let mut history = drift.follow(start, &times(limits.end), &limits, &mut progress);
-        if history.end.t < limits.end && history.ending != DriftEnding::Interrupted {
+        if history.end.t < limits.end && history.ending != DriftStopReason::Interrupted {
             history = drift.follow(start, &times(history.end.t), &limits, &mut progress);
         }
         let mut states = std::mem::take(&mut history.states);
@@ -110,11 +118,17 @@ impl EvolutionTable {
         });
         let mut chosen: Vec<usize> = chosen.collect();
         chosen.dedup();
-        let settled = |mode| Stage { mode, xi: AT_AXIS };
+        let settled = |mode| RotationState { mode, xi: AT_AXIS };
         let state = |row: &DirectRow| {
             let mode = range.polhode(row.energy).mode();
             let stage = range.stage(row.energy).unwrap_or(settled(mode));
-            DriftState { t: row.t, stage, momentum: range.momentum(), side: 1.0, turns: row.turns }
+            DriftState {
+                t: row.t,
+                stage,
+                angular_momentum: range.angular_momentum(),
+                side: 1.0,
+                revolutions: row.revolutions,
+            }
         };
         let power = |i: usize| {
             let half = 0.5 * range.polhode(rows[i].energy).polhode_period().min(end.t);
@@ -139,13 +153,19 @@ impl EvolutionTable {
         }
     }
 
-    /// Rows of an evolution along levels of the slow energy; the axis circled is that of the principal axis next to it.
+    /// Rows of an evolution along levels of the slow energy; the principal axis next to the circled one gives the mode.
     pub fn of_levels(passage: &LevelPassage, principal: &Principal) -> Self {
         let state = |row: &LevelRow| {
             let along = principal.components(row.circled).map(f64::abs);
             let mode = if along[0] > along[2] { Mode::LongAxis } else { Mode::ShortAxis };
-            let momentum = norm(row.momentum);
-            DriftState { t: row.time, stage: Stage { mode, xi: 0.0 }, momentum, side: 1.0, turns: row.turns }
+            let angular_momentum = norm(row.angular_momentum);
+            DriftState {
+                t: row.time,
+                stage: RotationState { mode, xi: 0.0 },
+                angular_momentum,
+                side: 1.0,
+                revolutions: row.revolutions,
+            }
         };
         let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
         Self {
@@ -161,7 +181,7 @@ impl EvolutionTable {
         }
     }
 
-    /// Whether the angular momentum stays.
+    /// Whether the angular momentum is constant.
     pub fn steady(&self) -> bool {
         self.evolution.is_some()
     }
@@ -180,15 +200,15 @@ impl EvolutionTable {
         self.drift.as_ref().and_then(|drift| drift.passages.first()).map(|passage| passage.t)
     }
 
-    /// A row with its time and turns, from the row before it.
+    /// A row with its time and revolutions, from the row before it.
     pub fn advance(&mut self, i: usize) -> DriftState {
         if let (Some(evolution), Some(before)) =
             (&self.evolution, i.checked_sub(1).filter(|_| i >= self.known))
         {
             let before = self.states[before];
-            let Elapsed { time, turns, error } = evolution.passage(before.stage, self.states[i].stage);
+            let Elapsed { time, revolutions, error } = evolution.passage(before.stage, self.states[i].stage);
             self.states[i].t = before.t + time;
-            self.states[i].turns = before.turns + turns;
+            self.states[i].revolutions = before.revolutions + revolutions;
             self.error += error.abs();
         }
         self.states[i]

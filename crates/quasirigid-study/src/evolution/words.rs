@@ -1,26 +1,26 @@
-//! The averaged rotation in words.
+//! Secular evolution in words.
 
 use std::fmt::{self, Write};
 
-use quasirigid::averaging::{DriftEnding, DriftHistory, MeanPower, Stage};
+use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState};
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRecord};
 
 use super::Asked;
-use super::ageing::Ageing;
+use super::secular::SecularEvolution;
 use super::table::EvolutionTable;
 use crate::layout::paragraph;
 use crate::words::{count, dissipation, significant, time};
 
 /// Rows of the table for people.
 const ROWS: usize = 11;
-/// The two roads to the power differ by more than this where the paper's theory ends.
+/// Relative difference of the two powers above which the paper's theory ends.
 const APART: f64 = 0.1;
-/// Relative error of a time that is worth a word.
+/// Relative error of a time from which the error is mentioned.
 const UNCERTAIN: f64 = 1e-6;
 /// Probabilities as near as this are equal.
 const ROUNDING: f64 = 1e-9;
 
-/// How it ended, in a sentence.
+/// End of an evolution, in a sentence.
 pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
     let reached = time(rows.last().t);
     let ending = rows.drift.as_ref().map(|drift| drift.ending);
@@ -28,7 +28,7 @@ pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
         ("interrupted", _) => {
             format!("Interrupted when {reached} of the evolution were followed; the table holds up to there.")
         }
-        ("finished", Some(DriftEnding::Target)) => format!("The target was reached after {reached}."),
+        ("finished", Some(DriftStopReason::Target)) => format!("The target was reached after {reached}."),
         ("finished", Some(_)) => format!("The rotation was followed for {reached}, as asked."),
         (_, Some(ending)) => format!("Ended after {reached}: {ending}."),
         _ if !ages => "Nothing is dissipated, so that the end is never reached.".into(),
@@ -40,7 +40,7 @@ pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
     }
 }
 
-/// A power that the equations followed do not hold.
+/// Sentence for a loss that the equations followed leave out.
 pub fn lossless(order: usize) -> String {
     format!(
         "Nothing is dissipated by the reduced equations of order {order}, though the body loses energy in the harmonics of its \
@@ -71,14 +71,15 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
     let range = record.time_range.map_or_else(String::new, |[least, greatest]| {
         format!(" ({} to {} over the ranges of the materials)", time(least), time(greatest))
     });
-    let taken = format!("in {}{range}, {} turns", time(record.time), count(record.turns));
+    let taken = format!("in {}{range}, {} revolutions", time(record.time), count(record.revolutions));
     let crossed = record.separatrix_time.map_or_else(String::new, |seconds| {
         let probability =
             drift.and_then(|drift| drift.passages.first()).map_or(0.5, |passage| passage.probability);
         format!(" It passes the separatrix after {}{}.", time(seconds), odds(probability))
     });
     let drifted = drift.map_or_else(String::new, |drift| {
-        let [before, after] = [record.momentum, drift.end.momentum].map(|G| significant(G, 4));
+        let [before, after] =
+            [record.angular_momentum, drift.end.angular_momentum].map(|G| significant(G, 4));
         let died_out =
             drift.died_out.map_or_else(String::new, |t| format!(" Its wobble died out after {}.", time(t)));
         format!("{died_out} The angular momentum went from {before} to {after} N m s.")
@@ -106,7 +107,7 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
     )
 }
 
-/// What is known of the side that is entered at the separatrix.
+/// Probability of the side that is entered at the separatrix, in words.
 fn odds(probability: f64) -> String {
     if probability > 1.0 - ROUNDING {
         String::new()
@@ -117,33 +118,33 @@ fn odds(probability: f64) -> String {
     }
 }
 
-/// What the reader should know before the numbers.
-pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
-    let mut notes: Vec<String> = ageing.verdict.parametric.iter().cloned().collect();
-    let motions = ends.map(|stage| ageing.evolution().motion(stage));
-    let ratio = ageing.response.mean_power(&motions[0]) / ageing.polynomial.mean_power(&motions[0]);
-    let judged = ageing.verdict.rates.is_some();
-    if !judged && !ageing.lossy && ratio.is_finite() && (ratio - 1.0).abs() > APART {
+/// Notes to read before the numbers.
+pub fn notes(secular: &SecularEvolution, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
+    let mut notes: Vec<String> = secular.verdict.parametric.iter().cloned().collect();
+    let motions = ends.map(|stage| secular.evolution().motion(stage));
+    let ratio = secular.response.mean_power(&motions[0]) / secular.polynomial.mean_power(&motions[0]);
+    let judged = secular.verdict.rates.is_some();
+    if !judged && !secular.viscoelastic && ratio.is_finite() && (ratio - 1.0).abs() > APART {
         notes.push(format!(
             "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
              resonance is near, and the harmonics are right{}.",
             significant(ratio, 3),
-            if ageing.by_polynomial { "; this answer takes the polynomial" } else { "" }
+            if secular.by_polynomial { "; this answer takes the polynomial" } else { "" }
         ));
     }
     let first = |motion: &quasirigid::averaging::FreeRotation| motion.harmonics().next();
     let frequencies: Vec<f64> = motions.iter().filter_map(first).map(|harmonic| harmonic.frequency).collect();
-    for [low, high] in &ageing.measured {
+    for [low, high] in &secular.measured {
         if let Some(outside) = frequencies.iter().find(|frequency| !(low..=high).contains(frequency)) {
             notes.push(format!(
-                "The polhode turns at {} rad/s, where a material was not measured ({} to {} rad/s); its last value was taken.",
+                "The polhode frequency, {} rad/s, is outside the range in which a material was measured ({} to {} rad/s); its last value was taken.",
                 significant(*outside, 3),
                 significant(*low, 3),
                 significant(*high, 3)
             ));
         }
     }
-    if ageing.by_polynomial && ageing.lossy {
+    if secular.by_polynomial && secular.viscoelastic {
         notes.push("The reduced equations hold no loss of a material that is not Kelvin-Voigt: take it from the harmonics.".into());
     }
     if unranged {
@@ -152,7 +153,7 @@ pub fn notes(ageing: &Ageing, ends: [Stage; 2], unranged: bool) -> Vec<String> {
     notes
 }
 
-/// The answer, the table and what lies behind it, for a terminal of 80 columns.
+/// The answer, the table and the details, for a terminal of 80 columns.
 pub fn text(name: &str, record: &EvolutionRecord) -> String {
     let mut text = String::new();
     write(&mut text, name, record).expect("a string takes any text");
@@ -196,7 +197,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
 }
 
-/// An evolution that no road leads along.
+/// An evolution that no method leads along.
 fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
     if record.damping_time.is_nan() && record.growth_time.is_nan() {
@@ -207,7 +208,7 @@ fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Resul
     writeln!(out, "  (from the modes about the steady spins)")
 }
 
-/// What published estimates say of the small wobble about the axis of greatest inertia.
+/// Published estimates of the decay of the small wobble about the axis of greatest inertia.
 fn estimates(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     if record.estimates.is_empty() || !record.damping_time.is_finite() {
         return Ok(());
@@ -230,7 +231,7 @@ fn estimates(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("published estimates of it: {}", told.join("; ")), "  ", "      "))
 }
 
-/// The periods that an observer sees, and how far the energy lies above the least.
+/// The periods that an observer sees, and the energy over the least.
 fn periods(rotation: &ObservedRecord) -> String {
     let ObservedRecord { rotation_period, precession_period, energy_ratio, .. } = *rotation;
     let spun = |period: f64| if period.is_finite() { time(period) } else { "none".into() };
@@ -238,7 +239,7 @@ fn periods(rotation: &ObservedRecord) -> String {
     format!("P_psi {}, P_phi {around}, E/E0 {}", spun(rotation_period), significant(energy_ratio, 5))
 }
 
-/// How fast small wobbles change about the axes.
+/// Rates of small wobbles about the axes.
 fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     let folding = |verb: &str, seconds: f64| match seconds {
         f64::INFINITY => "stays as it is".to_owned(),
@@ -250,10 +251,10 @@ fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
 }
 
 fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
-    let [t, ratio, axis, least, greatest, power, turns] =
+    let [t, ratio, axis, least, greatest, power, revolutions] =
         ["t", "D_over_I3", "circled_axis", "nutation_min", "nutation_max", "power", "turns"]
             .map(|name| column(columns, name));
-    writeln!(out, "\n            time     turns     D/I3  mode   wobble, degrees       power, W")?;
+    writeln!(out, "\n            time revolutions     D/I3  mode   wobble, degrees       power, W")?;
     let rows = t.len();
     let shown = ROWS.min(rows);
     for i in 0..shown {
@@ -263,9 +264,9 @@ fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
         let wobble = format!("{} to {}", wobble[0], wobble[1]);
         writeln!(
             out,
-            "  {:>14} {:>9} {:>8.5}  {mode:<5}  {wobble:<18} {:>11}",
+            "  {:>14} {:>11} {:>8.5}  {mode:<5}  {wobble:<18} {:>11}",
             time(t[row]),
-            count(turns[row]),
+            count(revolutions[row]),
             ratio[row],
             significant(power[row], 4)
         )?;

@@ -1,4 +1,4 @@
-//! Who takes the power of a free rotation.
+//! Power budget: mean power that each dissipator takes from a free rotation. (D2)
 
 use nalgebra::Complex;
 
@@ -11,7 +11,7 @@ impl Response {
     /// Mean power (W) that each dissipator takes from a free rotation, by name; its sum is the whole. (D2)
     ///
     /// The shares are the mean of those of the motion and of its mirror image, which circles the same axis the other way: they differ by
-    /// the share of the damping in the answer, their sum does not.
+    /// the share of the damping in the response, their sum does not.
     #[must_use]
     pub fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
         let mean_spin = motion.mean_spin();
@@ -27,7 +27,7 @@ impl Response {
         self.dissipators.iter().map(|part| part.name.clone()).zip(powers).collect()
     }
 
-    /// Mean power (W) of a harmonic that each dissipator takes: `2ν` times `x̄ᵀ(νB_c + Im C_c)x` of the answer `x`. (D2)
+    /// Mean power (W) of a harmonic that each dissipator takes: `2ν` times `x̄ᵀ(νB_c + Im C_c)x` of the response `x`. (D2)
     fn taken(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> Vec<f64> {
         let frequency = harmonic.frequency;
         let answer = self.answer(harmonic, mean_spin);
@@ -49,7 +49,7 @@ impl Response {
         lost.into_iter().map(|lost| 2.0 * frequency * lost).collect()
     }
 
-    /// The same of liquids whose force at a frequency is known, each with the index of its dissipator.
+    /// Mean power over `2ν` taken by each liquid whose force at a frequency is known, with the index of its dissipator.
     fn taken_by_memories(
         &self,
         frequency: f64,

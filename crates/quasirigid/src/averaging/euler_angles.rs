@@ -1,10 +1,10 @@
 use super::poinsot::{FreeRotation, FreeRotationError};
 use crate::math::vec3::norm;
 
-/// Euler angles 3-1-3 of the axes (intermediate, short, long) against axes whose third is the angular momentum. (A9)
+/// Euler angles 3-1-3 of the principal axes (intermediate, short, long) against axes whose third is the angular momentum. (A9)
 ///
-/// `φ` turns the long axis about the momentum, `θ` is the angle between them, `ψ` turns the body about the long axis: the
-/// angles that radar and photometry of small bodies report.
+/// `φ` turns the long axis about the angular momentum, `θ` is the angle between them, `ψ` turns the body about the long axis: the angles
+/// that radar and photometry of small bodies report.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
     /// Precession `φ` (rad).

@@ -1,3 +1,8 @@
+//! Secular evolution of a torque-free rotation: energy falls at the mean power while `|K|` stays.
+//! Time is a quadrature over `ξ`, which puts axis and separatrix at infinity, where the integrand is tame: any number of revolutions costs
+//! the same.
+//! Equations (A5) to (A7), docs/theory/10-torque-free.md.
+
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -6,7 +11,7 @@ use super::power::MeanPower;
 use crate::math::quadrature::{Integral, integral};
 use crate::model::Mode;
 
-/// How the rotation of a free body ages: its energy falls at the mean power dissipated while `|K|` stays. (A6)
+/// Secular evolution of the rotation of a free body: the energy falls at the mean power dissipated while `|K|` stays. (A6)
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -20,7 +25,7 @@ use crate::model::Mode;
 /// # Ok::<(), quasirigid::Error>(())
 /// ```
 ///
-/// An evolution owns its power: whatever is one by value, shared in an [`Arc`], or borrowed.
+/// An evolution owns its [`MeanPower`]: by value, shared in an [`Arc`], or borrowed.
 #[derive(Clone, Copy, Debug)]
 pub struct Evolution<P = Arc<dyn MeanPower>> {
     power: P,
@@ -31,21 +36,21 @@ pub struct Evolution<P = Arc<dyn MeanPower>> {
 /// A state of rotation at a given `|K|`: a mode, and the place `ξ` between the separatrix, `−∞`, and the axis, `+∞`.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stage {
-    /// Axis that the momentum circles.
+pub struct RotationState {
+    /// Axis that the angular momentum circles.
     pub mode: Mode,
     /// `ln` of the distance of `D` from the separatrix over that from the axis.
     pub xi: f64,
 }
 
-impl Stage {
-    /// Steady spin about the axis of a mode, `ξ = ∞`: it ages only under a torque.
+impl RotationState {
+    /// Steady spin about the axis of a mode, `ξ = ∞`: evolves only under a torque.
     #[must_use]
     pub fn steady(mode: Mode) -> Self {
         Self { mode, xi: f64::INFINITY }
     }
 
-    /// The stage of a motion; none at an axis, where nothing ages.
+    /// Rotation state of a motion; none at an axis, where nothing evolves.
     #[must_use]
     pub fn from_motion(motion: &FreeRotation) -> Option<Self> {
         let xi = motion.logit();
@@ -53,33 +58,33 @@ impl Stage {
     }
 }
 
-/// What lies between two stages; negative from the later one to the earlier.
+/// Elapsed time and revolutions between two rotation states; negative from the later one to the earlier.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elapsed {
     /// Time (s); infinite where nothing is dissipated.
     pub time: f64,
-    /// Turns about the angular momentum, `∫ (2E/G) dt / 2π`.
-    pub turns: f64,
-    /// Estimated error of the time (s): tiny unless rounding or a thicket of resonances hides the power.
+    /// Revolutions about the angular momentum, `∫ (2E/G) dt / 2π`.
+    pub revolutions: f64,
+    /// Estimated error of the time (s): negligible unless rounding or many resonances side by side hide the power.
     pub error: f64,
 }
 
-/// Distance from the separatrix, as `ξ`, below which nothing is left to integrate: `e^{−40}`.
+/// Distance from the separatrix, as `ξ`, below which the integrand is negligible: `e^{−40}`.
 const SEPARATRIX: f64 = -40.0;
-/// Place, as `ξ`, where a wobble is so small that only its first harmonic is left.
+/// Place, as `ξ`, where a wobble is so small that only its first harmonic stands out of rounding.
 const AXIS: f64 = 36.0;
-/// Places that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that are listed before it.
+/// Places `ξ` that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that [`Evolution::stages`] lists before it.
 const NEAR: f64 = -4.595_119_850_134_59;
 const SEEN: f64 = -6.0;
 /// Relative error of a time.
 const TOLERANCE: f64 = 1e-10;
-/// Length of the pieces in which a time is looked for, and their number at most.
+/// Length in `ξ` of the pieces in which a time is looked for, and the limit of their number.
 const PIECE: f64 = 2.0;
 const PIECES: usize = 400;
 /// Change of a place, relative to a piece, after which Newton's next step is rounding.
 const SETTLED: f64 = 1e-9;
-/// Newton's steps towards a time within a piece.
+/// Limit of Newton's steps towards a time within a piece.
 const STEPS: usize = 60;
 
 impl<P: MeanPower> Evolution<P> {
@@ -89,54 +94,54 @@ impl<P: MeanPower> Evolution<P> {
         Self { moments: power.moments(), power, G }
     }
 
-    /// The rotation at a stage.
+    /// Free rotation at a rotation state.
     #[must_use]
-    pub fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
+    pub fn motion(&self, RotationState { mode, xi }: RotationState) -> FreeRotation {
         FreeRotation::at_logit(self.moments, self.G, mode, xi)
     }
 
     /// Mean power dissipated (W). (A5)
     #[must_use]
-    pub fn power(&self, stage: Stage) -> f64 {
+    pub fn power(&self, stage: RotationState) -> f64 {
         self.power.mean_power(&self.motion(stage))
     }
 
     /// Mean power (W) that each dissipator takes, by name. (D2)
     #[must_use]
-    pub fn budget(&self, stage: Stage) -> Vec<(String, f64)> {
+    pub fn budget(&self, stage: RotationState) -> Vec<(String, f64)> {
         self.power.budget(&self.motion(stage))
     }
 
-    /// The stage with this `D/I₃`; none outside of `I₁/I₃` to 1, or at an axis, where nothing ages.
+    /// Rotation state with this `D/I₃`; none outside of `I₁/I₃` to 1, or at an axis, where nothing evolves.
     #[must_use]
-    pub fn stage(&self, ratio: f64) -> Option<Stage> {
+    pub fn stage(&self, ratio: f64) -> Option<RotationState> {
         let [I1, I2, I3] = self.moments;
         let D = ratio * I3;
         let (mode, from_separatrix, from_axis) =
             if D >= I2 { (Mode::ShortAxis, D - I2, I3 - D) } else { (Mode::LongAxis, I2 - D, D - I1) };
-        (from_axis > 0.0).then(|| Stage { mode, xi: (from_separatrix / from_axis).ln().max(SEPARATRIX) })
+        (from_axis > 0.0)
+            .then(|| RotationState { mode, xi: (from_separatrix / from_axis).ln().max(SEPARATRIX) })
     }
 
-    /// The stage with this greatest angle (rad) between the momentum and the axis of greatest inertia; none of a body that has
-    /// no such axis, as its two greatest moments are equal.
+    /// Rotation state with this greatest angle (rad) between the angular momentum and the axis of greatest inertia; none where the two
+    /// greatest moments are equal, since such a body has no such axis.
     #[must_use]
-    pub fn wobbling(&self, angle: f64) -> Option<Stage> {
+    pub fn wobbling(&self, angle: f64) -> Option<RotationState> {
         let mode = Mode::ShortAxis;
         mode.exists(self.moments)
-            .then(|| Stage { mode, xi: FreeRotation::logit_of(self.moments, mode, angle) })
+            .then(|| RotationState { mode, xi: FreeRotation::logit_of(self.moments, mode, angle) })
     }
 
-    /// The stage where a share is left of the energy that a stage has above the steady spin about the axis of greatest
-    /// inertia.
+    /// Rotation state with a share `left` of the energy that `from` has above the steady spin about the axis of greatest inertia.
     #[must_use]
-    pub fn faded(&self, from: Stage, left: f64) -> Option<Stage> {
+    pub fn faded(&self, from: RotationState, left: f64) -> Option<RotationState> {
         let over = 1.0 / self.motion(from).ratio() - 1.0;
         self.stage(1.0 / (1.0 + left * over))
     }
 
-    /// `D/I₃` at a stage.
+    /// `D/I₃` of a rotation state.
     #[must_use]
-    pub fn ratio(&self, Stage { mode, xi }: Stage) -> f64 {
+    pub fn ratio(&self, RotationState { mode, xi }: RotationState) -> f64 {
         let [I1, I2, I3] = self.moments;
         let to_axis = 1.0 / (1.0 + xi.exp());
         match mode {
@@ -145,24 +150,29 @@ impl<P: MeanPower> Evolution<P> {
         }
     }
 
-    /// What lies between two stages. (A6)
+    /// Elapsed time and revolutions between two rotation states. (A6)
     #[must_use]
-    pub fn passage(&self, from: Stage, to: Stage) -> Elapsed {
+    pub fn passage(&self, from: RotationState, to: RotationState) -> Elapsed {
         self.between(along(from), along(to))
     }
 
-    /// Time (s) from one stage to another, negative if the second is the earlier; infinite where nothing is dissipated. (A6)
+    /// Time (s) from one rotation state to another, negative if the second is the earlier; infinite where nothing is dissipated. (A6)
     #[must_use]
-    pub fn time(&self, from: Stage, to: Stage) -> f64 {
+    pub fn time(&self, from: RotationState, to: RotationState) -> f64 {
         self.passage(from, to).time
     }
 
-    /// Stages from one to another, both among them, evenly along the way, but for the last steps to and from a separatrix
-    /// that is passed, `ξ < −6`, where nothing more is to be seen.
-    pub fn stages(&self, from: Stage, to: Stage, count: usize) -> impl Iterator<Item = Stage> {
+    /// Rotation states from one to another, both among them, evenly in `ξ`. The way between the last state before a separatrix and the
+    /// first behind it, `ξ < −6`, is skipped: nothing visible changes there.
+    pub fn stages(
+        &self,
+        from: RotationState,
+        to: RotationState,
+        count: usize,
+    ) -> impl Iterator<Item = RotationState> {
         let passes = along(from) < 0.0 && along(to) > 0.0;
         let margin = if passes { SEEN - SEPARATRIX } else { 0.0 };
-        let shifted = |stage: Stage| (along(stage).abs() - margin).max(0.0).copysign(along(stage));
+        let shifted = |stage: RotationState| (along(stage).abs() - margin).max(0.0).copysign(along(stage));
         let (start, way) = (shifted(from), shifted(to) - shifted(from));
         let last = count.saturating_sub(1).max(1);
         (0..count).map(move |i| match i {
@@ -175,24 +185,24 @@ impl<P: MeanPower> Evolution<P> {
         })
     }
 
-    /// Time (s) from a stage to the separatrix; none if the way does not lead through it.
+    /// Time (s) from a rotation state to the separatrix; none if the evolution does not pass the separatrix.
     #[must_use]
-    pub fn separatrix_time(&self, from: Stage, to: Stage) -> Option<f64> {
+    pub fn separatrix_time(&self, from: RotationState, to: RotationState) -> Option<f64> {
         (along(from) < 0.0 && along(to) > 0.0).then(|| self.between(along(from), 0.0).time)
     }
 
-    /// Time (s) spent next to the separatrix, nearer to it than one part in a hundred of the way to either axis, as `D`
-    /// measures it; none if the way leads past no such place.
+    /// Time (s) spent next to the separatrix, nearer to it than one part in a hundred of the way to either axis, as `D` measures it; none
+    /// if the evolution passes no such place.
     #[must_use]
-    pub fn lingering(&self, from: Stage, to: Stage) -> Option<f64> {
-        let near = |mode| along(Stage { mode, xi: NEAR });
+    pub fn lingering(&self, from: RotationState, to: RotationState) -> Option<f64> {
+        let near = |mode| along(RotationState { mode, xi: NEAR });
         let (low, high) = (near(Mode::LongAxis).max(along(from)), near(Mode::ShortAxis).min(along(to)));
         (low < high).then(|| self.between(low, high).time)
     }
 
-    /// The stage reached after a time (s), not negative; none if nothing is dissipated there.
+    /// Rotation state reached after a time (s), not negative; none if nothing is dissipated there.
     #[must_use]
-    pub fn after(&self, from: Stage, time: f64) -> Option<Stage> {
+    pub fn after(&self, from: RotationState, time: f64) -> Option<RotationState> {
         let mut start = along(from);
         let mut left = time;
         for _ in 0..PIECES {
@@ -209,7 +219,7 @@ impl<P: MeanPower> Evolution<P> {
         Some(at(start))
     }
 
-    /// The place a time after another, less than a piece away and about this share of one: Newton's method between bounds.
+    /// Place a `time` after `start`, less than a piece away and about this share of one: Newton's method between bounds.
     fn within(&self, start: f64, time: f64, share: f64) -> f64 {
         let (mut low, mut high) = (start, start + PIECE);
         let mut x = start + share * PIECE;
@@ -234,25 +244,25 @@ impl<P: MeanPower> Evolution<P> {
     /// of greatest inertia, and grows as `e^{rate·t}` about that of least. (A7)
     #[must_use]
     pub fn wobble_rate(&self, mode: Mode) -> f64 {
-        let stage = Stage { mode, xi: AXIS };
+        let stage = RotationState { mode, xi: AXIS };
         let motion = self.motion(stage);
         0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
     }
 
     fn between(&self, from: f64, to: f64) -> Elapsed {
         let mut slowness = |x: f64| self.slowness(x);
-        let mut passage = Elapsed { time: 0.0, turns: 0.0, error: 0.0 };
+        let mut passage = Elapsed { time: 0.0, revolutions: 0.0, error: 0.0 };
         let ends = if from < 0.0 && to > 0.0 { vec![from, 0.0, to] } else { vec![from, to] };
         for [a, b] in ends.array_windows() {
-            let Integral { value: [time, turns], error } = integral(&mut slowness, *a, *b, TOLERANCE);
+            let Integral { value: [time, revolutions], error } = integral(&mut slowness, *a, *b, TOLERANCE);
             passage.time += time;
-            passage.turns += turns;
+            passage.revolutions += revolutions;
             passage.error += error[0];
         }
         passage
     }
 
-    /// Time (s) and turns per unit of the way.
+    /// Time (s) and revolutions per unit of the way.
     fn slowness(&self, x: f64) -> [f64; 2] {
         let motion = self.motion(at(x));
         let slowness = motion.energy_slope() / self.power.mean_power(&motion);
@@ -260,18 +270,18 @@ impl<P: MeanPower> Evolution<P> {
     }
 }
 
-/// A stage on the way from the axis of least inertia, `−∞`, through the separatrix, 0, to the axis of greatest.
-fn along(Stage { mode, xi }: Stage) -> f64 {
+/// Place of a rotation state on the way from the axis of least inertia, `−∞`, through the separatrix, 0, to the axis of greatest.
+fn along(RotationState { mode, xi }: RotationState) -> f64 {
     match mode {
         Mode::ShortAxis => xi - SEPARATRIX,
         Mode::LongAxis => SEPARATRIX - xi,
     }
 }
 
-fn at(x: f64) -> Stage {
+fn at(x: f64) -> RotationState {
     if x >= 0.0 {
-        Stage { mode: Mode::ShortAxis, xi: x + SEPARATRIX }
+        RotationState { mode: Mode::ShortAxis, xi: x + SEPARATRIX }
     } else {
-        Stage { mode: Mode::LongAxis, xi: SEPARATRIX - x }
+        RotationState { mode: Mode::LongAxis, xi: SEPARATRIX - x }
     }
 }

@@ -1,14 +1,14 @@
-use super::evolution::{Evolution, Stage};
+use super::evolution::{Evolution, RotationState};
 use super::power::MeanPower;
 use super::response::Response;
 use crate::math::bisection::bisected;
 use crate::model::Mode;
 
-/// A place on the way of an ageing rotation where a harmonic of the polhode has the frequency of an elastic mode. (G8)
+/// Resonance met by a secular evolution: a rotation state where a harmonic of the polhode has the frequency of an elastic mode. (G8)
 #[derive(Clone, Debug, PartialEq)]
 pub struct HarmonicResonance {
-    /// Where it happens.
-    pub stage: Stage,
+    /// Rotation state at resonance.
+    pub stage: RotationState,
     /// Number of the harmonic.
     pub harmonic: usize,
     /// Frequency of both (rad/s), the body free to recoil.
@@ -19,9 +19,9 @@ pub struct HarmonicResonance {
     pub share: f64,
 }
 
-/// Harmonics looked at.
+/// Highest harmonic looked at.
 const MOST_HARMONICS: usize = 40;
-/// Shares below this are not worth a name.
+/// Share of the mean power below which a resonance is not listed.
 const FAINT: f64 = 1e-9;
 /// Places of a mode between which the polhode frequency is bisected, as `ξ`.
 const ENDS: [f64; 2] = [-30.0, 30.0];
@@ -32,8 +32,9 @@ impl Response {
     pub fn resonances(&self, evolution: &Evolution<impl MeanPower>) -> Vec<HarmonicResonance> {
         let mut found = Vec::new();
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
-            let step =
-                |xi: f64| std::f64::consts::TAU / evolution.motion(Stage { mode, xi }).polhode_period();
+            let step = |xi: f64| {
+                std::f64::consts::TAU / evolution.motion(RotationState { mode, xi }).polhode_period()
+            };
             let [slow, fast] = ENDS.map(step);
             for (frequency, coordinate) in self.frequencies() {
                 for harmonic in 1..=MOST_HARMONICS {
@@ -41,7 +42,7 @@ impl Response {
                     if !(slow.min(fast)..slow.max(fast)).contains(&wanted) {
                         continue;
                     }
-                    let stage = Stage { mode, xi: bisected(ENDS, step, wanted, fast > slow) };
+                    let stage = RotationState { mode, xi: bisected(ENDS, step, wanted, fast > slow) };
                     let share = self.share(evolution, stage, harmonic);
                     if share > FAINT {
                         let coordinate = coordinate.to_owned();
@@ -54,7 +55,7 @@ impl Response {
         found
     }
 
-    fn share(&self, evolution: &Evolution<impl MeanPower>, stage: Stage, harmonic: usize) -> f64 {
+    fn share(&self, evolution: &Evolution<impl MeanPower>, stage: RotationState, harmonic: usize) -> f64 {
         let powers: Vec<f64> =
             self.harmonic_powers(&evolution.motion(stage)).map(|(_, power)| power).collect();
         powers.get(harmonic - 1).copied().unwrap_or(0.0) / powers.iter().sum::<f64>()

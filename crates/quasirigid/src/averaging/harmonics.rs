@@ -1,3 +1,7 @@
+//! Fourier series of the six products of the angular velocity along a polhode, in closed form.
+//! Powers of the nome instead of a transform of samples: amplitudes keep all digits for a wobble of any size and next to the separatrix.
+//! Equations (G5), docs/theory/11-materials.md, and (H4), docs/theory/14-spinning-frame.md.
+
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
@@ -6,7 +10,7 @@ use super::poinsot::FreeRotation;
 use crate::math::elliptic::first_of_complement;
 use crate::model::Mode;
 
-/// A harmonic of the six products of the spin along the polhode. (G5)
+/// Harmonic of the six products of the angular velocity along the polhode. (G5)
 ///
 /// The products are `Re Σ 2 mₙ e^{inΩ_p t}` beside their means, in principal axes; the motion starts at the phase zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,21 +23,21 @@ pub struct Harmonic {
     pub products: [[f64; 6]; 2],
 }
 
-/// Harmonics are left out where they are weaker than this in the square.
+/// Square of the relative amplitude below which harmonics are left out.
 const WEAK: f64 = 1e-18;
 /// Parameter `k²` below which the nome is a power series in it.
 const SMALL: f64 = 1e-5;
 
 impl FreeRotation {
-    /// Harmonics of the products of the spin, from the first to where they are lost in rounding; none of a motion that is
-    /// steady, and none on the separatrix, which has no period. (G5)
+    /// Harmonics of the products of the angular velocity, from the first to the last above rounding; none of a motion that is steady, and
+    /// none on the separatrix, which has no period. (G5)
     pub fn harmonics(&self) -> impl Iterator<Item = Harmonic> {
         let series = Series::of(self);
         (1..=series.count).map(move |number| series.harmonic(number))
     }
 }
 
-/// What the harmonics of a motion have in common.
+/// Common data of the harmonics of a motion: nome, amplitudes, frequency.
 pub(super) struct Series {
     mode: Mode,
     side: f64,
@@ -60,7 +64,7 @@ impl Series {
             let nome = (-PI * first_of_complement(m) / quarter).exp();
             (nome, nome / m)
         };
-        let alive = WEAK.ln() / nome.ln();
+        let significant = WEAK.ln() / nome.ln();
         let period = motion.polhode_period();
         let moves = period.is_finite() && motion.amplitudes().iter().filter(|rate| **rate > 0.0).count() > 1;
         Self {
@@ -72,12 +76,12 @@ impl Series {
             over_square,
             over_root: over_square.sqrt(),
             scale: (PI / quarter).powi(2),
-            count: if moves { 2 + alive.ceil() as usize } else { 0 },
+            count: if moves { 2 + significant.ceil() as usize } else { 0 },
         }
     }
 
-    /// Products of the functions: squares and `sn cn` have the even harmonics, the others the odd ones; cosines have real
-    /// amplitudes, sines imaginary ones.
+    /// Amplitudes of a harmonic. Of the products of the elliptic functions squares and `sn cn` have the even harmonics, the others the
+    /// odd ones; cosines have real amplitudes, sines imaginary ones.
     pub(super) fn harmonic(&self, number: usize) -> Harmonic {
         let [a, b, c] = self.amplitudes;
         let [mut real, mut imaginary] = [[0.0; 6]; 2];
@@ -113,7 +117,7 @@ impl Series {
         Harmonic { number, frequency: number as f64 * self.polhode, products: [real, imaginary] }
     }
 
-    /// Number of the harmonic that [`FreeRotation::harmonics`] ends with: those beyond are lost in rounding, squared.
+    /// Number of the harmonic that [`FreeRotation::harmonics`] ends with: the squares of those beyond are below rounding.
     pub(super) fn count(&self) -> usize {
         self.count
     }
@@ -123,7 +127,8 @@ impl Series {
         if self.count == 0 { 0 } else { 2 + (2.0 * weak.ln() / self.nome.ln()).ceil() as usize }
     }
 
-    /// Amplitude of `e^{inΩ_p t}` in the spin (rad/s), principal axes, on the side the motion is on; the mean for `n = 0`. (H4)
+    /// Amplitude of `e^{inΩ_p t}` in the angular velocity (rad/s), principal axes, on the side the motion is on; the mean for `n = 0`.
+    /// (H4)
     pub(super) fn spin(&self, number: usize) -> [Complex<f64>; 3] {
         let [a, b, c] = self.amplitudes;
         let side = Complex::from(self.side);

@@ -1,3 +1,8 @@
+//! Chebyshev interpolation of a mean power over `ξ`: a costly source is asked at few places.
+//! The power is divided by `⟨|ω̇|²⟩` first, since the ratio is smooth up to the axis and the separatrix; pieces are fitted on demand and
+//! halved at resonances.
+//! Equations (A6), docs/theory/10-torque-free.md, and (Q4), docs/theory/16-methods.md.
+
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -5,25 +10,26 @@ use super::{FreeRotation, MeanPower};
 use crate::math::chebyshev::Chebyshev;
 use crate::model::Mode;
 
-/// Mean power interpolated along the way, for a source that costs much at each place: `ln(P/⟨|ω̇|²⟩)` by Chebyshev's polynomials on
-/// pieces of `ξ`, made when they are asked for. (A6)
+/// Mean power interpolated over `ξ`, for a source that is costly at each place: `ln(P/⟨|ω̇|²⟩)` by Chebyshev's polynomials on pieces of
+/// `ξ`, fitted on demand. (A6)
 ///
-/// A resonance narrower than a node's distance may be passed over; the time that it takes from a way is at most its width.
+/// A resonance narrower than the distance of the nodes may be missed; the relative error of a time is then at most the width of the
+/// resonance.
 #[derive(Debug)]
 pub struct InterpolatedPower {
     source: Arc<dyn MeanPower>,
-    momentum: f64,
+    angular_momentum: f64,
     pieces: Mutex<BTreeMap<Key, Piece>>,
 }
 
-/// Whether the mode is the short-axis one, how often its piece was halved, and the number of the piece.
+/// Key of a piece: short-axis mode or not, number of halvings, index of the piece.
 type Key = (bool, u32, i64);
 
 #[derive(Debug)]
 enum Piece {
     Fit(Box<Chebyshev<1>>),
     Halved,
-    /// No polynomial fits: the source is asked at each place.
+    /// Piece without a fit: the source is asked at each place.
     Rough,
 }
 
@@ -31,16 +37,16 @@ enum Piece {
 const WIDTH: f64 = 2.0;
 /// Halvings allowed.
 const DEEPEST: u32 = 6;
-/// Share of the last polynomials at which a piece fits.
+/// Share of the last polynomials below which a piece fits.
 const FITS: f64 = 1e-5;
-/// Place next to the separatrix, as `ξ`, from which on the ratio is taken as constant: a share `e^ξ` of the energies lies behind it.
+/// Place next to the separatrix, as `ξ`, beyond which the ratio is taken as constant: a share `e^ξ` of the energies lies there.
 const NEAREST: f64 = -8.0;
 
 impl InterpolatedPower {
-    /// From a power at an angular momentum (N·m·s).
+    /// Interpolates a power at an angular momentum (N·m·s).
     #[must_use]
-    pub fn new(source: impl MeanPower + 'static, momentum: f64) -> Self {
-        Self { source: Arc::new(source), momentum, pieces: Mutex::new(BTreeMap::new()) }
+    pub fn new(source: impl MeanPower + 'static, angular_momentum: f64) -> Self {
+        Self { source: Arc::new(source), angular_momentum, pieces: Mutex::new(BTreeMap::new()) }
     }
 
     /// Logarithm of the ratio at a place; none where no polynomial fits.
@@ -62,7 +68,7 @@ impl InterpolatedPower {
 
     fn piece(&self, mode: Mode, depth: u32, ends: [f64; 2]) -> Piece {
         let fit = Chebyshev::fit(ends, |xi| {
-            let motion = FreeRotation::at_logit(self.moments(), self.momentum, mode, xi);
+            let motion = FreeRotation::at_logit(self.moments(), self.angular_momentum, mode, xi);
             let ratio = (self.source.mean_power(&motion) / motion.mean_square_acceleration()).ln();
             ratio.is_finite().then_some([ratio])
         });
@@ -80,7 +86,7 @@ impl MeanPower for InterpolatedPower {
     }
 
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
-        let here = (motion.momentum() / self.momentum - 1.0).abs() < 1e-12;
+        let here = (motion.angular_momentum() / self.angular_momentum - 1.0).abs() < 1e-12;
         let xi = motion.logit();
         let ratio = if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(NEAREST)) } else { None };
         match ratio {
@@ -100,7 +106,7 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
-    use crate::averaging::{Evolution, Response, Stage};
+    use crate::averaging::{Evolution, Response, RotationState};
     use crate::problems::ring_of_points;
 
     #[derive(Debug)]
@@ -117,31 +123,32 @@ mod tests {
         }
     }
 
-    /// The same times and powers as the source, asked a fraction as often; another momentum is the source's own matter.
+    /// Times and powers equal those of the source, with a fraction of the calls; at another angular momentum the source itself answers.
     #[test]
     fn times_are_those_of_the_source() {
         let response = Response::compute(&ring_of_points(4).body().unwrap()).unwrap();
         let asked = Arc::new(AtomicUsize::new(0));
-        let momentum = 0.5 * response.moments()[2];
+        let angular_momentum = 0.5 * response.moments()[2];
         let source = Counted(response.clone(), Arc::clone(&asked));
-        let interpolated = InterpolatedPower::new(source, momentum);
+        let interpolated = InterpolatedPower::new(source, angular_momentum);
         let [slow, fast] =
-            [&response as &dyn MeanPower, &interpolated].map(|power| Evolution::new(power, momentum));
-        let stages = [3.0, -6.0].map(|xi| Stage { mode: Mode::LongAxis, xi });
-        let end = Stage { mode: Mode::ShortAxis, xi: 5.0 };
+            [&response as &dyn MeanPower, &interpolated].map(|power| Evolution::new(power, angular_momentum));
+        let stages = [3.0, -6.0].map(|xi| RotationState { mode: Mode::LongAxis, xi });
+        let end = RotationState { mode: Mode::ShortAxis, xi: 5.0 };
         for from in stages {
             let [expected, found] = [&slow, &fast].map(|evolution| evolution.time(from, end));
             assert!((found / expected - 1.0).abs() < 1e-5, "{found:e} {expected:e}");
         }
         let once = asked.load(Ordering::Relaxed);
-        let rows = (0..200).map(|i| fast.time(stages[0], Stage { xi: -4.0 + 0.045 * f64::from(i), ..end }));
+        let rows =
+            (0..200).map(|i| fast.time(stages[0], RotationState { xi: -4.0 + 0.045 * f64::from(i), ..end }));
         assert!(rows.sum::<f64>() > 0.0);
         assert!(asked.load(Ordering::Relaxed) - once < 30, "{asked:?} {once}");
-        let other = FreeRotation::at_logit(response.moments(), 1.1 * momentum, Mode::ShortAxis, 0.3);
+        let other = FreeRotation::at_logit(response.moments(), 1.1 * angular_momentum, Mode::ShortAxis, 0.3);
         assert_eq!(interpolated.mean_power(&other), response.mean_power(&other));
     }
 
-    /// Power with a resonance of a width and a height at a place of the way.
+    /// Power with a resonance of a width and a height at a place `ξ`.
     #[derive(Debug)]
     struct Peaked {
         width: f64,
@@ -160,10 +167,10 @@ mod tests {
         }
     }
 
-    /// Times over a resonance, wide or narrow, high or low, wherever it lies, against sums over cells.
+    /// Times over a resonance, wide or narrow, high or low, at several places, against sums over cells.
     #[test]
     fn times_over_a_resonance() {
-        let stage = |xi: f64| Stage { mode: Mode::ShortAxis, xi };
+        let stage = |xi: f64| RotationState { mode: Mode::ShortAxis, xi };
         let (cells, ends) = (10_000, [-2.0, 3.0]);
         let at = |i: f64| ends[0] + (ends[1] - ends[0]) * i / f64::from(cells);
         let smooth = Peaked { width: 1.0, height: 0.0, place: 0.0 };

@@ -1,13 +1,18 @@
+//! Modal basis of the response to a free rotation: vibrations, relaxations and liquids, with their loads.
+//! Large bodies are projected on the static responses to the loads and their images under mass and damping, exact to the second power of
+//! the frequency, instead of on their lowest modes, most of which no load excites.
+//! Equations (G5) and (G6), docs/theory/11-materials.md; (C7), docs/theory/13-inside.md.
+
 use crate::math::eigen::{Dense, NoConvergence, modes};
 use crate::math::span::{Span, largest};
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3;
 use crate::model::{FlexibleBody, LiquidMemory, Principal};
 
-/// What answers a load: an elastic mode or a relaxation of unit modal mass, or a liquid that turns about an axis.
+/// Row of the modal basis: an elastic mode or a relaxation of unit modal mass, or a liquid that rotates about an axis.
 #[derive(Clone, Debug)]
 pub(super) struct LoadedMode {
-    /// Square of its frequency (rad²/s²); zero of what no spring holds.
+    /// Square of its frequency (rad²/s²); zero of a relaxation or a liquid.
     pub square: f64,
     /// Share of each coordinate; none of a liquid whose force at a frequency is known.
     pub shape: Vec<f64>,
@@ -19,7 +24,7 @@ pub(super) struct LoadedMode {
     pub name: String,
 }
 
-/// The loaded modes of a body: vibrations, relaxations, liquids, in this order.
+/// Loaded modes of a body: vibrations, relaxations, liquids, in this order.
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -31,7 +36,7 @@ pub(super) fn loaded_modes(
     loaded_modes_in(body, principal, |loads| (body.elastic() > whole).then(|| excited(body, loads)))
 }
 
-/// The same with the vibrations of a span of the elastic coordinates that depends on the loads; of all without one.
+/// Loaded modes with the vibrations in a span of the elastic coordinates, made from the loads; without a span, all vibrations.
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -60,7 +65,7 @@ pub(super) fn loaded_modes_in(
     Ok(rows)
 }
 
-/// A liquid that turns about its axes.
+/// Rows of a liquid, one per axis of rotation.
 fn liquid(body: &FlexibleBody, principal: &Principal, memory: &LiquidMemory) -> Vec<LoadedMode> {
     let row = |axis: &[f64; 3]| {
         let h = vec3::scale(memory.inertia, *axis);
@@ -81,7 +86,7 @@ pub(super) fn loads(body: &FlexibleBody, principal: &Principal) -> Vec<Sym> {
     invariants.J1.iter().zip(&invariants.h).map(|(J, h)| load(principal, *J, *h)).collect()
 }
 
-/// Load by the products xx, yy, zz, yz, zx, xy of the spin in principal axes: `½ω·J_jω − h_j·ω̇` with Euler's `ω̇`. (G5)
+/// Load by the products xx, yy, zz, yz, zx, xy of the angular velocity in principal axes: `½ω·J_jω − h_j·ω̇` with Euler's `ω̇`. (G5)
 fn load(principal: &Principal, J: Sym, h: [f64; 3]) -> Sym {
     let Principal { moments: [I1, I2, I3], axes } = principal;
     let euler = [(I2 - I3) / I1, (I3 - I1) / I2, (I1 - I2) / I3];
@@ -104,7 +109,7 @@ struct Shape {
     x: Vec<f64>,
 }
 
-/// Elastic modes with what turns inside locked: all, or those of a span.
+/// Elastic modes with internal rotors and liquids locked: all, or those of a span.
 fn vibrations(body: &FlexibleBody, span: Option<Span>) -> Result<Vec<Shape>, NoConvergence> {
     let elastic = 0..body.elastic();
     let (A, C) = match &span {
@@ -126,8 +131,8 @@ fn vibrations(body: &FlexibleBody, span: Option<Span>) -> Result<Vec<Shape>, NoC
     Ok(found.frequencies.iter().enumerate().map(shape).collect())
 }
 
-/// Relaxations of the cyclic coordinates, elastic ones held and the body free to recoil, without those of liquids that have
-/// rows of their own. (C7)
+/// Relaxations of the cyclic coordinates, elastic ones fixed and the body free to recoil, without those of liquids that have rows of
+/// their own. (C7)
 fn relaxations(body: &FlexibleBody) -> Result<Vec<Shape>, NoConvergence> {
     let known = |j: &usize| body.memories().iter().any(|memory| memory.coordinates.contains(j));
     let cyclic = body.cyclic();
@@ -149,7 +154,7 @@ fn relaxations(body: &FlexibleBody) -> Result<Vec<Shape>, NoConvergence> {
     Ok((0..free.len()).map(shape).collect())
 }
 
-/// Vectors that span the answers to the loads up to the second power of the frequency.
+/// Vectors that span the response to the loads up to the second power of the frequency.
 fn excited(body: &FlexibleBody, loads: &[Sym]) -> Span {
     let softened = |mut x: Vec<f64>| {
         body.solve_stiffness(&mut x, 1);
@@ -159,7 +164,7 @@ fn excited(body: &FlexibleBody, loads: &[Sym]) -> Span {
     let after = |x: &Vec<f64>| {
         let mass = std::iter::once(body.recoiling_mass_times(x));
         let damping = std::iter::once(body.damping().times(x));
-        let materials = body.lossy().iter().map(|part| part.stiffness.times(x));
+        let materials = body.viscoelastic().iter().map(|part| part.stiffness.times(x));
         mass.chain(damping).chain(materials).map(softened).collect::<Vec<_>>()
     };
     let second: Vec<Vec<f64>> = first.iter().flat_map(after).collect();

@@ -1,4 +1,4 @@
-//! Millions of turns: the torque-free motion in closed form, and what dissipation makes of it on average.
+//! Millions of revolutions: the torque-free motion in closed form, and what dissipation makes of it on average.
 
 mod budget;
 mod drift;
@@ -18,15 +18,15 @@ mod response;
 mod slow_torque;
 mod source;
 
-pub use drift::{Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, SeparatrixPassage};
+pub use drift::{Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, SeparatrixPassage};
 pub use euler_angles::EulerAngles;
-pub use evolution::{Elapsed, Evolution, Stage};
+pub use evolution::{Elapsed, Evolution, RotationState};
 pub use harmonic_resonance::HarmonicResonance;
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};
 pub use interpolated::InterpolatedPower;
 pub use levels::{
-    Level, LevelEnding, LevelError, LevelEvolution, LevelPassage, LevelRow, Separatrix, Until, Way,
+    Level, LevelError, LevelEvolution, LevelPassage, LevelRow, LevelStopReason, Separatrix, Until, Way,
 };
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::{FreeRotation, FreeRotationError};

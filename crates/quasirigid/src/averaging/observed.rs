@@ -1,3 +1,8 @@
+//! Periods of a tumbling body as observers report them, and the torque-free motion that has them.
+//! The ratio of the two periods depends on `D` alone and is monotonic within a mode, so bisection finds `D` and either period then `|K|`; a
+//! ratio out of range is refused with the range.
+//! "Observed periods" and equations (A2), (A3), docs/theory/10-torque-free.md.
+
 use std::f64::consts::TAU;
 
 use thiserror::Error;
@@ -9,19 +14,19 @@ use crate::model::Mode;
 /// A tumbling body as observers describe it: two periods and a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObservedPeriods {
-    /// Period of the spin in body axes, of the rotation about the long axis (s); `P_ψ`.
+    /// Period of the angular velocity in body axes, that of the rotation about the long axis (s); `P_ψ`.
     pub rotation: f64,
     /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
     pub precession: f64,
-    /// Axis that the momentum circles.
+    /// Axis that the angular momentum circles.
     pub mode: Mode,
 }
 
-/// Periods that no motion of the body has.
+/// Error of periods that no motion of the body has.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ObservedError {
-    /// A period that is not positive, or not finite.
+    /// Period that is not positive, or not finite.
     #[error("periods of {rotation} s and {precession} s mean nothing; give two that are positive")]
     Period {
         /// Period of rotation (s).
@@ -29,7 +34,7 @@ pub enum ObservedError {
         /// Period of precession (s).
         precession: f64,
     },
-    /// A ratio outside of what these moments allow.
+    /// Ratio outside of the range of these moments.
     #[error(
         "no motion in this mode has a period of rotation {ratio:.4} times that of precession; with these moments the ratio lies between {least:.4} and {greatest:.4}"
     )]
@@ -43,7 +48,7 @@ pub enum ObservedError {
     },
 }
 
-/// Nearest approach to the axis and to the separatrix that is looked at, relative to their distance.
+/// Nearest approach to the axis and to the separatrix in the search, relative to their distance.
 const NEAR: f64 = 1e-12;
 
 impl ObservedPeriods {
@@ -82,7 +87,7 @@ impl ObservedPeriods {
             return Err(ObservedError::Ratio { ratio, least, greatest });
         }
         let unit = at(bisected(shares, ratio_at, ratio, rising));
-        let G = unit.momentum() * unit.polhode_period() / rotation;
+        let G = unit.angular_momentum() * unit.polhode_period() / rotation;
         Ok(FreeRotation::at_ratio(moments, G, unit.ratio()))
     }
 }

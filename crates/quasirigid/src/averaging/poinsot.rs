@@ -1,3 +1,8 @@
+//! Torque-free rotation of a rigid body in closed form (Euler–Poinsot): angular velocity, attitude, periods and means.
+//! Differences of `G²` and `2EI` are kept as numbers of their own and the modulus by its complement: digits are lost neither at an axis nor
+//! at the separatrix. Never form them by subtraction.
+//! Equations (A1) to (A6), docs/theory/10-torque-free.md; elliptic functions `[@bulirsch1965]`.
+
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use thiserror::Error;
@@ -28,15 +33,15 @@ pub struct FreeRotation {
     from_long: f64,
     from_short: f64,
     from_middle: f64,
-    /// Side of the circled axis that the momentum is on, ±1.
+    /// Side of the circled axis that the angular momentum is on, ±1.
     side: f64,
     /// Argument of the elliptic functions at `t = 0`.
     phase: f64,
-    /// The spin of a sphere, which has no axis to circle.
+    /// Angular velocity of a sphere, which has no axis to circle.
     steady: Option<[f64; 3]>,
 }
 
-/// A rotation that no rigid body makes.
+/// Error of a rotation that no rigid body makes.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum FreeRotationError {
@@ -48,19 +53,19 @@ pub enum FreeRotationError {
         /// Moments asked for (kg·m²).
         moments: [f64; 3],
     },
-    /// The spin is no number.
+    /// The angular velocity is no number.
     #[error("{omega:?} rad/s is not an angular velocity; give finite numbers")]
     Omega {
-        /// Spin asked for (rad/s).
+        /// Angular velocity asked for (rad/s).
         omega: [f64; 3],
     },
     /// The angular momentum is negative or no number.
     #[error(
-        "{momentum} N·m·s is not the size of an angular momentum; give one that is finite and not negative"
+        "{angular_momentum} N·m·s is not the size of an angular momentum; give one that is finite and not negative"
     )]
-    Momentum {
+    AngularMomentum {
         /// Angular momentum asked for (N·m·s).
-        momentum: f64,
+        angular_momentum: f64,
     },
     /// The angle is out of the range of a mode.
     #[error(
@@ -82,21 +87,21 @@ pub enum FreeRotationError {
     },
 }
 
-/// Refuses what are no principal moments in ascending order.
+/// Refuses moments that are not principal moments in ascending order.
 fn check(moments: [f64; 3]) -> Result<(), FreeRotationError> {
     let [I1, I2, I3] = moments;
     let possible = 0.0 < I1 && I1 <= I2 && I2 <= I3 && I3.is_finite();
     if possible { Ok(()) } else { Err(FreeRotationError::Moments { moments }) }
 }
 
-/// Points of the mean per `K/K′`: harmonic `n` of the spin falls as the power `n/2` of the nome, to 1e-17 with a margin.
+/// Points of the mean per `K/K′`: harmonic `n` of the angular velocity falls as the power `n/2` of the nome, to 1e-17 with a margin.
 const POINTS: f64 = 32.0;
 
 impl FreeRotation {
-    /// The motion through a spin (rad/s) at `t = 0` of a body with these principal moments (kg·m²), ascending.
+    /// Motion through an angular velocity (rad/s) at `t = 0` of a body with these principal moments (kg·m²), ascending.
     ///
     /// # Errors
-    /// [`FreeRotationError`] if the moments are not positive or do not ascend, or the spin is not finite.
+    /// [`FreeRotationError`] if the moments are not positive or do not ascend, or the angular velocity is not finite.
     pub fn through(moments: [f64; 3], omega: [f64; 3]) -> Result<Self, FreeRotationError> {
         check(moments)?;
         if !omega.iter().all(|rate| rate.is_finite()) {
@@ -105,7 +110,7 @@ impl FreeRotation {
         Ok(Self::passing(moments, omega))
     }
 
-    /// The motion through a spin (rad/s) that was checked.
+    /// Motion through an angular velocity (rad/s) that was checked.
     pub(super) fn passing(moments: [f64; 3], omega: [f64; 3]) -> Self {
         let [I1, I2, I3] = moments;
         let squares = omega.map(|rate| rate * rate);
@@ -125,8 +130,8 @@ impl FreeRotation {
         Self { phase: first_to(angle, rest.complement()), ..rest }
     }
 
-    /// The motion with this angular momentum (N·m·s) and `D/I₃ = |K|²/2EI₃`, from `I₁/I₃` to 1: it starts where the momentum
-    /// is nearest to the long axis, or farthest from it, on the positive side.
+    /// The motion with this angular momentum (N·m·s) and `D/I₃ = |K|²/2EI₃`, from `I₁/I₃` to 1: starts where the angular momentum is
+    /// nearest to the long axis, or farthest from it, on the positive side.
     #[must_use]
     pub fn at_ratio(moments: [f64; 3], G: f64, ratio: f64) -> Self {
         let [I1, I2, I3] = moments;
@@ -145,8 +150,8 @@ impl FreeRotation {
         }
     }
 
-    /// The motion with this angular momentum (N·m·s) whose `D/I₃` lies the share `1/(1 + e^{−ξ})` of the way from the
-    /// separatrix to the axis that the mode circles: no digits are lost at either end. It starts as [`at_ratio`] says.
+    /// The motion with this angular momentum (N·m·s) whose `D/I₃` lies the share `1/(1 + e^{−ξ})` of the way from the separatrix to the
+    /// axis that the mode circles: no digits are lost at either end. The motion starts as [`at_ratio`] says.
     ///
     /// [`at_ratio`]: Self::at_ratio
     #[must_use]
@@ -166,8 +171,8 @@ impl FreeRotation {
         Self { from_long, from_short, from_middle: far, mode, ..Self::at_ratio(moments, G, D / I3) }
     }
 
-    /// The motion with this angular momentum (N·m·s) whose greatest angle between the momentum and the circled axis is
-    /// `nutation` (rad). It starts as [`at_ratio`](Self::at_ratio) says.
+    /// The motion with this angular momentum (N·m·s) whose greatest angle between the angular momentum and the circled axis is `nutation`
+    /// (rad). The motion starts as [`at_ratio`](Self::at_ratio) says.
     ///
     /// # Errors
     /// [`FreeRotationError`] if the moments are not positive or do not ascend, the mode has no axis, the angle is not above 0 and below
@@ -180,7 +185,7 @@ impl FreeRotation {
     ) -> Result<Self, FreeRotationError> {
         check(moments)?;
         if !(G >= 0.0 && G.is_finite()) {
-            return Err(FreeRotationError::Momentum { momentum: G });
+            return Err(FreeRotationError::AngularMomentum { angular_momentum: G });
         }
         if !(nutation > 0.0 && nutation < FRAC_PI_2) {
             return Err(FreeRotationError::Nutation { nutation });
@@ -191,14 +196,14 @@ impl FreeRotation {
         Ok(Self::at_logit(moments, G, mode, Self::logit_of(moments, mode, nutation)))
     }
 
-    /// The place `ξ` where the greatest angle between the momentum and the circled axis is `nutation` (rad), above 0 and below
-    /// a right angle: `e^ξ = I₂/(I tan²θ)` with the moment `I` of that axis.
+    /// Place `ξ` where the greatest angle between the angular momentum and the circled axis is `nutation` (rad), above 0 and below a
+    /// right angle: `e^ξ = I₂/(I tan²θ)` with the moment `I` of that axis.
     #[must_use]
     pub fn logit_of(moments: [f64; 3], mode: Mode, nutation: f64) -> f64 {
         (moments[1] / moments[mode.circled()]).ln() - 2.0 * nutation.tan().ln()
     }
 
-    /// Which axis the momentum circles.
+    /// Axis that the angular momentum circles.
     #[must_use]
     pub fn mode(&self) -> Mode {
         self.mode
@@ -212,7 +217,7 @@ impl FreeRotation {
 
     /// `|K|` (N·m·s).
     #[must_use]
-    pub fn momentum(&self) -> f64 {
+    pub fn angular_momentum(&self) -> f64 {
         self.G
     }
 
@@ -257,7 +262,7 @@ impl FreeRotation {
         self.energy() * near / (self.G * self.G) * (self.from_middle / (near + self.from_middle))
     }
 
-    /// Spin (rad/s) at a time (s). (A1)
+    /// Angular velocity (rad/s) at a time (s). (A1)
     #[must_use]
     pub fn omega(&self, t: f64) -> [f64; 3] {
         if let Some(omega) = self.steady {
@@ -266,7 +271,7 @@ impl FreeRotation {
         self.at_argument(jacobi(self.argument(t), self.complement()))
     }
 
-    /// Spin (rad/s) where the elliptic functions `sn, cn, dn` have these values.
+    /// Angular velocity (rad/s) at these values of the elliptic functions `sn, cn, dn`.
     pub(super) fn at_argument(&self, [sn, cn, dn]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.amplitudes();
         match self.mode {
@@ -288,8 +293,8 @@ impl FreeRotation {
         })
     }
 
-    /// Mean over a period of the polhode of a function of the spin that is a polynomial up to this degree; on the
-    /// separatrix, where the period is infinite, its value at the middle axis. (A5)
+    /// Mean over a period of the polhode of a polynomial in the angular velocity up to this degree; on the separatrix, where the period
+    /// is infinite, its value at the middle axis. (A5)
     pub fn mean(&self, degree: usize, mut value: impl FnMut([f64; 3]) -> f64) -> f64 {
         let period = self.polhode_period();
         if !period.is_finite() {
@@ -302,7 +307,7 @@ impl FreeRotation {
         sum / points as f64
     }
 
-    /// Mean of the spin over a period of the polhode (rad/s), principal axes, on the positive side of the circled axis.
+    /// Mean of the angular velocity over a period of the polhode (rad/s), principal axes, on the positive side of the circled axis.
     #[must_use]
     pub fn mean_spin(&self) -> [f64; 3] {
         let mut mean = [0.0; 3];
@@ -313,13 +318,13 @@ impl FreeRotation {
         mean
     }
 
-    /// Period (s) of the spin in body axes; that of small motions at an axis, infinite on the separatrix. (A2)
+    /// Period (s) of the angular velocity in body axes; that of small motions at an axis, infinite on the separatrix. (A2)
     #[must_use]
     pub fn polhode_period(&self) -> f64 {
         4.0 * first_of_complement(self.complement()) / self.rate()
     }
 
-    /// Mean rate (rad/s) at which the axis that the momentum does not circle, long or short, goes round the momentum. (A3)
+    /// Mean precession rate (rad/s) about the angular momentum of the axis that it does not circle, long or short. (A3)
     #[must_use]
     pub fn precession_rate(&self) -> f64 {
         let [I1, _, I3] = self.moments;
@@ -328,8 +333,8 @@ impl FreeRotation {
         straight - self.direction() * self.G * (I3 - I1) / (I1 * I3) * excess
     }
 
-    /// Mean rate (rad/s) at which the long axis goes round the momentum: in the long-axis mode it is the circled axis,
-    /// which makes one turn less per period of the polhode. (A3)
+    /// Mean precession rate (rad/s) of the long axis about the angular momentum: in the long-axis mode the long axis is the circled one
+    /// and makes one revolution less per period of the polhode. (A3)
     #[must_use]
     pub fn long_axis_precession_rate(&self) -> f64 {
         match self.mode {
@@ -338,7 +343,7 @@ impl FreeRotation {
         }
     }
 
-    /// Least and greatest angle (rad) between the momentum and the circled axis.
+    /// Least and greatest angle (rad) between the angular momentum and the circled axis.
     #[must_use]
     pub fn nutation(&self) -> [f64; 2] {
         let [I1, I2, I3] = self.moments;
@@ -354,7 +359,7 @@ impl FreeRotation {
         sines.map(|square| if square.is_finite() { square.clamp(0.0, 1.0).sqrt().asin() } else { FRAC_PI_2 })
     }
 
-    /// Attitude at a time: the matrix that takes principal axes to axes whose third is the momentum. At `t = 0` the first of
+    /// Attitude at a time: the matrix that takes principal axes to axes whose third is the angular momentum. At `t = 0` the first of
     /// these has the projection of the pole of precession. (A4)
     #[must_use]
     pub fn attitude(&self, t: f64) -> [[f64; 3]; 3] {
@@ -373,7 +378,7 @@ impl FreeRotation {
         [turned(cosine, -sine), turned(sine, cosine), vertical]
     }
 
-    /// Angle (rad) that the axis not circled has gone round the momentum since `t = 0`. (A3)
+    /// Precession angle (rad) of the axis not circled about the angular momentum since `t = 0`. (A3)
     #[must_use]
     pub fn precession(&self, t: f64) -> f64 {
         let [I1, _, I3] = self.moments;
@@ -388,23 +393,23 @@ impl FreeRotation {
         self.phase + self.rate() * t
     }
 
-    /// Time (s) since the argument of the elliptic functions was zero, at `t = 0`.
+    /// Time (s) from argument zero of the elliptic functions to `t = 0`.
     pub(super) fn time_from_origin(&self) -> f64 {
         let time = self.phase / self.rate();
         if time.is_finite() { time } else { 0.0 }
     }
 
-    /// Side of the circled axis that the momentum is on, ±1.
+    /// Side of the circled axis that the angular momentum is on, ±1.
     pub(super) fn side(&self) -> f64 {
         self.side
     }
 
-    /// The spin of a sphere, which does not move in the body.
+    /// Angular velocity of a sphere, constant in the body.
     pub(super) fn steady(&self) -> Option<[f64; 3]> {
         self.steady
     }
 
-    /// Greatest spin about each axis.
+    /// Greatest angular velocity about each axis.
     pub(super) fn amplitudes(&self) -> [f64; 3] {
         let [I1, I2, I3] = self.moments;
         let root = |square: f64| if square.is_finite() { square.max(0.0).sqrt() } else { 0.0 };

@@ -1,3 +1,8 @@
+//! Mean power dissipated on a torque-free rotation: the trait, and its two implementations by harmonics and by polynomial.
+//! Only monomials with even powers of every principal component have a mean; the mean over equal steps of a quarter period converges
+//! exponentially.
+//! Equations (A5), docs/theory/10-torque-free.md; (G7) and (D2), docs/theory/11-materials.md.
+
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -12,16 +17,16 @@ pub trait MeanPower: Debug + Send + Sync {
     /// Principal moments of the body (kg·m²), ascending.
     fn moments(&self) -> [f64; 3];
 
-    /// The mean over a period of the polhode; on the separatrix, where the period is infinite, zero.
+    /// Mean over a period of the polhode; zero on the separatrix, where the period is infinite.
     fn mean_power(&self, motion: &FreeRotation) -> f64;
 
-    /// Mean power (W) that each dissipator takes, by name, mean of both senses of the motion; empty where it is not known. (D2)
+    /// Mean power (W) that each dissipator takes, by name, mean of both senses of the motion; empty where the shares are not known. (D2)
     fn budget(&self, _motion: &FreeRotation) -> Vec<(String, f64)> {
         Vec::new()
     }
 }
 
-/// Owners and borrowers of a power are that power.
+/// Implements [`MeanPower`] for pointers to one.
 macro_rules! mean_power_behind {
     ($($pointer:ty),*) => {$(
         impl<P: MeanPower + ?Sized> MeanPower for $pointer {
@@ -65,19 +70,19 @@ impl Response {
     }
 }
 
-/// The power of the reduced equations, a polynomial, ready to be averaged. (A5)
+/// Power of the reduced equations, a polynomial, prepared for averaging. (A5)
 ///
-/// Only monomials with even powers in every principal component have a mean; what is left is a polynomial in the squares.
+/// Only monomials with even powers in every principal component have a mean; the rest is a polynomial in the squares.
 #[derive(Clone, Debug)]
 pub struct PolynomialPower {
     moments: [f64; 3],
     degree: usize,
     terms: Terms,
-    /// The same of each dissipator, by name.
+    /// Terms of each dissipator, by name.
     shares: Vec<(String, Terms)>,
 }
 
-/// Powers of the squares of the components, and the coefficient.
+/// Terms of a polynomial in the squares of the components: exponents and coefficient.
 type Terms = Vec<([usize; 3], f64)>;
 
 /// Points of the mean per quarter period and `K/K′`: harmonic `2n` falls as the power `n` of the nome, to 1e-17.
@@ -116,7 +121,7 @@ impl PolynomialPower {
     }
 }
 
-/// The terms of a power that have a mean, in principal axes.
+/// Terms of a power with a nonzero mean, in principal axes.
 fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
     let mut terms = Vec::new();
     for degree in (2..=power.degree()).step_by(2) {
@@ -153,7 +158,7 @@ impl MeanPower for PolynomialPower {
     }
 }
 
-/// The same polynomial in components along other axes.
+/// Change of axes of a polynomial.
 fn in_axes(polynomial: &Homogeneous, axes: [[f64; 3]; 3]) -> Homogeneous {
     let degree = polynomial.degree();
     let component = |c: usize| powers(Homogeneous::linear(&[axes.map(|axis| axis[c])]), degree);

@@ -1,8 +1,8 @@
-//! Published estimates of damping times, to hold beside an answer.
+//! Published estimates of damping times of wobbling small bodies, for comparison. (A11)
 
 use std::f64::consts::PI;
 
-/// Homogeneous solid body with the same loss at every frequency, as estimates of damping times know it.
+/// Homogeneous solid body with the same loss at every frequency, as estimates of damping times assume.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallBody {
     /// Mass (kg).
@@ -18,7 +18,7 @@ pub struct SmallBody {
 /// Published estimate of the time in which a wobble is damped, `τ = D₀ μQ/ρR²Ω³`. (A11)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingEstimate {
-    /// Who published it, and when.
+    /// Authors and year.
     pub source: &'static str,
     /// Least and greatest `D₀ = 1/K₃²`.
     pub factors: [f64; 2],

@@ -1,3 +1,8 @@
+//! Frequency response of a body to the harmonics of a free rotation, by modes, with the loss of every dashpot and material.
+//! Modes without coupling by losses or rotors are solved one by one, which is cheap and the case of most bodies; otherwise a complex matrix
+//! is factored per harmonic.
+//! Equations (G6), (G7), docs/theory/11-materials.md; (C10), (C11), docs/theory/13-inside.md.
+
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use super::harmonics::Harmonic;
@@ -7,12 +12,12 @@ use crate::math::krylov::dot;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3;
 use crate::model::liquid::impedance;
-use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Lossy, Principal, Rheology};
+use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Principal, Rheology, Viscoelastic};
 
-/// Answer of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and what turns inside it.
-/// (G6), (C10)
+/// Frequency response of a body to periodic loads: its elastic modes with the loss of every dashpot and material, and internal rotors and
+/// liquids. (G6), (C10)
 ///
-/// The loads of a free rotation are linear in the six products of the spin, and so is the answer.
+/// The loads of a free rotation are linear in the six products of the angular velocity, and so is the response.
 #[derive(Clone, Debug)]
 pub struct Response {
     principal: Principal,
@@ -20,16 +25,16 @@ pub struct Response {
     /// Mass of the rows, with the body free to recoil.
     mass: DMatrix<f64>,
     losses: Vec<Loss>,
-    /// Gyroscopic coupling of what turns inside, per unit of mean spin about each principal axis.
+    /// Gyroscopic coupling of internal rotors and liquids, per unit of mean angular velocity about each principal axis.
     turning: [DMatrix<f64>; 3],
     /// Liquids whose force at a frequency is known, each with the row of its first axis.
     pub(super) memories: Vec<(usize, LiquidMemory)>,
     pub(super) dissipators: Vec<Dissipator>,
-    /// Whether mass and losses act on each row alone.
+    /// True if mass and losses are diagonal, so that each row is solved alone.
     apart: bool,
 }
 
-/// A matrix in the rows that a loss law multiplies.
+/// Matrix in the rows with the loss law that multiplies it.
 #[derive(Clone, Debug)]
 pub(super) struct Loss {
     pub law: Law,
@@ -44,9 +49,9 @@ pub(super) enum Law {
     Material(Rheology),
 }
 
-/// Coordinates up to which every mode is kept; of a larger body only those that the loads excite at low frequency.
+/// Number of elastic coordinates up to which every mode is kept; a larger body keeps only those that the loads excite at low frequency.
 pub(super) const WHOLE: usize = 64;
-/// Off-diagonal entries below this share of the diagonal are rounding.
+/// Share of the diagonal below which off-diagonal entries are rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl Response {
@@ -58,7 +63,7 @@ impl Response {
         Self::within(body, WHOLE)
     }
 
-    /// The response in every mode of a body of up to `whole` elastic coordinates, of a larger one in those that are excited.
+    /// Response in every mode of a body of up to `whole` elastic coordinates, of a larger one in the modes that are excited.
     fn within(body: &FlexibleBody, whole: usize) -> Result<Self, NoConvergence> {
         let principal = Principal::compute(body.invariants().J);
         let rows = loaded_modes(body, &principal, whole)?;
@@ -76,12 +81,12 @@ impl Response {
             DMatrix::identity(size, size)
         };
         let dashpots = Loss { law: Law::Dashpots, matrix: in_rows(&|x| body.damping().times(x)) };
-        let material = |Lossy { rheology, stiffness }: &Lossy| Loss {
+        let material = |Viscoelastic { rheology, stiffness }: &Viscoelastic| Loss {
             law: Law::Material(rheology.clone()),
             matrix: in_rows(&|x| stiffness.times(x)),
         };
         let losses: Vec<Loss> = std::iter::once(dashpots)
-            .chain(body.lossy().iter().map(material))
+            .chain(body.viscoelastic().iter().map(material))
             .filter(|loss| loss.matrix.amax() > 0.0)
             .collect();
         let turning = if inside {
@@ -125,8 +130,8 @@ impl Response {
         self.rows.iter().filter(|row| row.square > 0.0)
     }
 
-    /// Mean power (W) that a harmonic takes from a rotation with this mean spin (rad/s, principal axes): `2ν` times minus the
-    /// imaginary part of `f̄ᵀx`, with the load `f` and the answer `x`. (G7), (C10)
+    /// Mean power (W) that a harmonic takes from a rotation with this mean angular velocity (rad/s, principal axes): `2ν` times minus the
+    /// imaginary part of `f̄ᵀx`, with the load `f` and the response `x`. (G7), (C10)
     pub(super) fn power(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> f64 {
         let loads = self.loads(harmonic);
         let lost: f64 = if self.apart {
@@ -141,7 +146,7 @@ impl Response {
         2.0 * harmonic.frequency * lost
     }
 
-    /// Answer of each row to a harmonic.
+    /// Response of each row to a harmonic.
     pub(super) fn answer(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> Vec<Complex<f64>> {
         let loads = self.loads(harmonic);
         if self.apart {
@@ -155,7 +160,7 @@ impl Response {
         answer.unwrap_or_else(|| DVector::zeros(loads.len())).as_slice().to_vec()
     }
 
-    /// Displacement of the coordinates in an answer of the rows.
+    /// Displacement of the coordinates from a response of the rows.
     pub(super) fn displacement(&self, answer: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let size = self.rows.first().map_or(0, |row| row.shape.len());
         let mut moved = vec![Complex::from(0.0); size];
@@ -173,7 +178,7 @@ impl Response {
         DVector::from_fn(self.rows.len(), load)
     }
 
-    /// Dynamic stiffness of each row where they are apart.
+    /// Dynamic stiffness of each row where rows are uncoupled.
     fn stiffness_apart(&self, frequency: f64) -> impl Iterator<Item = Complex<f64>> {
         let factors: Vec<[f64; 2]> = self.losses.iter().map(|loss| loss.law.factor(frequency)).collect();
         self.rows.iter().enumerate().map(move |(i, row)| {
@@ -231,15 +236,15 @@ impl Response {
         DMatrix::from_fn(count, count, |i, j| s * axis(i).dot(&(force * axis(j))))
     }
 
-    /// Without the vibrations that no load reaches, where all rows are apart.
+    /// Drops the vibrations that no load excites, where all rows are uncoupled.
     fn without_idle(mut self) -> Self {
         if !self.apart {
             return self;
         }
         let energy = |row: &LoadedMode| row.load.iter().map(|load| load * load / row.square).sum::<f64>();
         let largest = self.elastic().map(energy).fold(0.0, f64::max);
-        let alive = |row: &LoadedMode| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
-        let kept: Vec<usize> = (0..self.rows.len()).filter(|i| alive(&self.rows[*i])).collect();
+        let significant = |row: &LoadedMode| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
+        let kept: Vec<usize> = (0..self.rows.len()).filter(|i| significant(&self.rows[*i])).collect();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
         self.rows = kept.iter().map(|i| self.rows[*i].clone()).collect();
         self.mass = part(&self.mass);
@@ -250,7 +255,7 @@ impl Response {
 }
 
 impl Law {
-    /// The factor at a frequency `ν > 0` (rad/s): real and imaginary part.
+    /// Factor at a frequency `ν > 0` (rad/s): real and imaginary part.
     pub(super) fn factor(&self, frequency: f64) -> [f64; 2] {
         match self {
             Self::Dashpots => [0.0, frequency],
@@ -274,7 +279,7 @@ pub(super) fn turned(body: &FlexibleBody, axis: [f64; 3], x: &[f64]) -> Vec<f64>
     force
 }
 
-/// The liquids that have rows of their own: the last rows, in their order.
+/// Liquids with rows of their own: the last rows, in their order.
 pub(super) fn memories(body: &FlexibleBody, rows: &[LoadedMode]) -> Vec<(usize, LiquidMemory)> {
     let count: usize = body.memories().iter().map(|memory| memory.axes.len()).sum();
     let mut next = rows.len() - count;
@@ -301,7 +306,7 @@ mod tests {
     use crate::averaging::{FreeRotation, MeanPower};
     use crate::problems::ring_of_points;
 
-    /// What the projection leaves out is of the fourth power of spin over elastic frequency.
+    /// The error of the projection is of the fourth power of spin over elastic frequency.
     #[test]
     fn excited_modes_take_the_power_of_all() {
         let body = ring_of_points(30).body().unwrap();

@@ -4,7 +4,7 @@ use crate::math::vec3::{add, scale};
 use crate::model::Marker;
 use crate::model::force::{Axes, Force, ForceLaw};
 
-/// External torque so weak that a rotation hardly notices it in one turn. (A8)
+/// Slow torque: external, and weak over one revolution. (A8)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlowTorque {
     /// Torque fixed in the body (N·m), body axes.
@@ -13,7 +13,7 @@ pub struct SlowTorque {
     pub drag: f64,
 }
 
-/// A force whose mean over a free rotation is not known without the attitude.
+/// Error of a force whose mean over a free rotation depends on the attitude.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error(
     "the force {name:?} cannot be averaged over free rotations; those that can are a drag torque and a constant torque in body axes"
@@ -24,7 +24,7 @@ pub struct Unaveraged {
 }
 
 impl SlowTorque {
-    /// The torque of some forces together.
+    /// Sums the torques of some forces.
     ///
     /// # Errors
     /// [`Unaveraged`] names the first force that is neither a drag of the spin nor a constant torque in body axes.

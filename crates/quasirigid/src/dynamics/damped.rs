@@ -1,17 +1,22 @@
+//! Damped free vibrations and relaxations of the recoiling body, and their amplitudes from an initial displacement and rate.
+//! The eigenvalue problem is solved in undamped modes, where it is skew but for the damping; cyclic coordinates have no stiffness and join
+//! as modes of friction.
+//! Equations (V3), docs/theory/04-validity.md; (B1), docs/theory/09-forced-reduction.md; (C8), docs/theory/13-inside.md.
+
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors, modes};
 use crate::math::krylov::dot;
 use crate::model::FlexibleBody;
 
-/// A damped mode: `q(t) = Re(shape · e^{λt})`.
+/// Damped mode: `q(t) = Re(shape · e^{λt})`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedMode {
     /// Decay rate `−Re λ` (1/s).
     pub decay: f64,
-    /// Frequency `Im λ` (rad/s); zero if the mode creeps back without swinging.
+    /// Frequency `Im λ` (rad/s); zero of an overdamped mode.
     pub frequency: f64,
-    /// Real and imaginary part of the displacement of each coordinate at `t = 0`; of a cyclic one from where it comes to rest.
+    /// Real and imaginary part of the displacement of each coordinate at `t = 0`; of a cyclic one from its final rest position.
     pub shape: Vec<[f64; 2]>,
 }
 
@@ -72,13 +77,14 @@ pub(super) fn damped_modes(
     Ok(found)
 }
 
-/// Undamped modes of unit modal mass: those that vibrate, with their frequencies, then those that no spring holds.
+/// Undamped modes of unit modal mass: vibrations with their frequencies, then motions without stiffness.
 struct Undamped {
     frequencies: Vec<f64>,
     shapes: Vec<Vec<f64>>,
 }
 
-/// A vibration leaves cyclic coordinates the momentum zero, `M_cc x_c = −M_ce x_e`; the rest moves them alone.
+/// Undamped modes: vibrations give cyclic coordinates zero momentum, `M_cc x_c = −M_ce x_e`; the other modes move cyclic coordinates
+/// alone.
 fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence> {
     let (elastic, cyclic) = (body.elastic(), body.cyclic());
     let brakes = Dense::of(&body.damping().block(cyclic.clone()));
@@ -92,9 +98,9 @@ fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence
         .collect();
     let momenta: Vec<Vec<f64>> = loose.iter().map(|shape| mass.times(shape)).collect();
     let mut left = mass.block(0..elastic);
-    for momentum in &momenta {
-        for (row, a) in momentum[..elastic].iter().enumerate() {
-            for (column, b) in momentum[..elastic].iter().enumerate() {
+    for angular_momentum in &momenta {
+        for (row, a) in angular_momentum[..elastic].iter().enumerate() {
+            for (column, b) in angular_momentum[..elastic].iter().enumerate() {
                 left.add(row, column, -a * b);
             }
         }
@@ -103,8 +109,8 @@ fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence
     let vibration = |k: usize| {
         let mut shape: Vec<f64> = (0..elastic).map(|row| held.shapes.at(row, k)).collect();
         shape.resize(cyclic.end, 0.0);
-        for (loose, momentum) in loose.iter().zip(&momenta) {
-            let amount = dot(&momentum[..elastic], &shape[..elastic]);
+        for (loose, angular_momentum) in loose.iter().zip(&momenta) {
+            let amount = dot(&angular_momentum[..elastic], &shape[..elastic]);
             cyclic.clone().for_each(|row| shape[row] -= amount * loose[row]);
         }
         shape

@@ -1,23 +1,28 @@
+//! Events that end a propagation: functions that change their sign, located by bisection of the dense output.
+//! The bisection goes to the rounding of time, so that an end does not depend on the steps; a function that crosses twice within one step
+//! is not seen.
+//! "Events", docs/theory/08-full-system.md; the limit of validity is (V4), docs/theory/04-validity.md.
+
 use std::f64::consts::PI;
 
 use super::Sample;
 use crate::math::rotation::angle;
 use crate::math::vec3::norm;
 
-/// Something that ends a propagation when it happens.
+/// Event that ends a propagation.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// The energy passes this value (J).
     Energy(f64),
-    /// The angle between the momentum and an axis of the body passes this value.
+    /// The angle between the angular momentum and an axis of the body passes this value.
     Nutation {
-        /// The axis, body axes.
+        /// Axis, body axes.
         axis: [f64; 3],
-        /// The angle (rad).
+        /// Angle (rad).
         angle: f64,
     },
-    /// The spin passes the range of validity.
+    /// The angular velocity leaves the range of validity.
     Validity {
         /// Slowest elastic frequency (rad/s).
         slowest: f64,
@@ -27,7 +32,7 @@ pub enum Event {
 }
 
 impl Event {
-    /// Whether the event can happen at all.
+    /// True if the event can happen at all.
     pub(super) fn possible(&self) -> bool {
         match *self {
             Self::Energy(energy) => energy.is_finite(),
@@ -39,11 +44,11 @@ impl Event {
         }
     }
 
-    /// A quantity that changes its sign when the event happens.
+    /// Event function: changes its sign when the event happens.
     fn level(&self, sample: &Sample) -> f64 {
         match self {
             Self::Energy(energy) => sample.energy - energy,
-            Self::Nutation { axis, angle: wanted } => angle(sample.momentum, *axis) - wanted,
+            Self::Nutation { axis, angle: wanted } => angle(sample.angular_momentum, *axis) - wanted,
             Self::Validity { slowest, limit } => norm(sample.omega) / slowest - limit,
         }
     }
@@ -56,11 +61,11 @@ pub(super) struct EventDetector {
     levels: Vec<f64>,
     /// Time that the levels belong to.
     t: f64,
-    /// The event that ended the propagation.
+    /// Event that ended the propagation.
     pub triggered: Option<Event>,
 }
 
-/// Halvings of a step in which an event lies: to the rounding of its time.
+/// Halvings of a step that contains an event: to the rounding of its time.
 const HALVINGS: usize = 52;
 
 impl EventDetector {
@@ -68,7 +73,7 @@ impl EventDetector {
         Self { events: events.to_vec(), ..Self::default() }
     }
 
-    /// Whether there is anything to watch for.
+    /// True if no event is watched for.
     pub fn idle(&self) -> bool {
         self.events.is_empty()
     }
@@ -79,8 +84,8 @@ impl EventDetector {
         self.levels = self.events.iter().map(|event| event.level(start)).collect();
     }
 
-    /// The first event in the step that ends with this sample: the time it happens at. `at` is asked for samples within
-    /// the step only if something happened.
+    /// Time of the first event in the step that ends with this sample. `at` is asked for samples within the step only if an event
+    /// happened.
     pub fn check(&mut self, end: &Sample, mut at: impl FnMut(f64) -> Sample) -> Option<f64> {
         let mut first: Option<(f64, Event)> = None;
         for (event, before) in self.events.iter().zip(&mut self.levels) {

@@ -15,26 +15,25 @@ pub struct Forced<'a> {
 }
 
 impl<'a> Forced<'a> {
-    /// A body on which no external force acts.
+    /// Body without external forces.
     #[must_use]
     pub fn not(body: &'a FlexibleBody) -> Self {
         Self { body, forces: &[] }
     }
 
-    /// Whether anything acts that the body does not decide: a force, a support that moves, or a motor that changes the speed
-    /// of its wheel.
+    /// True if an external action exists: a force, a support that moves, or a motor that changes the speed of its wheel.
     #[must_use]
     pub fn acts(&self) -> bool {
         let driven = matches!(self.body.support(), Support::Prescribed { .. });
         !self.forces.is_empty() || driven || !self.body.wheels().driven.is_empty()
     }
 
-    /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
+    /// Loads about the centre of mass of a free body, about the pole of a constrained one. (F1), (F11)
     pub(super) fn loads<T: Smooth>(&self, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
         self.body.loads_at(self.forces, pose, motion)
     }
 
-    /// Acceleration of the place (m/s², inertial axes) under a force (N, body axes).
+    /// Acceleration (m/s², inertial axes) of the centre of mass or pole under a force (N, body axes).
     pub(super) fn acceleration<T: Smooth>(&self, pose: &Pose<T>, force: [T; 3]) -> [T; 3] {
         match self.body.support() {
             Support::Free => {

@@ -1,4 +1,4 @@
-//! The two forms of the reduced equations, compiled for integration.
+//! Angular-momentum form and angular-velocity form of the reduced equations, as polynomial kernels for integration. (P1), (P2)
 
 use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Series};
@@ -7,33 +7,33 @@ use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
 
-/// Which variable the reduced equations are integrated in.
+/// Form of the reduced equations: the variable of integration.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
-    /// The momentum in body axes, `K̇ = K × Ω(K)`: `|K|` is exact. (P1)
+    /// Angular-momentum form: `K` in body axes, `K̇ = K × Ω(K)`; `|K|` is exact. (P1)
     #[default]
-    Momentum,
-    /// The spin, `J ω̇ + ω × (Jω + k) = μ(ω)`, as in the paper, with the momentum `k` of wheels. (P2)
-    Paper,
+    AngularMomentum,
+    /// Angular-velocity form: `J ω̇ + ω × (Jω + k) = μ(ω)`, as in the paper, with the angular momentum `k` of wheels. (P2)
+    AngularVelocity,
 }
 
 impl Form {
-    /// What errors of the state `x` are measured by, with this momentum inside.
+    /// Scale of errors of the state `x`, with this internal angular momentum.
     pub(super) fn size(self, x: [f64; 3], inside: [f64; 3]) -> f64 {
         match self {
-            Self::Momentum => size(x, inside),
-            Self::Paper => norm(x),
+            Self::AngularMomentum => size(x, inside),
+            Self::AngularVelocity => norm(x),
         }
     }
 }
 
-/// A form of the reduced equations: how its state `x` moves, and what it means.
+/// Form of the reduced equations: rates of its state `x`, and the quantities that follow from `x`.
 pub(super) trait Equations {
-    /// Spin (rad/s).
+    /// Angular velocity (rad/s).
     fn omega<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
 
-    /// Rate of the state, whose spin is `omega`.
+    /// Rate of the state, whose angular velocity is `omega`.
     fn rate<A: Arithmetic>(&self, x: [f64; 3], omega: [f64; 3]) -> [f64; 3];
 
     /// Rate of the form's energy (W) along its own field, which moves the state at `rate`. (P4)
@@ -42,20 +42,20 @@ pub(super) trait Equations {
     /// Energy (J).
     fn energy(&self, x: [f64; 3]) -> f64;
 
-    /// Momentum (N·m·s, body axes).
-    fn momentum(&self, x: [f64; 3]) -> [f64; 3];
+    /// Angular momentum (N·m·s, body axes).
+    fn angular_momentum(&self, x: [f64; 3]) -> [f64; 3];
 }
 
 /// `K̇ = K × Ω(K)`. (P1)
 #[derive(Clone, Debug)]
-pub(super) struct MomentumForm {
+pub(super) struct AngularMomentumForm {
     Omega: Kernel,
-    /// `Ω − ∇E`: the part of the spin that changes the energy, kept apart so that no digits cancel.
+    /// `Ω − ∇E`: the part of the angular velocity that changes the energy, kept apart so that no digits cancel.
     working: Kernel,
     energy: Series,
 }
 
-impl MomentumForm {
+impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
         let gradient = gradient(&body.energy_of_momentum);
         let mut working = body.Omega.clone();
@@ -72,7 +72,7 @@ impl MomentumForm {
     }
 }
 
-impl Equations for MomentumForm {
+impl Equations for AngularMomentumForm {
     #[inline(always)]
     fn omega<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
         vector(self.Omega.value::<A>(K))
@@ -93,14 +93,14 @@ impl Equations for MomentumForm {
         self.energy.scalar(K)
     }
 
-    fn momentum(&self, K: [f64; 3]) -> [f64; 3] {
+    fn angular_momentum(&self, K: [f64; 3]) -> [f64; 3] {
         K
     }
 }
 
-/// `J ω̇ + ω × (Jω + k) = μ(ω)`, with the momentum `k` of wheels. (P2), (C4)
+/// `J ω̇ + ω × (Jω + k) = μ(ω)`, with the angular momentum `k` of wheels. (P2), (C4)
 #[derive(Clone, Debug)]
-pub(super) struct PaperForm {
+pub(super) struct AngularVelocityForm {
     J: Sym,
     inverse: Sym,
     wheels: [f64; 3],
@@ -108,10 +108,10 @@ pub(super) struct PaperForm {
     /// `∇E − Jω`.
     gradient: Kernel,
     energy: Series,
-    momentum: Series,
+    angular_momentum: Series,
 }
 
-impl PaperForm {
+impl AngularVelocityForm {
     pub fn new(body: &ReducedBody) -> Self {
         let mut mu = Series::zero(body.f.degree(), 3);
         for degree in 3..=body.f.degree() {
@@ -126,12 +126,12 @@ impl PaperForm {
             mu: Kernel::new(&mu),
             gradient: Kernel::new(&gradient),
             energy: body.energy.clone(),
-            momentum: body.K.clone(),
+            angular_momentum: body.K.clone(),
         }
     }
 }
 
-impl Equations for PaperForm {
+impl Equations for AngularVelocityForm {
     #[inline(always)]
     fn omega<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
         omega
@@ -154,12 +154,12 @@ impl Equations for PaperForm {
         self.energy.scalar(omega)
     }
 
-    fn momentum(&self, omega: [f64; 3]) -> [f64; 3] {
-        self.momentum.vector(omega)
+    fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {
+        self.angular_momentum.vector(omega)
     }
 }
 
-/// Gradient of a map of one row.
+/// Gradient of a scalar polynomial.
 fn gradient(map: &Series) -> Series {
     let mut gradient = Series::zero(map.degree() - 1, 3);
     for degree in 1..=map.degree() {

@@ -1,3 +1,8 @@
+//! Initial transient of a motion off the slow manifold: fast part, matched start of the slow motion, composite angular velocity.
+//! The recoil of the vibrations turns the body a little before they die out; without that rotation of the start the error after the decay
+//! is one order larger.
+//! Equations (B1) to (B3), docs/theory/09-forced-reduction.md; (C8), docs/theory/13-inside.md.
+
 use nalgebra::Complex;
 
 use super::damped::{DampedMode, damped_modes};
@@ -9,49 +14,53 @@ use crate::math::sym3::{inverse, times};
 use crate::math::vec3::{add, cross, scale};
 use crate::model::FlexibleBody;
 
-/// The fast part of a motion that does not start on the slow manifold: free vibrations of the body that recoils, which
-/// die out and leave the body turned a little. (B1)
+/// Initial transient of a motion off the slow manifold: free vibrations of the recoiling body, which die out and leave the body turned a
+/// little. (B1)
 #[derive(Clone, Debug)]
 pub struct BoundaryLayer {
-    /// The damped modes, slowest decay first.
+    /// Damped modes, slowest decay first.
     pub modes: Vec<DampedMode>,
     /// `J⁻¹h_j`.
     recoil: Vec<[f64; 3]>,
 }
 
-/// Displacements and rates of the fast part at one time.
+/// Fast part at one time: displacements, rates and recoil.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FastPart {
     /// Displacements of the coordinates.
     pub q: Vec<f64>,
-    /// Their rates.
+    /// Rates of the coordinates.
     pub rate: Vec<f64>,
-    /// Spin that the recoil adds (rad/s), body axes.
+    /// Angular velocity of the recoil (rad/s), body axes.
     pub omega: [f64; 3],
     /// Rotation still to come until the vibrations have died out (rad), body axes.
     pub turn: [f64; 3],
 }
 
-/// Where the slow motion starts that a full motion settles on: the momentum and the attitude turned by what the fast
-/// part will turn the body, `K(0⁺) = K(0) + K(0) × J⁻¹Σ h_j q_fast,j(0)`. (B2)
+/// Start of the slow motion that a full motion settles on: attitude and body components of the angular momentum after the rotation by the
+/// fast part, `K(0⁺) = K(0) + K(0) × J⁻¹Σ h_j q_fast,j(0)`. (B2)
 ///
 /// # Errors
 /// [`PropagateError::Order`] if the order is beyond the reduction of forced bodies.
 pub fn matched_start(system: Forced, order: usize, full: &FullState) -> Result<SlowState, PropagateError> {
     let body = system.body;
-    let K = full.momentum(body);
-    let state =
-        SlowState { momentum: K, attitude: full.attitude, place: full.place, velocity: full.velocity };
+    let K = full.angular_momentum(body);
+    let state = SlowState {
+        angular_momentum: K,
+        attitude: full.attitude,
+        place: full.place,
+        velocity: full.velocity,
+    };
     let slow = slow_state_point(system, order, &state)?;
     let turn = turned_by(&recoils(body), &outstanding(body, full, &slow));
     let rotation_N = rotation::to_inertial(full.attitude, turn);
     let attitude = rotation::turned(full.attitude, rotation_N);
-    let momentum = rotation::Turn::of(attitude).to_body(rotation::to_inertial(full.attitude, K));
-    Ok(SlowState { momentum, attitude, ..state })
+    let angular_momentum = rotation::Turn::of(attitude).to_body(rotation::to_inertial(full.attitude, K));
+    Ok(SlowState { angular_momentum, attitude, ..state })
 }
 
 impl BoundaryLayer {
-    /// The fast part of a full state beside the slow motion of this order.
+    /// Fast part of a full state beside the slow motion of this order.
     ///
     /// # Errors
     /// [`PropagateError`] if the order is beyond the reduction of forced bodies, or the modes cannot be found.
@@ -63,7 +72,7 @@ impl BoundaryLayer {
         Ok(Self { modes, recoil: recoils(system.body) })
     }
 
-    /// The fast part at a time (s).
+    /// Fast part at a time (s).
     #[must_use]
     pub fn at(&self, t: f64) -> FastPart {
         let n = self.recoil.len();
@@ -83,8 +92,8 @@ impl BoundaryLayer {
     }
 }
 
-/// What the coordinates still have to go until the fast part has died out, with the sign turned: of elastic ones what they are
-/// displaced, of cyclic ones `−B⁻¹(M q̇ + B q)`, the momentum that friction takes. (B2), (C8)
+/// Remaining travel of the coordinates until the fast part has died out, with opposite sign: for elastic ones the displacement, for
+/// cyclic ones `−B⁻¹(M q̇ + B q)`, from the momentum that friction takes. (B2), (C8)
 fn outstanding(body: &FlexibleBody, full: &FullState, slow: &SlowPoint) -> Vec<f64> {
     let mut q = difference(&full.q, &slow.q);
     let cyclic = body.cyclic();
@@ -113,8 +122,8 @@ fn turned_by(recoil: &[[f64; 3]], q: &[f64]) -> [f64; 3] {
     recoil.iter().zip(q).fold([0.0; 3], |sum, (recoil, q)| add(sum, scale(*q, *recoil)))
 }
 
-/// Spin of the composite solution: the slow spin, the recoil of the fast part, and the body axes that have not yet turned.
-/// (B3)
+/// Angular velocity of the composite solution: that of the slow motion, the recoil of the fast part, and the rotation of the body axes
+/// still to come. (B3)
 #[must_use]
 pub fn composite_spin(slow: [f64; 3], fast: &FastPart) -> [f64; 3] {
     add(add(slow, fast.omega), scale(-1.0, cross(slow, fast.turn)))

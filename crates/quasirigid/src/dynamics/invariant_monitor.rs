@@ -1,7 +1,7 @@
 //! Invariant monitor: after each step the angular momentum and the attitude are projected back onto their constants
 //! (P3), (P6), events are looked for, and states become samples.
 //!
-//! One monitor serves every system that is integrated, which tells it as a [`Trajectory`] what its states mean.
+//! One monitor serves every integrated system; a [`Trajectory`] tells the monitor the quantities of a state.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -15,27 +15,27 @@ use crate::math::rotation;
 use crate::math::vec3::{add, norm, scale};
 use crate::model::Displaced;
 
-/// The motion of a system that is integrated. Its state begins with the momentum in body axes, or with the angular velocity.
+/// Motion of an integrated system, whose state begins with the angular momentum in body axes or with the angular velocity.
 pub(super) trait Trajectory {
     /// State of the system.
     type State: State;
 
-    /// Where the attitude begins in the state.
+    /// Index of the attitude in the state.
     const ATTITUDE: usize;
 
-    /// The quantities that a state means.
+    /// Quantities of a state.
     fn view(&mut self, t: f64, y: &[f64]) -> StateView;
 
-    /// Momentum (N·m·s) of a state, body axes.
-    fn momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3];
+    /// Angular momentum (N·m·s) of a state, body axes.
+    fn angular_momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3];
 
-    /// Place of a state, whose attitude is this one once it is aligned.
+    /// Place of a state with this aligned attitude.
     fn seat(&self, t: f64, y: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat;
 
-    /// A change of the momentum and the attitude of a state as a state, zero elsewhere.
-    fn change(&self, y: &Self::State, momentum: [f64; 3], attitude: [f64; 4]) -> Self::State {
+    /// Change of the angular momentum and the attitude, as a state that is zero elsewhere.
+    fn change(&self, y: &Self::State, angular_momentum: [f64; 3], attitude: [f64; 4]) -> Self::State {
         let mut change = y.zeroed();
-        change.as_mut()[..3].copy_from_slice(&momentum);
+        change.as_mut()[..3].copy_from_slice(&angular_momentum);
         change.as_mut()[Self::ATTITUDE..Self::ATTITUDE + 4].copy_from_slice(&attitude);
         change
     }
@@ -43,7 +43,7 @@ pub(super) trait Trajectory {
     /// Quantity that is constant along the motion.
     fn invariant(&self) -> Invariant;
 
-    /// The part that a state displaces beyond the range of the equations. (K14)
+    /// Part displaced beyond the range of the equations. (K14)
     fn left(&self, y: &[f64]) -> Option<Displaced> {
         let _ = y;
         None
@@ -54,29 +54,29 @@ pub(super) trait Trajectory {
         let _ = (t, y);
     }
 
-    /// Tells an observer the internal coordinates and their rates.
+    /// Passes the internal coordinates and their rates to an observer.
     fn show_coordinates(&self, view: &StateView, observer: &mut dyn Observer) {
         observer.coordinates(&view.q, &view.rate);
     }
 }
 
-/// The quantities that a state means.
+/// Quantities of a state.
 #[derive(Clone, Debug)]
 pub(super) struct StateView {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
-    /// Momentum (N·m·s), body axes.
-    pub momentum: [f64; 3],
+    /// Angular momentum (N·m·s), body axes.
+    pub angular_momentum: [f64; 3],
     /// Energy of rotation and deformation (J).
     pub energy: f64,
-    /// Internal coordinates and their rates; empty where they follow the angular velocity.
+    /// Internal coordinates and their rates; empty where coordinates follow the angular velocity.
     pub q: Vec<f64>,
     pub rate: Vec<f64>,
     /// Energy taken by the dashpots (J).
     pub dissipated: f64,
     /// Work of the external forces (J).
     pub work: f64,
-    /// Parts of the change of energy since the start that the accounts of the state explain (J).
+    /// Parts of the change of energy since the start that are accounted for in the state (J).
     pub explained: [f64; 2],
     /// Angle turned (rad).
     pub angle: f64,
@@ -84,76 +84,76 @@ pub(super) struct StateView {
     pub impulse: [f64; 3],
 }
 
-/// What is constant along a motion.
+/// Invariant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Invariant {
-    /// The inertial momentum, of which the state holds the body components.
-    Momentum,
-    /// The inertial momentum, which the truncation disturbs.
+    /// Inertial angular momentum, with its body components in the state.
+    AngularMomentum,
+    /// Direction of the inertial angular momentum; the truncation changes the size.
     Direction,
-    /// The inertial momentum less the impulse of the external moments.
+    /// Inertial angular momentum less the impulse of the external moments.
     Impulse,
 }
 
 /// Monitor of the invariants and the accounts of a run.
 pub(super) struct InvariantMonitor<'o, T> {
     pub trajectory: T,
-    /// Momentum at the start.
-    momentum: Conserved,
+    /// Angular momentum at the start.
+    angular_momentum: Conserved,
     /// Energy at the start.
     energy: f64,
     /// `Σ ln(|K|/G)` of the projections made. (P6)
     drift: f64,
     detector: EventDetector,
-    /// The part that has left the range of the equations, which ends the run.
+    /// Part that has left the range of the equations, which ends the run.
     left: Option<Displaced>,
     pub observer: &'o mut dyn Observer,
     pace: Pace,
 }
 
 impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
-    /// From the first state and its momentum.
+    /// From the first state and its angular momentum.
     pub fn new(
         mut trajectory: T,
         y: &[f64],
-        momentum: Conserved,
+        angular_momentum: Conserved,
         options: &Options,
         observer: &'o mut dyn Observer,
     ) -> Self {
         let energy = trajectory.view(0.0, y).energy;
         let (detector, pace) = (EventDetector::new(&options.events), Pace::new());
         let mut monitor =
-            Self { trajectory, momentum, energy, drift: 0.0, detector, left: None, observer, pace };
+            Self { trajectory, angular_momentum, energy, drift: 0.0, detector, left: None, observer, pace };
         let start = monitor.sample(0.0, y);
         monitor.detector.set(&start);
         monitor
     }
 
-    /// The sample of a state.
+    /// Sample of a state.
     pub fn sample(&mut self, t: f64, y: &[f64]) -> Sample {
         let view = self.trajectory.view(t, y);
         self.read(t, y, &view)
     }
 
-    /// Why the run ended.
+    /// Outcome of the run.
     pub fn outcome(&self, reason: StopReason) -> Outcome {
         self.left.map_or_else(|| Outcome::of(reason, self.detector.triggered), Outcome::LeftRange)
     }
 
     fn read(&self, t: f64, y: &[f64], view: &StateView) -> Sample {
-        let attitude = self.aligned(y, view.momentum);
+        let attitude = self.aligned(y, view.angular_momentum);
         let Seat { place, velocity, pole } = self.trajectory.seat(t, y, view, attitude);
         Sample {
             t,
             omega: view.omega,
             attitude,
-            momentum: view.momentum,
+            angular_momentum: view.angular_momentum,
             energy: view.energy,
             dissipated: view.dissipated,
             work: view.work,
             energy_drift: view.energy - self.energy - view.explained[0] - view.explained[1],
             momentum_drift: self.momentum_drift(view, attitude),
-            turns: view.angle / TAU,
+            revolutions: view.angle / TAU,
             place,
             velocity,
             pole,
@@ -162,42 +162,49 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
 
     fn momentum_drift(&self, view: &StateView, attitude: [f64; 4]) -> f64 {
         match self.trajectory.invariant() {
-            Invariant::Momentum if self.momentum.held() => self.drift,
-            Invariant::Momentum | Invariant::Direction => self.momentum.change(view.momentum),
+            Invariant::AngularMomentum if self.angular_momentum.held() => self.drift,
+            Invariant::AngularMomentum | Invariant::Direction => {
+                self.angular_momentum.change(view.angular_momentum)
+            }
             Invariant::Impulse => {
-                let K_N = self.momentum.K_N;
+                let K_N = self.angular_momentum.K_N;
                 let expected = add(K_N, view.impulse);
-                let gap = norm(add(rotation::to_inertial(attitude, view.momentum), scale(-1.0, expected)));
+                let gap =
+                    norm(add(rotation::to_inertial(attitude, view.angular_momentum), scale(-1.0, expected)));
                 if gap > 0.0 { gap / norm(expected).max(norm(K_N)) } else { gap }
             }
         }
     }
 
-    /// The attitude that gives the momentum its inertial direction where that is known (P3); a unit one elsewhere.
+    /// Attitude that gives the angular momentum its inertial direction where that is known (P3); elsewhere the normalised attitude.
     #[inline(always)]
-    fn aligned(&self, y: &[f64], momentum: [f64; 3]) -> [f64; 4] {
+    fn aligned(&self, y: &[f64], angular_momentum: [f64; 3]) -> [f64; 4] {
         let attitude = [0, 1, 2, 3].map(|i| y[T::ATTITUDE + i]);
         match self.trajectory.invariant() {
-            Invariant::Momentum | Invariant::Direction => self.momentum.aligned(attitude, momentum),
+            Invariant::AngularMomentum | Invariant::Direction => {
+                self.angular_momentum.aligned(attitude, angular_momentum)
+            }
             Invariant::Impulse => rotation::normalized(attitude),
         }
     }
 
-    /// Puts `|K|` back to its value (P6) and the attitude where it belongs (P3).
+    /// Projects `|K|` (P6) and the attitude (P3) back onto their constants.
     #[inline(always)]
     fn hold_invariants(&mut self, solver: &mut impl Solver<State = T::State>) {
         let y = solver.y().as_ref();
         let mut pull = [0.0; 3];
-        let momentum = match self.trajectory.invariant() {
+        let angular_momentum = match self.trajectory.invariant() {
             Invariant::Impulse => [0.0; 3],
-            Invariant::Momentum | Invariant::Direction => self.trajectory.momentum(solver.t(), y),
+            Invariant::AngularMomentum | Invariant::Direction => {
+                self.trajectory.angular_momentum(solver.t(), y)
+            }
         };
-        if self.trajectory.invariant() == Invariant::Momentum && self.momentum.held() {
-            let drift = self.momentum.drift(momentum);
+        if self.trajectory.invariant() == Invariant::AngularMomentum && self.angular_momentum.held() {
+            let drift = self.angular_momentum.drift(angular_momentum);
             self.drift += drift;
-            pull = momentum.map(|K| -drift * K);
+            pull = angular_momentum.map(|K| -drift * K);
         }
-        let aligned = self.aligned(y, momentum);
+        let aligned = self.aligned(y, angular_momentum);
         let turn = std::array::from_fn(|i| aligned[i] - y[T::ATTITUDE + i]);
         solver.correct(&self.trajectory.change(solver.y(), pull, turn));
     }

@@ -2,17 +2,16 @@ use std::ops::Range;
 
 use crate::model::FlexibleBody;
 
-/// Where the parts of a full state stand in its list of numbers: slow parts first, then what dissipators take, then the
-/// coordinates and their momenta.
+/// Layout of a full state: slow parts, then energies of the dissipators, then coordinates and their momenta.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     /// Number of internal coordinates.
     pub n: usize,
-    /// Number of dissipators whose energies are kept apart, after the slow parts.
+    /// Number of dissipators with an energy account of their own, after the slow parts.
     pub accounts: usize,
 }
 
-/// Momentum (N·m·s), body axes: about the pole, or about the centre of mass of a free body.
+/// Angular momentum (N·m·s), body axes: about the pole, or about the centre of mass of a free body.
 pub(super) const MOMENTUM: usize = 0;
 /// Attitude, `R_NB`.
 pub(super) const ATTITUDE: usize = 3;
@@ -24,21 +23,21 @@ pub(super) const WORK: usize = 8;
 pub(super) const ANGLE: usize = 9;
 /// Impulse of the external moments, `∫M dt` (N·m·s), inertial axes.
 pub(super) const IMPULSE: usize = 10;
-/// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+/// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
 pub(super) const PLACE: usize = 13;
-/// Its velocity (m/s).
+/// Velocity of that point (m/s).
 pub(super) const VELOCITY: usize = 16;
-/// Numbers before what dissipators take.
+/// Length of the slow parts, before the energies of the dissipators.
 pub(super) const SLOW: usize = 19;
 
 impl Layout {
-    /// Of a body; the energy taken by a single dissipator is the whole.
+    /// Layout for a body; a single dissipator needs no account beside the total.
     pub fn of(body: &FlexibleBody) -> Self {
         let dissipators = body.dissipators().len();
         Self { n: body.coordinates().len(), accounts: if dissipators > 1 { dissipators } else { 0 } }
     }
 
-    /// Numbers before the coordinates.
+    /// Length before the coordinates.
     pub fn slow(self) -> usize {
         SLOW + self.accounts
     }
@@ -57,18 +56,18 @@ impl Layout {
         self.slow()..self.slow() + self.n
     }
 
-    /// Their momenta `∂L/∂q̇`.
+    /// Momenta `∂L/∂q̇` of the internal coordinates.
     pub fn p(self) -> Range<usize> {
         self.slow() + self.n..self.len()
     }
 }
 
-/// Three numbers of a state.
+/// Vector at an index of a state.
 pub(super) fn triple(y: &[f64], at: usize) -> [f64; 3] {
     [y[at], y[at + 1], y[at + 2]]
 }
 
-/// The attitude of a state.
+/// Attitude of a state.
 pub(super) fn attitude(y: &[f64]) -> [f64; 4] {
     [y[ATTITUDE], y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]]
 }

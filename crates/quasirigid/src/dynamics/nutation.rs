@@ -1,4 +1,9 @@
-use super::steady::{all_steady_spins, steady_momentum};
+//! Nutation angle: least and greatest angle between the angular momentum and the axis of the steady spin circled.
+//! The angle varies over a period without any dissipation, so both are taken over one circuit of the level of the slow energy through the
+//! state, not at the instant.
+//! Equation (P8), docs/theory/05-propagation.md; (N1), docs/theory/17-levels.md.
+
+use super::steady::{all_steady_spins, steady_angular_momentum};
 use crate::math::ode::{Dop853, Solver, System};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation::angle;
@@ -8,11 +13,10 @@ use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::ReducedBody;
 
 /// Nutation, or wobble: the least and the greatest angle between the angular momentum and the axis of the steady spin that it circles,
-/// over one turn of the nutation. (P8)
+/// over one period of the nutation. (P8)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nutation {
-    /// The angular momentum of the steady spin circled, as a unit vector in body axes: that of the deformed body, momentum wheels
-    /// included.
+    /// Direction of the angular momentum of the steady spin circled, body axes: that of the deformed body, momentum wheels included.
     pub axis: [f64; 3],
     /// Least angle (rad).
     pub least: f64,
@@ -20,45 +24,45 @@ pub struct Nutation {
     pub greatest: f64,
 }
 
-/// Finds the nutation at one momentum after the other. (P8)
+/// Computes the nutation at successive angular momenta. (P8)
 #[derive(Clone, Debug)]
 pub struct Nutations<'b> {
     body: &'b ReducedBody,
-    /// `∇H`, but for what is the same along every axis.
+    /// `∇H` without its isotropic part.
     slope: Kernel,
     slow_energy: Series,
-    /// Momenta (N·m·s) of steady spins that others circle.
+    /// Angular momenta (N·m·s) of the steady spins that others circle.
     steady: Vec<[f64; 3]>,
     /// Slow energy (J) and `|K|` of the last level, with its nutation.
     last: Option<(f64, f64, Nutation)>,
 }
 
-/// Error allowed per step of a turn in the direction of the momentum, relative to the angle from the next steady spin, and at least.
+/// Error allowed per step in the direction of the angular momentum: relative to the angle from the next steady spin, and at least.
 const TOLERANCE: f64 = 1e-11;
 const ROUNDING: f64 = 1e-15;
-/// Steps that one turn may take.
+/// Limit of steps per circuit.
 const STEPS: usize = 2_000;
-/// Looks within a step.
+/// Places checked within a step.
 const LOOKS: usize = 6;
-/// Halvings of a step that find where an angle is least or greatest.
+/// Halvings that locate an extreme angle.
 const HALVINGS: usize = 40;
-/// A return nearer to the start than this share of the size of the turn closes it.
+/// Distance from the start, as a share of the size of the circuit, at which the circuit counts as closed.
 const CLOSED: f64 = 1e-4;
-/// Rate of change of the direction, relative to the spin, below which a spin is steady.
+/// Rate of change of the direction, relative to the angular velocity, below which a spin is steady.
 const AT_REST: f64 = 1e-12;
-/// Levels whose energies and momenta differ by less, relative to themselves, are the same.
+/// Relative difference of energies and of angular momenta below which levels are the same.
 const SAME: f64 = 1e-15;
 
-/// The direction of the momentum along its level.
+/// Motion of the direction of the angular momentum along its level.
 struct Along<'a> {
     slope: &'a Kernel,
-    momentum: f64,
+    angular_momentum: f64,
 }
 
 impl Along<'_> {
     #[inline(always)]
     fn velocity(&self, u: [f64; 3]) -> [f64; 3] {
-        let [x, y, z, _] = self.slope.value::<Plain>(scale(self.momentum, u));
+        let [x, y, z, _] = self.slope.value::<Plain>(scale(self.angular_momentum, u));
         cross(u, [x, y, z])
     }
 }
@@ -70,7 +74,7 @@ impl System<[f64; 3]> for Along<'_> {
 }
 
 impl<'b> Nutations<'b> {
-    /// The nutations of a reduced body.
+    /// Nutations of a reduced body.
     #[must_use]
     pub fn new(body: &'b ReducedBody) -> Self {
         let slow_energy = body.energy_of_momentum.even();
@@ -78,15 +82,15 @@ impl<'b> Nutations<'b> {
         Self { body, slope, slow_energy, steady: Vec::new(), last: None }
     }
 
-    /// The nutation at a momentum `K` (N·m·s, body axes); none where nothing turns, where every spin is steady, and on a separatrix.
+    /// Nutation at an angular momentum `K` (N·m·s, body axes); none at `K = 0`, where every spin is steady, and on a separatrix.
     pub fn at(&mut self, K: [f64; 3]) -> Option<Nutation> {
         let (G, energy) = (norm(K), self.slow_energy.scalar(K));
         if !(G > 0.0 && G.is_finite()) {
             return None;
         }
-        if let Some((known, momentum, nutation)) = self.last
+        if let Some((known, angular_momentum, nutation)) = self.last
             && (energy - known).abs() <= SAME * known.abs()
-            && (G - momentum).abs() <= SAME * G
+            && (G - angular_momentum).abs() <= SAME * G
         {
             return Some(nutation);
         }
@@ -96,24 +100,26 @@ impl<'b> Nutations<'b> {
         Some(nutation)
     }
 
-    /// The steady spins with this momentum, from those with another.
+    /// Moves the steady spins to this angular momentum from the last one.
     fn move_steady(&mut self, G: f64) {
         if self.steady.is_empty() {
             let spins = all_steady_spins(self.body, G).isolated.into_iter();
-            self.steady =
-                spins.filter(|spin| spin.kind != StationaryKind::Saddle).map(|spin| spin.momentum).collect();
+            self.steady = spins
+                .filter(|spin| spin.kind != StationaryKind::Saddle)
+                .map(|spin| spin.angular_momentum)
+                .collect();
         } else if self.steady.iter().any(|K| (norm(*K) - G).abs() > SAME * G) {
             let moved = self.steady.iter().filter_map(|K| {
-                steady_momentum(&self.body.Omega, scale(norm(*K).recip(), *K), G).map(Into::into)
+                steady_angular_momentum(&self.body.Omega, scale(norm(*K).recip(), *K), G).map(Into::into)
             });
             self.steady = moved.collect();
         }
     }
 
-    fn turn(&self, start: [f64; 3], momentum: f64) -> Option<Nutation> {
-        let along = Along { slope: &self.slope, momentum };
+    fn turn(&self, start: [f64; 3], angular_momentum: f64) -> Option<Nutation> {
+        let along = Along { slope: &self.slope, angular_momentum };
         let velocity = along.velocity(start);
-        let spin = norm(self.body.Omega.vector(scale(momentum, start)));
+        let spin = norm(self.body.Omega.vector(scale(angular_momentum, start)));
         if norm(velocity) <= AT_REST * spin {
             let axis = self.circled(start)?;
             let angle = angle(axis, start);
@@ -133,19 +139,19 @@ impl<'b> Nutations<'b> {
         Some(Nutation { axis, least, greatest })
     }
 
-    /// The steady spin next to a direction.
+    /// Direction of the steady spin nearest to a direction.
     fn circled(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
         let axes = self.steady.iter().map(|K| scale(norm(*K).recip(), *K));
         axes.max_by(|a, b| dot(*a, direction).total_cmp(&dot(*b, direction)))
     }
 }
 
-/// A place on a level and when it is passed.
+/// Place on a level with the time of its passage.
 type Passed = (f64, [f64; 3]);
 
-/// Places on the level through a unit vector, once round, close together; none where it does not come back.
+/// Places on the level through a unit vector, once round, close together; none where the level does not close.
 fn once_round(along: &Along<'_>, start: [f64; 3], velocity: [f64; 3], allowed: f64) -> Option<Vec<Passed>> {
-    let system = Along { slope: along.slope, momentum: along.momentum };
+    let system = Along { slope: along.slope, angular_momentum: along.angular_momentum };
     let mut solver = Dop853::<_, _, Plain>::new(system, 0.0, start, [allowed; 3]);
     let from_start = |u: [f64; 3]| add(u, scale(-1.0, start));
     let behind = |u: [f64; 3]| dot(from_start(u), velocity) < 0.0;
@@ -170,7 +176,7 @@ fn once_round(along: &Along<'_>, start: [f64; 3], velocity: [f64; 3], allowed: f
     None
 }
 
-/// Where the angle from an axis is least or greatest between two places next to each other; none if it is so at neither. The way
+/// Place between two neighbours where the angle from an axis is least or greatest; none without an extremum between them. The path
 /// between them is a cubic.
 fn extreme(along: &Along<'_>, axis: [f64; 3], pair: &[Passed]) -> Option<[f64; 3]> {
     let ((before, from), (after, to)) = (pair[0], pair[1]);
@@ -187,7 +193,7 @@ fn extreme(along: &Along<'_>, axis: [f64; 3], pair: &[Passed]) -> Option<[f64; 3
     Some(at(first(|share| rises(along.velocity(at(share))) != rises(ends[0]))))
 }
 
-/// The first of the numbers from 0 to 1 of which something holds that holds of 1 and not of 0.
+/// Bisection: first number from 0 to 1 at which a condition holds that is false at 0 and true at 1.
 fn first(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut from, mut to) = (0.0, 1.0);
     for _ in 0..HALVINGS {

@@ -1,6 +1,6 @@
-//! Integrals over the steps of a solver, of what the solver does not integrate itself.
+//! Quadrature over the steps of a solver, of quantities outside of its state.
 
-/// Points whose values make the polynomial that is integrated.
+/// Points of the interpolating polynomial that is integrated.
 const POINTS: usize = 4;
 /// Places of Gauss' rule, exact for the cubic, over half the interval.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -11,7 +11,7 @@ pub(super) struct Quadrature {
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
     sums: Vec<f64>,
-    /// Whether intervals before the last one have been added.
+    /// True once intervals before the last one have been added.
     under_way: bool,
 }
 
@@ -21,7 +21,7 @@ impl Quadrature {
         Self { times: vec![t], values: vec![values], sums, under_way: false }
     }
 
-    /// Adds the next point; one at the same time as the last is passed over.
+    /// Adds the next point; a point at the time of the last one is skipped.
     pub fn add(&mut self, t: f64, values: Vec<f64>) {
         let last = self.times.last().copied().unwrap_or(f64::NEG_INFINITY);
         if t <= last {
@@ -39,7 +39,7 @@ impl Quadrature {
         }
     }
 
-    /// The integrals up to the last point.
+    /// Integrals up to the last point.
     pub fn sums(&self) -> Vec<f64> {
         let mut whole = self.clone();
         let last = self.times.len() - 1;
@@ -47,7 +47,7 @@ impl Quadrature {
         whole.sums
     }
 
-    /// Adds the intervals that begin at some of the points.
+    /// Adds the integrals over the intervals that begin at these points.
     fn integrate(&mut self, starts: std::ops::Range<usize>) {
         for start in starts {
             let weights = weights(&self.times, start);

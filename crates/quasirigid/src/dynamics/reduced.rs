@@ -1,5 +1,10 @@
+//! Integration of the reduced equations without forces: angular momentum or angular velocity, attitude, energy accounts.
+//! Shares of several dissipators are integrated beside the solver and scaled to its total, so that accounts cost nothing in the state
+//! vector, whose fixed length keeps the inner loop in registers.
+//! Equations (P1) to (P6), docs/theory/05-propagation.md; (D4), docs/theory/11-materials.md.
+
 use super::conserved_momentum::{Conserved, inside};
-use super::form::{Equations, Form, MomentumForm, PaperForm};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::quadrature::Quadrature;
 use super::run::{Observer, Options, PropagateError, Run, Sample, Start, check};
@@ -13,7 +18,7 @@ use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::ReducedBody;
 
-/// Follows the reduced equations of a body from `t = 0` and observes it at the times asked for (s). (P1)–(P6)
+/// Integrates the reduced equations of a body from `t = 0` and observes the body at the output times (s). (P1)–(P6)
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -29,7 +34,7 @@ use crate::model::ReducedBody;
 /// ```
 ///
 /// # Errors
-/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
+/// [`PropagateError`] before the first step. A later failure is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate(
     body: &ReducedBody,
     initial: Start,
@@ -38,18 +43,18 @@ pub fn propagate(
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     check(norm(initial.omega), initial.attitude, times, options)?;
-    let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoMomentum)?;
+    let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
     let power = Kernel::new(&body.power);
-    let inside = inside(body.momentum(initial.omega), body.J, initial.omega);
+    let inside = inside(body.angular_momentum(initial.omega), body.J, initial.omega);
     let shares = Shares::of(body);
     let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
     Ok(match options.form {
-        Form::Momentum => dispatch(Propagation { equations: &MomentumForm::new(body), plan }),
-        Form::Paper => dispatch(Propagation { equations: &PaperForm::new(body), plan }),
+        Form::AngularMomentum => dispatch(Propagation { equations: &AngularMomentumForm::new(body), plan }),
+        Form::AngularVelocity => dispatch(Propagation { equations: &AngularVelocityForm::new(body), plan }),
     })
 }
 
-/// A propagation ready to run, in either form.
+/// Arguments of a propagation, for either form.
 struct Plan<'a> {
     power: &'a Kernel,
     shares: Shares<'a>,
@@ -76,7 +81,7 @@ impl<E: Equations> Task for Propagation<'_, E> {
         let system = Accounted { equations, power };
         let start =
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
-        let K = equations.momentum(x);
+        let K = equations.angular_momentum(x);
         let first = options.form.size(x, inside);
         let (error, attitude, free) = (options.tolerance * first, options.tolerance, f64::INFINITY);
         let allowed =
@@ -84,8 +89,8 @@ impl<E: Equations> Task for Propagation<'_, E> {
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, start.pack(), allowed);
         let taken = (!shares.kernels.is_empty()).then(|| Quadrature::new(0.0, shares.powers(initial.omega)));
         let trajectory = Reduced { equations, form: options.form, initial, shares, taken };
-        let momentum = Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside);
-        let mut monitor = InvariantMonitor::new(trajectory, solver.y(), momentum, options, observer);
+        let angular_momentum = Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside);
+        let mut monitor = InvariantMonitor::new(trajectory, solver.y(), angular_momentum, options, observer);
         let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
         let last = monitor.sample(solver.t(), solver.y());
         let budget = monitor.trajectory.budget(&last);
@@ -94,20 +99,20 @@ impl<E: Equations> Task for Propagation<'_, E> {
     }
 }
 
-/// The motion of the reduced equations in a form, with the accounts of the dissipators.
+/// Motion of the reduced equations in a form, with the accounts of the dissipators.
 struct Reduced<'a, E> {
     equations: &'a E,
     form: Form,
     initial: Start,
     shares: Shares<'a>,
-    /// What each dissipator has taken, if there are several.
+    /// Energies taken by the dissipators, if there are several.
     taken: Option<Quadrature>,
 }
 
 /// Powers of the dissipators of a reduced body, if there are several.
 struct Shares<'a> {
     body: &'a ReducedBody,
-    /// Four of them each.
+    /// Kernels of `ROWS` powers each.
     kernels: Vec<Kernel>,
 }
 
@@ -121,7 +126,7 @@ impl<'a> Shares<'a> {
         Self { body, kernels: groups.map(|group| Kernel::new(&Series::stacked(group))).collect() }
     }
 
-    /// Power (W) that each takes at a spin.
+    /// Power (W) of each dissipator at an angular velocity.
     fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
         let all = self.kernels.iter().flat_map(|kernel| kernel.value::<Plain>(omega));
         all.take(self.body.power_shares.len()).collect()
@@ -129,8 +134,7 @@ impl<'a> Shares<'a> {
 }
 
 impl<E: Equations> Reduced<'_, E> {
-    /// Energy that each dissipator has taken: their shares in the integrals over the steps, of the whole that the solver has
-    /// integrated. (D4)
+    /// Energy taken by each dissipator: its share of the integrals over the steps, times the total that the solver has integrated. (D4)
     fn budget(&mut self, last: &Sample) -> Vec<(String, f64)> {
         let names = self.shares.body.power_shares.iter().map(|(name, _)| name.clone());
         let sums = match &mut self.taken {
@@ -156,7 +160,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
         let Accounts { x, dissipated, energy_change, angle, .. } = Accounts::unpack(y);
         StateView {
             omega: self.equations.omega::<Plain>(x),
-            momentum: self.equations.momentum(x),
+            angular_momentum: self.equations.angular_momentum(x),
             energy: self.equations.energy(x),
             q: Vec::new(),
             rate: Vec::new(),
@@ -169,8 +173,8 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     }
 
     #[inline(always)]
-    fn momentum(&mut self, _: f64, y: &[f64]) -> [f64; 3] {
-        self.equations.momentum(Accounts::unpack(y).x)
+    fn angular_momentum(&mut self, _: f64, y: &[f64]) -> [f64; 3] {
+        self.equations.angular_momentum(Accounts::unpack(y).x)
     }
 
     fn seat(&self, t: f64, _: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat {
@@ -188,8 +192,8 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     #[inline(always)]
     fn invariant(&self) -> Invariant {
         match self.form {
-            Form::Momentum => Invariant::Momentum,
-            Form::Paper => Invariant::Direction,
+            Form::AngularMomentum => Invariant::AngularMomentum,
+            Form::AngularVelocity => Invariant::Direction,
         }
     }
 

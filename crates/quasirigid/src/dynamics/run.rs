@@ -1,3 +1,8 @@
+//! Interface of a propagation: start, options, samples, observer, outcome and errors, for full and reduced systems alike.
+//! Errors are refusals before the first step; everything later is an [`Outcome`] with the last state, so that a long run never loses its
+//! samples.
+//! Equations (P3) to (P7), docs/theory/05-propagation.md; (F12), docs/theory/07-forces.md.
+
 use std::fmt;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -10,50 +15,50 @@ use super::slow::MAX_FORCED_ORDER;
 use crate::math::ode::{StepError, StopReason, Work};
 use crate::model::Displaced;
 
-/// Start of a propagation; what it becomes in the full system is [`settled`](Self::settled) on the slow manifold or
-/// [`at_rest`](Self::at_rest), and where another state leads is [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
+/// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
+/// [`at_rest`](Self::at_rest). Starts from other data: [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
-    /// Its velocity (m/s).
+    /// Velocity of that point (m/s).
     pub velocity: [f64; 3],
 }
 
 impl Start {
-    /// A body that stays where the inertial axes have their origin.
+    /// Start at rest in the origin of the inertial axes.
     #[must_use]
     pub fn new(omega: [f64; 3], attitude: [f64; 4]) -> Self {
         Self { omega, attitude, place: [0.0; 3], velocity: [0.0; 3] }
     }
 }
 
-/// How a propagation is made.
+/// Options of a propagation.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Variable of a reduced system that is integrated.
+    /// Form of a reduced system.
     pub form: Form,
-    /// How a full system is integrated.
+    /// Method of integration of a full system.
     pub method: Method,
-    /// Error allowed per step, relative to `|K|` or `|ω|` (1e-15 to 1e-2); the attitude is held to it in radians, and the
-    /// internal coordinates of a full system to the part of it that their share of the energy allows.
+    /// Error allowed per step, relative to `|K|` or `|ω|` (1e-15 to 1e-2); the same number in radians for the attitude; for internal
+    /// coordinates of a full system by their share of the energy.
     pub tolerance: f64,
-    /// Steps allowed.
+    /// Limit of the number of steps.
     pub most_steps: u64,
-    /// What ends the propagation.
+    /// Events that end the propagation.
     pub events: Vec<Event>,
 }
 
 impl Default for Options {
     fn default() -> Self {
         Self {
-            form: Form::Momentum,
+            form: Form::AngularMomentum,
             method: Method::Automatic,
             tolerance: 1e-12,
             most_steps: 1_000_000_000,
@@ -62,7 +67,7 @@ impl Default for Options {
     }
 }
 
-/// How a full system is integrated.
+/// Method of integration of a full system.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
@@ -71,63 +76,63 @@ pub enum Method {
     Automatic,
     /// Explicit, of order 8: cheap steps, but none longer than the fastest vibration.
     Explicit,
-    /// Implicit, of order 13: dear steps, as long as the motion allows.
+    /// Implicit, of order 13: costly steps, as long as the motion allows.
     Implicit,
 }
 
-/// The body at one time.
+/// State of the body at one time.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Time (s).
     pub t: f64,
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, `R_NB`, scalar first.
     pub attitude: [f64; 4],
-    /// Momentum (N·m·s), body axes.
-    pub momentum: [f64; 3],
+    /// Angular momentum (N·m·s), body axes.
+    pub angular_momentum: [f64; 3],
     /// Energy of the system integrated (J).
     pub energy: f64,
     /// Energy taken by the dashpots since the start (J). (P4)
     pub dissipated: f64,
     /// Work of the external forces since the start (J). (F12)
     pub work: f64,
-    /// Change of energy that the integrator made by itself (J), of a reduced system under external forces that of the
-    /// truncation too. (P4)
+    /// Energy drift (J): change by errors of the integrator; of a reduced system under external forces also by the truncation. (P4)
     pub energy_drift: f64,
-    /// Relative change of `|K|`: in the momentum form and the full system what the integrator made before it was
-    /// projected away (P6), in the paper's form the whole change, most of it the truncation of the series; where what
-    /// turns inside takes the momentum up, the whole change relative to its own. Under external forces the change of the
-    /// inertial momentum beyond their impulse.
+    /// Relative drift of `|K|`: in the angular-momentum form and the full system the error of the integrator before its projection (P6),
+    /// in the angular-velocity form the whole change, most of it from the truncation of the series. Where internal rotors nearly cancel
+    /// the angular momentum: the whole change relative to the internal one. Under external forces: the change of the inertial angular
+    /// momentum beyond the impulse of the forces.
     pub momentum_drift: f64,
-    /// Turns made, `∫|ω| dt / 2π`.
-    pub turns: f64,
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    /// Revolutions, `∫|ω| dt / 2π`.
+    pub revolutions: f64,
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
-    /// Its velocity (m/s).
+    /// Velocity of that point (m/s).
     pub velocity: [f64; 3],
     /// Place of the pole `R₀` (m), inertial axes. (P7)
     pub pole: [f64; 3],
 }
 
-/// Receives what a propagation produces while it runs.
+/// Receives the results of a propagation while it runs.
 pub trait Observer {
-    /// A sample at a time asked for.
+    /// Receives the sample at an output time.
     fn sample(&mut self, sample: &Sample);
 
-    /// Whether [`coordinates`](Self::coordinates) is to be called where that costs something.
+    /// True if [`coordinates`](Self::coordinates) is to be called where that has a cost.
     fn keeps_coordinates(&self) -> bool {
         false
     }
 
-    /// The internal coordinates and their rates, just before the sample they belong to: of a full motion its own, of a reduced
-    /// one those that follow the spin, where values of cyclic ones are zero. (R4), (E2)
+    /// Receives the internal coordinates and their rates, just before the sample that they belong to. A full motion has its own; of a
+    /// reduced one they follow the angular velocity, and values of cyclic ones are zero. (R4), (E2)
     fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
         let _ = (q, rate);
     }
 
-    /// Energy (J) that each dissipator has taken since the start, by name, once at the end; not of forced reduced motions. (D4)
+    /// Receives the energy (J) taken by each dissipator since the start, by name, once at the end; not called for forced reduced motions.
+    /// (D4)
     fn budget(&mut self, energies: &[(String, f64)]) {
         let _ = energies;
     }
@@ -145,19 +150,19 @@ impl Observer for Vec<Sample> {
     }
 }
 
-/// How a propagation ended, with the last state reached; what was observed is valid up to there.
+/// Result of a propagation: its outcome and the last state reached, up to which the samples are valid.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
-    /// Why it ended.
+    /// Reason of the end.
     pub outcome: Outcome,
-    /// The last state reached.
+    /// Last state reached.
     pub last: Sample,
     /// Work done.
     pub work: Work,
 }
 
-/// Why a propagation ended.
+/// Reason why a propagation ended.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
@@ -169,8 +174,7 @@ pub enum Outcome {
     Event(Event),
     /// The steps allowed were used up.
     StepLimit,
-    /// A part was displaced beyond the range of the equations; its place is one of those of [`CurvedPaths`](crate::model::CurvedPaths).
-    /// (K14)
+    /// A part was displaced beyond the range of the equations; its index is one of [`CurvedPaths`](crate::model::CurvedPaths). (K14)
     LeftRange(Displaced),
     /// No step could be made.
     Failed(StepError),
@@ -201,14 +205,14 @@ impl Outcome {
     }
 }
 
-/// A propagation that cannot start.
+/// Error of a propagation that cannot start.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum PropagateError {
-    /// The body does not turn, or its spin is no number.
+    /// The angular velocity is zero or no number.
     #[error("{spin} rad/s is not a spin; give an angular velocity that is finite and not zero")]
     NoSpin {
-        /// Size of the spin asked for (rad/s).
+        /// Size of the angular velocity asked for (rad/s).
         spin: f64,
     },
     /// The attitude is no rotation.
@@ -230,7 +234,7 @@ pub enum PropagateError {
         "the state at the start holds what is no finite number; give finite coordinates, rates, place and velocity"
     )]
     NotFinite,
-    /// The tolerance cannot be met, or means nothing.
+    /// The tolerance is below rounding or above any accuracy.
     #[error("the tolerance {tolerance:e} is out of range; choose one from 1e-15 to 1e-2")]
     Tolerance {
         /// Tolerance asked for.
@@ -239,16 +243,16 @@ pub enum PropagateError {
     /// The times do not ascend from zero.
     #[error("the output times must be finite, ascend and not be negative; {t} s follows {before} s")]
     Times {
-        /// The time at fault (s).
+        /// Time at fault (s).
         t: f64,
-        /// The time before it (s).
+        /// Time before the one at fault (s).
         before: f64,
     },
-    /// No momentum belongs to the spin: the series does not hold there.
+    /// No angular momentum belongs to the angular velocity: the series does not hold there.
     #[error(
-        "the truncated series has no momentum for this spin; the theory does not hold here: lower the spin, stiffen the springs, or use order 1"
+        "the truncated series has no angular momentum for this angular velocity; the theory does not hold here: lower the spin, stiffen the springs, or use order 1"
     )]
-    NoMomentum,
+    NoAngularMomentum,
     /// The order is beyond the reduction of a forced body.
     #[error(
         "order {order} is out of range for a body with external forces; choose one from 0 to {MAX_FORCED_ORDER}, in the paper's form to 3"
@@ -257,12 +261,12 @@ pub enum PropagateError {
         /// Order asked for.
         order: usize,
     },
-    /// The paper's form under forces is written for elastic coordinates alone.
+    /// The angular-velocity form under forces is written for elastic coordinates alone.
     #[error(
-        "with forces the paper's form takes no rotors, liquids and momentum wheels; use the momentum form, which is the default"
+        "with forces the angular-velocity form (`paper`) takes no rotors, liquids and momentum wheels; use the angular-momentum form (`momentum`), which is the default"
     )]
-    PaperForm,
-    /// The state is that of another body.
+    AngularVelocityForm,
+    /// The state belongs to another body.
     #[error("the state has {coordinates} internal coordinates and {rates} rates; the body has {needed}")]
     Coordinates {
         /// Coordinates of the state.
@@ -277,26 +281,26 @@ pub enum PropagateError {
         "the forces are not finite numbers at the start: look for a square root, logarithm or division in a force that fails there"
     )]
     NoForce,
-    /// The mass matrix is not positive: what carries is too light beside what moves on it.
+    /// The mass matrix is not positive: the carrier is too light beside the masses that move on it.
     #[error(
         "the mass that is not on springs is lost in rounding beside the mass that is: less than 1e-13 of it; give the carrier a mass, or leave it out"
     )]
     LightCarrier,
-    /// The free vibrations cannot be told apart.
+    /// The free vibrations are linearly dependent, to rounding.
     #[error("the damped modes of the body could not be found; the damping matrix may be defective")]
     NoModes,
 }
 
-/// When [`Observer::progress`] is called: after a moment, whatever a step costs, but not so often that the clock does.
+/// Pace of the calls of [`Observer::progress`]: one per moment, however long a step takes, with few readings of the clock.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
-    /// Steps between two looks at the clock.
+    /// Steps between two readings of the clock.
     stride: u64,
     next: u64,
     looked: Instant,
 }
 
-/// A moment, and most steps in it.
+/// Time between two calls, and limit of the steps between them.
 const MOMENT: Duration = Duration::from_millis(50);
 const MOST_STEPS: u64 = 4096;
 
@@ -305,7 +309,7 @@ impl Pace {
         Self { stride: 1, next: 1, looked: Instant::now() }
     }
 
-    /// Whether it is time after so many steps.
+    /// True if a call is due after so many steps.
     #[inline]
     pub fn due(&mut self, steps: u64) -> bool {
         steps >= self.next && self.passed(steps)
@@ -320,13 +324,13 @@ impl Pace {
     }
 }
 
-/// A unit quaternion, for a motion whose attitude nobody asks for.
+/// Unit quaternion, for a motion whose attitude is not needed.
 pub(super) const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// Largest difference of the norm of an attitude from one: single precision, and digits that a file prints.
 const NORM: f64 = 1e-6;
 
-/// Refuses what no propagation can start from.
+/// Refuses arguments that no propagation can start from.
 pub(super) fn check(
     spin: f64,
     attitude: [f64; 4],

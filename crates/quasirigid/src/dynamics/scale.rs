@@ -3,24 +3,24 @@ use super::external::{Forced, Pose};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{MotionState, Support};
 
-/// Sizes that errors are measured by.
+/// Scales of errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales {
     /// Sum of the moments of inertia (kg·m²).
     pub inertia: f64,
-    /// Spin (rad/s): at the start, or what the moments on the body as it stands there, those of motors too, would give it
-    /// within a radian, at any of its times.
+    /// Angular velocity (rad/s): at the start, or the one that the moments, those of motors too, on the body in its initial pose would
+    /// cause within a radian, the largest over the time of the run.
     pub spin: f64,
-    /// Momentum of what turns inside (N·m·s), body axes.
+    /// Internal angular momentum (N·m·s), body axes.
     pub inside: [f64; 3],
-    /// Momentum (N·m·s), of the whole or of what takes it up.
-    pub momentum: f64,
+    /// Angular momentum (N·m·s), of the whole or of the internal part that nearly cancels the rest.
+    pub angular_momentum: f64,
     /// Place (m) and velocity (m/s); infinite where the place does not matter.
     pub place: f64,
     pub velocity: f64,
 }
 
-/// Times at which moments are looked at.
+/// Number of times at which moments are evaluated.
 const LOOKS: usize = 17;
 
 impl Scales {
@@ -34,7 +34,7 @@ impl Scales {
             inertia,
             spin: norm(omega),
             inside,
-            momentum: size(K, inside),
+            angular_momentum: size(K, inside),
             place: f64::INFINITY,
             velocity: f64::INFINITY,
         };
@@ -47,7 +47,7 @@ impl Scales {
             };
             let largest = (0..LOOKS).map(moment).fold(0.0, f64::max);
             scales.spin = scales.spin.max((largest / inertia).sqrt());
-            scales.momentum = scales.momentum.max(scales.spin * inertia / 3.0);
+            scales.angular_momentum = scales.angular_momentum.max(scales.spin * inertia / 3.0);
             if !matches!(system.body.support(), Support::FixedPoint { .. }) {
                 let gyration = (inertia / invariants.mass).sqrt();
                 scales.place = gyration.max(norm(pose.place));

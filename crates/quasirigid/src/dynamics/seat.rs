@@ -1,14 +1,14 @@
-//! Where a body is: place of the centre of mass and of the pole, one from the other. (P7)
+//! Position of a body: centre of mass and pole, one from the other. (P7)
 
 use super::layout::{PLACE, VELOCITY, attitude, triple};
 use crate::math::rotation::{self, Turn};
 use crate::math::vec3::{add, scale};
 use crate::model::{FlexibleBody, MotionState};
 
-/// Where a body is, inertial axes.
+/// Position of a body, inertial axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seat {
-    /// Place (m) and velocity (m/s): of the centre of mass of a free body, of the pole of a held one.
+    /// Place (m) and velocity (m/s): of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
     pub velocity: [f64; 3],
     /// Place (m) of the pole.
@@ -16,13 +16,13 @@ pub(super) struct Seat {
 }
 
 impl Seat {
-    /// Of a state that holds the place of the centre of mass of a free body, of the pole of a held one. (P7)
+    /// From a state with the place of the centre of mass of a free body, of the pole of a constrained one. (P7)
     pub fn of_center(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> Self {
         let [pole, _] = pole(body, motion, y);
         Self { place: triple(y, PLACE), velocity: triple(y, VELOCITY), pole }
     }
 
-    /// Of a state that holds the place of the pole. (P7)
+    /// From a state with the place of the pole. (P7)
     pub fn of_pole(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> Self {
         let (pole, pole_velocity) = (triple(y, PLACE), triple(y, VELOCITY));
         let [offset, rate] = pole_from_center(body, motion, y);
@@ -30,7 +30,7 @@ impl Seat {
     }
 }
 
-/// Place (m) and velocity (m/s) of the pole, of a state as [`Seat::of_center`] takes it. (P7)
+/// Place (m) and velocity (m/s) of the pole, from a state as in [`Seat::of_center`]. (P7)
 pub(super) fn pole(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> [[f64; 3]; 2] {
     let [offset, rate] = pole_from_center(body, motion, y);
     [add(triple(y, PLACE), offset), add(triple(y, VELOCITY), rate)]

@@ -1,4 +1,4 @@
-//! The systems that are integrated: the spin alone, or the spin with attitude and energy accounts.
+//! Systems of the reduced equations: variable of the form alone, or with attitude and energy accounts. (P1) to (P4)
 
 use super::form::{Equations, vector};
 use crate::math::ode::System;
@@ -7,7 +7,7 @@ use crate::math::rotation;
 use crate::math::simd::Arithmetic;
 use crate::math::vec3::norm;
 
-/// Spin alone; the fourth component is idle and fills a vector register.
+/// Variable of the form alone; the fourth component is idle and fills a vector register.
 pub(super) struct SpinOnly<'a, E>(pub &'a E);
 
 impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
@@ -19,14 +19,14 @@ impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
     }
 }
 
-/// Spin with attitude and accounts.
+/// Variable of the form with attitude and accounts.
 pub(super) struct Accounted<'a, E> {
     pub equations: &'a E,
-    /// Power taken by the dashpots, as a function of the spin.
+    /// Power taken by the dashpots, as a function of the angular velocity.
     pub power: &'a Kernel,
 }
 
-/// State of [`Accounted`], in its order.
+/// State of [`Accounted`], fields in the order of the state vector.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Accounts {
     /// Variable of the form.
@@ -41,7 +41,7 @@ pub(super) struct Accounts {
     pub angle: f64,
 }
 
-/// Where the attitude begins in [`Accounts`].
+/// Index of the attitude in [`Accounts`].
 pub(super) const ATTITUDE: usize = 4;
 
 impl Accounts {
@@ -52,7 +52,7 @@ impl Accounts {
         [x, y, z, 0.0, s, i, j, k, self.dissipated, self.energy_change, self.angle, 0.0]
     }
 
-    /// Of twelve numbers.
+    /// Accounts from a state vector of twelve components.
     #[inline(always)]
     pub fn unpack(y: &[f64]) -> Self {
         Self {

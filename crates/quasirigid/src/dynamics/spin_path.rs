@@ -1,7 +1,11 @@
+//! Angular velocity alone along a reduced motion: the fast method for ensembles.
+//! Without attitude and accounts the state is one vector register of four components.
+//! Equations (P1) and (P2), docs/theory/05-propagation.md.
+
 use std::ops::ControlFlow;
 
 use super::conserved_momentum::inside;
-use super::form::{Equations, Form, MomentumForm, PaperForm, vector};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form, vector};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
@@ -10,19 +14,19 @@ use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
 use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
-/// Spin (rad/s, body axes) at the times asked for, without attitude and accounts: the fast road for ensembles.
+/// Angular velocity (rad/s, body axes) at the output times, without attitude and accounts: the fast method for ensembles.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpinPath {
-    /// One spin per time reached.
+    /// Angular velocity per time reached.
     pub omega: Vec<[f64; 3]>,
-    /// Why the path ends.
+    /// Reason of the end.
     pub outcome: Outcome,
     /// Work done.
     pub work: Work,
 }
 
-/// Follows the spin of a reduced body from `t = 0` to the last of the times (s). (P1), (P2)
+/// Integrates the angular velocity of a reduced body from `t = 0` to the last of the times (s). (P1), (P2)
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -43,11 +47,15 @@ pub fn spin_path(
     options: &Options,
 ) -> Result<SpinPath, PropagateError> {
     check(norm(omega), ALIGNED, times, options)?;
-    let x = start(body, omega, options.form).ok_or(PropagateError::NoMomentum)?;
-    let error = options.tolerance * options.form.size(x, inside(body.momentum(omega), body.J, omega));
+    let x = start(body, omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
+    let error = options.tolerance * options.form.size(x, inside(body.angular_momentum(omega), body.J, omega));
     Ok(match options.form {
-        Form::Momentum => dispatch(Path { equations: &MomentumForm::new(body), x, error, times, options }),
-        Form::Paper => dispatch(Path { equations: &PaperForm::new(body), x, error, times, options }),
+        Form::AngularMomentum => {
+            dispatch(Path { equations: &AngularMomentumForm::new(body), x, error, times, options })
+        }
+        Form::AngularVelocity => {
+            dispatch(Path { equations: &AngularVelocityForm::new(body), x, error, times, options })
+        }
     })
 }
 

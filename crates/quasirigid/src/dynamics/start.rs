@@ -5,15 +5,15 @@ use crate::math::sphere::jacobian;
 use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
-/// Newton steps allowed; the series is a small change of a linear map, so a handful do.
+/// Limit of Newton steps; the series is a small change of a linear map, so a few suffice.
 const NEWTON_STEPS: usize = 30;
 
-/// The state of a form whose spin is exactly `omega`: the spin itself, or the momentum that solves `Ω(K) = ω`.
+/// State of a form with the angular velocity `omega`: `omega` itself, or the angular momentum that solves `Ω(K) = ω`.
 pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[f64; 3]> {
-    if form == Form::Paper {
+    if form == Form::AngularVelocity {
         return Some(omega);
     }
-    let mut K = body.momentum(omega);
+    let mut K = body.angular_momentum(omega);
     let mut best = f64::INFINITY;
     for _ in 0..NEWTON_STEPS {
         let Omega = body.Omega.vector(K);

@@ -73,7 +73,7 @@ impl Piece {
 }
 
 impl Field {
-    /// The same vector everywhere.
+    /// Constant field.
     pub fn constant(vector: Vector3<f64>) -> Self {
         Self { constant: vector, linear: Matrix3::zeros() }
     }

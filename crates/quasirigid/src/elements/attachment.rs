@@ -8,7 +8,7 @@ use super::error::Problem;
 use super::{Assembly, End};
 use crate::model::Marker;
 
-/// Place of a body at which something acts.
+/// Attachment: a place of a body at which a link or a force acts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Attachment {
     pub name: String,
@@ -17,7 +17,7 @@ pub(super) struct Attachment {
     /// Coordinates that displace it, with the displacement (m) per unit of each.
     pub shapes: Vec<(usize, [f64; 3])>,
     /// Coordinates that turn it, with the rotation (rad) per unit of each; none of a place without orientation.
-    pub turns: Option<Vec<(usize, [f64; 3])>>,
+    pub rotations: Option<Vec<(usize, [f64; 3])>>,
     /// Curvature of its path for pairs of coordinates, where that is known.
     pub curvature: Vec<(usize, usize, [f64; 3])>,
 }
@@ -29,12 +29,12 @@ pub(super) struct Attachments {
 }
 
 impl Attachment {
-    /// Place that nothing moves.
-    pub fn at(position: Vector3<f64>, turns: bool) -> Self {
-        Self { position, turns: turns.then(Vec::new), ..Self::default() }
+    /// Place that no coordinate moves.
+    pub fn at(position: Vector3<f64>, rotations: bool) -> Self {
+        Self { position, rotations: rotations.then(Vec::new), ..Self::default() }
     }
 
-    /// Place as one of the body's, from the pole.
+    /// Marker of the place, from the pole.
     pub fn marker(&self, pole: Vector3<f64>) -> Marker {
         Marker {
             name: self.name.clone(),
@@ -49,7 +49,7 @@ impl Attachments {
     /// Attachment of an end of an element that was checked.
     ///
     /// # Errors
-    /// [`Problem::NoCarrier`] for an end that was never noted: only the carrier's is not.
+    /// [`Problem::NoCarrier`] for an end that was never noted: only the end on the carrier is not.
     pub fn of(&self, end: End) -> Result<&Attachment, Problem> {
         self.of.get(&end).ok_or(Problem::NoCarrier)
     }
@@ -83,7 +83,7 @@ impl Assembly {
                 let part = &self.parts[node.part];
                 let name = format!("{:?} {}", part.name, part.node_name(node.node));
                 let node = part.nodes()[node.node];
-                Attachment { name, ..Attachment::at(node.place, node.turns) }
+                Attachment { name, ..Attachment::at(node.place, node.rotations) }
             }
             End::Hinged(place) => Attachment::at(self.has_place(place)?.into(), true),
         })

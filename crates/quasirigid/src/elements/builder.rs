@@ -1,7 +1,7 @@
 //! Bodies in a few lines: constructors with what most elements need, and an assembly that hands out ids.
 //!
-//! Every field stays public: what a constructor leaves at its usual value is changed by struct update. Nothing is checked here;
-//! [`Assembly::check`] and [`Assembly::build`] find what is wrong and name the element.
+//! Every field stays public: values that a constructor leaves at their default are changed by struct update. Nothing is checked here;
+//! [`Assembly::check`] and [`Assembly::build`] report errors with the element.
 
 use super::error::{ElementId, ElementKind};
 use super::{
@@ -45,7 +45,7 @@ impl Assembly {
 }
 
 impl AssemblyElement for Carrier {
-    /// Takes the place of a carrier that was there.
+    /// Adds the carrier in place of an earlier one.
     fn add_to(self, assembly: &mut Assembly) -> ElementId {
         assembly.carrier = Some(self);
         CARRIER
@@ -116,7 +116,7 @@ impl Spring {
         Self { name: String::new(), from: End::Carrier, to: End::Carrier, law, rheology: Rheology::Elastic }
     }
 
-    /// The same stiffness (N/m) and damping (N·s/m) in every direction; [`between`](Self::between) says what it joins.
+    /// An isotropic spring: stiffness (N/m) and damping (N·s/m) in every direction; [`between`](Self::between) sets its ends.
     ///
     /// ```
     /// use quasirigid::prelude::*;
@@ -222,7 +222,7 @@ impl Hinged {
 }
 
 impl Material {
-    /// A material without loss: density (kg/m³), Young's modulus (Pa), Poisson's ratio.
+    /// An elastic material: density (kg/m³), Young's modulus (Pa), Poisson's ratio.
     #[must_use]
     pub fn new(density: f64, young: f64, poisson: f64) -> Self {
         Self { density, young, poisson, rheology: Rheology::Elastic }

@@ -1,6 +1,10 @@
+//! Bushing: stiffness and damping along and about three axes, between two places, in an elastic centre.
+//! Both ends are moved to the centre as rigid pieces, so that a rigid motion strains nothing; an end without rotations must be there.
+//! Equation (I11), docs/theory/02-invariants.md.
+
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
-use super::assembly::Net;
+use super::assembly::PartGraph;
 use super::attachment::Attachment;
 use super::element::{Element, Grip, Role, Site, joined};
 use super::error::{ElementError, ElementId, Field, Problem, at};
@@ -17,7 +21,7 @@ use crate::structure::Block;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bushing {
-    /// Name; empty if it is called after its ends. Links of the same name are one dissipator.
+    /// Name; empty for a name made of the ends. Links of the same name are one dissipator.
     pub name: String,
     /// One end.
     pub from: End,
@@ -44,7 +48,7 @@ pub struct Bushing {
 const ROTATIONAL_STIFFNESS: Field = Field::new("rotational_stiffness");
 /// Key of the damping about the axes.
 const ROTATIONAL_DAMPING: Field = Field::new("rotational_damping");
-/// An arm is none below this share of the distances from the origin.
+/// Length of an arm, as a share of the distances from the origin, below which there is none: rounding of the places in a file.
 const NO_ARM: f64 = 1e-9;
 
 impl Bushing {
@@ -74,30 +78,30 @@ impl Bushing {
         Ok(Matrix3::from_columns(&[first, third.cross(&first), third]))
     }
 
-    /// Whether a moment acts in it.
+    /// Whether a moment acts in the bushing.
     fn has_moment(&self) -> bool {
         self.rotational_stiffness != [0.0; 3] || self.rotational_damping != [0.0; 3]
     }
 
-    /// Elastic centre (m), in the file's frame, where the ends are at these places; those that turn are told.
+    /// Elastic centre (m), in the file's frame, for ends at these places, each with whether it has rotations.
     fn center(&self, places: [(Vector3<f64>, bool); 2]) -> Vector3<f64> {
-        let still = places.iter().find(|(_, turns)| !turns);
+        let still = places.iter().find(|(_, rotations)| !rotations);
         let moving = [self.from, self.to].iter().position(|end| *end != End::Carrier);
         let usual = still.map_or(places[moving.unwrap_or(0)].0, |(place, _)| *place);
         self.center.map_or(usual, Vector3::from)
     }
 
-    /// Accepts an end at its distance from the centre: one without rotations is at it, and bears no moment.
+    /// Accepts an end at its distance from the centre: an end without rotations is at the centre and bears no moment.
     fn accepts(
         &self,
         end: &str,
         place: Vector3<f64>,
-        turns: bool,
+        rotations: bool,
         center: Vector3<f64>,
     ) -> Result<(), Problem> {
         coefficient::finite(center.as_slice())?;
         let distance = (center - place).norm();
-        if turns {
+        if rotations {
             return Ok(());
         }
         if distance > NO_ARM * (center.norm() + place.norm()) {
@@ -111,11 +115,11 @@ impl Bushing {
     fn between(&self, id: ElementId, name: &str, ends: [&Attachment; 2]) -> Result<Block, ElementError> {
         let laws = self.laws(id)?;
         let carried =
-            |end: End, place: &Attachment| (place.position, end == End::Carrier || place.turns.is_some());
+            |end: End, place: &Attachment| (place.position, end == End::Carrier || place.rotations.is_some());
         let center = self.center([carried(self.from, ends[0]), carried(self.to, ends[1])]);
         let mut moved = Vec::new();
         for (end, sign, field) in [(ends[0], -1.0, Field::FROM), (ends[1], 1.0, Field::TO)] {
-            let known = self.accepts(&end.name, end.position, end.turns.is_some(), center);
+            let known = self.accepts(&end.name, end.position, end.rotations.is_some(), center);
             known.map_err(at(id, field))?;
             moved.extend(end.motion_at(center).into_iter().map(|(column, motion)| (column, sign * motion)));
         }
@@ -124,14 +128,14 @@ impl Bushing {
 }
 
 impl Attachment {
-    /// Displacement and rotation of a piece that moves with it, at a centre, per unit of each coordinate.
+    /// Displacement and rotation, at a centre, of a rigid piece on the attachment, per unit of each coordinate.
     fn motion_at(&self, center: Vector3<f64>) -> Vec<(usize, Vector6<f64>)> {
         let arm = center - self.position;
         let mut motion: Vec<(usize, Vector6<f64>)> = Vec::new();
         for (column, shape) in &self.shapes {
             motion.push((*column, stacked((*shape).into(), Vector3::zeros())));
         }
-        for (column, turn) in self.turns.iter().flatten() {
+        for (column, turn) in self.rotations.iter().flatten() {
             let turn = Vector3::from(*turn);
             motion.push((*column, stacked(turn.cross(&arm), turn)));
         }
@@ -145,7 +149,7 @@ fn stacked(displacement: Vector3<f64>, rotation: Vector3<f64>) -> Vector6<f64> {
     Vector6::new(x, y, z, a, b, c)
 }
 
-/// Motion at a centre of a node with six freedoms, from its own.
+/// Motion at a centre of a node with six degrees of freedom, from its own.
 fn transport(arm: Vector3<f64>) -> Matrix6<f64> {
     let mut map = Matrix6::identity();
     map.fixed_view_mut::<3, 3>(0, 3).copy_from(&-arm.cross_matrix());
@@ -187,29 +191,30 @@ impl Element for Bushing {
         self.between(site.id, site.name, site.ends(self.from, self.to)?).map(Some)
     }
 
-    fn afloat(&self, id: ElementId, net: &mut Net<'_>) -> Result<(), ElementError> {
-        let [from, to] = joined(id, [self.from, self.to], |end| net.node_at(end))?;
+    fn afloat(&self, id: ElementId, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
+        let [from, to] = joined(id, [self.from, self.to], |end| graph.node_at(end))?;
         let laws = self.laws(id)?;
-        let nodes = [from, to].map(|node| net.structure.nodes[node]);
-        let center = self.center(nodes.map(|node| (node.place, node.turns)));
+        let nodes = [from, to].map(|node| graph.structure.nodes[node]);
+        let center = self.center(nodes.map(|node| (node.place, node.rotations)));
         for (node, number, field) in [(nodes[0], from, Field::FROM), (nodes[1], to, Field::TO)] {
-            self.accepts(&net.node_name(number), node.place, node.turns, center).map_err(at(id, field))?;
+            self.accepts(&graph.node_name(number), node.place, node.rotations, center)
+                .map_err(at(id, field))?;
         }
-        let matter = net.matter(&self.rheology);
-        let link = if nodes.iter().all(|node| node.turns) {
+        let material = graph.material(&self.rheology);
+        let link = if nodes.iter().all(|node| node.rotations) {
             let [a, b] = nodes.map(|node| transport(center - node.place));
-            Link::new([from, to], matter, [-a, b], laws)
+            Link::new([from, to], material, [-a, b], laws)
         } else {
             let distance = (nodes[1].place - nodes[0].place).norm();
             if distance > NO_ARM * (nodes[0].place.norm() + nodes[1].place.norm()) {
-                let [base, node] = if nodes[0].turns { [to, from] } else { [from, to] };
-                let (base, node) = (net.node_name(base), net.node_name(node));
+                let [base, node] = if nodes[0].rotations { [to, from] } else { [from, to] };
+                let (base, node) = (graph.node_name(base), graph.node_name(node));
                 return Err(at(id, Field::TO)(Problem::NoArm { base, node, distance }));
             }
             let laws = laws.map(|law| -> Matrix3<f64> { law.fixed_view::<3, 3>(0, 0).into_owned() });
-            Link::new([from, to], matter, [-Matrix3::identity(), Matrix3::identity()], laws)
+            Link::new([from, to], material, [-Matrix3::identity(), Matrix3::identity()], laws)
         };
-        net.structure.elements.push(Box::new(link));
+        graph.structure.elements.push(Box::new(link));
         Ok(())
     }
 }

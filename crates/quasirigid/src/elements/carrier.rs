@@ -5,7 +5,7 @@ use super::coefficient;
 use super::error::{ElementError, ElementId, Field, at};
 use crate::model::Inertia;
 
-/// The rigid body `G` that carries everything else (paper, §1).
+/// Carrier: the rigid body `G` that everything else is mounted on (paper, §1).
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carrier {

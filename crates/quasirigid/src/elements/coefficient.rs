@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::{Coefficient, HingeCoefficient, Problem};
 
-/// Entries that should agree may differ by this much relative to the largest entry: rounding of 13 digits.
+/// Difference, relative to the largest entry, up to which entries agree: rounding of 13 digits.
 const ROUNDING: f64 = 1e-12;
 
 pub(super) fn finite(values: &[f64]) -> Result<(), Problem> {
@@ -36,7 +36,7 @@ pub(super) fn unit(direction: [f64; 3]) -> Result<Vector3<f64>, Problem> {
     if largest > 0.0 { Ok((vector / largest).normalize()) } else { Err(Problem::ZeroDirection) }
 }
 
-/// The matrix of a spring's coefficient.
+/// Matrix of a spring's coefficient.
 pub(super) fn matrix(coefficient: Coefficient) -> Result<Matrix3<f64>, Problem> {
     let entries = match coefficient {
         Coefficient::Isotropic(value) => Matrix3::from_diagonal_element(value),
@@ -47,7 +47,7 @@ pub(super) fn matrix(coefficient: Coefficient) -> Result<Matrix3<f64>, Problem> 
     Ok(Matrix3::from_fn(|row, column| checked[(row, column)]))
 }
 
-/// The matrix of a hinge's coefficient, one row per axis.
+/// Matrix of a hinge's coefficient, one row per axis.
 pub(super) fn hinge_matrix(coefficient: &HingeCoefficient, axes: usize) -> Result<DMatrix<f64>, Problem> {
     let per_axis = |values| {
         if values == axes { Ok(()) } else { Err(Problem::ValuePerAxis { axes, values }) }

@@ -1,13 +1,13 @@
-//! To what order the equations of a body are those of the body.
+//! Completeness: the order to which the equations of a body have all the terms of the body.
 
 use std::collections::BTreeSet;
 
 use super::Assembly;
 
-/// What leaves terms out of the equations of a body, in the full system and in the reduced one alike. (S1)
+/// Model that leaves terms out of the equations of a body, in the full system and in the reduced one alike. (S1)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Incomplete {
-    /// Liquids in cavities that are no rings: the square of their velocity beyond that of slow flows. (L21)
+    /// Liquids in cavities that are no rings: terms in the square of their velocity beyond those of slow flows. (L21)
     Liquids,
     /// Ellipsoids: strain is linear.
     Ellipsoids,
@@ -17,7 +17,7 @@ pub enum Incomplete {
     Shapes,
     /// Axial springs: their force is linear in the displacement. (I10)
     AxialSprings,
-    /// Springs at places on appendages: they see the displacement to first order. (I10)
+    /// Springs at places on appendages: their displacements are linear. (I10)
     SpringsOnAppendages,
     /// Hinges: paths are of second order. (I8)
     Hinges,
@@ -42,7 +42,7 @@ impl Incomplete {
 }
 
 impl Assembly {
-    /// What leaves terms of order `p` and below out of the equations, the lowest order first.
+    /// Models that leave terms of order `p` and below out of the equations, the lowest order first.
     #[must_use]
     pub fn incomplete_at(&self, order: usize) -> Vec<Incomplete> {
         let all: BTreeSet<Incomplete> = self.each().flat_map(|(_, element)| element.incomplete()).collect();

@@ -1,4 +1,4 @@
-//! The compliance of a body, and how far two of them are apart.
+//! Compliance of a body, and the difference between two of them.
 
 use nalgebra::{Matrix6, MatrixXx6};
 
@@ -7,7 +7,7 @@ use crate::model::FlexibleBody;
 
 /// Products of the spin in the order xx, yy, zz, yz, zx, xy.
 const PRODUCTS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
-/// Products with less than this share of the largest compliance take next to no power beside others.
+/// Share of the largest compliance below which a product of the spin takes negligible power beside others.
 const FAINT: f64 = 1e-3;
 
 /// Static compliance on the products of the spin: half its form is the elastic energy.

@@ -1,7 +1,7 @@
-//! Element of a body: what each kind contributes to an assembly. A new kind is a file with this trait and a line in the list of
+//! Element of a body: the contributions of each kind to an assembly. A new kind is a file with this trait and a line in the list of
 //! kinds in [`elements`](super).
 
-use super::assembly::{Mover, Net};
+use super::assembly::{MovingBody, PartGraph};
 use super::attachment::{Attachment, Attachments};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::internal::Internal;
@@ -11,14 +11,14 @@ use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
 
-/// Element of a body; each kind implements what concerns it.
+/// Element of a body; each kind implements the methods that concern it.
 pub(in crate::elements) trait Element {
     /// Name; empty without one.
     fn name(&self) -> &str {
         ""
     }
 
-    /// Words for it where they say more than those of its kind.
+    /// More specific words for the element than those of its kind.
     fn words(&self) -> Option<&'static str> {
         None
     }
@@ -26,18 +26,18 @@ pub(in crate::elements) trait Element {
     /// Place of the element among the others.
     fn role(&self) -> Role;
 
-    /// Errors of its own values, and of what it names in the body: by default those of its mass and of its motion. Parts and
-    /// connections hold each other, and are checked together.
+    /// Errors of its own values, and of the other elements that it names: by default those of its mass and of its motion. Parts and
+    /// connections constrain each other, and are checked together.
     fn check(&self, id: ElementId, _body: &Assembly) -> Vec<ElementError> {
-        self.mover(id).err().into_iter().chain(self.inner(id, 0).err()).collect()
+        self.moving_body(id).err().into_iter().chain(self.inner(id, 0).err()).collect()
     }
 
-    /// Material of a body that this element is alone.
+    /// Material of a body that consists of this element alone.
     fn homogeneous(&self) -> Option<&Material> {
         None
     }
 
-    /// The body that it is as a whole; `told` says whether errors of a given approximation are wanted.
+    /// Whole body made of this element; `told` asks for the error of a given approximation too.
     fn whole(
         &self,
         _id: ElementId,
@@ -57,17 +57,17 @@ pub(in crate::elements) trait Element {
         Vec::new()
     }
 
-    /// Places of other elements at which it acts.
+    /// Grips: places of other elements at which the element acts.
     fn grips(&self) -> Vec<Grip> {
         Vec::new()
     }
 
     /// Rigid piece of mass with coordinates of its own.
-    fn mover(&self, _id: ElementId) -> Result<Option<Mover>, ElementError> {
+    fn moving_body(&self, _id: ElementId) -> Result<Option<MovingBody>, ElementError> {
         Ok(None)
     }
 
-    /// Motion inside the carrier; `order` is that to which the slow manifold is wanted.
+    /// Internal motion in the carrier; `order` is that to which the slow manifold is wanted.
     fn inner(&self, _id: ElementId, _order: usize) -> Result<Option<Internal>, ElementError> {
         Ok(None)
     }
@@ -83,7 +83,7 @@ pub(in crate::elements) trait Element {
     }
 
     /// Adds its finite elements to the structure of a body without a carrier.
-    fn afloat(&self, _id: ElementId, _net: &mut Net<'_>) -> Result<(), ElementError> {
+    fn afloat(&self, _id: ElementId, _net: &mut PartGraph<'_>) -> Result<(), ElementError> {
         Ok(())
     }
 }
@@ -97,7 +97,7 @@ pub(super) enum Role {
     Mass,
     /// Mass on the carrier alone; an error without one is about this key.
     OnCarrier(Field),
-    /// Rotor, wheel or liquid inside the carrier; an error without one is about this key.
+    /// Internal rotor, wheel or liquid of the carrier; an error without one is about this key.
     Inside(Field),
     /// Force between other elements.
     Link,
@@ -108,7 +108,7 @@ pub(super) enum Role {
 /// Place at which an element acts on another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grip {
-    /// Key that names it.
+    /// Key of the model file that names the place.
     pub field: Field,
     /// The place.
     pub end: End,
@@ -116,7 +116,7 @@ pub(super) struct Grip {
     pub moment: bool,
 }
 
-/// Element in the body on a carrier that it becomes part of.
+/// Element on a body with a carrier: its identity, its coordinates and the places of the others.
 pub(super) struct Site<'a> {
     pub id: ElementId,
     /// Name of the element as a dissipator.
@@ -145,7 +145,7 @@ impl Site<'_> {
 /// The ends of a link, each found by its place.
 ///
 /// # Errors
-/// [`ElementError`] for an end that is not there, and for two that are the same.
+/// [`ElementError`] for an end that does not exist, and for two that are the same.
 pub(super) fn joined<T>(
     id: ElementId,
     [from, to]: [End; 2],
@@ -163,7 +163,7 @@ impl Grip {
 }
 
 impl Role {
-    /// Whether no other element may have its name: links of one name are one dissipator, and nothing refers to the others by theirs.
+    /// Whether the name must be unique: links of one name are one dissipator, and nothing refers to the others by theirs.
     pub fn is_unique(self) -> bool {
         matches!(self, Self::Mass | Self::OnCarrier(_) | Self::Inside(_))
     }

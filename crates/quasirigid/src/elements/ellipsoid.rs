@@ -1,3 +1,7 @@
+//! Homogeneous elastic ellipsoid: a whole body from displacements that are polynomials of first and third degree.
+//! A rotation loads it linearly in the position, so its static response lies in this space exactly and no mesh is needed.
+//! Equations (G2) to (G4), docs/theory/11-materials.md.
+
 use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
@@ -15,9 +19,9 @@ use crate::structure::Block;
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///
-/// The body frame is the Tisserand frame: the displacement has no momentum and no angular momentum. The displacements
-/// are all those of first and third degree in the position, 36 coordinates; the loads of a free rotation bend a
-/// homogeneous ellipsoid in just such a shape, so the static answer is exact.
+/// The body frame is the Tisserand frame: the displacement has neither linear nor angular momentum. The displacements are all those of
+/// first and third degree in the position, 36 coordinates; the loads of a free rotation deform a homogeneous ellipsoid in just such a
+/// shape, so the static response is exact.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipsoid {
@@ -27,7 +31,7 @@ pub struct Ellipsoid {
     pub semi_axes: [f64; 3],
     /// Centre (m), in the file's frame.
     pub center: [f64; 3],
-    /// What it is made of.
+    /// Material of the solid.
     pub material: Material,
 }
 
@@ -49,7 +53,7 @@ struct Shape {
 const ODD: [f64; 6] = [1.0, 1.0, 3.0, 15.0, 105.0, 945.0];
 
 impl Ellipsoid {
-    /// The body.
+    /// Flexible body of the ellipsoid.
     fn body(&self, place: ElementId) -> Result<FlexibleBody, ElementError> {
         self.check_values(place)?;
         let shapes = self.shapes();
@@ -66,7 +70,7 @@ impl Ellipsoid {
         whole.body()
     }
 
-    /// Everything wrong with its values, the first of it.
+    /// First error among its values.
     fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.semi_axes
             .iter()
@@ -76,8 +80,8 @@ impl Ellipsoid {
         self.material.check(place)
     }
 
-    /// The 36 shapes: three stretches, three shears without angular momentum, and thirty cubic ones each less the
-    /// rotation in it. (G3)
+    /// The 36 shapes: three stretches, three shears without angular momentum, and thirty cubic ones, each less the rotation that it
+    /// contains. (G3)
     fn shapes(&self) -> Vec<Shape> {
         let mut shapes = Vec::with_capacity(36);
         for axis in 0..3 {
@@ -111,7 +115,7 @@ impl Ellipsoid {
         shapes
     }
 
-    /// The rotation that takes the angular momentum of a displacement away.
+    /// Rotation that cancels the angular momentum of a displacement.
     fn rotation_in(&self, term: Term) -> Vec<Term> {
         let h = moment::cross(&self.moment(&self.position(), &[term]));
         let about = |axis: usize| {
@@ -263,7 +267,7 @@ impl Ellipsoid {
         }
     }
 
-    /// Pressure of its own gravity at the centre of the sphere of its volume (Pa).
+    /// Pressure of self-gravity at the centre of the sphere of equal volume (Pa).
     #[must_use]
     pub fn central_pressure(&self) -> f64 {
         const GRAVITATION: f64 = 6.6743e-11;

@@ -58,13 +58,13 @@ pub(super) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -
 }
 
 fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
-    coefficient::positive(orbit.parameter).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
+    coefficient::positive(orbit.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
     coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
     elliptic(orbit.eccentricity).map_err(at(place, Field::ECCENTRICITY))?;
     let angles = [
         (Field::INCLINATION, orbit.inclination),
-        (Field::NODE, orbit.node),
-        (Field::PERIAPSIS, orbit.periapsis),
+        (Field::NODE, orbit.raan),
+        (Field::PERIAPSIS, orbit.argument_of_periapsis),
         (Field::MEAN_ANOMALY, orbit.mean_anomaly),
     ];
     angles.into_iter().try_for_each(|(field, angle)| coefficient::finite(&[angle]).map_err(at(place, field)))

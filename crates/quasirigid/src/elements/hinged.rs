@@ -1,7 +1,11 @@
+//! Hinged appendage: a rigid piece on up to three gimbal axes, with its hinge spring.
+//! The paths of its points are curved, and the second order of the angles belongs to the reduced equations: linear shapes would lose it.
+//! Equations (I8) and (I9), docs/theory/02-invariants.md.
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::affine::{Field as Shape, Piece};
-use super::assembly::Mover;
+use super::assembly::MovingBody;
 use super::element::{Element, Role, Site};
 use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use super::{Assembly, Incomplete, coefficient};
@@ -24,7 +28,7 @@ pub struct Hinged {
     /// Inertia tensor (kg·m²) about the appendage's own centre of mass, in the file's axes. A thin rod has none
     /// about its own line.
     pub inertia: [[f64; 3]; 3],
-    /// Where the hinge sits (m), in the file's frame.
+    /// Place of the hinge (m), in the file's frame.
     pub hinge: [f64; 3],
     /// Hinge axes, outermost first; any length but zero.
     pub axes: Vec<[f64; 3]>,
@@ -32,9 +36,9 @@ pub struct Hinged {
     pub stiffness: HingeCoefficient,
     /// Rotational damping (N·m·s/rad), in the same form.
     pub damping: HingeCoefficient,
-    /// How the spring of the hinge itself answers periodic strain, beside the damping.
+    /// Rheology of the hinge spring itself: response to periodic strain, beside the damping.
     pub rheology: Rheology,
-    /// Places on it at which springs and forces act: names, and where they are at equilibrium (m), in the file's frame.
+    /// Places on it at which springs and forces act: names and equilibrium positions (m), in the file's frame.
     pub places: Vec<(String, [f64; 3])>,
 }
 
@@ -58,13 +62,13 @@ pub enum HingeCoefficient {
     Full(Vec<Vec<f64>>),
 }
 
-/// Axes are independent if the sine of the angle between them, or their triple product, is above this.
+/// Sine of the angle between two axes, or triple product of three, above which they are linearly independent.
 const INDEPENDENT: f64 = 1e-6;
-/// An axis moves mass if the moment of inertia about it is above this share of the appendage's largest.
+/// Moment of inertia about an axis, as a share of the appendage's largest, above which the axis moves mass.
 const MASSIVE: f64 = 1e-12;
 
 impl Hinged {
-    fn moved(&self, place: ElementId) -> Result<Mover, ElementError> {
+    fn moved(&self, place: ElementId) -> Result<MovingBody, ElementError> {
         coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
         coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CENTER_OF_MASS))?;
         coefficient::finite(&self.hinge).map_err(at(place, Field::HINGE))?;
@@ -75,12 +79,12 @@ impl Hinged {
         let piece = Piece::rigid(self.mass, center, &inertia);
         let shapes: Vec<_> = axes.iter().map(|a| Shape::linear(a.cross_matrix())).collect();
         moves_mass(&piece, &shapes).map_err(at(place, Field::AXES))?;
-        Ok(Mover {
+        Ok(MovingBody {
             piece,
             base: hinge,
             shapes,
             curvature: curvature(&axes),
-            turns: true,
+            rotations: true,
             coordinates: (1..=axes.len())
                 .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
                 .collect(),
@@ -97,7 +101,7 @@ impl Hinged {
         self.places.iter().map(placed).collect()
     }
 
-    /// Stiffness and damping about its axes, whose coordinates start here. (I9)
+    /// Stiffness and damping about its axes, with coordinates numbered from `start`. (I9)
     fn about_axes(&self, place: ElementId, start: usize) -> Result<Block, ElementError> {
         let count = self.axes.len();
         if !(1..=3).contains(&count) {
@@ -119,7 +123,7 @@ impl Hinged {
         })
     }
 
-    /// The hinge with its axes, whose coordinates start here.
+    /// The hinge with its axes, with coordinates numbered from `start`.
     pub(super) fn hinge(&self, index: usize, start: usize) -> Result<Hinge, ElementError> {
         let axes = self.unit_axes().map_err(at(ElementKind::Hinged.at(index), Field::AXES))?;
         let axes = axes.into_iter().enumerate().map(|(j, axis)| (start + j, axis.into()));
@@ -159,7 +163,7 @@ impl Element for Hinged {
         vec![&mut self.rheology]
     }
 
-    fn mover(&self, id: ElementId) -> Result<Option<Mover>, ElementError> {
+    fn moving_body(&self, id: ElementId) -> Result<Option<MovingBody>, ElementError> {
         self.moved(id).map(Some)
     }
 
@@ -182,7 +186,7 @@ fn moves_mass(piece: &Piece, shapes: &[Shape]) -> Result<(), Problem> {
     still.map_or(Ok(()), |axis| Err(Problem::MasslessAxis { axis: axis + 1 }))
 }
 
-/// Where the appendage moves most: one radius of gyration from the hinge along the line most of its mass lies on.
+/// Watched place: one radius of gyration from the hinge along the line on which most of the mass lies.
 fn farthest(piece: &Piece, center: Vector3<f64>) -> Vector3<f64> {
     let eigen = piece.second.symmetric_eigen();
     let longest = eigen.eigenvalues.imax();

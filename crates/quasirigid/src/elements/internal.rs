@@ -8,13 +8,13 @@ use super::error::ElementError;
 use crate::model::{Advection, Coordinate, LiquidMemory, Pair, Wheels};
 use crate::structure::Entries;
 
-/// Internal motion of a rotor, a wheel or a liquid, which moves neither the centre of mass of the carrier nor changes its inertia. Its
-/// coordinates are cyclic. (C1), (C2)
+/// Internal motion of a rotor, a wheel or a liquid: cyclic coordinates, which neither move the centre of mass of the carrier nor change its
+/// inertia. (C1), (C2)
 #[derive(Clone, Debug, Default)]
 pub(super) struct Internal {
-    /// One per cyclic coordinate.
+    /// Name and unit of each cyclic coordinate.
     pub coordinates: Vec<Coordinate>,
-    /// Angular momentum of each.
+    /// Angular momentum per unit rate of each.
     pub h: Vec<[f64; 3]>,
     /// Mass and gyroscopic coupling, by row and column.
     pub pairs: Vec<(usize, usize, Pair)>,
@@ -24,18 +24,18 @@ pub(super) struct Internal {
     pub memories: Vec<LiquidMemory>,
     /// Advection of liquids.
     pub advections: Vec<Advection>,
-    /// Rates that the file gives for the start, by coordinate.
+    /// Rates of coordinates at the start that the file gives.
     pub speeds: Vec<(usize, f64)>,
     /// Angular momentum of wheels.
     pub wheels: Wheels,
-    /// Mass that is added to the carrier, with its centre (m), in the file's frame.
+    /// Mass that the internal elements add to the carrier, each piece with its centre (m), in the file's frame.
     pub rigid: Vec<(Piece, Vector3<f64>)>,
     /// Slow response of liquids.
     pub liquids: Vec<SlowLiquid>,
 }
 
 impl Internal {
-    /// Sum over the elements inside a body, numbered in order from `first`.
+    /// Sum over the internal elements of a body, numbered in order from `first`.
     pub fn sum(
         first: usize,
         elements: impl Iterator<Item = Result<Self, ElementError>>,
@@ -57,7 +57,7 @@ impl Internal {
         Ok(sum)
     }
 
-    /// The same with its coordinates numbered from `start`.
+    /// Internal motion with its coordinates numbered from `start`.
     fn numbered_from(mut self, start: usize) -> Self {
         let moved = |range: &mut Range<usize>| *range = start + range.start..start + range.end;
         self.memories.iter_mut().for_each(|memory| moved(&mut memory.coordinates));

@@ -30,7 +30,7 @@ macro_rules! kinds {
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Assembly {
-            /// The rigid body that carries everything else; none of a body that is elastic throughout.
+            /// Carrier: the rigid body that everything else is mounted on; none of a body that is elastic throughout.
             pub carrier: Option<Carrier>,
             $($(#[$doc])* pub $list: Vec<$type>,)+
             /// Number of coordinates that parts of finite elements are given.

@@ -2,7 +2,7 @@ use super::coefficient;
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Rheology;
 
-/// What a solid is made of: homogeneous and isotropic.
+/// Material of a solid: homogeneous and isotropic.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -12,7 +12,7 @@ pub struct Material {
     pub young: f64,
     /// Poisson's ratio, above −1 and below ½.
     pub poisson: f64,
-    /// How it answers periodic strain.
+    /// Rheology: response to periodic strain.
     pub rheology: Rheology,
 }
 

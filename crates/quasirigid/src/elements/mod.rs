@@ -1,4 +1,4 @@
-//! The parts a body is made of, and their assembly into a flexible body.
+//! Elements: the components of a body that a user describes, and their assembly into a flexible body.
 
 #[macro_use]
 mod kinds;
@@ -50,8 +50,8 @@ pub use kinds::ElementId;
 pub use material::Material;
 pub use network::Network;
 pub use part::{
-    Anchor, Connection, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass, NodeRef,
-    Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, Substance, TipMass,
+    Anchor, Connection, ElasticMaterial, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass,
+    NodeRef, Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
 };
 pub use point::{Point, PointMotion};
 pub use rotor::{Rotor, RotorKind};
@@ -80,7 +80,7 @@ kinds! {
     parts: Part(Part) = "part";
     /// Joints between parts, and between them and the carrier.
     connections: Connection(Connection) = "connection";
-    /// Rotors that friction brakes.
+    /// Rotors with friction.
     rotors: Rotor(Rotor) = "rotor";
     /// Momentum wheels.
     wheels: Wheel(Wheel) = "wheel";

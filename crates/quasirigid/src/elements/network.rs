@@ -1,3 +1,7 @@
+//! Random network of masses and springs that fills an ellipsoid, as simulations of rubble piles use it.
+//! Points and springs are ordinary elements; the random numbers are our own, so a seed gives the same network in every version.
+//! Random-spring networks `[@quillen2019]`, generator SplitMix64 `[@steele2014]`.
+
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -27,7 +31,7 @@ pub struct Network {
     pub reach: f64,
     /// Stiffness of each spring (N/m).
     pub stiffness: f64,
-    /// How each spring answers periodic strain.
+    /// Rheology of each spring: response to periodic strain.
     pub rheology: Rheology,
     /// Seed of the random numbers.
     pub seed: u64,
@@ -37,7 +41,7 @@ pub struct Network {
 const THROWS: f64 = 40.0;
 
 impl Network {
-    /// Number of points to expect at most: as many spheres of the least distance as fit at random.
+    /// Upper estimate of the number of points: as many spheres of the least distance as a random packing has.
     #[must_use]
     pub fn expected(&self) -> f64 {
         0.8 * self.volume() / self.spacing.powi(3)

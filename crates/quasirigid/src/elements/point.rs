@@ -1,13 +1,16 @@
+//! Material point on straight paths: free, on a line or in a plane of the carrier.
+//! The constraint leaves unit vectors as its shapes, so its coordinates are displacements along them and need no equation of constraint.
+
 use nalgebra::Vector3;
 
 use super::affine::{Field as Shape, Piece};
-use super::assembly::Mover;
+use super::assembly::MovingBody;
 use super::coefficient;
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Coordinate;
 
-/// A material point with its equilibrium position and the motion that ideal constraints leave it (paper, §1).
+/// Material point with its equilibrium position and the directions that ideal constraints leave free (paper, §1).
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -33,14 +36,14 @@ pub enum PointMotion {
     Plane([f64; 3]),
 }
 
-/// A displacement is along the directions left to a point if all but this share of it is.
+/// Share of a displacement across the free directions up to which it is along them.
 const ALONG: f64 = 1e-6;
 
 impl Point {
     /// Coordinates of a displacement of the point (m, file's axes), or of its rate.
     ///
     /// # Errors
-    /// [`Problem::Barred`] if the constraints do not leave it, and what the directions they leave may have wrong.
+    /// [`Problem::Barred`] if the constraints bar it, and errors of the free directions themselves.
     pub fn coordinates_of(&self, displacement: [f64; 3]) -> Result<Vec<f64>, Problem> {
         coefficient::finite(&displacement)?;
         let displacement = Vector3::from(displacement);
@@ -67,17 +70,17 @@ impl Point {
         })
     }
 
-    fn moved(&self, place: ElementId) -> Result<Mover, ElementError> {
+    fn moved(&self, place: ElementId) -> Result<MovingBody, ElementError> {
         coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
         coefficient::finite(&self.position).map_err(at(place, Field::POSITION))?;
         let directions = self.directions().map_err(at(place, Field::MOTION))?;
         let still = vec![Shape::constant(Vector3::zeros()); directions.len()];
-        Ok(Mover {
+        Ok(MovingBody {
             piece: Piece::point(self.mass),
             base: self.position.into(),
             shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
             curvature: vec![still; directions.len()],
-            turns: false,
+            rotations: false,
             coordinates: directions
                 .iter()
                 .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })
@@ -97,7 +100,7 @@ impl Element for Point {
         Role::Mass
     }
 
-    fn mover(&self, id: ElementId) -> Result<Option<Mover>, ElementError> {
+    fn moving_body(&self, id: ElementId) -> Result<Option<MovingBody>, ElementError> {
         self.moved(id).map(Some)
     }
 }

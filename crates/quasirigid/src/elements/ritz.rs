@@ -1,3 +1,7 @@
+//! Ritz method for a homogeneous solid: displacements that are polynomials of the place, from the moments of its volume.
+//! The coordinates are responses to the loads of a rotation, in a space that is solved once with rigid motions fixed by springs.
+//! Equations (G2), (G4), (G5), (G9) and (G10), docs/theory/11-materials.md.
+
 use std::ops::AddAssign;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Vector3};
@@ -25,7 +29,7 @@ pub(super) struct Solid<'a> {
     pub moment: &'a dyn Fn([usize; 3]) -> f64,
 }
 
-/// The answers of a solid to the loads of a rotation, as coordinates of their own: its rms displacement is the coordinate.
+/// Responses of a solid to the loads of a rotation, as coordinates of their own: each is scaled to the rms displacement.
 pub(super) struct Ritz {
     pub invariants: Invariants,
     pub stiffness: Vec<Vec<f64>>,
@@ -46,14 +50,13 @@ struct Polynomials {
     coefficients: DMatrix<f64>,
 }
 
-/// Powers of `C⁻¹A` on the static answers that are kept: the response is then right to the same power of the square of the
-/// frequency.
+/// Powers of `C⁻¹A` on the static responses in the space: the response is then right to the same power of the square of the frequency.
 const POWERS: usize = 2;
-/// A displacement that keeps less than this share of its energy is a combination of the others.
+/// Share of its energy below which the rest of a displacement is linearly dependent on the others.
 const DEPENDENT: f64 = 1e-10;
 
 impl Solid<'_> {
-    /// The answers among polynomials up to a degree. (G10)
+    /// Responses among polynomials up to a degree. (G10)
     pub fn ritz(&self, degree: usize) -> Result<Ritz, Problem> {
         let polynomials = self.polynomials(degree)?;
         let position = self.position(&polynomials);
@@ -232,7 +235,7 @@ fn outer(u: &Matrix3xX<f64>, v: &Matrix3xX<f64>) -> Matrix3<f64> {
     u * v.transpose()
 }
 
-/// The stiffness with the six motions of a rigid body held: what a load in balance meets without a change. (G2)
+/// Stiffness with springs on the six rigid motions, which a load in balance does not excite. (G2)
 fn held(stiffness: &DMatrix<f64>, position: &Matrix3xX<f64>) -> DMatrix<f64> {
     let mut held = stiffness.clone();
     let firm = stiffness.trace() / stiffness.nrows() as f64;
@@ -269,7 +272,7 @@ fn field(vector: &DVector<f64>) -> Matrix3xX<f64> {
     Matrix3xX::from_column_slice(vector.as_slice())
 }
 
-/// What the last two degrees add to the compliance: forward substitution never looks back.
+/// Growth of the compliance by the last two degrees: forward substitution uses leading blocks alone, so one factor gives all degrees.
 fn growth(forward: &DMatrix<f64>, degree: usize) -> f64 {
     let lower = 3 * (0..degree.saturating_sub(1)).map(|d| (d + 1) * (d + 2) / 2).sum::<usize>();
     let form = |rows: usize| {
@@ -279,7 +282,7 @@ fn growth(forward: &DMatrix<f64>, degree: usize) -> f64 {
     compliance::gap(&form(forward.nrows()), &form(lower))
 }
 
-/// The answers without those that are combinations of others, each scaled to an rms displacement of one.
+/// Responses that are linearly independent, each scaled to an rms displacement of one.
 fn independent(answers: &[DMatrix<f64>], stiffness: &DMatrix<f64>, mass: f64) -> Vec<DVector<f64>> {
     let mut kept: Vec<DVector<f64>> = Vec::new();
     for answer in answers {

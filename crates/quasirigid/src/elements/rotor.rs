@@ -1,3 +1,7 @@
+//! Rotor with friction on its bearing: cyclic coordinates for a flywheel about one axis or a ball about three.
+//! Its mass and locked inertia belong to the carrier, so the rotor adds only its coordinates, their coupling and the friction.
+//! Equation (C9), docs/theory/13-inside.md.
+
 use nalgebra::Vector3;
 
 use super::coefficient;
@@ -6,7 +10,7 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::internal::Internal;
 use crate::model::{Coordinate, Pair};
 
-/// A rotor that friction brakes relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
+/// A rotor with friction relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
 ///
 /// Its mass and, locked, its inertia belong to the carrier.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -14,18 +18,18 @@ use crate::model::{Coordinate, Pair};
 pub struct Rotor {
     /// Unique name.
     pub name: String,
-    /// What turns.
+    /// Axes of rotation.
     pub kind: RotorKind,
     /// Moment of inertia about its axis (kg·m²).
     pub inertia: f64,
     /// Friction coefficient `κ` (N·m·s/rad): the torque per relative speed.
     pub friction: f64,
-    /// Speed relative to the carrier at the start (rad/s), one value per axis; none if it starts as the friction would have
-    /// it.
+    /// Speed relative to the carrier at the start (rad/s), one value per axis; none for the speed at which friction leaves the rotor on the
+    /// slow manifold.
     pub speed: Option<Vec<f64>>,
 }
 
-/// What a rotor turns about.
+/// Axes about which a rotor turns.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RotorKind {

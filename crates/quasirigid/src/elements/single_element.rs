@@ -4,7 +4,7 @@ use super::{Condensation, Resolution};
 use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Wheels};
 use crate::structure::Block;
 
-/// A free body that is one element, elastic throughout, in its Tisserand frame.
+/// Free body of a single element, elastic throughout, in its Tisserand frame.
 pub(super) struct Whole {
     pub place: ElementId,
     /// Centre of mass (m), in the file's frame.
@@ -15,7 +15,7 @@ pub(super) struct Whole {
     pub markers: Vec<Marker>,
 }
 
-/// A body that is one element, with what it took to find it.
+/// Body of a single element, with the approximation that was used.
 pub(super) struct WholeBody {
     pub body: FlexibleBody,
     pub condensation: Option<Condensation>,
@@ -26,7 +26,7 @@ impl Whole {
     /// The body.
     pub fn body(self) -> Result<FlexibleBody, ElementError> {
         let Self { place, center, invariants, block, coordinates, markers } = self;
-        let Matrices { stiffness, damping, lossy, dissipators } =
+        let Matrices { stiffness, damping, viscoelastic, dissipators } =
             Matrices::sum(coordinates.len(), std::iter::once(Ok(block)), &[])?;
         FlexibleBody::new(BodyParts {
             support: Support::Free,
@@ -35,7 +35,7 @@ impl Whole {
             invariants,
             damping,
             stiffness,
-            lossy,
+            viscoelastic,
             dissipators,
             memories: Vec::new(),
             coordinates,

@@ -1,6 +1,10 @@
+//! Spring with a dashpot between two places: spatial or axial, relaxed or under tension.
+//! A tension at rest acts on the second order of the displacement: it adds stiffness across its line, and tensions must balance.
+//! Equations (I9) and (I10), docs/theory/02-invariants.md.
+
 use nalgebra::{Matrix3, Vector3};
 
-use super::assembly::Net;
+use super::assembly::PartGraph;
 use super::attachment::Attachment;
 use super::element::{Element, Grip, Preload, Role, Site, joined};
 use super::error::{ElementError, ElementId, Field, Problem, at};
@@ -13,12 +17,12 @@ use crate::structure::Block;
 
 /// A linear spring with a linear dashpot beside it, between two ends.
 ///
-/// It acts on the displacement of one end relative to the other, taken in body axes, so a body that turns
-/// steadily does not work it.
+/// The spring acts on the displacement of one end relative to the other, taken in body axes, so a body that rotates steadily does not work
+/// it.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
-    /// Name; empty if it is called after its ends. Springs of the same name are one dissipator.
+    /// Name; empty for a name made of the ends. Springs of the same name are one dissipator.
     pub name: String,
     /// One end.
     pub from: End,
@@ -26,11 +30,11 @@ pub struct Spring {
     pub to: End,
     /// Force per displacement and force per rate.
     pub law: SpringLaw,
-    /// How the spring itself answers periodic strain, beside the dashpot.
+    /// Rheology of the spring itself: response to periodic strain, beside the dashpot.
     pub rheology: Rheology,
 }
 
-/// What an end of a spring is fixed to.
+/// End of a spring: the element to which it is attached.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
@@ -61,14 +65,14 @@ pub enum SpringLaw {
         stiffness: f64,
         /// Damping (N·s/m).
         damping: f64,
-        /// Where the carrier's end sits (m, file's frame); needed when one end is the carrier.
+        /// Place of the carrier's end (m, file's frame); needed when one end is the carrier.
         anchor: Option<[f64; 3]>,
-        /// What it pulls with at rest.
+        /// Load at rest.
         prestress: Prestress,
     },
 }
 
-/// What an axial spring pulls with while the body is at rest. (I10)
+/// Load of an axial spring while the body is at rest. (I10)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Prestress {
@@ -77,7 +81,7 @@ pub enum Prestress {
     Relaxed,
     /// A tension (N), negative in a strut under pressure.
     Tension(f64),
-    /// What the stiffness makes of a length that it would have without load (m).
+    /// Tension from the stiffness and a natural length without load (m).
     NaturalLength(f64),
 }
 
@@ -85,7 +89,7 @@ pub enum Prestress {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coefficient {
-    /// The same in every direction.
+    /// Equal in every direction.
     Isotropic(f64),
     /// One value per axis of the file's frame.
     Diagonal([f64; 3]),
@@ -235,17 +239,17 @@ impl Element for Spring {
         Ok(self.tension(site.id, ends)?.map(|tension| tension.preload(site.name, ends)))
     }
 
-    fn afloat(&self, id: ElementId, net: &mut Net<'_>) -> Result<(), ElementError> {
-        let nodes = joined(id, [self.from, self.to], |end| net.node_at(end))?;
+    fn afloat(&self, id: ElementId, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
+        let nodes = joined(id, [self.from, self.to], |end| graph.node_at(end))?;
         if matches!(self.law, SpringLaw::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
             return Err(at(id, Field::TENSION)(Problem::TensionAfloat));
         }
-        let places = nodes.map(|node| net.structure.nodes[node].place);
+        let places = nodes.map(|node| graph.structure.nodes[node].place);
         let (stiffness, damping) = self.matrices(id, places)?;
-        let matter = net.matter(&self.rheology);
+        let material = graph.material(&self.rheology);
         let strain = [-Matrix3::identity(), Matrix3::identity()];
-        let link = Link::new(nodes, matter, strain, [stiffness, damping]);
-        net.structure.elements.push(Box::new(link));
+        let link = Link::new(nodes, material, strain, [stiffness, damping]);
+        graph.structure.elements.push(Box::new(link));
         Ok(())
     }
 }

@@ -5,13 +5,13 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::{Assembly, End, coefficient};
 use crate::model::Marker;
 
-/// Where an external force acts on a body.
+/// Station: the point of action of an external force.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// The part it acts on.
+    /// Element on which the force acts.
     pub on: End,
-    /// The place on the carrier (m), in the file's frame; none on a point or node, where the force acts at it.
+    /// Place on the carrier (m), in the file's frame; none on a point or node, where the force acts at its place.
     pub at: Option<[f64; 3]>,
 }
 

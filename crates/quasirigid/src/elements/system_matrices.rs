@@ -2,15 +2,14 @@
 
 use super::ElementError;
 use crate::math::sparse::SparseRows;
-use crate::model::{Dissipator, Lossy, Rheology};
+use crate::model::{Dissipator, Rheology, Viscoelastic};
 use crate::structure::{Block, Entries};
 
-/// Stiffness and damping of all coordinates, the parts of the stiffness with a loss of their own, and what dissipates. (I9), (G1),
-/// (D1)
+/// Stiffness and damping of all coordinates, the viscoelastic parts of the stiffness, and the dissipators. (I9), (G1), (D1)
 pub(super) struct Matrices {
     pub stiffness: SparseRows<f64>,
     pub damping: SparseRows<f64>,
-    pub lossy: Vec<Lossy>,
+    pub viscoelastic: Vec<Viscoelastic>,
     pub dissipators: Vec<Dissipator>,
 }
 
@@ -22,7 +21,7 @@ struct Draft {
 }
 
 impl Matrices {
-    /// Adds up the blocks of a body of this many coordinates, and the friction of what turns inside it, by name.
+    /// Sums the blocks of a body of this many coordinates, and the friction of internal rotors and liquids, by name.
     pub fn sum(
         size: usize,
         blocks: impl Iterator<Item = Result<Block, ElementError>>,
@@ -49,18 +48,19 @@ impl Matrices {
             damping.extend_from_slice(entries);
             Draft::add(&mut drafts, name, entries, None);
         }
-        let lossy = |(rheology, entries)| Lossy { rheology, stiffness: SparseRows::sum(size, entries) };
+        let viscoelastic =
+            |(rheology, entries)| Viscoelastic { rheology, stiffness: SparseRows::sum(size, entries) };
         Ok(Self {
             stiffness: SparseRows::sum(size, stiffness),
             damping: SparseRows::sum(size, damping),
-            lossy: materials.into_iter().map(lossy).collect(),
+            viscoelastic: materials.into_iter().map(viscoelastic).collect(),
             dissipators: drafts.into_iter().map(|draft| draft.finished(size)).collect(),
         })
     }
 }
 
 impl Draft {
-    /// Adds damping and loss to the dissipator of a name; what has neither is none.
+    /// Adds damping and loss to the dissipator of a name; an entry with neither adds none.
     fn add(drafts: &mut Vec<Self>, name: &str, damping: &Entries, loss: Option<(Rheology, Entries)>) {
         let damping = damping.iter().copied().filter(|(_, _, entry)| *entry != 0.0);
         let mut damping = damping.peekable();
@@ -87,11 +87,12 @@ impl Draft {
     }
 
     fn finished(self, size: usize) -> Dissipator {
-        let lossy = |(rheology, entries)| Lossy { rheology, stiffness: SparseRows::sum(size, entries) };
+        let viscoelastic =
+            |(rheology, entries)| Viscoelastic { rheology, stiffness: SparseRows::sum(size, entries) };
         Dissipator {
             name: self.name,
             damping: SparseRows::sum(size, self.damping),
-            loss: self.loss.map(lossy),
+            loss: self.loss.map(viscoelastic),
         }
     }
 }

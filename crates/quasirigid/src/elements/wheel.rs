@@ -5,7 +5,7 @@ use super::internal::Internal;
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
 
-/// A momentum wheel: a motor gives it a speed relative to the carrier. (C4)
+/// Momentum wheel: a motor sets its speed relative to the carrier. (C4)
 ///
 /// Its mass and, locked, its inertia belong to the carrier.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -13,22 +13,22 @@ use crate::model::{DrivenWheel, Wheels};
 pub struct Wheel {
     /// Unique name.
     pub name: String,
-    /// Direction of the axis, any length but zero; the wheel turns about it by the right-hand rule.
+    /// Direction of the axis, any length but zero; the wheel rotates about it by the right-hand rule.
     pub axis: [f64; 3],
-    /// How fast it turns.
+    /// Speed of the wheel.
     pub speed: WheelSpeed,
 }
 
-/// How fast a momentum wheel turns relative to the carrier.
+/// Speed of a momentum wheel relative to the carrier.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum WheelSpeed {
-    /// The same at all times.
+    /// Constant at all times.
     Constant {
         /// Moment of inertia about its axis times speed (N·m·s).
-        momentum: f64,
+        angular_momentum: f64,
     },
-    /// As a formula has it.
+    /// Given by a formula.
     Prescribed {
         /// Moment of inertia about its axis (kg·m²).
         inertia: f64,
@@ -38,13 +38,13 @@ pub enum WheelSpeed {
 }
 
 impl Wheel {
-    /// The wheel as a part of the motion inside the carrier: an angular momentum that it has at any spin, or a speed over time.
+    /// Internal motion of the wheel: a constant angular momentum at any spin, or a speed over time.
     fn turning(&self, place: ElementId) -> Result<Wheels, ElementError> {
         let axis = coefficient::unit(self.axis).map_err(at(place, Field::AXIS))?;
         match &self.speed {
-            WheelSpeed::Constant { momentum } => {
-                coefficient::finite(&[*momentum]).map_err(at(place, Field::MOMENTUM))?;
-                Ok(Wheels { constant: (*momentum * axis).into(), ..Wheels::default() })
+            WheelSpeed::Constant { angular_momentum } => {
+                coefficient::finite(&[*angular_momentum]).map_err(at(place, Field::MOMENTUM))?;
+                Ok(Wheels { constant: (*angular_momentum * axis).into(), ..Wheels::default() })
             }
             WheelSpeed::Prescribed { inertia, speed } => {
                 coefficient::positive(*inertia).map_err(at(place, Field::INERTIA))?;

@@ -1,31 +1,31 @@
 use nalgebra::{DMatrix, Matrix6};
 
-use super::element::{Element, Grain};
+use super::element::{Element, LumpedMass};
 
-/// Matrices that another program gives between nodes.
+/// Block of matrices that another program gives between nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     pub nodes: Vec<usize>,
-    /// Freedoms of each node.
-    pub freedoms: usize,
-    pub matter: usize,
+    /// Degrees of freedom of each node.
+    pub dofs: usize,
+    pub material: usize,
     pub stiffness: DMatrix<f64>,
     pub damping: DMatrix<f64>,
     pub mass: DMatrix<f64>,
     /// The mass as material points.
-    pub grains: Vec<Grain>,
+    pub lumped_masses: Vec<LumpedMass>,
 }
 
 impl Block {
-    /// A block between two nodes, or of one with itself, over the freedoms of an element of these.
-    pub fn spread(block: &Matrix6<f64>, freedoms: usize, own: bool) -> DMatrix<f64> {
-        let part = block.view((0, 0), (freedoms, freedoms));
+    /// Block between two nodes, or of one with itself, over the degrees of freedom of an element of these.
+    pub fn spread(block: &Matrix6<f64>, dofs: usize, own: bool) -> DMatrix<f64> {
+        let part = block.view((0, 0), (dofs, dofs));
         if own {
             return part.into_owned();
         }
-        let mut matrix = DMatrix::zeros(2 * freedoms, 2 * freedoms);
-        matrix.view_mut((0, freedoms), (freedoms, freedoms)).copy_from(&part);
-        matrix.view_mut((freedoms, 0), (freedoms, freedoms)).copy_from(&part.transpose());
+        let mut matrix = DMatrix::zeros(2 * dofs, 2 * dofs);
+        matrix.view_mut((0, dofs), (dofs, dofs)).copy_from(&part);
+        matrix.view_mut((dofs, 0), (dofs, dofs)).copy_from(&part.transpose());
         matrix
     }
 }
@@ -35,12 +35,12 @@ impl Element for Block {
         &self.nodes
     }
 
-    fn freedoms(&self) -> usize {
-        self.freedoms
+    fn dofs(&self) -> usize {
+        self.dofs
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
@@ -55,7 +55,7 @@ impl Element for Block {
         self.mass.clone()
     }
 
-    fn grains(&self) -> Vec<Grain> {
-        self.grains.clone()
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        self.lumped_masses.clone()
     }
 }

@@ -1,3 +1,7 @@
+//! Elasticity matrix: isotropic and orthotropic materials in any axes.
+//! A material that would release energy is refused with the inequality that fails, since its stiffness would not be positive.
+//! Bounds of Poisson's ratios after Lempriere `[@lempriere1968]`.
+
 use nalgebra::{Matrix3, Matrix6};
 use thiserror::Error;
 
@@ -19,14 +23,14 @@ const PAIRS: [[usize; 2]; 3] = [[0, 1], [0, 2], [1, 2]];
 /// Place of each pair of axes among xx yy zz yz zx xy.
 pub(super) const VOIGT: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
 
-/// Why constants describe no elastic material.
+/// Error of elastic constants that describe no material.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ElasticityError {
     /// A modulus that is not positive and finite.
     #[error("{} = {value} Pa; a modulus is positive", name(*modulus))]
     Modulus {
-        /// Which.
+        /// The modulus.
         modulus: Modulus,
         /// Its value.
         value: f64,
@@ -76,7 +80,7 @@ pub enum Modulus {
     Shear([usize; 2]),
 }
 
-/// Departure from right angles of material axes that is left to rounding.
+/// Departure of material axes from right angles up to which they are square: rounding of the digits in a file.
 const SQUARE: f64 = 1e-9;
 
 /// Elasticity (Pa) of an isotropic material: `σ = λ tr ε + 2μ ε`, over xx yy zz yz zx xy with engineering shears.

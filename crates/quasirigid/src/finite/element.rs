@@ -1,38 +1,44 @@
+//! Interface of a finite element: stiffness, mass, damping, lumped masses and geometric stiffness over its nodes.
+//! A structure sees all elements through this; the lumped masses carry the inertia invariants, which the mass matrix alone does not give.
+//! Equations (K3) and (K6), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, DVector, Matrix3xX, Vector3};
 
-/// A piece of elastic matter between nodes, in the axes of the file's frame.
+/// Element of elastic material between nodes, in the axes of the file's frame.
 ///
-/// Freedoms are numbered node by node: the three displacements (m), and where a node also turns its three rotations (rad).
+/// Degrees of freedom are numbered node by node: the three displacements (m), and where a node also has rotations these three (rad).
 pub(crate) trait Element {
-    /// Nodes it joins.
+    /// Nodes that the element joins.
     fn nodes(&self) -> &[usize];
 
-    /// Freedoms of each of them: 3, or 6 if nodes turn.
-    fn freedoms(&self) -> usize;
+    /// Degrees of freedom of each of them: 3, or 6 if nodes have rotations.
+    fn dofs(&self) -> usize;
 
-    /// Number of the matter it is made of, which says how it dissipates.
-    fn matter(&self) -> usize;
+    /// Number of its material, which determines its dissipation.
+    fn material(&self) -> usize;
 
-    /// Stiffness over its freedoms.
+    /// Stiffness over its degrees of freedom.
     fn stiffness(&self) -> DMatrix<f64>;
 
-    /// Mass matrix over its freedoms. (K3)
+    /// Mass matrix over its degrees of freedom. (K3)
     fn mass(&self) -> DMatrix<f64> {
-        let size = self.nodes().len() * self.freedoms();
-        let add = |sum: DMatrix<f64>, grain: &Grain| sum + grain.mass * grain.shapes.tr_mul(&grain.shapes);
-        self.grains().iter().fold(DMatrix::zeros(size, size), add)
+        let size = self.nodes().len() * self.dofs();
+        let add = |sum: DMatrix<f64>, lumped_mass: &LumpedMass| {
+            sum + lumped_mass.mass * lumped_mass.shapes.tr_mul(&lumped_mass.shapes)
+        };
+        self.lumped_masses().iter().fold(DMatrix::zeros(size, size), add)
     }
 
-    /// Damping by dashpots over its freedoms; none if it has no dashpots.
+    /// Damping by dashpots over its degrees of freedom; none of an element without dashpots.
     fn damping(&self) -> Option<DMatrix<f64>> {
         None
     }
 
-    /// Its mass as material points; sums over them are exact for the products of two displacements.
-    fn grains(&self) -> Vec<Grain>;
+    /// Lumped masses; sums over them are exact for the products of two displacements.
+    fn lumped_masses(&self) -> Vec<LumpedMass>;
 
-    /// Geometric stiffness of the stress that forces per mass (N/kg, by place) produce, and the displacement that they cause;
-    /// none if the paths of its points are straight. (K6)
+    /// Geometric stiffness of the stress that forces per mass (N/kg, by place) produce, and the displacement that they cause; none if the
+    /// paths of its points are straight. (K6)
     fn geometric(
         &self,
         _displacement: &DVector<f64>,
@@ -42,20 +48,20 @@ pub(crate) trait Element {
     }
 }
 
-/// A material point of an element: paper, §1, with `r = Σ H_j q_j` over the freedoms of the element.
+/// Lumped mass: a material point of an element (paper, §1), with `r = Σ H_j q_j` over the degrees of freedom of the element.
 #[derive(Clone, Debug)]
-pub(crate) struct Grain {
+pub(crate) struct LumpedMass {
     /// Mass (kg).
     pub mass: f64,
-    /// Where it is.
+    /// Place of the mass.
     pub site: Site,
-    /// Displacement for a unit of each freedom.
+    /// Displacement for a unit of each degree of freedom.
     pub shapes: Matrix3xX<f64>,
-    /// What turns it on an arm; none if nothing does.
+    /// Rotation that moves the mass on an arm; none if there is no arm.
     pub turn: Option<Turn>,
 }
 
-/// Where a grain is.
+/// Place of a lumped mass.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Site {
     /// At an equilibrium position (m), in the file's frame.
@@ -65,8 +71,8 @@ pub(crate) enum Site {
     Between(Vector3<f64>),
 }
 
-impl Grain {
-    /// The value on it of a field that is one everywhere.
+impl LumpedMass {
+    /// Value at the mass of a field that is one everywhere.
     pub fn one(&self) -> f64 {
         match self.site {
             Site::At(_) => 1.0,
@@ -74,7 +80,7 @@ impl Grain {
         }
     }
 
-    /// The value on it of the place from a point (m).
+    /// Value at the mass of the position from a point (m).
     pub fn place_from(&self, reference: Vector3<f64>) -> Vector3<f64> {
         match self.site {
             Site::At(place) => place - reference,
@@ -83,11 +89,11 @@ impl Grain {
     }
 }
 
-/// A rotation that carries a grain: `½ θ × (θ × arm)` is the second order of its path.
+/// A rotation that carries a lumped mass: `½ θ × (θ × arm)` is the second order of its path.
 #[derive(Clone, Debug)]
 pub(crate) struct Turn {
-    /// The grain from the centre of the rotation (m).
+    /// The lumped mass from the centre of the rotation (m).
     pub arm: Vector3<f64>,
-    /// Rotation for a unit of each freedom.
+    /// Rotation for a unit of each degree of freedom.
     pub shapes: Matrix3xX<f64>,
 }

@@ -1,37 +1,41 @@
+//! Elements without cells: a mass at a node, and a link of springs and dashpots between two nodes.
+//! A rigid body at a node is six material points with its moments, so that it enters every sum over lumped masses as elements do.
+//! Equations (K3) and (I11), docs/theory.
+
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, SMatrix, Vector3};
 
-use super::element::{Element, Grain, Site, Turn};
+use super::element::{Element, LumpedMass, Site, Turn};
 use crate::model::Inertia;
 
 /// Mass without stiffness at a node, a point or a small rigid body.
 #[derive(Clone, Debug)]
 pub(crate) struct Mass {
     pub node: usize,
-    /// Freedoms of the node.
-    pub freedoms: usize,
-    pub matter: usize,
-    /// Material points of the same mass and moments: the mass of each, and where it is from the node.
+    /// Degrees of freedom of the node.
+    pub dofs: usize,
+    pub material: usize,
+    /// Material points with the mass and moments of the body: the mass of each, and its position from the node.
     pub points: Vec<(f64, Vector3<f64>)>,
-    /// Where the node is.
+    /// Place of the node.
     pub place: Vector3<f64>,
 }
 
-/// A spring between two nodes.
+/// Link: springs and dashpots between two nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
     nodes: [usize; 2],
-    freedoms: usize,
-    matter: usize,
+    dofs: usize,
+    material: usize,
     stiffness: DMatrix<f64>,
     damping: DMatrix<f64>,
 }
 
 impl Link {
-    /// Spring whose strain is a sum over the two nodes, a map of the freedoms of each, with its force for a strain and for the rate of
-    /// one.
+    /// Link whose strain is a sum over the two nodes of linear maps of their degrees of freedom, with its force per strain and per rate of
+    /// strain.
     pub fn new<const N: usize>(
         nodes: [usize; 2],
-        matter: usize,
+        material: usize,
         strain: [SMatrix<f64, N, N>; 2],
         [stiffness, damping]: [SMatrix<f64, N, N>; 2],
     ) -> Self {
@@ -43,7 +47,7 @@ impl Link {
             }
             matrix
         };
-        Self { nodes, freedoms: N, matter, stiffness: law(stiffness), damping: law(damping) }
+        Self { nodes, dofs: N, material, stiffness: law(stiffness), damping: law(damping) }
     }
 }
 
@@ -52,31 +56,31 @@ impl Element for Mass {
         std::slice::from_ref(&self.node)
     }
 
-    fn freedoms(&self) -> usize {
-        self.freedoms
+    fn dofs(&self) -> usize {
+        self.dofs
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
-        DMatrix::zeros(self.freedoms, self.freedoms)
+        DMatrix::zeros(self.dofs, self.dofs)
     }
 
-    fn grains(&self) -> Vec<Grain> {
-        let grain = |(mass, arm): &(f64, Vector3<f64>)| {
-            let mut shapes = Matrix3xX::zeros(self.freedoms);
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        let lumped_mass = |(mass, arm): &(f64, Vector3<f64>)| {
+            let mut shapes = Matrix3xX::zeros(self.dofs);
             shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
-            let turn = (self.freedoms == 6).then(|| {
+            let turn = (self.dofs == 6).then(|| {
                 shapes.columns_mut(3, 3).copy_from(&-arm.cross_matrix());
-                let mut turns = Matrix3xX::zeros(6);
-                turns.columns_mut(3, 3).copy_from(&Matrix3::identity());
-                Turn { arm: *arm, shapes: turns }
+                let mut rotations = Matrix3xX::zeros(6);
+                rotations.columns_mut(3, 3).copy_from(&Matrix3::identity());
+                Turn { arm: *arm, shapes: rotations }
             });
-            Grain { mass: *mass, site: Site::At(self.place + arm), shapes, turn }
+            LumpedMass { mass: *mass, site: Site::At(self.place + arm), shapes, turn }
         };
-        self.points.iter().map(grain).collect()
+        self.points.iter().map(lumped_mass).collect()
     }
 }
 
@@ -85,12 +89,12 @@ impl Element for Link {
         &self.nodes
     }
 
-    fn freedoms(&self) -> usize {
-        self.freedoms
+    fn dofs(&self) -> usize {
+        self.dofs
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
@@ -101,7 +105,7 @@ impl Element for Link {
         Some(self.damping.clone())
     }
 
-    fn grains(&self) -> Vec<Grain> {
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
         Vec::new()
     }
 }

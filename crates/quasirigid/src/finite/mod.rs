@@ -1,4 +1,4 @@
-//! Finite elements: stiffness, mass and geometric stiffness of elastic matter between nodes.
+//! Finite elements: stiffness, mass and geometric stiffness of elastic material between nodes.
 
 pub(crate) mod beam;
 mod block;
@@ -9,5 +9,5 @@ pub(crate) mod shell;
 pub(crate) mod solid;
 
 pub(crate) use block::Block;
-pub(crate) use element::{Element, Grain, Site, Turn};
+pub(crate) use element::{Element, LumpedMass, Site, Turn};
 pub(crate) use lumped::{Link, Mass, rigid_points};

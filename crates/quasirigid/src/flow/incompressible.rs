@@ -1,6 +1,10 @@
+//! Incompressible flow: conjugate gradients for the pressure of a discrete Stokes problem, many loads at once.
+//! Only the velocity block is factored; the stopping rule accepts a divergence that rounding keeps from falling, but never a large one.
+//! Equation (L4), docs/theory/13-inside.md.
+
 use super::stokes::StokesError;
 
-/// Equations of a flow that keeps its volume: `A u + Bᵀ p = f`, `B u = 0`.
+/// Equations of an incompressible flow: `A u + Bᵀ p = f`, `B u = 0`.
 ///
 /// Numbers stand row by row, a row per component or per pressure, `width` numbers to a row.
 pub(super) trait Incompressible {
@@ -12,25 +16,25 @@ pub(super) trait Incompressible {
     fn push(&self, p: &[f64], width: usize) -> Vec<f64>;
     /// `M⁻¹ d` with the mass matrix of the pressure, in place.
     fn weigh(&self, divergence: &mut [f64], width: usize);
-    /// What is close to `(B A⁻¹ Bᵀ)⁻¹ d`, given `M⁻¹ d`, which is close to it unless inertia rules.
+    /// Approximation of `(B A⁻¹ Bᵀ)⁻¹ d`, given `M⁻¹ d`, which is close unless inertia dominates.
     fn pressure(&self, _divergence: &[f64], weighted: &[f64], _width: usize) -> Vec<f64> {
         weighted.to_vec()
     }
 }
 
-/// Divergence that counts as none, beside the gradient of the flow without pressure, in the mean square.
+/// Divergence that counts as zero, relative to the gradient of the flow without pressure, in the mean square.
 const SOLENOIDAL: f64 = 1e-13;
-/// Divergence that is accepted if it falls no more, by rounding.
+/// Divergence that is accepted where rounding keeps the divergence from falling further.
 const ACCEPTED: f64 = 1e-10;
-/// Iterations without a new least divergence after which it falls no more.
+/// Iterations without a new least divergence after which the divergence has stopped falling.
 const PATIENCE: usize = 20;
 /// Most iterations.
 const MOST: usize = 2000;
 
 /// Flows under forces, in place.
 ///
-/// Conjugate gradients on `B A⁻¹ Bᵀ p = B A⁻¹ f`, whose residual is the divergence of the flow. Pressures that no flow feels, the
-/// constant among them, take no part, for the right-hand side has none of them.
+/// Conjugate gradients on `B A⁻¹ Bᵀ p = B A⁻¹ f`, whose residual is the divergence of the flow. Pressures without an effect on any flow,
+/// the constant among them, take no part, for the right-hand side has none of them.
 ///
 /// # Errors
 /// [`StokesError::NoConvergence`].
@@ -83,9 +87,9 @@ pub(super) fn divergence_of(equations: &impl Incompressible, u: &[f64]) -> f64 {
     dots(&residual, &weighted, 1)[0].max(0.0).sqrt()
 }
 
-/// Squares of the divergence of each flow, as the iterations go.
+/// Squared divergence of each flow over the iterations.
 struct Progress {
-    /// Of the gradient without pressure.
+    /// Squared gradient without pressure.
     gradient: Vec<f64>,
     now: Vec<f64>,
     least: Vec<f64>,
@@ -100,7 +104,7 @@ impl Progress {
         Self { gradient, now: least.clone(), least, since: vec![0; width] }
     }
 
-    /// Takes the next squares.
+    /// Records the next squares.
     fn advance(&mut self, next: Vec<f64>) {
         for (column, square) in next.iter().enumerate() {
             let better = *square < self.least[column];
@@ -110,18 +114,18 @@ impl Progress {
         self.now = next;
     }
 
-    /// Whether a flow still has a divergence that falls.
+    /// Whether the divergence of a flow still falls.
     fn is_active(&self, column: usize) -> bool {
         let below = |share: f64| self.now[column] <= share.powi(2) * self.gradient[column];
         !(below(SOLENOIDAL) || below(ACCEPTED) && self.since[column] >= PATIENCE)
     }
 
-    /// Whether numbers left their range.
+    /// Whether numbers are no longer finite.
     fn is_lost(&self) -> bool {
         self.now.iter().chain(&self.gradient).any(|square| !square.is_finite())
     }
 
-    /// Largest divergence of a flow beside its gradient without pressure.
+    /// Largest divergence of a flow relative to its gradient without pressure.
     fn worst(&self) -> f64 {
         let shares = self.now.iter().zip(&self.gradient).map(|(now, gradient)| (now / gradient).sqrt());
         shares.fold(0.0, |worst, share| if share <= worst { worst } else { share })
@@ -137,7 +141,7 @@ fn dots(a: &[f64], b: &[f64], width: usize) -> Vec<f64> {
     sums
 }
 
-/// Quotients, zero where nothing is asked for.
+/// Quotients, zero for vectors that are not asked for.
 fn ratios(above: &[f64], below: &[f64], asked: &[bool]) -> Vec<f64> {
     let ratio = |((above, below), asked): ((&f64, &f64), &bool)| if *asked { above / below } else { 0.0 };
     above.iter().zip(below).zip(asked).map(ratio).collect()

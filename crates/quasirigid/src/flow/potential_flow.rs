@@ -1,10 +1,10 @@
-//! Integrals of the potential flow of an ideal liquid in a cavity that turns.
+//! Integrals of the potential flow of an ideal liquid in a rotating cavity.
 
 use nalgebra::{Matrix3, Vector3};
 
-/// How an ideal liquid of unit density moves past a body that turns about each axis. (L12)
+/// Slip of an ideal liquid of unit density past a body that rotates about each axis. (L12)
 ///
-/// Its flow has a potential, `∂φ_l/∂n = n·(e_l × r)` on the wall. Relative to the body it moves with `w_l = ∇φ_l − e_l × r`.
+/// The flow has a potential, `∂φ_l/∂n = n·(e_l × r)` on the wall. Relative to the body it is `w_l = ∇φ_l − e_l × r`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Slip {
     /// `∫ w_k·w_l dV` (m⁵): the inertia of the frozen liquid less that of the equivalent body.
@@ -39,7 +39,7 @@ impl Slip {
         frozen - self.volume
     }
 
-    /// That of a cavity about z, turned in the cycle of the axes until it is about another one.
+    /// Slip of a cavity about z, rotated in the cycle of the axes until the cavity is about another one.
     pub fn about(&self, axis: usize) -> Self {
         let own = |other: usize| (other + 2 - axis) % 3;
         let turned = |matrix: &Matrix3<f64>| Matrix3::from_fn(|k, l| matrix[(own(k), own(l))]);

@@ -15,7 +15,7 @@ impl FlexibleBody {
         let parts = BodyParts {
             damping: self.damping().scaled(rougher),
             stiffness: self.stiffness().scaled(stiffer),
-            lossy: self.lossy().iter().map(|part| part.scaled(stiffer)).collect(),
+            viscoelastic: self.viscoelastic().iter().map(|part| part.scaled(stiffer)).collect(),
             dissipators: self.dissipators().iter().map(|part| part.stiffened(epsilon)).collect(),
             memories: self.memories().iter().map(|memory| memory.scaled(epsilon)).collect(),
             ..self.parts.clone()
@@ -57,7 +57,7 @@ impl FlexibleBody {
             invariants: self.invariants().block(&kept),
             damping: self.damping().block(kept.clone()),
             stiffness: self.stiffness().block(kept.clone()),
-            lossy: self.lossy().iter().map(|part| part.block(kept.clone())).collect(),
+            viscoelastic: self.viscoelastic().iter().map(|part| part.block(kept.clone())).collect(),
             dissipators: self.dissipators().iter().filter_map(|part| part.block(kept.clone())).collect(),
             memories: memories.collect(),
             coordinates: self.coordinates()[kept.clone()].to_vec(),

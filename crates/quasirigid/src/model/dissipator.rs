@@ -14,7 +14,7 @@ pub struct Dissipator {
     /// Its part of the damping matrix `B`.
     pub damping: SparseRows<f64>,
     /// Its part of the stiffness whose loss is a material's, none in `B`.
-    pub loss: Option<Lossy>,
+    pub loss: Option<Viscoelastic>,
 }
 
 impl Dissipator {
@@ -42,14 +42,14 @@ impl Dissipator {
 /// The equations of motion take it as elastic; the response to a periodic load, which is what averaging asks for, has
 /// its [`modulus`](Rheology::modulus) at every frequency.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lossy {
+pub struct Viscoelastic {
     /// How it answers periodic strain.
     pub rheology: Rheology,
     /// Its part of `C`.
     pub stiffness: SparseRows<f64>,
 }
 
-impl Lossy {
+impl Viscoelastic {
     pub(super) fn block(&self, kept: Range<usize>) -> Self {
         Self { stiffness: self.stiffness.block(kept), ..self.clone() }
     }

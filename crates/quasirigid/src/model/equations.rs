@@ -48,7 +48,7 @@ impl FlexibleBody {
 
     /// Angular momentum about the pole without that of the wheels, body axes (N·m·s). (S2)
     #[must_use]
-    pub fn momentum<T: Scalar>(&self, motion: MotionState<T>) -> [T; 3] {
+    pub fn angular_momentum<T: Scalar>(&self, motion: MotionState<T>) -> [T; 3] {
         let MotionState { omega, q, rate } = motion;
         let invariants = self.invariants();
         let mut K = times(invariants.J, omega);
@@ -118,7 +118,7 @@ impl FlexibleBody {
     #[must_use]
     pub fn energy(&self, motion: MotionState<f64>) -> f64 {
         let MotionState { omega, q, rate } = motion;
-        let K = self.momentum(motion);
+        let K = self.angular_momentum(motion);
         let p = self.generalized_momentum(motion);
         let kinetic = dot(omega, K) + p.iter().zip(rate).map(|(p, v)| p * v).sum::<f64>();
         let elastic: f64 = self.stiffness().times(q).iter().zip(q).map(|(force, q)| force * q).sum();

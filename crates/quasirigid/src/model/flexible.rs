@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::flexible_error::named;
 use super::{
     Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Invariants, LiquidMemory,
-    Lossy, Marker, PartMass, Support, Watched, Wheels,
+    Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
 };
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
@@ -48,8 +48,8 @@ pub struct BodyParts {
     /// Stiffness matrix `C`.
     pub stiffness: SparseRows<f64>,
     /// Parts of `C` with a loss that is neither in `B` nor zero.
-    pub lossy: Vec<Lossy>,
-    /// What takes energy: their parts of `B` sum to it, their losses to the lossy parts of `C`. (D1)
+    pub viscoelastic: Vec<Viscoelastic>,
+    /// What takes energy: their parts of `B` sum to it, their losses to the viscoelastic parts of `C`. (D1)
     pub dissipators: Vec<Dissipator>,
     /// Liquids whose linear answer is known at every frequency.
     pub memories: Vec<LiquidMemory>,
@@ -188,8 +188,8 @@ impl FlexibleBody {
 
     /// Parts of the stiffness whose loss is neither in the damping matrix nor zero.
     #[must_use]
-    pub fn lossy(&self) -> &[Lossy] {
-        &self.parts.lossy
+    pub fn viscoelastic(&self) -> &[Viscoelastic] {
+        &self.parts.viscoelastic
     }
 
     /// What takes energy from the motion of the coordinates; their parts of the damping matrix sum to it. (D1)

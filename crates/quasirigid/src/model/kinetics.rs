@@ -42,7 +42,7 @@ impl FlexibleBody {
     pub fn full_momenta(&self, motion: MotionState<f64>) -> ([f64; 3], Vec<f64>) {
         match self.paths() {
             Some(paths) => CurvedKinetics::new(self, paths).momenta(motion),
-            None => (self.momentum(motion), self.generalized_momentum(motion)),
+            None => (self.angular_momentum(motion), self.generalized_momentum(motion)),
         }
     }
 

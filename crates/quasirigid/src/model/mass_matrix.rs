@@ -23,8 +23,9 @@ impl FlexibleBody {
     #[must_use]
     pub fn recoiling_mass_times(&self, x: &[f64]) -> Vec<f64> {
         let Invariants { J, h, .. } = self.invariants();
-        let momentum = h.iter().zip(x).fold([0.0; 3], |sum, (h, x)| vec3::add(sum, vec3::scale(*x, *h)));
-        let turn = sym3::times(sym3::inverse(*J), momentum);
+        let angular_momentum =
+            h.iter().zip(x).fold([0.0; 3], |sum, (h, x)| vec3::add(sum, vec3::scale(*x, *h)));
+        let turn = sym3::times(sym3::inverse(*J), angular_momentum);
         self.mass_times(x).iter().zip(h).map(|(force, h)| force - vec3::dot(*h, turn)).collect()
     }
 

@@ -27,7 +27,7 @@ mod wheels;
 
 pub use advection::Advection;
 pub use coordinate::{Coordinate, Marker};
-pub use dissipator::{Dissipator, Lossy};
+pub use dissipator::{Dissipator, Viscoelastic};
 pub use equations::MotionState;
 pub use flexible::{BodyParts, FlexibleBody};
 pub use flexible_error::FlexibleError;

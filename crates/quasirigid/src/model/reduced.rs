@@ -119,7 +119,7 @@ impl ReducedBody {
 
     /// Angular momentum (N·m·s, body axes) on the slow manifold at a spin (rad/s).
     #[must_use]
-    pub fn momentum(&self, omega: [f64; 3]) -> [f64; 3] {
+    pub fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {
         self.K.vector(omega)
     }
 

@@ -97,7 +97,7 @@ pub struct BalancedSpin {
     /// Displacements of all coordinates.
     pub q: Vec<f64>,
     /// Angular momentum without that of wheels (N·m·s), body axes.
-    pub momentum: [f64; 3],
+    pub angular_momentum: [f64; 3],
     /// Its derivative by the angular velocity (kg·m²), rows.
     pub slope: [[f64; 3]; 3],
 }
@@ -129,7 +129,7 @@ impl BalancedSpin {
                 }
             }
         }
-        let momentum = times(body.inertia_at(&q), omega);
-        Some(Self { q, momentum, slope })
+        let angular_momentum = times(body.inertia_at(&q), omega);
+        Some(Self { q, angular_momentum, slope })
     }
 }

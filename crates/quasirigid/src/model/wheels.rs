@@ -38,7 +38,7 @@ impl Wheels {
 
     /// Momentum `k` relative to the body at a time (N·m·s), body axes. (C4)
     #[must_use]
-    pub fn momentum<T: Smooth>(&self, t: T) -> [T; 3] {
+    pub fn angular_momentum<T: Smooth>(&self, t: T) -> [T; 3] {
         let driven =
             self.driven.iter().map(|wheel| scale(wheel.speed.value(&[t]), wheel.inertia.map(T::from)));
         driven.fold(self.constant.map(T::from), add)
@@ -51,6 +51,6 @@ impl Wheels {
         if self.driven.is_empty() {
             return [0.0; 3];
         }
-        self.momentum(Taylor::<2>::variable(t)).map(|k| k.coefficient(1))
+        self.angular_momentum(Taylor::<2>::variable(t)).map(|k| k.coefficient(1))
     }
 }

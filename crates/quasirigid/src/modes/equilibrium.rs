@@ -1,77 +1,82 @@
+//! Relative equilibrium: steady spin of a body without external moments, with its deformation.
+//! Displacements are eliminated, since the balance is linear in them at a given angular velocity; Newton's method then has four unknowns,
+//! and a continuation from zero spin where it fails.
+//! Equation (M1), docs/theory/15-modes.md.
+
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
 use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, MotionState, Principal, SpinCoefficients};
 
-/// Relative equilibrium: a steady spin with the internal coordinates displaced by it. (M1)
+/// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
 #[derive(Clone, Debug, PartialEq)]
 pub struct RelativeEquilibrium {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Displacements of the internal coordinates; zero of cyclic ones.
     pub q: Vec<f64>,
-    /// Angular momentum with that of wheels (N·m·s), body axes: `momentum = ratio · omega`.
-    pub momentum: [f64; 3],
-    /// `K·ω/|ω|²` (kg·m²): the moment of inertia about the axis of the spin, where no wheel turns.
+    /// Angular momentum with that of wheels (N·m·s), body axes: `angular_momentum = ratio · omega`.
+    pub angular_momentum: [f64; 3],
+    /// `K·ω/|ω|²` (kg·m²): the moment of inertia about the axis of the spin, in a body without momentum wheels.
     pub ratio: f64,
     /// Energy (J), without that of wheels.
     pub energy: f64,
 }
 
-/// What a relative equilibrium is to have.
+/// Quantity that a relative equilibrium is given by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
-    /// This angular velocity `|ω|` (rad/s).
+    /// Angular velocity `|ω|` (rad/s).
     Rate(f64),
-    /// This angular momentum `|K|` (N·m·s).
-    Momentum(f64),
+    /// Angular momentum `|K|` (N·m·s).
+    AngularMomentum(f64),
 }
 
-/// A relative equilibrium that was not found.
+/// Error of a relative equilibrium that was not found.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum EquilibriumError {
-    /// What is asked for is no number above zero.
+    /// The given value is not a finite number above zero.
     #[error("a steady spin needs an angular velocity that is finite and not zero, not {value}")]
     NoSpin {
-        /// What was given, rad/s or N·m·s.
+        /// Given value, rad/s or N·m·s.
         value: f64,
     },
-    /// The iteration leads elsewhere or nowhere.
+    /// The iteration leads to another axis or does not converge.
     #[error(
         "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load, or a momentum wheel turns the spin away", axis[0], axis[1], axis[2]
     )]
     NotFound {
-        /// The axis, body axes.
+        /// Axis, body axes.
         axis: [f64; 3],
         /// Share of the spin up to which a steady spin was followed.
         reached: f64,
     },
 }
 
-/// Moments whose difference is below this share of the largest are nearly equal.
+/// Difference of moments, as a share of the largest, below which they count as nearly equal.
 const ALIKE: f64 = 0.05;
-/// Directions between their axes that are looked near.
+/// Starting directions between the axes of nearly equal moments.
 const DIAGONALS: [[f64; 2]; 3] = [[1.0, 1.0], [1.0, -1.0], [0.0, 1.0]];
-/// Newton steps allowed from one spin to the next.
+/// Limit of Newton steps from one spin to the next.
 const NEWTON_STEPS: usize = 40;
 /// Shortest step of the continuation, as a share of the spin asked for.
 const SHORTEST: f64 = 1e-3;
-/// Residual at which an equilibrium is found, relative to the momentum.
+/// Residual at which an equilibrium is found, relative to the angular momentum.
 const CONVERGED: f64 = 1e-13;
-/// Residual that is good enough where rounding ends the progress.
+/// Residual accepted where rounding ends the progress.
 const ACCEPTED: f64 = 1e-9;
-/// An axis that turns by more, as a sine, is that of another equilibrium.
+/// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
 const ASTRAY: f64 = 0.75;
 
 impl RelativeEquilibrium {
-    /// The relative equilibrium whose axis continues a direction as the spin rises from zero. (M1)
+    /// Relative equilibrium whose axis continues a direction as the spin rises from zero. (M1)
     ///
     /// # Errors
     /// [`EquilibriumError`] if there is none, or the continuation loses it.
     pub fn near(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Result<Self, EquilibriumError> {
-        let (Given::Rate(value) | Given::Momentum(value)) = given;
+        let (Given::Rate(value) | Given::AngularMomentum(value)) = given;
         let length = norm(axis);
         if !(value > 0.0 && value.is_finite() && length > 0.0 && length.is_finite()) {
             return Err(EquilibriumError::NoSpin { value });
@@ -102,8 +107,8 @@ impl RelativeEquilibrium {
         Principal::compute(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
     }
 
-    /// The relative equilibrium about the axis that a mode circles: where two moments are nearly equal it may lie anywhere between their
-    /// axes, and is the one of extreme `K·ω/|ω|²` of those found. (M1)
+    /// Relative equilibrium about the axis that a mode circles. Where two moments are nearly equal its axis may lie anywhere between
+    /// theirs; of the equilibria found the one with extreme `K·ω/|ω|²` is taken. (M1)
     ///
     /// # Errors
     /// As [`near`](Self::near).
@@ -125,13 +130,13 @@ impl RelativeEquilibrium {
         best.max_by(|a, b| (sign * a.ratio).total_cmp(&(sign * b.ratio))).map_or(found, Ok)
     }
 
-    /// Coefficients of small motions about it. (M2)
+    /// Coefficients of small motions about the equilibrium. (M2)
     #[must_use]
     pub fn coefficients(&self, body: &FlexibleBody) -> SpinCoefficients {
         body.about_spin(self.omega, &self.q)
     }
 
-    /// Largest displacement of a watched place, with its name (m); none of a body that has no such places.
+    /// Largest displacement of a watched place, with its name (m); none for a body without watched places.
     #[must_use]
     pub fn displacement(&self, body: &FlexibleBody) -> Option<(String, f64)> {
         let moved = body.markers().iter().map(|marker| {
@@ -147,12 +152,12 @@ impl Given {
     fn times(self, share: f64) -> Self {
         match self {
             Self::Rate(rate) => Self::Rate(share * rate),
-            Self::Momentum(momentum) => Self::Momentum(share * momentum),
+            Self::AngularMomentum(angular_momentum) => Self::AngularMomentum(share * angular_momentum),
         }
     }
 }
 
-/// An angular velocity and the ratio of momentum to it: `K(ω) = ratio · ω` where it is an equilibrium.
+/// Guess of an equilibrium: an angular velocity and the ratio of the angular momentum to it, `K(ω) = ratio · ω` at an equilibrium.
 #[derive(Clone, Copy, Debug)]
 struct Guess {
     omega: Vector3<f64>,
@@ -160,14 +165,14 @@ struct Guess {
 }
 
 impl Guess {
-    /// The spin of the frozen body about an axis.
+    /// Guess from the spin of the frozen body about an axis.
     fn rigid(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Self {
         let J = body.inertia().map(|row| dot(row, axis));
         let along = dot(J, axis);
-        let wheels = dot(body.wheels().momentum(0.0), axis);
+        let wheels = dot(body.wheels().angular_momentum(0.0), axis);
         let rate = match given {
             Given::Rate(rate) => rate,
-            Given::Momentum(momentum) => (momentum - wheels) / along,
+            Given::AngularMomentum(angular_momentum) => (angular_momentum - wheels) / along,
         };
         Self { omega: rate * Vector3::from(axis), ratio: along + wheels / rate }
     }
@@ -176,21 +181,21 @@ impl Guess {
         Self { omega: factor * self.omega, ..self }
     }
 
-    /// Solves `K(ω) = ratio · ω` and what is given by Newton's method.
+    /// Solves `K(ω) = ratio · ω` with the given quantity by Newton's method.
     fn newton(self, body: &FlexibleBody, given: Given, axis: [f64; 3]) -> Option<Self> {
-        let wheels = Vector3::from(body.wheels().momentum(0.0));
+        let wheels = Vector3::from(body.wheels().angular_momentum(0.0));
         let Self { mut omega, mut ratio } = self;
         let mut best = f64::INFINITY;
         for _ in 0..NEWTON_STEPS {
             let balanced = body.balanced(omega.into())?;
-            let K = Vector3::from(balanced.momentum) + wheels;
+            let K = Vector3::from(balanced.angular_momentum) + wheels;
             let slope = Matrix3::from(balanced.slope).transpose();
             let gap = K - ratio * omega;
             let (excess, gradient) = match given {
                 Given::Rate(rate) => {
                     (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate))
                 }
-                Given::Momentum(G) => {
+                Given::AngularMomentum(G) => {
                     (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G))
                 }
             };
@@ -220,8 +225,8 @@ impl Guess {
         let q = body.balanced(omega).map_or_else(Vec::new, |balanced| balanced.q);
         let still = vec![0.0; q.len()];
         let motion = MotionState { omega, q: &q, rate: &still };
-        let momentum = add(body.momentum(motion), body.wheels().momentum(0.0));
+        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(0.0));
         let energy = body.energy(motion);
-        RelativeEquilibrium { omega, momentum, ratio: self.ratio, energy, q }
+        RelativeEquilibrium { omega, angular_momentum, ratio: self.ratio, energy, q }
     }
 }

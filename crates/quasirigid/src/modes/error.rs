@@ -2,7 +2,7 @@ use thiserror::Error;
 
 use crate::math::eigen::NoConvergence;
 
-/// Modes that were not found.
+/// Error of modes that were not found.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ModesError {

@@ -1,35 +1,35 @@
-//! Inverse iteration for nonlinear eigenproblems.
+//! Inverse iteration for nonlinear eigenproblems `P(λ)x = 0`. (M3)
 
 use nalgebra::Complex;
 
 use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::watch;
 
-/// An eigenproblem `P(λ)x = 0`.
+/// Nonlinear eigenproblem `P(λ)x = 0`.
 pub(super) trait Nonlinear {
     /// `P(λ)`.
     fn at(&self, lambda: Complex<f64>) -> ComplexDense;
 
-    /// Product of two motions by the masses that move.
+    /// Inner product of two motions, weighted by the masses.
     fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64>;
 }
 
-/// An eigenpair: `λ` (1/s) and the unknowns.
+/// Eigenpair: `λ` (1/s) and the unknowns.
 pub(super) type Pair = (Complex<f64>, Vec<Complex<f64>>);
 
-/// Steps of inverse iteration.
+/// Limit of steps of inverse iteration.
 const STEPS: usize = 30;
-/// Change of an eigenvalue, relative to itself, that is rounding.
+/// Relative change of an eigenvalue that is rounding.
 const SETTLED: f64 = 1e-14;
-/// Change that is good enough where rounding ends the progress.
+/// Relative change accepted where rounding ends the progress.
 const ACCEPTED: f64 = 1e-8;
-/// Step of the derivative by `λ`, relative to it: exact for polynomials of the second degree.
+/// Step of the difference quotient by `λ`, relative to `λ`: exact for polynomials of the second degree.
 const STEP: f64 = 1e-4;
 
-/// An imaginary part below this share of an eigenvalue is rounding.
+/// Share of an eigenvalue below which an imaginary part is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The eigenpair that inverse iteration leads to; none if it settles nowhere. (M3)
+/// Eigenpair that inverse iteration leads to; none without convergence. (M3)
 pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
     let mut best = f64::INFINITY;
     for step in 0..STEPS {
@@ -69,7 +69,7 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): P
     None
 }
 
-/// Whether a refined eigenvalue belongs to the mode that it starts from.
+/// True if a refined eigenvalue belongs to the mode that the iteration starts from.
 pub(super) fn belongs(refined: Complex<f64>, start: Complex<f64>) -> bool {
     (refined - start).norm() < 0.5 * start.norm() && refined.im >= -ROUNDING * refined.norm()
 }

@@ -1,3 +1,8 @@
+//! Modes of the spinning body about a relative equilibrium: decay rates, frequencies, nutation, shares and names.
+//! Decay comes from the balance of the second variation of the energy where the eigenvalue has lost its digits; the nutation is the mode
+//! whose angular momentum leaves the axis most, not the slowest one.
+//! Equations (M2) to (M5), docs/theory/15-modes.md.
+
 use nalgebra::Complex;
 
 use super::equilibrium::RelativeEquilibrium;
@@ -13,75 +18,75 @@ use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 /// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpinMode {
-    /// Decay rate (1/s); negative of a motion that grows.
+    /// Decay rate (1/s); negative for a motion that grows.
     pub decay_rate: f64,
-    /// Frequency in body axes (rad/s), not negative; zero of a motion that does not oscillate.
+    /// Frequency in body axes (rad/s), not negative; zero for a motion without oscillation.
     pub frequency: f64,
-    /// Decay rate (1/s) and frequency (rad/s) that it has in the equations of motion, where materials and liquids without equations
-    /// of their own are left out or approximated.
+    /// Decay rate (1/s) and frequency (rad/s) of the mode in the equations of motion, where materials and liquids without equations of
+    /// their own are left out or approximated.
     pub of_motion: [f64; 2],
-    /// Whether it is the nutation: the mode in which the angular momentum leaves the axis of the spin most.
+    /// True for the nutation: the mode in which the angular momentum leaves the axis of the spin most.
     pub nutation: bool,
     /// `nutation`, or the coordinate that moves most.
     pub name: String,
-    /// Shares of the kinetic energy: the body that carries, then each part, by name; those of 1e-3 or more.
+    /// Shares of the kinetic energy: the carrier, then each part, by name; those of 1e-3 or more.
     pub moves: Vec<(String, f64)>,
-    /// Shares of the energy dissipated, by name of the dissipator; empty where nothing is.
+    /// Shares of the energy dissipated, by name of the dissipator; empty without dissipation.
     pub dissipation: Vec<(String, f64)>,
     /// Angular velocity (rad/s), real and imaginary part, in the scale of the displacements.
     pub omega: [[f64; 2]; 3],
-    /// Displacement of each coordinate, real and imaginary part: the largest of them or of the angular velocity over the spin is of
-    /// size one in the units of the mass.
+    /// Displacement of each coordinate, real and imaginary part; scale: the largest displacement, or angular velocity over the spin, is
+    /// of size one in the units of the mass.
     pub shape: Vec<[f64; 2]>,
 }
 
 /// Modes of the spinning body about a relative equilibrium. (M2)–(M4)
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpinModes {
-    /// The steady spin.
+    /// Steady spin.
     pub equilibrium: RelativeEquilibrium,
-    /// The modes: the nutation first, if there is one, then by ascending frequency and decay rate.
+    /// Modes: the nutation first, if there is one, then by ascending frequency and decay rate.
     pub modes: Vec<SpinMode>,
     /// Decay rates (1/s) and frequencies (rad/s) of the internal motions in the equations of motion: all but the nutation.
     pub internal: Vec<[f64; 2]>,
 }
 
-/// Coordinates up to which every mode is found again as a solution of the nonlinear eigenproblem; of a larger body the nutation
-/// alone, and where materials or liquids make it nonlinear the slowest.
+/// Number of coordinates up to which every mode is refined as a solution of the nonlinear eigenproblem; for a larger body the nutation
+/// alone, and with materials or liquids also the slowest modes.
 const REFINED: usize = 40;
 const SLOWEST: usize = 24;
-/// Coordinates of a body whose nutation is refined only where it has to be.
+/// Number of coordinates above which the nutation is refined only for materials or liquids.
 const MANY: usize = 300;
-/// An eigenvalue below this share of the spin is zero: a change of `|K|`, or of the direction in a body that knows none.
+/// Share of the spin below which an eigenvalue is zero: a change of `|K|`, or of the direction in a body without a preferred one.
 const ZERO: f64 = 1e-7;
-/// Modes whose angular momentum leaves the axis by this share of the most are nutations by that measure.
+/// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
 const CLEAR: f64 = 0.1;
-/// A frequency below this share of the decay rate is no oscillation to speak of.
+/// Share of the decay rate below which a frequency is negligible.
 const OVERDAMPED: f64 = 0.1;
-/// Logarithm of the ratio of frequencies from which on a mode is not taken for that of the rigid body if another may be.
+/// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation.
 const FAR: f64 = 1.5;
-/// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
+/// Relative difference below which eigenvalues of a liquid are the same.
 const SAME: f64 = 1e-6;
-/// A decay below this share of the eigenvalue is rounding, if no energy balance gives it.
+/// Share of the eigenvalue below which a decay rate is rounding, unless the energy balance gives it.
 const ROUNDING: f64 = 1e-12;
-/// Decay rates below this share of the eigenvalue follow from the energy balance where materials are at work.
+/// Share of the eigenvalue below which a decay rate follows from the energy balance in a body with materials.
 const LIGHT: f64 = 1e-5;
 
 impl SpinMode {
-    /// Time in which it falls, or grows, by e (s); infinite if it does neither. Negative where it grows.
+    /// Time constant (s) of decay by the factor e: negative for growth, infinite for neither.
     #[must_use]
     pub fn time_constant(&self) -> f64 {
         self.decay_rate.recip()
     }
 
-    /// Damping ratio `−Re λ/|λ|`: one of a motion that does not oscillate, negative where it grows.
+    /// Damping ratio `−Re λ/|λ|`: one for a motion without oscillation, negative for growth.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         let size = self.decay_rate.hypot(self.frequency);
         if size > 0.0 { self.decay_rate / size } else { 0.0 }
     }
 
-    /// Whether it grows.
+    /// True if the mode grows.
     #[must_use]
     pub fn grows(&self) -> bool {
         self.decay_rate < 0.0
@@ -89,7 +94,7 @@ impl SpinMode {
 }
 
 impl SpinModes {
-    /// The modes about a relative equilibrium of a body without external moments.
+    /// Modes about a relative equilibrium of a body without external moments.
     ///
     /// # Errors
     /// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive at the displacements.
@@ -127,7 +132,8 @@ impl SpinModes {
                     |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
                 modes.iter().any(|mode| gap(mode) < SAME * lambda.norm())
             };
-            // Relaxations of a liquid whose impedance is known stand for it only where they lead to a mode of it; so does the nutation.
+            // Relaxations of a liquid whose impedance is known are kept only where they lead to a new mode of the liquid; the nutation
+            // always where it converges.
             let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
             if pencil.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
                 continue;
@@ -142,19 +148,19 @@ impl SpinModes {
         Ok(Self { equilibrium, modes, internal })
     }
 
-    /// The nutation; none of a body that has none, as a sphere.
+    /// Nutation; none for a body without one, as a sphere.
     #[must_use]
     pub fn nutation(&self) -> Option<&SpinMode> {
         self.modes.iter().find(|mode| mode.nutation)
     }
 
-    /// Whether no mode grows.
+    /// True if no mode grows.
     #[must_use]
     pub fn stable(&self) -> bool {
         !self.modes.iter().any(SpinMode::grows)
     }
 
-    /// Frequencies (rad/s) at which a mode is seen from outside: `λ − |ω|` and `λ + |ω|`; the body turns with its spin.
+    /// Frequencies (rad/s) of a mode in inertial axes: `λ − |ω|` and `λ + |ω|`.
     #[must_use]
     pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
         let spin = norm(self.equilibrium.omega);
@@ -162,7 +168,7 @@ impl SpinModes {
     }
 }
 
-/// What the modes of a steady spin have in common.
+/// Common data of the modes of a steady spin.
 struct Frame<'a> {
     body: &'a FlexibleBody,
     equilibrium: &'a RelativeEquilibrium,
@@ -173,7 +179,7 @@ type Complex3 = [Complex<f64>; 3];
 
 impl Frame<'_> {
     /// Change of the angular momentum in body axes.
-    fn momentum(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> Complex3 {
+    fn angular_momentum(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> Complex3 {
         let SpinCoefficients { inertia, h, slopes, .. } = self.coefficients;
         let mut K = sym3::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
         for (j, (h, u)) in h.iter().zip(slopes).enumerate() {
@@ -184,8 +190,8 @@ impl Frame<'_> {
         K
     }
 
-    /// The nutation: of the modes in which the angular momentum leaves the axis most the one next to that of the rigid body; of those
-    /// that oscillate, if one of them is near.
+    /// Index of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
+    /// the rigid body; an oscillating one, if near enough.
     fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Option<usize> {
         let spin = norm(self.equilibrium.omega);
         let axis = scale(spin.recip(), self.equilibrium.omega);
@@ -206,12 +212,12 @@ impl Frame<'_> {
         nearest(&swinging).filter(|i| near(i) < FAR).or_else(|| nearest(&all))
     }
 
-    /// Share of the angle that the angular momentum makes with the axis in what moves, by kinetic energy.
+    /// Square of the tilt of the angular momentum from the axis, per kinetic energy of the mode.
     fn tilt(&self, motion: &Eigenmotion) -> f64 {
         let Eigenmotion { delta, rate, q, .. } = motion;
         let spin = norm(self.equilibrium.omega);
         let axis = scale(spin.recip(), self.equilibrium.omega);
-        let K = self.momentum(*delta, rate, q);
+        let K = self.angular_momentum(*delta, rate, q);
         let along = K[0] * axis[0] + K[1] * axis[1] + K[2] * axis[2];
         let across: f64 = (0..3).map(|i| (K[i] - along * axis[i]).norm_sqr()).sum();
         let energy = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
@@ -254,7 +260,7 @@ impl Frame<'_> {
         }
     }
 
-    /// Decay rate: from the balance of energy, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact than the eigenvalue. (M4)
+    /// Decay rate: from the energy balance, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact than the eigenvalue. (M4)
     fn decay(
         &self,
         pencil: &Pencil,
@@ -275,8 +281,8 @@ impl Frame<'_> {
         if second.abs() > CANCELLED * size { lost / (2.0 * second) } else { found }
     }
 
-    /// Decay rate in the equations of motion, where dashpots alone dissipate: from their balance of energy where the motion oscillates,
-    /// so that one without loss neither decays nor grows by rounding. (M4)
+    /// Decay rate in the equations of motion, where dashpots alone dissipate: from the energy balance where the motion oscillates, so
+    /// that a motion without loss neither decays nor grows by rounding. (M4)
     fn decay_of_motion(&self, Eigenmotion { lambda, delta, rate, q }: &Eigenmotion) -> f64 {
         let second = self.second_variation(*delta, rate, q);
         let size = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
@@ -289,10 +295,10 @@ impl Frame<'_> {
         if decay.abs() > rounding * lambda.norm() { decay } else { 0.0 }
     }
 
-    /// Second variation of the energy at the angular momentum of the steady spin: conserved where nothing is lost. (M4)
+    /// Second variation of the energy at the angular momentum of the steady spin: conserved without dissipation. (M4)
     fn second_variation(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> f64 {
         let SpinCoefficients { centrifugal, .. } = self.coefficients;
-        let K = self.momentum(delta, rate, q);
+        let K = self.angular_momentum(delta, rate, q);
         let kinetic = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
         let mut potential: f64 =
             self.body.stiffness().iter().map(|(j, k, C)| C * (q[j].conj() * q[k]).re).sum();
@@ -310,7 +316,7 @@ impl Frame<'_> {
     }
 }
 
-/// A second variation below this share of the energy that moves is lost in rounding.
+/// Share of the kinetic energy below which a second variation is lost in rounding.
 const CANCELLED: f64 = 1e-7;
 
 fn kinetic(parts: &[(String, f64)]) -> f64 {

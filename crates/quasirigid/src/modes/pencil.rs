@@ -1,3 +1,8 @@
+//! Nonlinear eigenproblem of the spinning body, `P(λ)x = 0`, and its refinement by inverse iteration.
+//! Materials and liquids with an impedance have no finite number of coordinates, so that only the nonlinear problem has their modes; it
+//! starts from those with dashpots.
+//! Equation (M3), docs/theory/15-modes.md; (L15), docs/theory/13-inside.md.
+
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
@@ -7,26 +12,26 @@ use crate::math::lu::ComplexDense;
 use crate::math::sym3;
 use crate::math::vec3::scale;
 use crate::model::liquid::impedance;
-use crate::model::{FlexibleBody, LiquidMemory, Lossy, SpinCoefficients};
+use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients, Viscoelastic};
 
-/// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: its modes are a nonlinear eigenproblem where a material or a
-/// liquid depends on the frequency. (M3)
+/// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: a nonlinear eigenproblem where a material or a liquid depends on the
+/// frequency. (M3)
 ///
-/// Unknowns are the angular velocity, the coordinates, and in place of those of a liquid whose impedance is known the angles
-/// about its axes.
+/// Unknowns are the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in place of
+/// its coordinates.
 pub(super) struct Pencil<'a> {
     body: &'a FlexibleBody,
     omega: Vector3<f64>,
-    momentum: Vector3<f64>,
+    angular_momentum: Vector3<f64>,
     coefficients: &'a SpinCoefficients,
     /// Coordinates that are unknowns.
     kept: Vec<usize>,
-    /// `A`, `B + G` and `C − N` of these.
+    /// `A`, `B + G` and `C − N` of the kept coordinates.
     mass: Dense,
     velocity: Dense,
     stiffness: Dense,
-    lossy: Vec<(&'a Lossy, Dense)>,
-    /// Liquids with the place of their first axis among the unknowns after the angular velocity.
+    viscoelastic: Vec<(&'a Viscoelastic, Dense)>,
+    /// Liquids with the index of their first axis among the unknowns after the angular velocity.
     memories: Vec<(usize, &'a LiquidMemory)>,
     size: usize,
 }
@@ -56,36 +61,36 @@ impl<'a> Pencil<'a> {
             part
         };
         let SpinCoefficients { gyroscopic, centrifugal, .. } = coefficients;
-        let lossy = |lossy: &'a Lossy| {
-            let whole = Dense::of(&lossy.stiffness);
-            (lossy, part(&|j, k| whole.at(j, k)))
+        let viscoelastic = |viscoelastic: &'a Viscoelastic| {
+            let whole = Dense::of(&viscoelastic.stiffness);
+            (viscoelastic, part(&|j, k| whole.at(j, k)))
         };
         Self {
             body,
             omega: equilibrium.omega.into(),
-            momentum: equilibrium.momentum.into(),
+            angular_momentum: equilibrium.angular_momentum.into(),
             coefficients,
             mass: part(&|j, k| A.at(j, k)),
             velocity: part(&|j, k| B.at(j, k) + gyroscopic.at(j, k)),
             stiffness: part(&|j, k| C.at(j, k) - centrifugal.at(j, k)),
-            lossy: body.lossy().iter().map(lossy).collect(),
+            viscoelastic: body.viscoelastic().iter().map(viscoelastic).collect(),
             kept,
             memories,
             size: 3 + next,
         }
     }
 
-    /// Whether a material or a liquid makes the eigenproblem nonlinear.
+    /// True if a material or a liquid makes the eigenproblem nonlinear.
     pub fn is_nonlinear(&self) -> bool {
-        !(self.lossy.is_empty() && self.memories.is_empty())
+        !(self.viscoelastic.is_empty() && self.memories.is_empty())
     }
 
-    /// Whether a liquid has its impedance in the place of coordinates.
+    /// True if a liquid enters by its impedance in place of coordinates.
     pub fn has_liquids(&self) -> bool {
         !self.memories.is_empty()
     }
 
-    /// The unknowns that belong to a motion of all coordinates.
+    /// Unknowns of a motion of all coordinates.
     pub fn unknowns(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let mut x = delta.to_vec();
         x.extend(self.kept.iter().map(|j| q[*j]));
@@ -108,7 +113,7 @@ impl<'a> Pencil<'a> {
         self.memories.iter().map(|(start, memory)| (*memory, &x[3 + start..3 + start + memory.axes.len()]))
     }
 
-    /// The eigenpair that inverse iteration leads to; none if it settles nowhere. (M3)
+    /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
     pub fn refined(&self, start: Pair) -> Option<Pair> {
         inverse_iteration(self, start)
     }
@@ -120,7 +125,7 @@ impl Nonlinear for Pencil<'_> {
         let pair = |value: Complex<f64>| [value.re, value.im];
         let turning = self.turning(lambda);
         let J = Matrix3::from(sym3::rows(self.coefficients.inertia)).map(Complex::from);
-        let body = turning * J - self.momentum.cross_matrix().map(Complex::from);
+        let body = turning * J - self.angular_momentum.cross_matrix().map(Complex::from);
         for row in 0..3 {
             (0..3).for_each(|column| P.add(row, column, pair(body[(row, column)])));
         }
@@ -141,7 +146,7 @@ impl Nonlinear for Pencil<'_> {
                 let mut sum = square * self.mass.at(j, k)
                     + lambda * self.velocity.at(j, k)
                     + Complex::from(self.stiffness.at(j, k));
-                for ((_, stiffness), factor) in self.lossy.iter().zip(&factors) {
+                for ((_, stiffness), factor) in self.viscoelastic.iter().zip(&factors) {
                     sum += factor * stiffness.at(j, k);
                 }
                 P.add(3 + j, 3 + k, pair(sum));
@@ -191,10 +196,10 @@ impl Pencil<'_> {
 
     /// Complex moduli less one.
     fn moduli(&self, lambda: Complex<f64>) -> Vec<Complex<f64>> {
-        self.lossy
+        self.viscoelastic
             .iter()
-            .map(|(lossy, _)| {
-                let [re, im] = lossy.rheology.continued([lambda.re, lambda.im]);
+            .map(|(viscoelastic, _)| {
+                let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
                 Complex::new(re - 1.0, im)
             })
             .collect()

@@ -1,4 +1,4 @@
-//! Who moves and who dissipates in a mode. (M5)
+//! Shares of parts and dissipators in the energy and the dissipation of a mode. (M5)
 
 use nalgebra::{Complex, Vector3};
 
@@ -7,10 +7,10 @@ use crate::math::sym3;
 use crate::model::liquid::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
 
-/// A liquid whose impedance is known, with the eigenvalue and the angles about its axes.
+/// Liquid whose impedance is known, with the eigenvalue and the angles about its axes.
 pub(super) type Turning<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
 
-/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own
+/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own angular
 /// momentum.
 pub(super) fn moving(
     body: &FlexibleBody,
@@ -28,8 +28,8 @@ pub(super) fn moving(
     let mut of_structure = 0.0;
     for (j, coordinate) in body.coordinates().iter().enumerate() {
         let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
-        let momentum = Complex::new(re[j], im[j]) + turned;
-        let energy = (rate[j].conj() * momentum).re;
+        let angular_momentum = Complex::new(re[j], im[j]) + turned;
+        let energy = (rate[j].conj() * angular_momentum).re;
         (0..3).for_each(|axis| K[axis] += rate[j] * h[j][axis]);
         if coordinate.is_shape() {
             of_structure += energy;
@@ -59,7 +59,7 @@ pub(super) fn moving(
     parts
 }
 
-/// The energy of a structure, given to its parts as they have it relative to the body.
+/// Splits the energy of a structure among its parts in proportion to their energy relative to the body.
 fn split(body: &FlexibleBody, rate: &[Complex<f64>], energy: f64) -> Vec<(String, f64)> {
     let own: Vec<f64> = body.part_masses().iter().map(|part| form(&part.mass, rate).max(0.0)).collect();
     let sum: f64 = own.iter().sum();
@@ -79,8 +79,8 @@ fn parts_that_move(body: &FlexibleBody, moved: &[(String, f64)]) -> String {
     names.collect::<Vec<_>>().join(" and ")
 }
 
-/// Name of what moves most beside the body: a coordinate, parts of a structure, or a liquid with more kinetic energy than the
-/// coordinate's part.
+/// Name of the largest motion beside that of the body: a coordinate, parts of a structure, or a liquid with more kinetic energy than the
+/// part of that coordinate.
 pub(super) fn leading(
     body: &FlexibleBody,
     moved: &[(String, f64)],
@@ -103,24 +103,24 @@ pub(super) fn leading(
     named.or_else(|| flowing.map(str::to_owned))
 }
 
-/// Decay rates, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
+/// Decay rate, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
 const SLOW: f64 = 1e-3;
 
-/// Shares below this are not listed.
+/// Share below which an entry is not listed.
 const SHOWN: f64 = 1e-3;
 
-/// The shares of a sum, by name, that are worth listing.
+/// Shares of a sum, by name, of at least `SHOWN`.
 pub(super) fn listed(list: Vec<(String, f64)>, sum: f64) -> Vec<(String, f64)> {
     let shares = list.into_iter().map(|(name, value)| (name, value / sum));
     shares.filter(|(_, share)| *share >= SHOWN).collect()
 }
 
-/// Whether shares of what is dissipated can be told: the impedance of a liquid holds what it stores, too, which a fast decay gives back.
+/// True if shares of the dissipation are defined: the impedance of a liquid contains stored energy too, which a fast decay gives back.
 pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
     liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
 }
 
-/// `xᴴBx` of a symmetric matrix, positive semi-definite; zero where it is rounding of its terms, whose sign says nothing.
+/// `xᴴBx` of a symmetric matrix, positive semi-definite; zero where the sum is rounding of its terms, whose sign is arbitrary.
 pub(super) fn form(matrix: &SparseRows<f64>, x: &[Complex<f64>]) -> f64 {
     let (mut sum, mut size) = (0.0, 0.0);
     for (j, k, entry) in matrix.iter() {

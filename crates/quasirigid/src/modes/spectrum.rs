@@ -1,3 +1,8 @@
+//! Linear eigenproblem of small motions about a steady spin, in first order.
+//! Scaled to unit kinetic energy and to displacements of equal energy; a body of many coordinates is projected on its slowest vibrations
+//! and the responses to the loads of the motion.
+//! Equation (M2), docs/theory/15-modes.md.
+
 use nalgebra::{Complex, DMatrix};
 
 use super::equilibrium::RelativeEquilibrium;
@@ -9,7 +14,7 @@ use crate::math::sym3;
 use crate::math::vec3;
 use crate::model::{FlexibleBody, SpinCoefficients};
 
-/// A small motion `e^{λt}`: angular velocity, rates and displacements of all coordinates.
+/// Small motion `e^{λt}`: angular velocity, rates and displacements of all coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Eigenmotion {
     pub lambda: Complex<f64>,
@@ -30,7 +35,7 @@ pub(super) fn spectrum(
     within(body, equilibrium, coefficients, WHOLE)
 }
 
-/// The same with all displacements of a body of up to `whole` elastic coordinates.
+/// Spectrum with all displacements of a body of up to `whole` elastic coordinates.
 fn within(
     body: &FlexibleBody,
     equilibrium: &RelativeEquilibrium,
@@ -47,7 +52,7 @@ fn within(
         .ok_or(ModesError::BeyondRange)?
         .unpack();
     let back = L.transpose();
-    let (velocity, stiffness) = forces(body, equilibrium.omega, equilibrium.momentum, coefficients);
+    let (velocity, stiffness) = forces(body, equilibrium.omega, equilibrium.angular_momentum, coefficients);
     let velocity = all.transpose() * velocity * &all;
     let stiffness = all.transpose() * stiffness * &few.elastic;
     let units = &few.units;
@@ -85,16 +90,16 @@ fn within(
     Ok(values.iter().zip(&vectors).filter(|(value, _)| value[1] >= 0.0).map(motion).collect())
 }
 
-/// Elastic displacements that the motions are combined of: all, or in a body of many coordinates the slowest vibrations and the answers to
-/// the loads of a motion about the steady spin.
+/// Basis of elastic displacements: all, or for a body of many coordinates the slowest vibrations and the responses to the loads of a
+/// motion about the steady spin.
 struct Few {
-    /// A displacement to a column.
+    /// Basis displacements, one per column.
     elastic: DMatrix<f64>,
-    /// Square root of the stiffness of each.
+    /// Square root of the stiffness of each basis displacement.
     units: Vec<f64>,
 }
 
-/// Elastic coordinates up to which all displacements are taken, and vibrations of a body of more.
+/// Number of elastic coordinates up to which all displacements are taken, and number of vibrations for a larger body.
 const WHOLE: usize = 150;
 const SLOW: usize = 40;
 
@@ -140,7 +145,7 @@ impl Few {
         Ok(Self { units: vec![1.0; span.len()], elastic: matrix })
     }
 
-    /// Angular velocity, elastic displacements and cyclic coordinates, a column each.
+    /// Basis of angular velocity, elastic displacements and cyclic coordinates, one per column.
     fn all(&self, cyclic: usize) -> DMatrix<f64> {
         let (rows, columns) = self.elastic.shape();
         let mut all = DMatrix::zeros(3 + rows + cyclic, 3 + columns + cyclic);
@@ -150,7 +155,7 @@ impl Few {
         all
     }
 
-    /// The displacement of every elastic coordinate.
+    /// Displacement of every elastic coordinate.
     fn lifted(&self, shares: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let (rows, columns) = self.elastic.shape();
         (0..rows).map(|row| (0..columns).map(|k| shares[k] * self.elastic[(row, k)]).sum()).collect()
@@ -171,12 +176,12 @@ pub(super) fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMat
     })
 }
 
-/// Forces per angular velocity and rate, and per displacement, on the left-hand side, at a steady angular velocity (rad/s) and momentum
-/// (N·m·s). (M2)
+/// Forces per angular velocity and rate, and per displacement, on the left-hand side, at a steady angular velocity (rad/s) and angular
+/// momentum (N·m·s). (M2)
 pub(super) fn forces(
     body: &FlexibleBody,
     omega: [f64; 3],
-    momentum: [f64; 3],
+    angular_momentum: [f64; 3],
     coefficients: &SpinCoefficients,
 ) -> (DMatrix<f64>, DMatrix<f64>) {
     let SpinCoefficients { inertia, h, slopes, gyroscopic, centrifugal } = coefficients;
@@ -188,7 +193,7 @@ pub(super) fn forces(
         let mut unit = [0.0; 3];
         unit[axis] = 1.0;
         let own = turned(sym3::times(*inertia, unit));
-        let held = vec3::cross(momentum, unit);
+        let held = vec3::cross(angular_momentum, unit);
         (0..3).for_each(|row| velocity[(row, axis)] = own[row] - held[row]);
     }
     for j in 0..n {
@@ -217,7 +222,7 @@ mod tests {
     use crate::modes::Given;
     use crate::problems::ring_of_points;
 
-    /// The slow motions of few displacements are those of all: the nutation, and the slowest vibrations.
+    /// Slow motions of the reduced basis agree with those of the full one: the nutation, and the slowest vibrations.
     #[test]
     fn few_displacements_hold_the_slow_motions() {
         let body = ring_of_points(20).body().unwrap();

@@ -1,10 +1,14 @@
+//! Body of revolution with a sprung mass on its axis: published closed form of torque, damping rate and time.
+//! The elastic and dissipative torques are single formulas here, which makes this body the first check of any change in the reduction.
+//! Equations (X1) and (X2), docs/theory/06-closed-forms.md; `[@chernousko1973]`.
+
 use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
-/// A body of revolution with one sprung mass on its axis: solved in closed form (X1), (X2) `[@chernousko1973]`.
+/// Body of revolution with one sprung mass on its axis: closed form (X1), (X2) `[@chernousko1973]`.
 ///
-/// The frozen body has the moments `A, A, C` about its centre of mass, the mass `m` sits at the distance `rho` from it
-/// on the third axis, on an isotropic spring `c` with a dashpot `b`.
+/// The frozen body has the moments `A, A, C` about its centre of mass, the mass `m` sits at the distance `rho` from that centre on the
+/// third axis, on an isotropic spring `c` with a dashpot `b`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialMass {
     /// Mass of the carrier (kg).
@@ -24,7 +28,7 @@ pub struct AxialMass {
 }
 
 impl AxialMass {
-    /// The body, in a frame whose origin is its centre of mass.
+    /// Assembly of the body, in a frame whose origin is its centre of mass.
     #[must_use]
     pub fn assembly(&self) -> Assembly {
         let offset = -self.m * self.rho / self.carrier;
@@ -55,20 +59,20 @@ impl AxialMass {
         }
     }
 
-    /// The elastic coefficient `F` (s⁴·… per (X1)).
+    /// Elastic coefficient `F` of (X1).
     #[must_use]
     pub fn F(&self) -> f64 {
         self.m * self.m * self.rho.powi(2) * self.C / (self.c * self.A.powi(3))
     }
 
-    /// The dissipative coefficient `D` of (X1).
+    /// Dissipative coefficient `D` of (X1).
     #[must_use]
     pub fn D(&self) -> f64 {
         let Self { A, C, m, rho, c, b, .. } = *self;
         m * m * rho * rho * b * C.powi(3) * (A - C) / (c * c * A.powi(4))
     }
 
-    /// Torque `μ₄ + μ₅` (N·m) at a spin (rad/s). (X1)
+    /// Torque `μ₄ + μ₅` (N·m) at an angular velocity (rad/s). (X1)
     #[must_use]
     pub fn torque(&self, [p, q, r]: [f64; 3]) -> [f64; 3] {
         let Self { A, C, .. } = *self;
@@ -82,7 +86,7 @@ impl AxialMass {
         ]
     }
 
-    /// Rate `κ` of the law in time (1/s) at the momentum `G` (N·m·s). (X2)
+    /// Rate `κ` of the law in time (1/s) at the angular momentum `G` (N·m·s). (X2)
     #[must_use]
     pub fn kappa(&self, G: f64) -> f64 {
         let Self { A, C, m, rho, c, b, .. } = *self;

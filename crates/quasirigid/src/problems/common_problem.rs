@@ -1,7 +1,7 @@
 use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
-/// One mass on a spring in a tumbling hub: the problem on which programs for stiff bodies are compared.
+/// Common problem: one mass on a spring in a tumbling hub, for the comparison of programs for stiff bodies.
 ///
 /// A hub of 100 kg with moments 10, 14, 17 kg·m², free; a point of 1 kg at (0.8, 0.3, 0.5) m from its centre on an
 /// isotropic spring with a dashpot, at rest at the start. Reference trajectories: `data/published/common_problem`.
@@ -18,21 +18,21 @@ pub struct CommonProblem {
 impl CommonProblem {
     /// Natural frequency 100 rad/s, a tenth of critical damping.
     pub const A: Self = Self { stiffness: 1e4, damping: 20.0, duration: 200.0 };
-    /// Ten times the frequency.
+    /// Ten times the frequency of `A`, same damping ratio.
     pub const B: Self = Self { stiffness: 1e6, damping: 200.0, duration: 200.0 };
-    /// A hundred times the frequency.
+    /// A hundred times the frequency of `A`, same damping ratio.
     pub const C: Self = Self { stiffness: 1e8, damping: 2000.0, duration: 200.0 };
-    /// Ten times critical damping.
+    /// Frequency of `B` with ten times critical damping.
     pub const OVER: Self = Self { stiffness: 1e6, damping: 2e4, duration: 200.0 };
-    /// A fifth of the frequency of `A`.
+    /// A fifth of the frequency of `A`, same damping ratio.
     pub const SOFT: Self = Self { stiffness: 400.0, damping: 4.0, duration: 2000.0 };
-    /// `A` for 4900 turns.
+    /// `A` for 4900 revolutions.
     pub const LONG: Self = Self { stiffness: 1e4, damping: 20.0, duration: 20_000.0 };
 
-    /// Spin at the start (rad/s).
+    /// Angular velocity at the start (rad/s).
     pub const SPIN: [f64; 3] = [0.3, 1.5, 0.2];
 
-    /// The case with this name: `A`, `B`, `C`, `over`, `soft`, `long`.
+    /// Case with this name: `A`, `B`, `C`, `over`, `soft`, `long`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let cases = [
@@ -46,7 +46,7 @@ impl CommonProblem {
         cases.into_iter().find(|(known, _)| *known == name).map(|(_, case)| case)
     }
 
-    /// The body.
+    /// Assembly of the body.
     #[must_use]
     pub fn assembly(&self) -> Assembly {
         Assembly {

@@ -1,7 +1,11 @@
+//! Explorer 1 with whip antennas on soft hinges: published data, and the growth rate of nutation for stiff hinges.
+//! With the flown data every criterion of validity fails by orders of magnitude; stiffened hinges give a case with a closed form.
+//! Equation (X3), docs/theory/06-closed-forms.md; data `[@pydy]`.
+
 use crate::elements::{Assembly, Carrier, HingeCoefficient, Hinged};
 use crate::model::Rheology;
 
-/// Explorer 1 with its four whip antennas as thin rods on two-axis hinges `[@pydy]`.
+/// Explorer 1 with four whip antennas as thin rods on two-axis hinges `[@pydy]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Explorer1 {
     /// Rotational stiffness of each hinge axis (N·m/rad).
@@ -25,10 +29,10 @@ impl Explorer1 {
     /// Spin about the axis of the tube (rad/s): 750 rpm.
     pub const SPIN: f64 = 78.539_816_339_744_83;
 
-    /// The satellite that flew.
+    /// Data of the satellite that flew.
     pub const FLOWN: Self = Self { stiffness: 0.565, damping: 1.13 };
 
-    /// Hinges whose frequency, with the tube held, is `ratio` times the spin, at the damping ratio `zeta`.
+    /// Stiffened hinges whose frequency, with the tube fixed, is `ratio` times the spin, at the damping ratio `zeta`.
     #[must_use]
     pub fn stiffened(ratio: f64, zeta: f64) -> Self {
         let inertia = WHIP * WHIP_LENGTH * WHIP_LENGTH / 3.0;
@@ -36,7 +40,7 @@ impl Explorer1 {
         Self { stiffness, damping: 2.0 * zeta * (stiffness * inertia).sqrt() }
     }
 
-    /// The satellite, in a frame whose origin is the centre of the tube and whose third axis is the tube's.
+    /// Assembly of the satellite, in a frame whose origin is the centre of the tube and whose third axis is that of the tube.
     #[must_use]
     pub fn assembly(&self) -> Assembly {
         let squares = RADII[0].powi(2) + RADII[1].powi(2);

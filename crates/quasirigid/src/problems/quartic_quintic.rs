@@ -3,14 +3,14 @@ use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::Sym;
 use crate::model::ReducedBody;
 
-/// A dense quartic and quintic spin equation, to compare integrators: `data/published/quartic_quintic`.
+/// Dense quartic and quintic equation of `ω`, to compare integrators: `data/published/quartic_quintic`.
 #[derive(Clone, Debug)]
 pub struct QuarticQuintic {
-    /// The equation, to be integrated in the paper's form.
+    /// Equation as a reduced body, for integration in the angular-velocity form.
     pub body: ReducedBody,
-    /// Spin at the start (rad/s).
+    /// Angular velocity at the start (rad/s).
     pub omega: [f64; 3],
-    /// Times (s) and spins (rad/s) of the reference solution.
+    /// Times (s) and angular velocities (rad/s) of the reference solution.
     pub reference: Vec<(f64, [f64; 3])>,
 }
 
@@ -44,7 +44,7 @@ impl QuarticQuintic {
     }
 }
 
-/// A reduced body of which only the spin equation is known.
+/// Reduced body with nothing but the equation of `ω`.
 fn equation(f: Series) -> ReducedBody {
     let none = |rows| Series::zero(2, rows);
     ReducedBody {

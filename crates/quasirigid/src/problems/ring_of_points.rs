@@ -3,8 +3,8 @@ use std::f64::consts::TAU;
 use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
 
-/// A free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs:
-/// as large as one likes and without any symmetry, to time the reduction.
+/// Free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs: of any size and without
+/// symmetry, for timing and tests.
 #[must_use]
 pub fn ring_of_points(count: usize) -> Assembly {
     let angle = |i: usize| TAU * i as f64 / count as f64;

@@ -1,4 +1,9 @@
-/// What a criterion of validity compares.
+//! Criteria of validity and their verdicts: ratios that should be small, each with two limits.
+//! Criteria of initial vibrations, dissipation and averages do not judge the motion; the limits are set so that the deviation from the rigid
+//! body is in error by about 2 % at the first one.
+//! Equations (V4) to (V11), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
+
+/// Comparison that a criterion of validity makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Comparison {
     /// Spin against the slowest elastic frequency, `|ω|/Ω_min`. (V4)
@@ -13,9 +18,9 @@ pub enum Comparison {
     Resonance,
     /// Largest displacement against the size of the body. (V9)
     Linearity,
-    /// Left-over force on the coordinates against the load, the larger of those on elastic and on cyclic ones. (R12)
+    /// Residual force on the coordinates against the load, the larger ratio of elastic and cyclic ones. (R12)
     Residual,
-    /// What one more step of the series changes in the power dissipated, against the power: concerns dissipation only. (V11)
+    /// Change of the power dissipated by two more orders of the series, against the power: concerns dissipation only. (V11)
     Power,
     /// Elastic torque against the rigid body's, `max|f₄|/max|f₂|`: concerns averages along rigid polhodes only. (V10)
     Levels,
@@ -26,13 +31,13 @@ pub enum Comparison {
 /// One criterion of validity with its number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criterion {
-    /// What is compared.
+    /// Comparison.
     pub comparison: Comparison,
-    /// The ratio that should be small.
+    /// Ratio that should be small.
     pub value: f64,
 }
 
-/// What a criterion says.
+/// Verdict of a criterion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// The ratio is small.
@@ -44,7 +49,7 @@ pub enum Verdict {
 }
 
 impl Comparison {
-    /// Whether it concerns the motion on the slow manifold, not the start, the dissipation or averages alone.
+    /// True if the comparison concerns the motion on the slow manifold, not the start, the dissipation or averages alone.
     #[must_use]
     pub fn concerns_motion(self) -> bool {
         !matches!(self, Self::Power | Self::Levels | Self::Forgetting)
@@ -52,19 +57,19 @@ impl Comparison {
 }
 
 impl Criterion {
-    /// The ratio below which the criterion holds.
+    /// Ratio below which the criterion holds.
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limits().0
     }
 
-    /// The ratio from which the criterion fails.
+    /// Ratio from which the criterion fails.
     #[must_use]
     pub fn failure(&self) -> f64 {
         self.limits().1
     }
 
-    /// What the number says. Vibrations that outlast the spin concern the start only, so that criterion never fails.
+    /// Verdict of the ratio. [`Comparison::Forgetting`] never fails, since vibrations that outlast the spin concern the start only.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let (holds, fails) = self.limits();
@@ -77,8 +82,8 @@ impl Criterion {
         }
     }
 
-    /// Ratio below which it holds, and from which it fails. At the paper's order the deviation from the rigid body is
-    /// in error by about the square of the first two: 2 % at their limit.
+    /// Ratio below which the criterion holds, and from which it fails. At the paper's order the deviation from the rigid body is in error
+    /// by about the square of the first two: 2 % at their limit.
     fn limits(&self) -> (f64, f64) {
         match self.comparison {
             Comparison::Spin | Comparison::Damping | Comparison::Relaxation | Comparison::Resonance => {

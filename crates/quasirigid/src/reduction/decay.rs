@@ -1,13 +1,18 @@
+//! Quadratic eigenvalue problem of damped vibrations: decay rates over any range of magnitudes.
+//! One linearisation for `λ` and one for `1/λ`, because each keeps the digits of one half of the eigenvalues; a single one loses slow decays
+//! beside fast ones.
+//! Equation (V3), docs/theory/04-validity.md; linearisation `[@tisseur2001]`.
+
 use crate::math::eigen::{Dense, Eigenmodes, NoConvergence, eigenvectors, squares};
 
-/// A damped vibration: the magnitude of its eigenvalue and its decay rate (1/s).
+/// Damped vibration: the magnitude of its eigenvalue and its decay rate (1/s).
 #[derive(Clone, Copy)]
 struct Decay {
     magnitude: f64,
     rate: f64,
 }
 
-/// Decay rates of `λ²A + λB + C`, ascending, but for those that are infinite. (V3)
+/// Decay rates of `λ²A + λB + C`, ascending, without infinite ones. (V3)
 ///
 /// Two first-order forms in the undamped modes, with `B = GᵀG`: one for `1/λ`, accurate where `λ` is small, and one for `λ`, accurate
 /// where it is large. They are joined in the middle. A coordinate without mass has the first form alone.
@@ -67,7 +72,7 @@ fn of_rates(modes: &Eigenmodes, forms: &Dense) -> Result<Vec<Decay>, NoConvergen
     Ok(sorted(values.iter().zip(&vectors).map(decay).collect()))
 }
 
-/// The matrix of rows `−GᵀG`, `−d` and `d`, `0`.
+/// Matrix of rows `−GᵀG`, `−d` and `d`, `0`.
 fn first_order(forms: &Dense, diagonal: &[f64]) -> Dense {
     let size = diagonal.len();
     let mut system = Dense::zero(2 * size);
@@ -81,12 +86,12 @@ fn first_order(forms: &Dense, diagonal: &[f64]) -> Dense {
     system
 }
 
-/// Whether the decay rate is read from the balance of energy, which is never negative: `|Gu|² / 2|v|²`.
+/// True if the motion oscillates: its decay rate then is that of the energy balance, `|Gu|² / 2|v|²`, never negative.
 fn oscillates(re: f64, im: f64) -> bool {
     im.abs() > re.abs()
 }
 
-/// Half the loss by the energy of the second half of an eigenvector, both of the same magnitude.
+/// Half the loss over the energy of the second half of an eigenvector, which has the magnitude of the first.
 fn lost(forms: &Dense, x: &[[f64; 2]]) -> f64 {
     let (u, v) = x.split_at(forms.size());
     let part = |i: usize| forms.times(&u.iter().map(|entry| entry[i]).collect::<Vec<_>>());
@@ -99,10 +104,10 @@ fn sorted(mut decays: Vec<Decay>) -> Vec<Decay> {
     decays
 }
 
-/// Magnitudes nearer than this are of one vibration, or of several that are not parted.
+/// Relative difference of magnitudes below which the lists are not split between them.
 const APART: f64 = 1e-6;
 
-/// The slow ones of the first list and the fast ones of the second, parted at the gap next to the middle of the magnitudes.
+/// Joins the slow decays of the first list and the fast ones of the second at the gap nearest to the middle of the magnitudes.
 fn joined(slow: Vec<Decay>, fast: Vec<Decay>) -> Vec<Decay> {
     let (Some(least), Some(most)) = (slow.first(), fast.last()) else { return slow };
     let middle = 0.5 * (least.magnitude.ln() + most.magnitude.ln());
@@ -128,8 +133,8 @@ mod tests {
         matrix
     }
 
-    /// An oscillator, one 10⁹ times faster that loses nothing, and a coordinate without mass on a spring and a dashpot; turned, so that
-    /// no matrix is diagonal.
+    /// Three parts: an oscillator, one 10⁹ times faster without loss, and a coordinate without mass on a spring and a dashpot; rotated,
+    /// so that no matrix is diagonal.
     #[test]
     fn decay_rates_are_those_of_their_parts_however_fast_some_are() {
         let (sine, cosine) = 0.7_f64.sin_cos();
@@ -161,7 +166,7 @@ mod tests {
         let B = dense(&[&[1e-3, 0.0], &[0.0, 1e9]]);
         let C = dense(&[&[4.0, 0.0], &[0.0, 1e4]]);
         let rates = decay_rates(&modes(&A, &C).unwrap(), &B).unwrap();
-        // Now the creep takes 10⁵ s, and the fast decay is that of the dashpot on what the first mass leaves free, 10⁹/(1 − 0.3²).
+        // Now the creep takes 10⁵ s, and the fast decay is that of the dashpot on the mass not coupled to the first, 10⁹/(1 − 0.3²).
         assert!(
             (rates[0] / 1e-5 - 1.0).abs() < 1e-6 && (rates[3] * 0.91 / 1e9 - 1.0).abs() < 1e-9,
             "{rates:?}"

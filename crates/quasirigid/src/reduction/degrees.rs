@@ -1,3 +1,8 @@
+//! Sizes of the degrees of the reduced equations at the actual spin: optimal order, convergence, nearly equal moments, power.
+//! Sizes are maxima over directions, since a degree may vanish at the axis of the actual angular velocity; even and odd degrees have
+//! different physics and are compared apart.
+//! Equations (R14), docs/theory/03-reduction.md; (V7), (V10) and (V11), docs/theory/04-validity.md.
+
 use crate::math::polynomial::Series;
 use crate::math::sphere::directions;
 use crate::math::sym3::Sym;
@@ -9,11 +14,11 @@ use crate::model::{Principal, ReducedBody};
 pub struct DegreeSize {
     /// Degree in `ω`.
     pub degree: usize,
-    /// Largest `|f_d|` over the directions of the spin (rad/s²).
+    /// Largest `|f_d|` over the directions of the angular velocity (rad/s²).
     pub size: f64,
 }
 
-/// Directions over which sizes are taken.
+/// Number of directions over which sizes are taken.
 const DIRECTIONS: usize = 400;
 
 /// Size of each degree of `f`, from 2 to `p + 2`, at the length of a spin (rad/s). (R14)
@@ -22,12 +27,12 @@ pub fn degree_sizes(body: &ReducedBody, omega: [f64; 3]) -> Vec<DegreeSize> {
     sizes(&body.f, norm(omega))
 }
 
-/// The same of the rate `f(ω)` at the length of a spin (rad/s).
+/// Size of each degree of the rate `f(ω)` at the length of a spin (rad/s).
 pub(super) fn sizes(f: &Series, spin: f64) -> Vec<DegreeSize> {
     (2..=f.degree()).map(|degree| DegreeSize { degree, size: size(f, degree, spin) }).collect()
 }
 
-/// The order at which the terms left out are smallest, from sizes that reach two degrees beyond every order tried. (R14)
+/// Optimal order: the one whose dropped terms are smallest, from sizes that reach two degrees beyond every order tried. (R14)
 #[must_use]
 pub fn optimal_order(sizes: &[DegreeSize]) -> usize {
     let left_out = |p: usize| -> f64 {
@@ -39,14 +44,14 @@ pub fn optimal_order(sizes: &[DegreeSize]) -> usize {
 
 /// Ratio of the sizes of two degrees of `Ω(K)`, in units of the spin `w = J⁻¹K`. (V7)
 ///
-/// The directions are those of `K`; `momentum` is its length (N·m·s).
+/// The directions are those of `K`; `angular_momentum` is the length of `K` (N·m·s).
 #[must_use]
-pub(super) fn momentum_ratio(Omega: &Series, momentum: f64, [from, to]: [usize; 2]) -> f64 {
-    let below = size(Omega, from, momentum);
-    if below > 0.0 { size(Omega, to, momentum) / below } else { 0.0 }
+pub(super) fn momentum_ratio(Omega: &Series, angular_momentum: f64, [from, to]: [usize; 2]) -> f64 {
+    let below = size(Omega, from, angular_momentum);
+    if below > 0.0 { size(Omega, to, angular_momentum) / below } else { 0.0 }
 }
 
-/// Largest value of one degree of a map of three rows over the sphere of a radius.
+/// Largest length of one degree of a vector field over the sphere of a radius.
 fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     let part = map.part(degree);
     // Coefficients may lie beyond the range where they can be squared, the values do not.
@@ -58,8 +63,7 @@ fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     values.fold(0.0, f64::max)
 }
 
-/// How large the elastic torque of degree 4 is beside that of the rigid body, `max|f₄|/max|f₂|`, at the length of a spin (rad/s).
-/// (V10)
+/// Ratio of the elastic torque of degree 4 to that of the rigid body, `max|f₄|/max|f₂|`, at the length of a spin (rad/s). (V10)
 ///
 /// Over the sphere of all directions, and over each circle between two principal axes with the components across it: two
 /// moments may be nearly equal where the third is not.
@@ -89,7 +93,7 @@ pub(super) fn levels_ratio(f: &Series, J: Sym, omega: [f64; 3]) -> f64 {
 const EQUAL: f64 = 1e-9;
 /// Share of `|ω|²` below which a rate of the spin is rounding.
 const ROUNDING: f64 = 1e-13;
-/// Places on a circle.
+/// Number of places on a circle.
 const PLACES: usize = 48;
 
 /// Largest component along a principal axis of one degree of a map, over the circle between the two other axes.
@@ -105,9 +109,8 @@ fn across_size(map: &Series, degree: usize, radius: f64, axes: [[f64; 3]; 3], ac
     (0..PLACES).map(component).fold(0.0, f64::max)
 }
 
-/// What the power (W) of a higher order changes in that of a lower one at the length of a spin (rad/s): largest change over the
-/// directions, relative to the largest power; zero where the lower one keeps no power. Odd degrees have no mean along a closed
-/// motion and are left out. (V11)
+/// Change of the power (W) from a lower to a higher order at the length of a spin (rad/s): largest change over the directions, relative
+/// to the largest power; zero where the lower one keeps no power. Odd degrees have no mean along a closed motion and are left out. (V11)
 #[must_use]
 pub(super) fn power_change(lower: &Series, higher: &Series, omega: [f64; 3]) -> f64 {
     let spin = norm(omega);

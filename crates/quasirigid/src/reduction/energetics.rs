@@ -1,4 +1,4 @@
-//! Energy, dissipated power and force on the pole along the slow manifold.
+//! Energy, dissipated power and force on the pole as polynomials along the slow manifold. (R8) to (R10)
 
 use std::collections::HashMap;
 
@@ -9,7 +9,7 @@ use crate::model::FlexibleBody;
 
 /// Energy on the slow manifold, degrees 2 to `p + 2`. (R10)
 ///
-/// Twice the kinetic energy is `ω·K + p·q̇`, with the momenta that belong to `ω` and `q̇`.
+/// Twice the kinetic energy is `ω·K + p·q̇`, with the momenta of `ω` and `q̇`.
 pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
     let mut energy = Series::zero(order + 2, 1);
     for degree in 2..=order + 2 {
@@ -21,7 +21,7 @@ pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> 
     energy
 }
 
-/// One degree of the momentum without that of the wheels.
+/// One degree of the angular momentum without that of the wheels.
 fn own(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
     if degree == 1 { Homogeneous::linear(&body.inertia()) } else { manifold.K.part(degree).clone() }
 }
@@ -52,9 +52,9 @@ fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogene
     sum
 }
 
-/// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic
-/// ones to degree `p + 1`, degrees 4 to `2p + 2`; and the same of each dissipator that has damping, by name. The manifold may be of a
-/// higher order. (R9), (C6), (D3)
+/// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic ones to
+/// degree `p + 1`, degrees 4 to `2p + 2`; and the power of each dissipator with damping, by name. The manifold may be of a higher order.
+/// (R9), (C6), (D3)
 pub(super) fn power(
     body: &FlexibleBody,
     manifold: &Manifold,
@@ -90,7 +90,7 @@ pub(super) fn power(
     (power, shares)
 }
 
-/// What each dissipator that has damping adds to an entry of `B`, by row and column.
+/// Contribution of each dissipator with damping to an entry of `B`, by row and column.
 fn owners(body: &FlexibleBody) -> HashMap<(usize, usize), Vec<(usize, f64)>> {
     let mut owners: HashMap<(usize, usize), Vec<(usize, f64)>> = HashMap::new();
     let named = body.dissipators().iter().filter(|part| part.damping.iter().next().is_some());

@@ -1,28 +1,33 @@
+//! Slow manifold of a body without external forces: recursion for displacements, rates and angular momentum, degree by degree.
+//! Each degree uses lower ones only, so `C` is factored once; elastic values and cyclic rates are slaved by the same steps. The order of the
+//! steps within a degree matters.
+//! Equations (R1) to (R6) and (R13), docs/theory/03-reduction.md; (C3), (L21), docs/theory/13-inside.md; (S6), docs/theory/01-system.md.
+
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
 use crate::math::watch;
 use crate::model::{Advection, FlexibleBody};
 
-/// The slow manifold: internal coordinates and spin rate as polynomials in the spin `ω`, degree by degree. (R1)
+/// Slow manifold: internal coordinates and angular acceleration as polynomials in the angular velocity `ω`, degree by degree. (R1)
 ///
-/// Coordinates and rates are kept apart: of an elastic coordinate the value is slaved to the spin and the rate follows,
-/// of a cyclic one (R13) the rate is slaved, and the same steps serve both.
+/// Coordinates and rates are kept apart: the value of an elastic coordinate is slaved to the angular velocity and the rate follows, the
+/// rate of a cyclic one (R13) is slaved, and the same steps serve both.
 #[derive(Clone, Debug)]
 pub(super) struct Manifold {
     /// Internal coordinates `q`, to degree `p`.
     pub q: Series,
-    /// Their rates `q̇`, to degree `p + 1`.
+    /// Rates `q̇` of the coordinates, to degree `p + 1`.
     pub rate: Series,
-    /// Spin rate `ω̇ = f(ω)`, to degree `p + 2`.
+    /// Angular acceleration `ω̇ = f(ω)`, to degree `p + 2`.
     pub f: Series,
     /// Angular momentum `K(ω)`, to degree `p + 1`; that of wheels is part of its degree 1.
     pub K: Series,
-    /// First moment `s` of the displacement and its inertial rate `u`, to degree `p + 1`. (S6)
+    /// First moment `s` of the displacement, to degree `p`, and its inertial rate `u`, to degree `p + 1`. (S6)
     pub s: Series,
     pub u: Series,
 }
 
-/// The recursion (R2)–(R5) at work on a body.
+/// Recursion (R2)–(R5) for a body, in progress.
 struct Recursion<'a> {
     body: &'a FlexibleBody,
     order: usize,
@@ -51,7 +56,7 @@ impl Manifold {
             p: Series::zero(order, n),
         };
         let mut K = Homogeneous::linear(&body.inertia());
-        let wheels = body.wheels().momentum(0.0);
+        let wheels = body.wheels().angular_momentum(0.0);
         if wheels != [0.0; 3] {
             K.add_scaled(1.0, &Homogeneous::constant(&wheels));
         }
@@ -66,7 +71,7 @@ impl Manifold {
             if degree <= order + 1 {
                 recursion.rates(degree);
                 recursion.coordinates(degree);
-                recursion.momentum(degree);
+                recursion.angular_momentum(degree);
             }
         }
         recursion.manifold
@@ -84,7 +89,8 @@ impl Recursion<'_> {
         self.manifold.f.set(mapped(self.inverse_inertia, -1.0, &torque));
     }
 
-    /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, of elastic coordinates, and what follows from it for the translation. (R3)
+    /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, of elastic coordinates, with those of the cyclic ones, and the inertial rate of the first
+    /// moment. (R3)
     fn rates(&mut self, degree: usize) {
         let Manifold { q, f, s, .. } = &self.manifold;
         let mut rate = q.rate(f, degree);
@@ -97,7 +103,7 @@ impl Recursion<'_> {
         self.manifold.u.set(u);
     }
 
-    /// `B q̇_d = [load]_d − [d/dt (A q̇ + h(q)·ω)]_d` of cyclic coordinates, less what the elastic ones brake. (C3)
+    /// `B q̇_d = [load]_d − [d/dt (A q̇ + h(q)·ω)]_d` of cyclic coordinates, less the damping forces from elastic ones. (C3)
     fn add_cyclic_rates(&self, rate: &mut Homogeneous) {
         let degree = rate.degree();
         let cyclic = self.body.cyclic();
@@ -195,7 +201,7 @@ impl Recursion<'_> {
     }
 
     /// `K_d = [q_jJ_jω + q_jq_kJ_jkω + h_j(q) q̇_j]_d`, less `s × u/m*` for a free body. (R5), (S6)
-    fn momentum(&mut self, degree: usize) {
+    fn angular_momentum(&mut self, degree: usize) {
         let Manifold { q, rate, s, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
         let mut K = rate.part(degree).contracted(&invariants.h);

@@ -1,11 +1,11 @@
-//! From a flexible body to its reduced equations, and how far they hold.
+//! Reduction: reduced equations of a flexible body, and their validity.
 
+mod angular_momentum_form;
 mod criterion;
 mod decay;
 mod degrees;
 mod energetics;
 mod manifold;
-mod momentum_form;
 mod projection;
 mod reduce;
 mod relaxation;

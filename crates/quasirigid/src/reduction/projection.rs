@@ -1,3 +1,8 @@
+//! Projection of a large body on its slow vibrations, for frequencies, decay rates and damping times.
+//! Three Krylov spaces are joined, with the attitude fixed, with the body free to recoil and for the dashpots, because the slowest vectors
+//! of each decide another criterion.
+//! Equations (V2), (V3) and (V5), docs/theory/04-validity.md.
+
 use crate::math::eigen::{Dense, Eigenmodes, NoConvergence};
 use crate::math::krylov::Pencil;
 use crate::math::span::{Span, largest};
@@ -6,21 +11,21 @@ use crate::model::FlexibleBody;
 /// Mass, damping and stiffness of the elastic coordinates as dense matrices: those of the body itself, or of a body of many
 /// coordinates on the space of its slowest vibrations and its slowest dashpots.
 pub(super) struct Projection {
-    /// Mass with the attitude held. (V2)
+    /// Mass with the attitude fixed. (V2)
     pub A: Dense,
     /// Mass with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
     pub recoiling: Dense,
     pub B: Dense,
     pub C: Dense,
-    /// How many of the slowest vibrations are those of the body.
+    /// Number of the slowest vibrations that are converged.
     pub trusted: usize,
-    /// Vectors that span the space; none if it is the whole.
+    /// Vectors that span the space; none for the whole space.
     span: Option<Span>,
 }
 
-/// Coordinates up to which the whole matrices are used.
+/// Number of coordinates up to which the whole matrices are used.
 const WHOLE: usize = 600;
-/// Vibrations found for a body of more coordinates.
+/// Number of vibrations found for a body of more coordinates.
 const SLOW: usize = 12;
 
 impl Projection {
@@ -67,14 +72,14 @@ impl Projection {
         })
     }
 
-    /// The coordinate with the largest share in the slowest mode.
+    /// Coordinate with the largest share in the slowest mode.
     pub fn largest_share(&self, modes: &Eigenmodes) -> Option<usize> {
         let slowest: Vec<f64> = (0..modes.shapes.size()).map(|row| modes.shapes.at(row, 0)).collect();
         largest(&self.span.as_ref().map_or(slowest.clone(), |span| span.combined(&slowest)))
     }
 }
 
-/// A product on the elastic coordinates, the cyclic ones held.
+/// Product on the elastic coordinates, the cyclic ones fixed.
 fn held(body: &FlexibleBody, x: &[f64], times: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
     let mut all = x.to_vec();
     all.resize(body.coordinates().len(), 0.0);

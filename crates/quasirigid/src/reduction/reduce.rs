@@ -1,10 +1,14 @@
+//! Reduced equations of a body to any order: the entry point of the reduction.
+//! Refuses an order above 12, since the series is asymptotic, and coefficients that overflow, which would turn up as NaN much later.
+//! Equations (R1) to (R11), docs/theory/03-reduction.md.
+
 use thiserror::Error;
 
 use super::manifold::Manifold;
-use super::{energetics, momentum_form};
+use super::{angular_momentum_form, energetics};
 use crate::model::{FlexibleBody, ReducedBody};
 
-/// A reduction that cannot be made.
+/// Error of a reduction that cannot be made.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ReductionError {
@@ -14,7 +18,7 @@ pub enum ReductionError {
         /// Order asked for.
         order: usize,
     },
-    /// A coefficient is too large or too small for a number.
+    /// A coefficient overflows.
     #[error(
         "the coefficients of degree {degree} are not finite numbers; check the units of the model, or lower the order"
     )]
@@ -29,8 +33,8 @@ pub const MAX_ORDER: usize = 12;
 
 /// Derives the reduced equations of a body to order `p`. (R1)–(R11)
 ///
-/// `p = 0` is the rigid body `S*`; `p = 1` adds the cubic torque of liquids and rotors, and is the rigid body where there
-/// are none; `p = 2` adds elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
+/// `p = 0` is the rigid body `S*`; `p = 1` adds the cubic torque of liquids and rotors, and equals `p = 0` without them; `p = 2` adds
+/// elasticity, `p = 3` is the paper's (4.4); higher orders go beyond it.
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -43,11 +47,11 @@ pub const MAX_ORDER: usize = 12;
 /// ```
 ///
 /// # Errors
-/// [`ReductionError`] for an order that is not offered, and for coefficients that overflow.
+/// [`ReductionError`] for an order above [`MAX_ORDER`], and for coefficients that overflow.
 pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, ReductionError> {
     let manifold = manifold(body, order)?;
     let J = body.invariants().J;
-    let Omega = momentum_form::reverted(&manifold.K, J);
+    let Omega = angular_momentum_form::reverted(&manifold.K, J);
     let energy = energetics::energy(body, &manifold, order);
     let (power, power_shares) = energetics::power(body, &manifold, order);
     let moment = energetics::first_moment(body, &manifold.q);
@@ -55,7 +59,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
         order,
         mass: body.invariants().mass,
         J,
-        energy_of_momentum: momentum_form::of_momentum(&energy, &Omega),
+        energy_of_momentum: angular_momentum_form::of_momentum(&energy, &Omega),
         Omega,
         energy,
         power,
@@ -69,7 +73,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     })
 }
 
-/// The slow manifold to order `p`, which is offered and does not overflow.
+/// Slow manifold to order `p`, checked for its order and for overflow.
 pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<Manifold, ReductionError> {
     if order > MAX_ORDER {
         return Err(ReductionError::Order { order });

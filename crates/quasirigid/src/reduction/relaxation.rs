@@ -2,17 +2,17 @@ use crate::math::eigen::{Dense, NoConvergence, modes};
 use crate::math::span::largest;
 use crate::model::FlexibleBody;
 
-/// How rotors and liquids come to rest in the body: the relaxations of its cyclic coordinates. (C7)
+/// Relaxation of rotors and liquids relative to the body: decay of its cyclic coordinates. (C7)
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Relaxation {
-    /// Times in which they decay by e with the attitude held (s), descending: `τ` of `A x = τ B x`.
+    /// Relaxation times with the attitude fixed (s), descending: `τ` of `A x = τ B x`.
     pub times: Vec<f64>,
-    /// The coordinate that moves most in the slowest of them.
+    /// Coordinate that moves most in the slowest relaxation.
     pub slowest: Option<String>,
 }
 
 impl Relaxation {
-    /// Relaxations of a body; none if it has no cyclic coordinates.
+    /// Relaxations of a body; none without cyclic coordinates.
     ///
     /// # Errors
     /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -30,7 +30,7 @@ impl Relaxation {
         })
     }
 
-    /// The longest time (s); zero if there is none.
+    /// Longest relaxation time (s); zero if there is none.
     #[must_use]
     pub fn longest(&self) -> f64 {
         self.times.first().copied().unwrap_or(0.0)

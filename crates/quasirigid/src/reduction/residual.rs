@@ -1,29 +1,34 @@
+//! Residual of the invariance equation: the truncated series put into the full equations as numbers.
+//! Independent of the recursion, so that a wrong index or sign in any degree shows as a wrong slope; also the measure of the truncation at
+//! the actual spin.
+//! Equation (R12), docs/theory/03-reduction.md.
+
 use crate::math::polynomial::Series;
 use crate::math::scalar::Jet;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{add, cross, norm};
 use crate::model::{FlexibleBody, Invariants, MotionState, ReducedBody};
 
-/// How far the reduced equations are from solving the full ones at one spin. (R12)
+/// Residual of the full equations on the slow manifold at one angular velocity. (R12)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
-    /// Left-over force on the coordinates over the elastic load, both measured by the energy they would store;
-    /// of order `ω^{p−1}`. Zero where nothing but rounding loads the coordinates.
+    /// Residual force on the elastic coordinates over their load, both measured by the energy that they would store; of order `ω^{p−1}`.
+    /// Zero where the load is rounding.
     pub elastic: f64,
-    /// Left-over force on the cyclic coordinates over their load, both measured by the power they would dissipate; of
-    /// order `ω^p`. Zero where nothing but rounding loads them.
+    /// Residual force on the cyclic coordinates over their load, both measured by the power that they would dissipate; of order `ω^p`.
+    /// Zero where the load is rounding.
     pub cyclic: f64,
-    /// Left-over torque `|K̇ + ω × K|` (N·m), of order `ω^{p+3}`.
+    /// Residual torque `|K̇ + ω × K|` (N·m), of order `ω^{p+3}`.
     pub torque: f64,
 }
 
-/// A load below this share of what the spin could do to the coordinates is rounding.
+/// Share of the load that the spin could cause about any axis, below which a load is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Puts the slow manifold into the full equations (S3), (S4) at a spin (rad/s).
+/// Residual of the full equations (S3), (S4) on the slow manifold at an angular velocity (rad/s).
 ///
-/// It does not use the recursion that made the manifold: the polynomials are followed along the motion as truncated
-/// Taylor series in time, and enter the equations as numbers.
+/// The recursion that made the manifold is not used: the polynomials are followed along the motion as truncated Taylor series in time,
+/// and enter the equations as numbers.
 #[must_use]
 pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Residual {
     let spin = along(&reduced.f, omega);
@@ -32,14 +37,17 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     let slaved = reduced.rate.value(spin);
     rate[body.cyclic()].copy_from_slice(&slaved[body.cyclic()]);
     let motion = MotionState { omega: spin, q: &q, rate: &rate };
-    let K = body.momentum(motion);
-    let whole = add(K.map(|K| K.value), body.wheels().momentum(0.0));
+    let K = body.angular_momentum(motion);
+    let whole = add(K.map(|K| K.value), body.wheels().angular_momentum(0.0));
     let torque = norm(add(K.map(|K| K.first), cross(omega, whole)));
 
     let momenta = body.generalized_momentum(motion);
     let load = body.load(motion);
-    let inertial: Vec<f64> =
-        load.iter().zip(&momenta).map(|(load, momentum)| load.value - momentum.first).collect();
+    let inertial: Vec<f64> = load
+        .iter()
+        .zip(&momenta)
+        .map(|(load, angular_momentum)| load.value - angular_momentum.first)
+        .collect();
     let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
     let dashpot = body.damping().times(&rate.iter().map(|rate| rate.value).collect::<Vec<_>>());
     let left: Vec<f64> = (0..q.len()).map(|j| inertial[j] - dashpot[j] - spring[j]).collect();
@@ -51,16 +59,17 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     Residual { elastic: share(stored), cyclic: share(dissipated), torque }
 }
 
-/// The size that the load on each coordinate has where the axis of a spin (rad/s) is in no special place.
+/// Size of the load on each coordinate at an angular velocity (rad/s) of this length about a general axis.
 fn possible(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     let Invariants { J, J1, h, .. } = body.invariants();
-    let (spin, wheels) = (norm(omega), norm(sym3::times(sym3::inverse(*J), body.wheels().momentum(0.0))));
+    let (spin, wheels) =
+        (norm(omega), norm(sym3::times(sym3::inverse(*J), body.wheels().angular_momentum(0.0))));
     let stretch = |J1: &Sym| J1.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
     let load = |(J1, h): (&Sym, &[f64; 3])| spin * (spin * stretch(J1) + (spin + wheels) * norm(*h));
     J1.iter().zip(h).map(load).collect()
 }
 
-/// Spin as a Taylor series in time along `ω̇ = f(ω)`.
+/// Angular velocity as a Taylor series in time along `ω̇ = f(ω)`.
 fn along(f: &Series, omega: [f64; 3]) -> [Jet; 3] {
     let first = f.vector(omega);
     let linear = std::array::from_fn(|i| Jet { value: omega[i], first: first[i], second: 0.0 });

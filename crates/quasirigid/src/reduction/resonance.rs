@@ -1,6 +1,6 @@
 use crate::model::{Polhode, Principal};
 
-/// A harmonic of the polhode frequency near an elastic frequency. (V8)
+/// Resonance: a harmonic of the polhode frequency near an elastic frequency. (V8)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resonance {
     /// Number of the harmonic.
@@ -13,11 +13,11 @@ pub struct Resonance {
     pub strength: f64,
 }
 
-/// A harmonic is near a frequency within this share of it.
+/// Relative distance within which a harmonic is near a frequency.
 const NEAR: f64 = 0.1;
-/// Weaker harmonics are not alive.
+/// Strength below which harmonics are negligible.
 const ALIVE: f64 = 1e-9;
-/// Harmonics looked at; next to the separatrix none is weak.
+/// Highest harmonic looked at; next to the separatrix none is weak.
 const MOST_HARMONICS: usize = 200;
 
 /// Harmonics of the polhode that come near an elastic frequency, strongest first.

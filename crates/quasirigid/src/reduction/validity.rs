@@ -1,10 +1,15 @@
+//! Validity of the reduced equations at a given angular velocity: times, criteria, resonances and optimal order.
+//! Every result is judged by the worst criterion that concerns the motion; dissipation and averages have verdicts of their own, since they
+//! may fail where the motion holds.
+//! Equations (V1) to (V11), docs/theory/04-validity.md; (R12) and (R14), docs/theory/03-reduction.md.
+
 use thiserror::Error;
 
+use super::angular_momentum_form::reverted;
 use super::criterion::{Comparison, Criterion, Verdict};
 use super::degrees::{DegreeSize, levels_ratio, momentum_ratio, optimal_order, power_change, sizes};
 use super::energetics;
 use super::manifold::Manifold;
-use super::momentum_form::reverted;
 use super::reduce::{MAX_ORDER, ReductionError, manifold, reduce};
 use super::relaxation::Relaxation;
 use super::residual::residual;
@@ -14,7 +19,7 @@ use crate::math::eigen::NoConvergence;
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
-/// How far the reduced equations hold at a spin. (V1)–(V11)
+/// Validity of the reduced equations at an angular velocity. (V1)–(V11)
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -32,57 +37,57 @@ use crate::model::{FlexibleBody, Principal, ReducedBody};
 pub struct Validity {
     /// Longest period of free vibration (s); zero for a rigid body. (V1)
     pub T1: f64,
-    /// Time in which the slowest free vibration or relaxation decays by e (s); infinite if one does not decay. (V1)
+    /// Time in which the slowest free vibration or relaxation decays by e (s); infinite if any of them does not decay. (V1)
     pub T2: f64,
     /// Time of the spin, `1/|ω|` (s). (V1)
     pub T3: f64,
     /// Free vibrations.
     pub vibrations: Vibrations,
-    /// How rotors and liquids come to rest.
+    /// Relaxation of rotors and liquids.
     pub relaxation: Relaxation,
     /// Every criterion with its number.
     pub criteria: Vec<Criterion>,
     /// Harmonics of the polhode near an elastic frequency, strongest first.
     pub resonances: Vec<Resonance>,
-    /// Place with the largest displacement, and the displacement (m).
+    /// Watched place with the largest displacement, and the displacement (m).
     pub displacement: Option<(String, f64)>,
     /// Size of each degree of `f`, from 2 to at least `p + 4`. (R14)
     pub degrees: Vec<DegreeSize>,
-    /// The order at which the terms left out are smallest, of those that the sizes can judge. (R14)
+    /// Order whose dropped terms are smallest, of those that the sizes can judge. (R14)
     pub optimal_order: usize,
 }
 
-/// A validity that cannot be told.
+/// Error of a validity that cannot be assessed.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ValidityError {
-    /// The body does not turn, or its spin is no number.
+    /// The angular velocity is zero or no number.
     #[error("the angular velocity {omega:?} rad/s is not a spin; give a finite one that is not zero")]
     NoSpin {
-        /// Spin asked for (rad/s).
+        /// Angular velocity asked for (rad/s).
         omega: [f64; 3],
     },
     /// The vibrations could not be found.
     #[error(transparent)]
     Vibration(#[from] NoConvergence),
-    /// The order is not offered.
+    /// The reduction failed.
     #[error(transparent)]
     Reduction(#[from] ReductionError),
 }
 
-/// Degrees that the search for the optimal order looks beyond the order asked for.
+/// Degrees beyond the order asked for that the search for the optimal order takes.
 const LOOK_AHEAD: usize = 4;
 
 impl Validity {
-    /// How far the equations of order `p` hold at a spin (rad/s).
+    /// Assesses the equations of order `p` at an angular velocity (rad/s).
     ///
     /// # Errors
-    /// [`ValidityError`] if the spin is zero or not finite, the order is not offered, or an eigenvalue solver fails.
+    /// [`ValidityError`] if the angular velocity is zero or not finite, the order is out of range, or an eigenvalue solver fails.
     pub fn assess(body: &FlexibleBody, order: usize, omega: [f64; 3]) -> Result<Self, ValidityError> {
         Self::assess_reduced(body, &reduce(body, order)?, omega)
     }
 
-    /// The same of a body that is reduced already.
+    /// Assesses the equations of a reduced body at an angular velocity (rad/s).
     ///
     /// # Errors
     /// As [`assess`](Self::assess).
@@ -107,9 +112,13 @@ impl Validity {
             Vec::new()
         };
         let displacement = displacement(body, reduced, omega);
-        let momentum = norm(reduced.momentum(omega));
+        let angular_momentum = norm(reduced.angular_momentum(omega));
         let Omega = reverted(&ahead.K.truncated(5), reduced.J);
-        let series = momentum_ratio(&Omega, momentum, [1, 3]).max(momentum_ratio(&Omega, momentum, [3, 5]));
+        let series = momentum_ratio(&Omega, angular_momentum, [1, 3]).max(momentum_ratio(
+            &Omega,
+            angular_momentum,
+            [3, 5],
+        ));
         let criteria = [
             (Comparison::Spin, spin / slowest),
             (Comparison::Damping, spin * vibrations.damping_time),
@@ -137,19 +146,20 @@ impl Validity {
         })
     }
 
-    /// The worst of the criteria that concern the motion on the slow manifold.
+    /// Worst verdict of the criteria that concern the motion on the slow manifold.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         self.worst(Comparison::concerns_motion)
     }
 
-    /// Whether the power dissipated holds at the order, if the motion does. (V11)
+    /// Verdict on the power dissipated at the order, if the motion holds. (V11)
     #[must_use]
     pub fn dissipation(&self) -> Verdict {
         self.worst(|comparison| comparison == Comparison::Power)
     }
 
-    /// Whether averages along rigid polhodes hold, if the motion does; along levels of the slow energy they may. (V10)
+    /// Verdict on averages along rigid polhodes, if the motion holds; where they fail, averages along levels of the slow energy may hold.
+    /// (V10)
     #[must_use]
     pub fn averages(&self) -> Verdict {
         self.worst(|comparison| comparison == Comparison::Levels)
@@ -161,7 +171,7 @@ impl Validity {
     }
 }
 
-/// What two more orders change in the power; at the highest orders, what the last two did. (V11)
+/// Change of the power by two more orders; at the highest orders, by the last two. (V11)
 fn power_series(body: &FlexibleBody, reduced: &ReducedBody, ahead: &Manifold, omega: [f64; 3]) -> f64 {
     let order = reduced.order;
     let power = |order: usize| energetics::power(body, ahead, order).0;
@@ -172,7 +182,7 @@ fn power_series(body: &FlexibleBody, reduced: &ReducedBody, ahead: &Manifold, om
     }
 }
 
-/// What the reduced equations leave of the load on the coordinates that their order slaves.
+/// Residual of the reduced equations on the coordinates that their order slaves, relative to the load. (R12)
 fn left_over(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> f64 {
     let residual = residual(body, reduced, omega);
     let elastic = if reduced.order > 1 { residual.elastic } else { 0.0 };
@@ -180,7 +190,7 @@ fn left_over(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> f64
     elastic.max(cyclic)
 }
 
-/// The place that is displaced most on the slow manifold, and by how much (m).
+/// Watched place with the largest displacement on the slow manifold, and the displacement (m).
 fn displacement(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Option<(String, f64)> {
     let q = reduced.q.value(omega);
     let moved = body.markers().iter().map(|marker| {

@@ -3,23 +3,23 @@ use super::projection::Projection;
 use crate::math::eigen::{NoConvergence, modes};
 use crate::model::FlexibleBody;
 
-/// Free vibrations of a body that does not turn: all of them, or for a body of many coordinates the slow ones.
+/// Free vibrations of a body without spin: all of them, or for a body of many coordinates the slow ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibrations {
-    /// Undamped natural frequencies with the attitude held (rad/s), ascending. (V2)
+    /// Undamped natural frequencies with the attitude fixed (rad/s), ascending. (V2)
     pub frequencies: Vec<f64>,
-    /// Undamped natural frequencies with the body free to recoil in rotation (rad/s), ascending; not below the others.
+    /// Undamped natural frequencies with the body free to recoil in rotation (rad/s), ascending; not below
+    /// [`frequencies`](Self::frequencies).
     pub free_frequencies: Vec<f64>,
-    /// Decay rates of the damped vibrations with the attitude held (1/s), ascending, two to a coordinate. (V3)
+    /// Decay rates of the damped vibrations with the attitude fixed (1/s), ascending, two to a coordinate. (V3)
     pub decay_rates: Vec<f64>,
     /// Largest `β` of `B x = β C x` (s). (V5)
     pub damping_time: f64,
-    /// The coordinate that moves most in the slowest vibration.
+    /// Coordinate that moves most in the slowest vibration.
     pub softest: Option<String>,
 }
 
-/// Undamped natural frequencies with the attitude held (rad/s), ascending: all, or the slow ones of a body of many
-/// coordinates. (V2)
+/// Undamped natural frequencies with the attitude fixed (rad/s), ascending: all, or the slow ones of a body of many coordinates. (V2)
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -49,7 +49,7 @@ impl Vibrations {
     }
 }
 
-/// Those that are trusted and finite: a coordinate whose mass is lost in rounding follows at once.
+/// Converged finite values: the infinite ones are of coordinates whose mass is lost in rounding.
 fn slow(mut ascending: Vec<f64>, trusted: usize) -> Vec<f64> {
     ascending.truncate(trusted);
     ascending.retain(|value| value.is_finite());

@@ -1,11 +1,11 @@
 use std::sync::Arc;
 
-use crate::averaging::{Evolution, FreeRotation, MeanPower, Stage};
+use crate::averaging::{Evolution, FreeRotation, MeanPower, RotationState};
 use crate::model::Mode;
 
-/// Mean power of an average, times the factors by which the modes at the poles differ from it. (Q5)
+/// Calibrated power: mean power of an average times factors from the modes at the poles. (Q5)
 ///
-/// The factors hold where the wobble is small; between the poles they are joined in proportion to the energy.
+/// The factors hold where the wobble is small; each holds throughout its mode of rotation.
 #[derive(Clone, Debug)]
 pub struct CalibratedPower {
     base: Arc<dyn MeanPower>,
@@ -14,12 +14,15 @@ pub struct CalibratedPower {
 }
 
 impl CalibratedPower {
-    /// Factors such that small wobbles change at the rates (1/s) of the modes; a rate that is not known leaves the average as it
-    /// is.
+    /// Calibrates a power so that small wobbles change at the rates (1/s) of the modes; an unknown rate leaves the average unchanged.
     #[must_use]
-    pub fn new(base: impl MeanPower + 'static, momentum: f64, rate: impl Fn(Mode) -> Option<f64>) -> Self {
+    pub fn new(
+        base: impl MeanPower + 'static,
+        angular_momentum: f64,
+        rate: impl Fn(Mode) -> Option<f64>,
+    ) -> Self {
         let base: Arc<dyn MeanPower> = Arc::new(base);
-        let average = Evolution::new(&base, momentum);
+        let average = Evolution::new(&base, angular_momentum);
         let factor = |mode: Mode| {
             let factor = rate(mode).map(|rate| rate / average.wobble_rate(mode));
             factor.filter(|factor| factor.is_finite() && *factor > 0.0).unwrap_or(1.0)
@@ -53,8 +56,12 @@ impl MeanPower for CalibratedPower {
     }
 }
 
-/// Largest angle (rad) between the angular momentum and the circled axis at a stage.
+/// Largest angle (rad) between the angular momentum and the circled axis at a rotation state.
 #[must_use]
-pub(super) fn wobble(moments: [f64; 3], momentum: f64, Stage { mode, xi }: Stage) -> f64 {
-    FreeRotation::at_logit(moments, momentum, mode, xi).nutation()[1]
+pub(super) fn wobble(
+    moments: [f64; 3],
+    angular_momentum: f64,
+    RotationState { mode, xi }: RotationState,
+) -> f64 {
+    FreeRotation::at_logit(moments, angular_momentum, mode, xi).nutation()[1]
 }

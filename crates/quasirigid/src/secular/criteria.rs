@@ -1,20 +1,25 @@
+//! Criteria of averaging along rigid polhodes: estimated errors of the mean power and of times.
+//! The factor between criteria and error is measured on bodies drawn at random, not derived; the limits decide which method an evolution
+//! takes.
+//! Equations (Q3), (Q7) and (Q9), docs/theory/16-methods.md; (L19), docs/theory/13-inside.md.
+
 use super::energy_range::EnergyRange;
 use super::poles::Poles;
-use crate::averaging::{Evolution, MeanPower, Stage};
+use crate::averaging::{Evolution, MeanPower, RotationState};
 use crate::model::Mode;
 
-/// What speaks for or against averaging along the polhode of the rigid body. (Q7)
+/// Criteria for averaging along the polhode of the rigid body. (Q7)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AverageCriteria {
-    /// Largest relative difference between the rate of change of a small wobble that the average has and that of the modes.
+    /// Largest relative difference between the rates of change of a small wobble from the average and from the modes.
     pub poles: f64,
-    /// Largest ratio `γ/β` of the rate at which the wobble changes to that at which the internal motion follows it.
+    /// Largest ratio `γ/β` of the rate of change of the wobble to the rate at which the internal motion follows.
     pub settling: f64,
-    /// Largest change of a difference between principal moments by the steady deformation, relative to it.
+    /// Largest relative change of a difference between principal moments by the steady deformation.
     pub moments: f64,
     /// Largest relative difference between the averaged power and that of short runs of the full system; zero where none were made. (Q9)
     pub probed: f64,
-    /// Estimate of the relative error that the answer of liquids about the mean spin leaves in a wide wobble. (L19)
+    /// Estimate of the relative error in a wide wobble from the response of liquids about the mean spin. (L19)
     pub liquids: f64,
 }
 
@@ -22,45 +27,44 @@ pub struct AverageCriteria {
 const ACCEPTED: f64 = 0.04;
 /// Error of an average per `γ/β`.
 const PER_SETTLING: f64 = 1.6;
-/// Bound of the error over the largest criterion: the largest ratio met in comparisons with full systems, rounded up.
+/// Bound of the error over the largest criterion: the largest ratio found in comparisons with full systems (3), rounded up.
 const CAUTION: f64 = 4.0;
 
 impl AverageCriteria {
-    /// Relative error within which the averaged power is. (Q7)
+    /// Bound of the relative error of the averaged power. (Q7)
     #[must_use]
     pub fn error(&self) -> f64 {
         let compared = self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed);
         (CAUTION * compared).max(self.liquids)
     }
 
-    /// Relative error within which an averaged time of so many revolutions is. (Q7)
+    /// Bound of the relative error of an averaged time of so many revolutions. (Q7)
     #[must_use]
     pub fn time_error(&self, revolutions: f64) -> f64 {
         self.error() + uneven(revolutions)
     }
 
-    /// Whether the average may be used.
+    /// True if the average may be used.
     #[must_use]
     pub fn hold(&self) -> bool {
         self.error() <= ACCEPTED
     }
 }
 
-/// Share of a time of so many revolutions by which the energy of a full system may come to a value sooner or later than its mean: half
-/// a revolution.
+/// Relative error of a time of so many revolutions from the uneven fall of the energy of a full system: half a revolution.
 pub(super) fn uneven(revolutions: f64) -> f64 {
     0.5 / revolutions
 }
 
-/// Judges an average between two stages by the modes at the poles. (Q7)
+/// Criteria of an average between two rotation states, from the modes at the poles. (Q7)
 #[must_use]
 pub fn average_criteria(
     power: &dyn MeanPower,
     range: &EnergyRange,
     poles: &Poles,
-    ends: [Stage; 2],
+    ends: [RotationState; 2],
 ) -> AverageCriteria {
-    let average = Evolution::new(power, range.momentum());
+    let average = Evolution::new(power, range.angular_momentum());
     let mut criteria = AverageCriteria::default();
     for mode in [Mode::LongAxis, Mode::ShortAxis] {
         if !ends.iter().any(|stage| stage.mode == mode) {
@@ -90,7 +94,7 @@ pub fn average_criteria(
     criteria
 }
 
-/// How far a rate is from an exact one, relative to that; infinite where either is not known.
+/// Relative difference of a rate from an exact one; infinite where either is not known.
 #[must_use]
 pub fn apart(rate: f64, exact: f64) -> f64 {
     let gap = (rate / exact - 1.0).abs();
@@ -103,5 +107,5 @@ pub fn apart(rate: f64, exact: f64) -> f64 {
     }
 }
 
-/// Moments closer than this, relative to the largest, are those of a body of revolution.
+/// Difference of moments, relative to the largest, below which they are those of a body of revolution.
 const DISTINCT: f64 = 1e-9;

@@ -1,3 +1,8 @@
+//! Direct integration of the full system to a target energy, with a history of limited length.
+//! Runs in pieces of growing length, each a run of its own, so that the number of rows stays bounded whatever the duration; every other row
+//! is dropped beyond the limit.
+//! Equation (Q6), docs/theory/16-methods.md.
+
 use std::ops::ControlFlow;
 
 use crate::dynamics::{
@@ -6,25 +11,24 @@ use crate::dynamics::{
 use crate::math::vec3::norm;
 use crate::model::FlexibleBody;
 
-/// History of the full system, followed until its energy reaches a value: the envelope of the wobble is that of the rigid body
-/// with the same energy. (Q6)
+/// History of the full system to a target energy; the envelope of the wobble is that of the rigid body with the same energy. (Q6)
 #[derive(Clone, Debug)]
 pub struct DirectRun {
     /// Rows of the history, ascending in time; the last one is the end.
     pub rows: Vec<DirectRow>,
-    /// How it ended.
-    pub ending: DirectEnding,
-    /// The last state.
+    /// Reason of the end.
+    pub ending: DirectStopReason,
+    /// Last state.
     pub last: FullState,
-    /// Energy that each dissipator took (J), in the order of [`FlexibleBody::dissipators`].
+    /// Energy taken by each dissipator (J), in the order of [`FlexibleBody::dissipators`].
     pub budget: Vec<f64>,
-    /// Energy that the integrator changed by itself (J).
+    /// Energy drift of the integrator (J).
     pub energy_drift: f64,
-    /// Steps made.
+    /// Number of steps.
     pub steps: u64,
 }
 
-/// A time of a direct run.
+/// Row of a direct run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectRow {
     /// Time (s).
@@ -34,27 +38,27 @@ pub struct DirectRow {
     /// Energy dissipated since the start (J).
     pub dissipated: f64,
     /// Revolutions `∫|ω|dt/2π` since the start.
-    pub turns: f64,
+    pub revolutions: f64,
 }
 
-/// What a direct run is followed to.
+/// Target and limits of a direct run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectOptions {
-    /// Energy at which it ends (J); none to go on to the last time.
+    /// Energy at which the run ends (J); none to go on to the last time.
     pub until: Option<f64>,
     /// Last time (s).
     pub duration: f64,
-    /// Revolutions allowed.
-    pub most_turns: f64,
-    /// Steps allowed.
+    /// Limit of revolutions.
+    pub most_revolutions: f64,
+    /// Limit of steps.
     pub most_steps: u64,
     /// Error allowed per step, relative.
     pub tolerance: f64,
 }
 
-/// How a direct run ended.
+/// Reason why a direct run ended.
 #[derive(Clone, Debug, PartialEq)]
-pub enum DirectEnding {
+pub enum DirectStopReason {
     /// The energy was reached.
     Reached,
     /// The last time was reached.
@@ -65,21 +69,21 @@ pub enum DirectEnding {
     StepLimit,
     /// No step could be made.
     Failed {
-        /// Why, in words.
+        /// Reason in words.
         reason: String,
     },
-    /// Somebody asked for an end.
+    /// The caller asked for an end.
     Interrupted,
 }
 
 /// Revolutions in the first piece of a run; each piece is longer by half.
 const FIRST: f64 = 20.0;
 const LONGER: f64 = 1.5;
-/// Rows in a piece, and at most in all.
+/// Rows in a piece, and the number above which rows are dropped.
 const ROWS: usize = 240;
 const MOST_ROWS: usize = 8000;
 
-/// Follows the full system of a free body. (Q6)
+/// Integrates the full system of a free body to an energy or a time. (Q6)
 ///
 /// # Errors
 /// [`PropagateError`] before the first step.
@@ -90,10 +94,10 @@ pub fn follow_directly(
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<DirectRun, PropagateError> {
     let energy = start.energy(body);
-    let first = DirectRow { t: 0.0, energy, dissipated: 0.0, turns: 0.0 };
+    let first = DirectRow { t: 0.0, energy, dissipated: 0.0, revolutions: 0.0 };
     let mut run = DirectRun {
         rows: vec![first],
-        ending: DirectEnding::Finished,
+        ending: DirectStopReason::Finished,
         last: start.clone(),
         budget: vec![0.0; body.dissipators().len()],
         energy_drift: 0.0,
@@ -116,20 +120,20 @@ pub fn follow_directly(
 }
 
 impl DirectRun {
-    /// Follows one piece; how the run ended, if it did.
+    /// Integrates one piece; returns the reason if the run ended.
     fn piece(
         &mut self,
         body: &FlexibleBody,
         piece: f64,
         options: &DirectOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Option<DirectEnding>, PropagateError> {
+    ) -> Result<Option<DirectStopReason>, PropagateError> {
         let before = self.rows[self.rows.len() - 1];
         let times: Vec<f64> = (1..=ROWS).map(|i| piece * i as f64 / ROWS as f64).collect();
         let events = options.until.map(Event::Energy).into_iter().collect();
         let most_steps = options.most_steps.saturating_sub(self.steps).max(1);
         let settings = Options { tolerance: options.tolerance, most_steps, events, ..Options::default() };
-        let share = (before.t / options.duration).max(before.turns / options.most_turns);
+        let share = (before.t / options.duration).max(before.revolutions / options.most_revolutions);
         let mut collector = Collector {
             body,
             before,
@@ -147,15 +151,17 @@ impl DirectRun {
         let end = before.after(&found.last);
         let ending = match found.outcome {
             Outcome::Finished if end.t >= options.duration * (1.0 - f64::EPSILON) => {
-                Some(DirectEnding::Finished)
+                Some(DirectStopReason::Finished)
             }
-            Outcome::Finished if end.turns >= options.most_turns => Some(DirectEnding::TurnLimit),
+            Outcome::Finished if end.revolutions >= options.most_revolutions => {
+                Some(DirectStopReason::TurnLimit)
+            }
             Outcome::Finished => None,
-            Outcome::Event(_) => Some(DirectEnding::Reached),
-            Outcome::StepLimit => Some(DirectEnding::StepLimit),
-            Outcome::Interrupted => Some(DirectEnding::Interrupted),
-            Outcome::LeftRange(left) => Some(DirectEnding::Failed { reason: left.to_string() }),
-            Outcome::Failed(error) => Some(DirectEnding::Failed { reason: error.to_string() }),
+            Outcome::Event(_) => Some(DirectStopReason::Reached),
+            Outcome::StepLimit => Some(DirectStopReason::StepLimit),
+            Outcome::Interrupted => Some(DirectStopReason::Interrupted),
+            Outcome::LeftRange(left) => Some(DirectStopReason::Failed { reason: left.to_string() }),
+            Outcome::Failed(error) => Some(DirectStopReason::Failed { reason: error.to_string() }),
         };
         if self.rows.last().is_none_or(|last| last.t < end.t) {
             self.rows.push(end);
@@ -175,13 +181,13 @@ impl DirectRun {
 }
 
 impl DirectRow {
-    /// The row of a sample that is counted from this row.
+    /// Row of a sample whose time, energies and revolutions count from this row.
     fn after(&self, sample: &Sample) -> Self {
         Self {
             t: self.t + sample.t,
             energy: sample.energy,
             dissipated: self.dissipated + sample.dissipated,
-            turns: self.turns + sample.turns,
+            revolutions: self.revolutions + sample.revolutions,
         }
     }
 }
@@ -203,7 +209,7 @@ impl Observer for Collector<'_> {
         self.last.rate.copy_from_slice(rate);
     }
 
-    /// Energy of the interval goes to the dissipators in proportion to their mean powers at its ends.
+    /// Splits the energy dissipated in the interval among the dissipators in proportion to the means of their powers at its ends.
     fn sample(&mut self, sample: &Sample) {
         (self.last.omega, self.last.attitude) = (sample.omega, sample.attitude);
         let rate = &self.last.rate;

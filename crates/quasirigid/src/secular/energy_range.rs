@@ -1,4 +1,8 @@
-use crate::averaging::{FreeRotation, Stage};
+//! Energy range at a given angular momentum: effective moments, equivalent polhode, and states of the deformed body.
+//! Energies of the deformed steady spins take the place of frozen moments, so that axes and separatrix lie where the deformed body has them.
+//! Equations (Q1) and (Q2), docs/theory/16-methods.md; (M1), docs/theory/15-modes.md.
+
+use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::FullState;
 use crate::math::bisection::bisected;
 use crate::math::sym3::{self, times};
@@ -6,13 +10,13 @@ use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Principal};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
-/// Range of the energy at a given angular momentum, from the steady spins of the body as it deforms. (Q1)
+/// Range of the energy at a given angular momentum, from the steady spins of the deformed body. (Q1)
 ///
-/// The moments of inertia that belong to these energies, `I_k = G²/2E_k`, take the place of those of the frozen body: with them
-/// the axes and the separatrix of the equivalent polhode are those of the deformed body.
+/// The effective moments of inertia `I_k = G²/2E_k` take the place of those of the frozen body: with them the axes and the separatrix of
+/// the equivalent polhode are those of the deformed body.
 #[derive(Clone, Debug)]
 pub struct EnergyRange {
-    momentum: f64,
+    angular_momentum: f64,
     moments: [f64; 3],
     /// Steady spins about the axes of least, middle and greatest effective moment.
     equilibria: [Option<RelativeEquilibrium>; 3],
@@ -22,10 +26,10 @@ impl EnergyRange {
     /// The range at an angular momentum (N·m·s).
     ///
     /// # Errors
-    /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads.
-    pub fn compute(body: &FlexibleBody, momentum: f64) -> Result<Self, EquilibriumError> {
+    /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads to.
+    pub fn compute(body: &FlexibleBody, angular_momentum: f64) -> Result<Self, EquilibriumError> {
         let frozen = Principal::compute(body.invariants().J).moments;
-        let given = Given::Momentum(momentum);
+        let given = Given::AngularMomentum(angular_momentum);
         let least = RelativeEquilibrium::extreme(body, Mode::LongAxis, given);
         let greatest = RelativeEquilibrium::extreme(body, Mode::ShortAxis, given);
         let [_, middle, _] = RelativeEquilibrium::all(body, given);
@@ -33,7 +37,7 @@ impl EnergyRange {
             .into_iter()
             .zip(frozen)
             .map(|(found, frozen)| match found {
-                Some(found) => (0.5 * momentum * momentum / found.energy, Some(found)),
+                Some(found) => (0.5 * angular_momentum * angular_momentum / found.energy, Some(found)),
                 None => (frozen, None),
             })
             .collect();
@@ -41,13 +45,13 @@ impl EnergyRange {
         let moments = [all[0].0, all[1].0, all[2].0];
         let mut spins = all.into_iter().map(|(_, spin)| spin);
         let equilibria = std::array::from_fn(|_| spins.next().flatten());
-        Ok(Self { momentum, moments, equilibria })
+        Ok(Self { angular_momentum, moments, equilibria })
     }
 
     /// Angular momentum `G` (N·m·s).
     #[must_use]
-    pub fn momentum(&self) -> f64 {
-        self.momentum
+    pub fn angular_momentum(&self) -> f64 {
+        self.angular_momentum
     }
 
     /// Effective moments of inertia (kg·m²), ascending.
@@ -56,55 +60,57 @@ impl EnergyRange {
         self.moments
     }
 
-    /// The steady spin that a mode circles; none if it was not found.
+    /// Steady spin that a mode circles; none if not found.
     #[must_use]
     pub fn equilibrium(&self, mode: Mode) -> Option<&RelativeEquilibrium> {
         self.equilibria[mode.circled()].as_ref()
     }
 
-    /// The equivalent polhode at an energy (J): that of the rigid body with the effective moments. Energies beyond the steady
-    /// spins count as these.
+    /// Equivalent polhode at an energy (J): that of the rigid body with the effective moments. Energies beyond those of the steady spins
+    /// are clamped.
     #[must_use]
     pub fn polhode(&self, energy: f64) -> FreeRotation {
         let [I1, _, I3] = self.moments;
-        let ratio = (0.5 * self.momentum * self.momentum / (energy * I3)).clamp(I1 / I3, 1.0);
-        FreeRotation::at_ratio(self.moments, self.momentum, ratio)
+        let ratio = (0.5 * self.angular_momentum * self.angular_momentum / (energy * I3)).clamp(I1 / I3, 1.0);
+        FreeRotation::at_ratio(self.moments, self.angular_momentum, ratio)
     }
 
-    /// The stage at an energy (J); none at a steady spin.
+    /// Rotation state at an energy (J); none at a steady spin.
     #[must_use]
-    pub fn stage(&self, energy: f64) -> Option<Stage> {
-        Stage::from_motion(&self.polhode(energy))
+    pub fn stage(&self, energy: f64) -> Option<RotationState> {
+        RotationState::from_motion(&self.polhode(energy))
     }
 
-    /// The stage of a body with an angular momentum `K` (N·m·s, body axes) once its vibrations have died out: that of the energy of the
-    /// deformed body of the steady spin nearest to it. (Q2)
+    /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: at the energy of the
+    /// body as deformed by the steady spin nearest to `K`. (Q2)
     ///
-    /// None at a steady spin, or if none was found.
+    /// None at a steady spin, or if no steady spin was found.
     #[must_use]
-    pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<Stage> {
-        let along = |spin: &&RelativeEquilibrium| dot(spin.momentum, K).abs();
+    pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<RotationState> {
+        let along = |spin: &&RelativeEquilibrium| dot(spin.angular_momentum, K).abs();
         let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
         let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
         let inverse = sym3::inverse(body.inertia_at(&spin.q));
         let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
-        self.stage(spin.energy + turning(K) - turning(spin.momentum))
+        self.stage(spin.energy + turning(K) - turning(spin.angular_momentum))
     }
 
-    /// A state of the full system near a stage: the deformed body of the steady spin that the mode circles, turning freely. (Q2)
+    /// State of the full system near a rotation state: the body as deformed by the steady spin that the mode circles, in free rotation.
+    /// (Q2)
     ///
-    /// None if that steady spin was not found.
+    /// None if the steady spin was not found.
     #[must_use]
-    pub fn state(&self, body: &FlexibleBody, stage: Stage) -> Option<FullState> {
+    pub fn state(&self, body: &FlexibleBody, stage: RotationState) -> Option<FullState> {
         let spin = self.equilibrium(stage.mode)?;
-        let wanted = FreeRotation::at_logit(self.moments, self.momentum, stage.mode, stage.xi).energy();
+        let wanted =
+            FreeRotation::at_logit(self.moments, self.angular_momentum, stage.mode, stage.xi).energy();
         let J = body.inertia_at(&spin.q);
         let inverse = sym3::inverse(J);
-        let along = scale(norm(spin.momentum).recip(), spin.momentum);
+        let along = scale(norm(spin.angular_momentum).recip(), spin.angular_momentum);
         let across = self.across(stage.mode, along);
         let K = |angle: f64| {
             let (sine, cosine) = angle.sin_cos();
-            scale(self.momentum, add(scale(cosine, along), scale(sine, across)))
+            scale(self.angular_momentum, add(scale(cosine, along), scale(sine, across)))
         };
         let excess = |angle: f64| {
             let (K, K0) = (K(angle), K(0.0));
@@ -116,12 +122,12 @@ impl EnergyRange {
         Some(FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
     }
 
-    /// Direction across an axis, towards the steady spin of the middle moment where that is known.
+    /// Direction across an axis, towards the other pole where its steady spin is known, otherwise towards that of the middle moment.
     fn across(&self, mode: Mode, along: [f64; 3]) -> [f64; 3] {
         let other = self.equilibria[2 - mode.circled()].as_ref().or(self.equilibria[1].as_ref());
-        let mut towards = other.map_or([0.0; 3], |spin| spin.momentum);
+        let mut towards = other.map_or([0.0; 3], |spin| spin.angular_momentum);
         towards = add(towards, scale(-dot(towards, along), along));
-        if norm(towards) < ALONG * self.momentum {
+        if norm(towards) < ALONG * self.angular_momentum {
             let mut unit = [0.0; 3];
             unit[(0..3).min_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs())).unwrap_or(0)] = 1.0;
             towards = cross(along, unit);
@@ -130,7 +136,7 @@ impl EnergyRange {
     }
 }
 
-/// Largest angle (rad) between the angular momentum and the circled axis that a state is looked for.
+/// Largest angle (rad) between the angular momentum and the circled axis in the search for a state.
 const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
-/// A direction whose part across an axis is below this share gives none.
+/// Share of `G` below which the part of a steady spin across an axis gives no direction.
 const ALONG: f64 = 1e-3;

@@ -1,33 +1,37 @@
+//! Mean power of the full system from a short run, in weighted windows after the transient.
+//! Smooth weights converge faster than any power of the window; two windows one behind the other give the error, and windows double until
+//! the mean settles.
+//! Equation (Q4), docs/theory/16-methods.md.
+
 use std::ops::ControlFlow;
 
 use thiserror::Error;
 
 use super::energy_range::EnergyRange;
-use crate::averaging::{FreeRotation, Stage};
+use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::{
     Forced, FullState, Observer, Options, Outcome, PropagateError, Sample, propagate_full,
 };
 use crate::model::FlexibleBody;
 
-/// Mean power of the full system near a stage, from a short run of it. (Q4)
+/// Mean power of the full system near a rotation state, from a short run. (Q4)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
-    /// Where it was measured: the stage at the mean energy.
-    pub stage: Stage,
-    /// Mean power that is dissipated (W).
+    /// Rotation state of the measurement, at the mean energy.
+    pub stage: RotationState,
+    /// Mean power dissipated (W).
     pub power: f64,
-    /// Estimate of its relative error: the change between two windows, one behind the other, beside that of the equivalent
-    /// polhode.
+    /// Estimate of the relative error: the change between two windows, one behind the other, relative to that of the equivalent polhode.
     pub error: f64,
     /// Mean power of each dissipator (W), in the order of [`FlexibleBody::dissipators`].
     pub budget: Vec<f64>,
-    /// Revolutions that the run took.
-    pub turns: f64,
-    /// Steps that the run took.
+    /// Revolutions of the run.
+    pub revolutions: f64,
+    /// Steps of the run.
     pub steps: u64,
 }
 
-/// A mean power that was not found.
+/// Error of a mean power that was not found.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MeasureError {
@@ -37,9 +41,9 @@ pub enum MeasureError {
     /// The run ended early.
     #[error("a short run of the full system ended at t = {t:.4} s: {reason}")]
     Ended {
-        /// When (s).
+        /// Time of the end (s).
         t: f64,
-        /// Why, in words.
+        /// Reason in words.
         reason: String,
     },
     /// The motion left the range of energies between the steady spins.
@@ -54,32 +58,32 @@ pub enum MeasureError {
     /// The steps allowed were used up.
     #[error("a short run of the full system used up the steps allowed")]
     StepLimit,
-    /// Somebody asked for an end.
+    /// The caller asked for an end.
     #[error("interrupted")]
     Interrupted,
 }
 
-/// How long the full system is followed.
+/// Plan of a short run: durations, accuracy and limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Plan {
-    /// Time in which the start is forgotten (s).
+    /// Time for the transient of the start to decay (s).
     pub settling: f64,
     /// Periods of the polhode in a window.
     pub periods: f64,
-    /// Relative change between windows that is allowed.
+    /// Relative change allowed between windows.
     pub change: f64,
     /// Error allowed per step, relative.
     pub tolerance: f64,
-    /// Steps allowed in all.
+    /// Limit of steps in all.
     pub steps: u64,
-    /// Times that settling and window are doubled until the mean settles.
+    /// Limit of doublings of the window until the mean settles.
     pub doublings: usize,
 }
 
 /// Samples in a period of the polhode.
 const SAMPLES: f64 = 16.0;
 
-/// Measures the mean power of the full system near a stage. (Q4)
+/// Measures the mean power of the full system near a rotation state. (Q4)
 pub(super) fn measured(
     body: &FlexibleBody,
     range: &EnergyRange,
@@ -88,7 +92,7 @@ pub(super) fn measured(
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Measurement, MeasureError> {
     let mut state = start;
-    let (mut turns, mut steps) = (0.0, 0);
+    let (mut revolutions, mut steps) = (0.0, 0);
     let mut before: Option<Mean> = None;
     let mut change = f64::INFINITY;
     let share = |mean: &Mean, motion: &FreeRotation| mean.power / motion.mean_square_acceleration();
@@ -99,7 +103,7 @@ pub(super) fn measured(
         let window = longer * plan.periods * period;
         let left = Plan { steps: plan.steps.saturating_sub(steps), ..plan };
         let run = Window::follow(body, &state, [settling, window], SAMPLES / period, left, watch)?;
-        (turns, steps) = (turns + run.turns, steps + run.steps);
+        (revolutions, steps) = (revolutions + run.revolutions, steps + run.steps);
         state = run.last;
         let mean = run.mean;
         let stage = range.stage(mean.energy).ok_or(MeasureError::LeftMode)?;
@@ -109,7 +113,7 @@ pub(super) fn measured(
             change = (share(&mean, &now) / share(before, &then) - 1.0).abs();
             if change <= plan.change || (doubling == plan.doublings && change <= 4.0 * plan.change) {
                 let Mean { power, budget, .. } = mean;
-                return Ok(Measurement { stage, power, error: change, budget, turns, steps });
+                return Ok(Measurement { stage, power, error: change, budget, revolutions, steps });
             }
         }
         before = Some(mean);
@@ -128,12 +132,12 @@ struct Mean {
 struct Window {
     mean: Mean,
     last: FullState,
-    turns: f64,
+    revolutions: f64,
     steps: u64,
 }
 
 impl Window {
-    /// Follows the full system over the settling and the window.
+    /// Integrates the full system over the settling and the window.
     fn follow(
         body: &FlexibleBody,
         start: &FullState,
@@ -160,7 +164,7 @@ impl Window {
         }
         let Collector { rows, last, .. } = collector;
         let last = last.unwrap_or_else(|| start.clone());
-        Ok(Self { mean: Mean::of(&rows), last, turns: run.last.turns, steps: run.work.steps })
+        Ok(Self { mean: Mean::of(&rows), last, revolutions: run.last.revolutions, steps: run.work.steps })
     }
 }
 
@@ -196,7 +200,7 @@ struct Row {
     budget: Vec<f64>,
 }
 
-/// Collects what a mean needs.
+/// Collects the rows of a mean.
 struct Collector<'a> {
     body: &'a FlexibleBody,
     rows: Vec<Row>,

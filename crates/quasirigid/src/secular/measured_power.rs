@@ -1,3 +1,8 @@
+//! Mean power interpolated between short runs of the full system: the method where no average holds.
+//! The power is divided by `⟨|ω̇|²⟩`, since that ratio is smooth up to the poles, where the modes give it, and to the separatrix; Chebyshev
+//! places double until it settles.
+//! Equation (Q4), docs/theory/16-methods.md.
+
 use std::ops::ControlFlow;
 
 use super::criteria::uneven;
@@ -5,39 +10,39 @@ use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
 use super::site::{MeasureOptions, NEAREST, Site, small, span};
-use crate::averaging::{FreeRotation, MeanPower, Stage};
+use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::model::{FlexibleBody, Mode};
 
 /// Mean power of the full system along the equivalent polhode, measured by short runs at a few places and interpolated. (Q4)
 ///
-/// What is interpolated is the ratio of the power to the mean square of the angular acceleration on the equivalent polhode: it is
-/// finite at the poles, where the modes give it, and at the separatrix.
+/// The interpolated function is the logarithm of the ratio of the power to the mean square of the angular acceleration on the equivalent
+/// polhode; that ratio is finite at the poles, where the modes give it, and at the separatrix.
 #[derive(Clone, Debug)]
 pub struct MeasuredPower {
     moments: [f64; 3],
     /// Logarithms of the ratio in the long-axis and the short-axis mode.
     curves: [Option<Curve>; 2],
-    /// The measurements, in the order in which they were made.
+    /// Measurements, in the order in which they were made.
     pub measurements: Vec<Measurement>,
     /// Estimate of the relative error of the power: of the interpolation and of the measurements.
     pub error: f64,
 }
 
-/// Bound of the error over the estimate of it.
+/// Bound of the error over its estimate.
 const CAUTION: f64 = 2.0;
 /// Intervals between places, at first and at last.
 const INTERVALS: [usize; 2] = [4, 32];
 
 impl MeasuredPower {
-    /// Measures the power on the way from one stage to another. (Q4)
+    /// Measures the power between two rotation states. (Q4)
     ///
     /// # Errors
-    /// [`MeasureError`] if a run ends early, the mean does not settle, or somebody asks for an end.
+    /// [`MeasureError`] if a run ends early, the mean does not settle, or the caller asks for an end.
     pub fn along(
         body: &FlexibleBody,
         range: &EnergyRange,
         poles: &Poles,
-        [from, to]: [Stage; 2],
+        [from, to]: [RotationState; 2],
         options: &MeasureOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
@@ -52,13 +57,13 @@ impl MeasuredPower {
         Ok(power)
     }
 
-    /// Relative error within which a time of so many revolutions is that follows from it. (Q4)
+    /// Bound of the relative error of a time of so many revolutions from this power. (Q4)
     #[must_use]
     pub fn time_error(&self, revolutions: f64) -> f64 {
         CAUTION * self.error + uneven(revolutions)
     }
 
-    /// Mean power of each dissipator (W) where the first measurement was made.
+    /// First measurement, with the mean power of each dissipator (W).
     #[must_use]
     pub fn budget(&self) -> Option<&Measurement> {
         self.measurements.first()
@@ -88,7 +93,7 @@ struct Worker<'w, 'b> {
 }
 
 impl Worker<'_, '_> {
-    /// The curve between two places, with places added until it settles.
+    /// Interpolating curve between two places, with places added until the curve settles.
     fn curve(&mut self, [low, high]: [f64; 2]) -> Result<Curve, MeasureError> {
         let mut nodes: Vec<[f64; 2]> = self.pole(high).into_iter().collect();
         let [first, last] = INTERVALS;
@@ -121,11 +126,11 @@ impl Worker<'_, '_> {
         }
     }
 
-    /// The ratio that the modes give at the pole, as a node beyond the last place.
+    /// Logarithm of the ratio at the pole, from the modes, as a node beyond the last place.
     fn pole(&self, high: f64) -> Option<[f64; 2]> {
         let rate = self.poles.rate(self.mode).filter(|rate| *rate > 0.0)?;
         let xi = small(self.range, self.mode) + BEYOND;
-        let motion = FreeRotation::at_logit(self.power.moments, self.range.momentum(), self.mode, xi);
+        let motion = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), self.mode, xi);
         let ratio = 2.0 * rate * motion.energy_from_axis() / motion.mean_square_acceleration();
         (high + 0.5 * BEYOND > xi - BEYOND && ratio > 0.0).then(|| [xi, ratio.ln()])
     }
@@ -138,21 +143,21 @@ impl Worker<'_, '_> {
             MeasureOptions { most_steps: self.options.most_steps.saturating_sub(done), ..self.options };
         let site = Site { body: self.body, range: self.range, poles: self.poles, options };
         let watch = &mut *self.watch;
-        let found = site.measure(Stage { mode: self.mode, xi }, &mut || watch(share))?;
-        let Stage { mode, xi } = found.stage;
-        let there = FreeRotation::at_logit(self.power.moments, self.range.momentum(), mode, xi);
+        let found = site.measure(RotationState { mode: self.mode, xi }, &mut || watch(share))?;
+        let RotationState { mode, xi } = found.stage;
+        let there = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), mode, xi);
         let value = (found.power / there.mean_square_acceleration()).ln();
         self.power.measurements.push(found);
         Ok([xi, value])
     }
 }
 
-/// A way shorter than this, as `ξ`, is one place.
+/// Length in `ξ` below which one place is measured.
 const SHORT: f64 = 0.05;
 /// Distance of the pole's node from the small wobble, as `ξ`.
 const BEYOND: f64 = 1.0;
 
-/// A function of the place by polynomial interpolation between nodes, constant beyond them.
+/// Barycentric polynomial interpolation between nodes, constant beyond them.
 #[derive(Clone, Debug)]
 struct Curve {
     nodes: Vec<[f64; 2]>,
@@ -160,7 +165,7 @@ struct Curve {
 }
 
 impl Curve {
-    /// Through nodes that crowd toward the ends, as those of Chebyshev do.
+    /// Interpolates through nodes that crowd towards the ends, as Chebyshev points do.
     fn through(mut nodes: Vec<[f64; 2]>) -> Self {
         nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
         nodes.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-9);

@@ -1,8 +1,8 @@
-//! Secular evolution: how the rotation of a free body changes over many revolutions, by the road that holds there.
+//! Secular evolution: change of the rotation of a free body over many revolutions, by the method that holds there.
 //!
-//! Where the internal motion settles much faster than the wobble changes, and is light, one may average along the polhode of the
-//! rigid body. Elsewhere the full system is asked: for the mean power at a few places ([`MeasuredPower`]), or for the whole
-//! history ([`follow_directly`]). [`Poles`] holds what every road is checked against: the steady spins and their modes.
+//! Where the internal motion settles much faster than the wobble changes, and is light, one may average along the polhode of the rigid
+//! body. Elsewhere the full system gives the mean power at a few places ([`MeasuredPower`]), or the whole history ([`follow_directly`]).
+//! Every method is checked against the steady spins and their modes, [`Poles`].
 
 mod calibrated;
 mod criteria;
@@ -18,7 +18,7 @@ mod wobbling;
 
 pub use calibrated::CalibratedPower;
 pub use criteria::{AverageCriteria, apart, average_criteria};
-pub use direct::{DirectEnding, DirectOptions, DirectRow, DirectRun, follow_directly};
+pub use direct::{DirectOptions, DirectRow, DirectRun, DirectStopReason, follow_directly};
 pub use energy_range::EnergyRange;
 pub use measure::{MeasureError, Measurement};
 pub use measured_power::MeasuredPower;

@@ -5,24 +5,24 @@ use crate::modes::{ModesError, SpinModes};
 /// Pole: a steady spin with its modes, at one end of the evolution. (Q3)
 #[derive(Clone, Debug)]
 pub struct Pole {
-    /// The modes about it.
+    /// Modes about the steady spin.
     pub modes: SpinModes,
 }
 
 /// Steady spins about the axes of least and of greatest inertia with their modes.
 #[derive(Clone, Debug)]
 pub struct Poles {
-    /// Axis of least inertia; none if no steady spin was found there.
+    /// Axis of least inertia; none if no steady spin was found.
     pub long: Option<Pole>,
     /// Axis of greatest inertia.
     pub short: Option<Pole>,
 }
 
 impl Poles {
-    /// The poles of an energy range.
+    /// Poles of an energy range.
     ///
     /// # Errors
-    /// [`ModesError`] if the modes about one are not found.
+    /// [`ModesError`] if the modes about a pole are not found.
     pub fn compute(body: &FlexibleBody, range: &EnergyRange) -> Result<Self, ModesError> {
         let pole = |mode: Mode| -> Result<Option<Pole>, ModesError> {
             let equilibrium = range.equilibrium(mode).cloned();
@@ -31,7 +31,7 @@ impl Poles {
         Ok(Self { long: pole(Mode::LongAxis)?, short: pole(Mode::ShortAxis)? })
     }
 
-    /// The pole that a mode circles.
+    /// Pole that a mode circles.
     #[must_use]
     pub fn of_mode(&self, mode: Mode) -> Option<&Pole> {
         match mode {
@@ -50,13 +50,13 @@ impl Poles {
 }
 
 impl Pole {
-    /// Slowest decay (1/s) of the internal modes: the rate at which they forget a start; infinite without internal modes. (Q3)
+    /// Slowest decay (1/s) of the internal modes, that of the transient of a start; infinite without internal modes. (Q3)
     #[must_use]
     pub fn settling_rate(&self) -> f64 {
         self.modes.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min)
     }
 
-    /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: how fast they follow a wobble that changes. (Q3)
+    /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: the rate at which they follow a wobble that changes. (Q3)
     #[must_use]
     pub fn following_rate(&self) -> f64 {
         let Some(nutation) = self.modes.nutation() else { return f64::INFINITY };
@@ -64,7 +64,8 @@ impl Pole {
         self.modes.internal.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
-    /// Name of the first mode that grows although the spin is one that dissipation leads to; none if there is none. (Q3)
+    /// First mode that grows; none if no mode grows. About the axis of greatest inertia such a mode contradicts the evolution towards
+    /// that axis. (Q3)
     #[must_use]
     pub fn unstable(&self) -> Option<&crate::modes::SpinMode> {
         self.modes.modes.iter().find(|mode| mode.grows())

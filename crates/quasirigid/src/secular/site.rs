@@ -1,21 +1,26 @@
+//! Measurement of the mean power at a rotation state: settling time, windows and limits from the modes at the pole.
+//! Settling is eight of the slowest internal decays, clamped to 2 to 400 periods of the polhode; the window shrinks where the wobble changes
+//! fast.
+//! Equations (Q3) and (Q4), docs/theory/16-methods.md.
+
 use std::ops::ControlFlow;
 
 use super::calibrated::wobble;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement, Plan, measured};
 use super::poles::Poles;
-use crate::averaging::{FreeRotation, Stage};
+use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, Mode};
 
-/// How the power is measured.
+/// Options of a measurement of the power.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasureOptions {
     /// Relative error wanted.
     pub error: f64,
     /// Error allowed per step of the full system, relative.
     pub tolerance: f64,
-    /// Steps allowed in all.
+    /// Limit of steps in all.
     pub most_steps: u64,
 }
 
@@ -25,15 +30,15 @@ impl Default for MeasureOptions {
     }
 }
 
-/// Relaxation times in which the start of a short run is forgotten.
+/// Relaxation times for the transient of a short run: a residue of `e^{−8}`.
 const SETTLED: f64 = 8.0;
 /// Least and largest time of settling, in periods of the polhode.
 const SETTLING: [f64; 2] = [2.0, 400.0];
 /// Periods of the polhode in a window: few where the wobble changes fast.
 const PERIODS: [f64; 2] = [8.0, 24.0];
-/// Decays in a window.
+/// Share of a decay time of the wobble in a window.
 const DECAYS: f64 = 0.05;
-/// Doublings of a window until the mean settles, and where the run starts on the slow manifold.
+/// Limits of doublings of a window until the mean settles: in general, and for a run from the slow manifold.
 const DOUBLINGS: usize = 5;
 const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
@@ -41,7 +46,7 @@ const SMALL: f64 = 0.02;
 /// Distance from the separatrix, as `ξ`, to which the power is measured.
 pub(super) const NEAREST: f64 = -4.0;
 
-/// Where the mean power of a full system is measured. (Q4)
+/// Measuring site of the mean power of a full system. (Q4)
 #[derive(Clone, Copy)]
 pub(super) struct Site<'a> {
     pub body: &'a FlexibleBody,
@@ -51,29 +56,30 @@ pub(super) struct Site<'a> {
 }
 
 impl Site<'_> {
-    /// Measures the mean power near a stage.
+    /// Measures the mean power near a rotation state.
     pub fn measure(
         self,
-        Stage { mode, xi }: Stage,
+        RotationState { mode, xi }: RotationState,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Measurement, MeasureError> {
         let Self { body, range, poles, .. } = self;
-        let start = range.state(body, Stage { mode, xi }).ok_or(MeasureError::LeftMode)?;
-        let period = FreeRotation::at_logit(range.moments(), range.momentum(), mode, xi).polhode_period();
+        let start = range.state(body, RotationState { mode, xi }).ok_or(MeasureError::LeftMode)?;
+        let period =
+            FreeRotation::at_logit(range.moments(), range.angular_momentum(), mode, xi).polhode_period();
         let pole = poles.of_mode(mode);
         let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
         let settling = settling.clamp(SETTLING[0] * period, SETTLING[1] * period);
         self.follow((start, settling), (mode, period), DOUBLINGS, watch)
     }
 
-    /// Measures the mean power of a motion from a state on the slow manifold, which has nothing to forget.
+    /// Measures the mean power of a motion from a state on the slow manifold, which has no transient.
     pub fn measure_from(
         self,
         start: FullState,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Measurement, MeasureError> {
         let energy = start.energy(self.body);
-        let Stage { mode, .. } = self.range.stage(energy).ok_or(MeasureError::LeftMode)?;
+        let RotationState { mode, .. } = self.range.stage(energy).ok_or(MeasureError::LeftMode)?;
         let period = self.range.polhode(energy).polhode_period();
         self.follow((start, 0.0), (mode, period), DOUBLINGS_FROM_MANIFOLD, watch)
     }
@@ -100,21 +106,21 @@ impl Site<'_> {
     }
 }
 
-/// Place where the wobble is so small that the modes give the power.
+/// Place `ξ` where the wobble is so small that the modes give the power.
 pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
-    let angle = |xi: f64| wobble(range.moments(), range.momentum(), Stage { mode, xi });
+    let angle = |xi: f64| wobble(range.moments(), range.angular_momentum(), RotationState { mode, xi });
     crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
 }
 
-/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`; none if the way does not lead
-/// through the mode.
+/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`; none if the evolution does
+/// not pass through the mode.
 pub(super) fn span(
     range: &EnergyRange,
     mode: Mode,
-    [from, to]: [Stage; 2],
+    [from, to]: [RotationState; 2],
     nearest: f64,
 ) -> Option<[f64; 2]> {
-    let at = |stage: Stage| (stage.mode == mode).then_some(stage.xi);
+    let at = |stage: RotationState| (stage.mode == mode).then_some(stage.xi);
     let (one, other) = match (at(from), at(to)) {
         (Some(one), Some(other)) => (one, other),
         (Some(one), None) | (None, Some(one)) => (one, nearest),

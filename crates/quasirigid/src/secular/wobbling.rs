@@ -1,4 +1,4 @@
-//! A start that wobbles.
+//! Start with a given wobble.
 
 use crate::averaging::{FreeRotation, FreeRotationError};
 use crate::dynamics::Start;
@@ -6,11 +6,10 @@ use crate::math::rotation::ALIGNED;
 use crate::model::{Mode, Principal, ReducedBody};
 
 impl Start {
-    /// The start with the angular momentum of a rigid wobble: of the frozen body, at the `nutation` (rad), the largest angle between
-    /// angular momentum and circled axis, and the size that the steady spin about that axis has at the `rate` (rad/s). Body axes
-    /// and inertial ones coincide.
+    /// Start with the angular momentum of a wobble of the frozen body: `nutation` (rad) is the largest angle between angular momentum and
+    /// circled axis, `rate` (rad/s) that of the steady spin about the axis with the same `|K|`. Body axes and inertial ones coincide.
     ///
-    /// The spin is `Ω(K)` of the reduced equations, whose validity it does not judge. (A1), (R11)
+    /// The angular velocity is `Ω(K)` of the reduced equations, whose validity is not judged here. (A1), (R11)
     ///
     /// # Errors
     /// [`FreeRotationError`] if the body has no such wobble.

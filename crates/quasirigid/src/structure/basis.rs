@@ -1,30 +1,34 @@
+//! Basis of the slow manifold of a structure: Krylov space of its static responses, orthonormal in the stiffness.
+//! Each step is a factor of inertia or damping, so the degree in the spin says exactly which vectors an order needs.
+//! Equation (K8), docs/theory/12-structures.md.
+
 use nalgebra::DMatrix;
 
 use super::discrete::{Discrete, times};
 use super::solver::Solver;
 use crate::math::watch;
 
-/// Displacements of a structure that hold its slow manifold to an order, a row each. (K8)
+/// Basis: displacements of a structure that span its slow manifold to an order, a row each. (K8)
 ///
 /// Orthonormal in the stiffness.
 pub(super) struct Basis {
     rows: Vec<Vec<f64>>,
-    /// Forces that hold each of them.
+    /// Forces in balance with each of them.
     forces: Vec<Vec<f64>>,
-    /// Largest share of the energy of an answer that it does not hold.
+    /// Largest share of the energy of a response that the basis does not hold.
     pub left_out: f64,
 }
 
-/// A displacement that keeps less than this share of its energy is a combination of the others.
+/// Share of its energy below which the rest of a displacement is linearly dependent on the others.
 const DEPENDENT: f64 = 1e-10;
-/// A static answer with less than this share of the energy of the largest is rounding.
+/// Share of the energy of the largest static response below which a response is rounding.
 const NOTHING: f64 = 1e-24;
 
 impl Basis {
-    /// The space of the answers to loads, and of the answers to what inertia, spin and damping make of them.
+    /// Space of the responses to loads, and of the responses to the inertia, spin and damping of these.
     ///
-    /// A factor of the damping raises the degree in the spin by one, one of the inertia by two; the answers to the loads are of
-    /// degree two.
+    /// A factor of the damping raises the degree in the spin by one, one of the inertia by two; the responses to the loads are of degree
+    /// two.
     pub fn new(discrete: &Discrete<'_>, solver: &Solver, statics: &DMatrix<f64>, order: usize) -> Self {
         let mut basis = Self { rows: Vec::new(), forces: Vec::new(), left_out: 0.0 };
         let budget = order.max(3) - 2;
@@ -54,7 +58,7 @@ impl Basis {
         stacked(&self.rows, size)
     }
 
-    /// Adds what of some displacements is not in the space yet; that alone, a row each.
+    /// Adds the part of some displacements that is not in the space yet, and returns that part, a row each.
     pub fn append(&mut self, discrete: &Discrete<'_>, displacements: &DMatrix<f64>) -> DMatrix<f64> {
         let added = self.append_rows(discrete, displacements);
         stacked(&added, displacements.ncols())

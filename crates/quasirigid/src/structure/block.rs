@@ -10,17 +10,17 @@ pub(crate) type Entries = Vec<(usize, usize, f64)>;
 /// Part of the symmetric matrices over some coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
-    /// Name of what dissipates; blocks of the same name are one dissipator.
+    /// Name of the dissipator; blocks of the same name are one dissipator.
     pub name: String,
     pub columns: Vec<usize>,
     pub stiffness: Vec<Vec<f64>>,
     pub damping: Vec<Vec<f64>>,
-    /// How what has this stiffness answers periodic strain, beside the damping.
+    /// Rheology of this stiffness: response to periodic strain, beside the damping.
     pub rheology: Rheology,
 }
 
 impl Block {
-    /// Law for the displacement of one end relative to another, given per unit of each coordinate that moves them.
+    /// Block of a law for the displacement of one end relative to another, given per unit of each coordinate that moves them.
     pub fn between<const N: usize>(
         name: &str,
         rheology: &Rheology,
@@ -47,7 +47,7 @@ impl Block {
         rows.flat_map(|(j, row)| self.columns.iter().zip(row).map(|(k, entry)| (*j, *k, *entry))).collect()
     }
 
-    /// Its damping, that of a Kelvin-Voigt material with it, and what of its stiffness has another loss.
+    /// Losses of the block: its damping, with that of a Kelvin-Voigt material, and the part of its stiffness that has another loss.
     pub fn losses(&self, elastic: &Entries) -> (Entries, Option<(Rheology, Entries)>) {
         let mut damping = self.entries(&self.damping);
         match &self.rheology {

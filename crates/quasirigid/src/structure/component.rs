@@ -1,12 +1,16 @@
+//! Component: a structure condensed to few coordinates, with its invariants, matrices and curved paths.
+//! Products of fields over lumped masses are made once, at the centre of mass; any pole and numbering follow from them.
+//! Equations (I2) to (I6), (K8) and (K12), docs/theory.
+
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::basis::Basis;
 use super::curvature::Curvature;
 use super::discrete::{Discrete, Structure};
-use super::freedoms::{Freedoms, Unknown};
-use super::grains::Whole;
+use super::dofs::{Dofs, Unknown};
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
+use super::lumped_masses::Whole;
 use super::masses::Scaled;
 use super::owned;
 use super::paths::Paths;
@@ -20,7 +24,7 @@ use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
 use crate::structure::Block;
 use crate::structure::Condensation;
 
-/// A structure with few coordinates, each of them a displacement with an rms of its value. (K8)
+/// Structure in few coordinates, each of them a displacement scaled to its rms. (K8)
 #[derive(Clone, Debug)]
 pub(crate) struct Component {
     /// Mass and second moments.
@@ -31,47 +35,47 @@ pub(crate) struct Component {
     moments: Vec<Matrix3<f64>>,
     /// `∫ u_j u_kᵀ dm`.
     products: Vec<Vec<Matrix3<f64>>>,
-    /// Mass matrix: the traces of the products, and the inertia of freedoms that have no displacement.
+    /// Mass matrix: the traces of the products, and the inertia of DOFs that have no displacement.
     masses: DMatrix<f64>,
-    /// Those of each part.
+    /// Mass matrix of each part.
     owned: Vec<(String, DMatrix<f64>)>,
     /// Curvature of the paths of each pair; none if they are straight.
     curvatures: Option<Vec<Vec<Curvature>>>,
-    /// Their second order point by point; none if they are straight, or those of a panel or a solid.
+    /// Second order of the paths point by point; none if they are straight, or those of a panel or a solid.
     paths: Option<Paths>,
-    /// Stiffness, damping and rheology by what dissipates.
+    /// Stiffness, damping and rheology of each dissipator.
     blocks: Vec<Block>,
     /// Displacement of each station per unit of each coordinate.
     stations: Vec<Vec<[f64; 3]>>,
     /// Rotation of each station, where it has one.
-    turns: Vec<Option<Vec<[f64; 3]>>>,
-    /// Unknowns that its coordinates stand for.
+    rotations: Vec<Option<Vec<[f64; 3]>>>,
+    /// Number of unknowns of the structure.
     unknowns: usize,
-    /// Largest share of the energy of an answer that they do not hold.
+    /// Largest share of the energy of a response that the coordinates do not hold.
     left_out: f64,
 }
 
-/// Why a structure cannot be given few coordinates.
+/// Fault of a structure that cannot be condensed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Fault {
     /// A motion of these unknowns, largest first, meets no stiffness.
     Loose(Vec<Unknown>),
-    /// Its lowest modes are not found.
+    /// The lowest modes are not found.
     NoConvergence(NoConvergence),
-    /// Its unknowns, so many, need more memory than there is.
+    /// The unknowns, so many, need more memory than there is.
     Memory(usize, TooMuchMemory),
 }
 
-/// What a structure is reduced for.
+/// Purpose of a condensation.
 #[derive(Clone, Debug)]
 pub(crate) struct Purpose<'a> {
-    /// Order to which the slow manifold is kept.
+    /// Order to which the slow manifold is exact.
     pub order: usize,
-    /// Lowest modes of vibration that are kept beside it.
+    /// Number of lowest modes of vibration beside it.
     pub modes: usize,
     /// Whether the structure floats; else it is on its carrier.
     pub floating: bool,
-    /// Nodes whose displacements are wanted.
+    /// Nodes whose displacements are kept.
     pub stations: &'a [usize],
     /// Loads of other elements at each of them.
     pub loads: &'a [Load],
@@ -82,26 +86,26 @@ pub(crate) struct Purpose<'a> {
 pub(crate) struct Load {
     /// Whether a force acts there.
     pub force: bool,
-    /// Whether a moment does.
+    /// Whether a moment acts there.
     pub moment: bool,
 }
 
-/// Unknowns with less than this share of the largest take no part in a motion.
+/// Share of the largest unknown below which unknowns take no part in a motion.
 const PART: f64 = 0.1;
-/// Fields of displacement and of force that are held at once for each load, at least.
+/// Fields of displacement and of force that are in memory at once for each load, at least.
 const COPIES: f64 = 6.0;
 
 impl Structure {
-    /// The structure with few coordinates.
+    /// Component: the structure condensed to few coordinates.
     ///
     /// # Errors
     /// [`Fault`] if some motion meets no stiffness, or modes are not found.
-    pub fn component(&self, freedoms: Freedoms, purpose: &Purpose<'_>) -> Result<Component, Fault> {
-        let unknowns = freedoms.unknowns().len();
+    pub fn component(&self, dofs: Dofs, purpose: &Purpose<'_>) -> Result<Component, Fault> {
+        let unknowns = dofs.unknowns().len();
         let room = |cause| Fault::Memory(unknowns, cause);
-        let discrete = Discrete::new(self, freedoms).map_err(room)?;
+        let discrete = Discrete::new(self, dofs).map_err(room)?;
         let solver = Solver::new(&discrete, purpose.floating).map_err(|fault| match fault {
-            Unsolved::Singular(singular) => loose(&discrete.freedoms, &singular.direction),
+            Unsolved::Singular(singular) => loose(&discrete.dofs, &singular.direction),
             Unsolved::Memory(cause) => room(cause),
         })?;
         let fields = LOADS + purpose.loaded().count();
@@ -137,10 +141,10 @@ impl Structure {
             owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
             stations: purpose.stations.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),
-            turns: purpose
+            rotations: purpose
                 .stations
                 .iter()
-                .map(|node| self.nodes[*node].turns.then(|| motion(&discrete, &fields, *node, 3)))
+                .map(|node| self.nodes[*node].rotations.then(|| motion(&discrete, &fields, *node, 3)))
                 .collect(),
             unknowns: fields.ncols(),
             left_out: basis.left_out,
@@ -154,7 +158,7 @@ impl Component {
         self.sums.len()
     }
 
-    /// What was left out when it got its coordinates.
+    /// Condensation: numbers of unknowns and coordinates, and the energy left out.
     pub fn condensation(&self) -> Condensation {
         Condensation { unknowns: self.unknowns, coordinates: self.size(), left_out: self.left_out }
     }
@@ -204,7 +208,7 @@ impl Component {
         })
     }
 
-    /// The paths with all that their second order does, in a body with these invariants; coordinates are numbered from `start`. (K12)
+    /// Curved paths with all effects of their second order, in a body with these invariants; coordinates are numbered from `start`. (K12)
     pub fn curved_paths(&self, pole: Vector3<f64>, start: usize, body: &Invariants) -> Option<CurvedPaths> {
         let paths = self.paths.as_ref()?;
         let (own, first) = (start..start + self.size(), body.S.len());
@@ -234,7 +238,7 @@ impl Component {
         Some(CurvedPaths { straight: whole, coordinates: own, forms })
     }
 
-    /// Invariants of two coordinates without what the fields of the second order bring themselves.
+    /// Invariants of two coordinates without the contribution of the fields of the second order.
     fn rest(&self, j: usize, k: usize, pole: Vector3<f64>, paths: &Paths) -> Pair {
         let mut rest = self.pair(j, k, pole);
         for ((sum, moment), form) in paths.sums.iter().zip(&paths.moments).zip(&paths.forms) {
@@ -281,8 +285,8 @@ impl Component {
     }
 
     /// Rotation of a station per unit of each coordinate, numbered from `start`; none of a node without rotations.
-    pub fn turns(&self, station: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
-        self.turns[station].as_ref().map(|turns| numbered(turns, start))
+    pub fn rotations(&self, station: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
+        self.rotations[station].as_ref().map(|rotations| numbered(rotations, start))
     }
 }
 
@@ -299,9 +303,9 @@ impl Purpose<'_> {
 
 /// Unit forces and moments along each axis at the nodes that other elements load.
 fn pulls(discrete: &Discrete<'_>, purpose: &Purpose<'_>) -> DMatrix<f64> {
-    let mut pulls = DMatrix::zeros(purpose.loaded().count(), discrete.freedoms.unknowns().len());
+    let mut pulls = DMatrix::zeros(purpose.loaded().count(), discrete.dofs.unknowns().len());
     for (number, (node, component)) in purpose.loaded().enumerate() {
-        for (unknown, share) in discrete.freedoms.row(node, component) {
+        for (unknown, share) in discrete.dofs.row(node, component) {
             pulls[(number, *unknown)] += share;
         }
     }
@@ -332,14 +336,14 @@ fn by_pair(products: &[DMatrix<f64>; 9]) -> Vec<Vec<Matrix3<f64>>> {
 /// Three components of the motion of a node from the first on, per unit of each field.
 fn motion(discrete: &Discrete<'_>, fields: &DMatrix<f64>, node: usize, first: usize) -> Vec<[f64; 3]> {
     let component = |component: usize, j: usize| {
-        let row = discrete.freedoms.row(node, component).iter();
+        let row = discrete.dofs.row(node, component).iter();
         row.map(|(unknown, share)| share * fields[(j, *unknown)]).sum()
     };
     (0..fields.nrows()).map(|j| [0, 1, 2].map(|axis| component(first + axis, j))).collect()
 }
 
-fn loose(freedoms: &Freedoms, direction: &[f64]) -> Fault {
+fn loose(dofs: &Dofs, direction: &[f64]) -> Fault {
     let mut moving: Vec<usize> = (0..direction.len()).filter(|i| direction[*i].abs() > PART).collect();
     moving.sort_by(|a, b| direction[*b].abs().total_cmp(&direction[*a].abs()));
-    Fault::Loose(moving.into_iter().map(|i| freedoms.unknowns()[i]).collect())
+    Fault::Loose(moving.into_iter().map(|i| dofs.unknowns()[i]).collect())
 }

@@ -5,7 +5,7 @@ pub struct Condensation {
     pub unknowns: usize,
     /// Coordinates of the flexible body that hold their slow motion.
     pub coordinates: usize,
-    /// Largest share of its elastic energy that an answer loses: one of those to the loads of a spin and of pulling forces, to
-    /// the order that is kept.
+    /// Largest share of its elastic energy that a response loses: one of those to the loads of a spin and of external forces, to the order
+    /// that is kept.
     pub left_out: f64,
 }

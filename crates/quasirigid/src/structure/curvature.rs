@@ -1,8 +1,12 @@
+//! Curved paths of a structure: second-order displacements by the work of twelve loads on them.
+//! By reciprocity the stress of each load suffices, so no second-order problem is solved; masses on arms add their own rotation.
+//! Equations (K4) and (K6), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Matrix3, MatrixXx3, Vector3};
 
 use super::discrete::Discrete;
 use super::loads::{Acceleration, moments};
-use crate::finite::{Element, Grain, Turn};
+use crate::finite::{Element, LumpedMass, Turn};
 use crate::math::watch;
 
 /// `∫ G_jk dm` and `∫ s G_jkᵀ dm` of a pair of coordinates, with `s` from the reference point. (K6)
@@ -15,9 +19,8 @@ pub(super) struct Curvature {
 impl Discrete<'_> {
     /// Curvature of the paths of all points; none if they are straight.
     ///
-    /// The work of each load on the second order of a displacement is what its stress takes from the stiffness,
-    /// `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; grains on an arm turn with it besides. `answers` are the displacements under the
-    /// loads, a row each. (K6)
+    /// The work of each load on the second order of a displacement is the stiffness lost to the stress of the load, `f·½G_jk q_j q_k = −½
+    /// qᵀ K_G[f] q`; lumped masses on an arm rotate with it besides. `answers` are the displacements under the loads, a row each. (K6)
     pub(super) fn curvatures(
         &self,
         reference: Vector3<f64>,
@@ -31,12 +34,11 @@ impl Discrete<'_> {
         watch::stage("bending the paths");
         for (number, element) in self.structure.elements.iter().enumerate() {
             watch::progress(number as f64 / self.structure.elements.len() as f64);
-            let spread =
-                |rows: &DMatrix<f64>| self.freedoms.spread(element.nodes(), element.freedoms(), rows);
+            let spread = |rows: &DMatrix<f64>| self.dofs.spread(element.nodes(), element.dofs(), rows);
             let own = spread(fields);
             curved |= bent(element.as_ref(), reference, loads, &spread(answers), &own, &mut works);
-            for grain in element.grains() {
-                curved |= turned(&grain, reference, loads, &own, &mut works);
+            for lumped_mass in element.lumped_masses() {
+                curved |= turned(&lumped_mass, reference, loads, &own, &mut works);
             }
         }
         let pair = |j: usize, k: usize| {
@@ -47,7 +49,7 @@ impl Discrete<'_> {
     }
 }
 
-/// Adds the work of the loads on what the strain of an element bends.
+/// Adds the work of the loads on the second order of an element, by its geometric stiffness.
 fn bent(
     element: &dyn Element,
     reference: Vector3<f64>,
@@ -67,22 +69,22 @@ fn bent(
     bent
 }
 
-/// Adds the work of the loads on a grain that turns on its arm: `½ (θ_j × (θ_k × p) + θ_k × (θ_j × p))` for each pair.
+/// Adds the work of the loads on a lumped mass on a rotating arm: `½ (θ_j × (θ_k × p) + θ_k × (θ_j × p))` for each pair.
 fn turned(
-    grain: &Grain,
+    lumped_mass: &LumpedMass,
     reference: Vector3<f64>,
     loads: &[Acceleration],
     fields: &DMatrix<f64>,
     works: &mut [DMatrix<f64>],
 ) -> bool {
-    let Some(Turn { arm, shapes }) = &grain.turn else { return false };
-    let turns: MatrixXx3<f64> = fields * shapes.transpose();
+    let Some(Turn { arm, shapes }) = &lumped_mass.turn else { return false };
+    let rotations: MatrixXx3<f64> = fields * shapes.transpose();
     for (load, work) in loads.iter().zip(works) {
-        let force = grain.mass * load.at(grain.place_from(reference), grain.one());
+        let force = lumped_mass.mass * load.at(lumped_mass.place_from(reference), lumped_mass.one());
         // θ_j × (θ_k × p) = θ_k (θ_j·p) − p (θ_j·θ_k)
-        let (along, across) = (&turns * force, &turns * arm);
+        let (along, across) = (&rotations * force, &rotations * arm);
         let product = 0.5 * (&along * across.transpose() + &across * along.transpose());
-        *work += product - force.dot(arm) * &turns * turns.transpose();
+        *work += product - force.dot(arm) * &rotations * rotations.transpose();
     }
     true
 }

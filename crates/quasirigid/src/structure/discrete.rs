@@ -1,24 +1,28 @@
+//! Structure and its matrices: finite elements between nodes, assembled over the unknowns.
+//! Stiffness is kept by material, since each rheology needs its own; memory is asked for before anything is allocated.
+//! Equations (K1) to (K3), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Vector3};
 
-use super::freedoms::{Freedoms, Hold, Node, Unknown};
-use super::sum::{Tie, pattern};
+use super::dofs::{Constraint, Dofs, Node, Unknown};
+use super::sum::{DofMap, pattern};
 use crate::finite::Element;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
 use crate::math::watch;
 use crate::model::Rheology;
 
-/// Finite elements between nodes, as the parts of a body give them.
+/// Structure: finite elements between nodes, as the parts of a body give them.
 #[derive(Default)]
 pub(crate) struct Structure {
     pub nodes: Vec<Node>,
-    /// How each node is held.
-    pub holds: Vec<Hold>,
+    /// Constraint of each node.
+    pub constraints: Vec<Constraint>,
     pub elements: Vec<Box<dyn Element>>,
-    /// Names of what elements belong to, each with the end of its elements.
+    /// Names of the owners of elements, each with the end of its elements.
     pub owners: Vec<(String, usize)>,
     pub joints: Vec<Joint>,
-    pub matters: Vec<Matter>,
+    pub materials: Vec<MaterialDamping>,
 }
 
 impl Structure {
@@ -27,7 +31,7 @@ impl Structure {
         self.nodes.iter().map(|node| node.place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64
     }
 
-    /// Gives all elements that have no owner yet to the one of this name.
+    /// Assigns all elements without an owner to the one of this name.
     pub fn own(&mut self, name: &str) {
         self.owners.push((name.to_owned(), self.elements.len()));
     }
@@ -40,20 +44,19 @@ impl Structure {
         owned.chain(std::iter::repeat(""))
     }
 
-    /// Number of the matter with a rheology, and damping in proportion to mass (1/s) and stiffness (s), which it gets if it is
-    /// new.
-    pub fn matter(&mut self, rheology: &Rheology, [per_mass, per_stiffness]: [f64; 2]) -> usize {
-        let matter = Matter { rheology: rheology.clone(), per_mass, per_stiffness };
-        self.matters.iter().position(|known| *known == matter).unwrap_or_else(|| {
-            self.matters.push(matter);
-            self.matters.len() - 1
+    /// Number of the material with a rheology, and damping in proportion to mass (1/s) and stiffness (s); a new material is added.
+    pub fn material(&mut self, rheology: &Rheology, [per_mass, per_stiffness]: [f64; 2]) -> usize {
+        let material = MaterialDamping { rheology: rheology.clone(), per_mass, per_stiffness };
+        self.materials.iter().position(|known| *known == material).unwrap_or_else(|| {
+            self.materials.push(material);
+            self.materials.len() - 1
         })
     }
 }
 
-/// How a kind of matter dissipates.
+/// Dissipation of a material.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Matter {
+pub(crate) struct MaterialDamping {
     pub rheology: Rheology,
     /// Damping per mass (1/s).
     pub per_mass: f64,
@@ -61,8 +64,8 @@ pub(crate) struct Matter {
     pub per_stiffness: f64,
 }
 
-impl Matter {
-    /// Whether it takes energy, dashpots apart.
+impl MaterialDamping {
+    /// Whether the material takes energy, dashpots apart.
     pub fn dissipates(&self) -> bool {
         self.rheology != Rheology::Elastic || self.per_mass != 0.0 || self.per_stiffness != 0.0
     }
@@ -71,22 +74,22 @@ impl Matter {
 /// Springs and dashpots about the axes of a joint.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
-    /// What it is called as a dissipator.
+    /// Name of the dissipator.
     pub name: String,
-    /// The node that is held by it.
+    /// Node that the joint constrains.
     pub node: usize,
     /// Stiffness about each axis (N·m/rad).
     pub stiffness: Vec<f64>,
     /// Damping about each axis (N·m·s/rad).
     pub damping: Vec<f64>,
-    pub matter: usize,
+    pub material: usize,
 }
 
 /// A structure as matrices over its unknowns.
 pub(crate) struct Discrete<'a> {
     pub structure: &'a Structure,
-    pub freedoms: Freedoms,
-    /// Stiffness of each matter.
+    pub dofs: Dofs,
+    /// Stiffness of each material.
     pub stiffness: Vec<Symmetric>,
     /// Dashpots, and damping in proportion to mass or stiffness; none if there are none.
     pub damping: Option<Symmetric>,
@@ -95,43 +98,43 @@ pub(crate) struct Discrete<'a> {
     pub total: Symmetric,
 }
 
-/// Bytes that an element takes beside the matrices, at least: its nodes, and their places in the matrices.
+/// Bytes of an element beside the matrices, at least: its nodes, and their places in the matrices.
 const ELEMENT: f64 = 1024.0;
-/// Matrices beside the stiffness of each matter: zero, damping, mass, the whole, and one to factor.
+/// Matrices beside the stiffness of each material: zero, damping, mass, the whole, and one to factor.
 const MATRICES: usize = 5;
 
 impl<'a> Discrete<'a> {
-    /// Adds up the elements. (K1)–(K3)
+    /// Sums the elements. (K1)–(K3)
     ///
     /// # Errors
     /// [`TooMuchMemory`] if the matrices have no room.
-    pub fn new(structure: &'a Structure, freedoms: Freedoms) -> Result<Self, TooMuchMemory> {
+    pub fn new(structure: &'a Structure, dofs: Dofs) -> Result<Self, TooMuchMemory> {
         memory::ask(structure.elements.len() as f64 * ELEMENT)?;
-        let ties: Vec<Tie> =
-            structure.elements.iter().map(|element| Tie::new(&freedoms, element.as_ref())).collect();
-        let pattern = pattern(&freedoms, &ties);
+        let maps: Vec<DofMap> =
+            structure.elements.iter().map(|element| DofMap::new(&dofs, element.as_ref())).collect();
+        let pattern = pattern(&dofs, &maps);
         memory::ask(
-            pattern.places() as f64 * size_of::<f64>() as f64 * (structure.matters.len() + MATRICES) as f64,
+            pattern.places() as f64 * size_of::<f64>() as f64 * (structure.materials.len() + MATRICES) as f64,
         )?;
         let zero = Symmetric::zero(pattern);
-        let mut stiffness = vec![zero.clone(); structure.matters.len()];
+        let mut stiffness = vec![zero.clone(); structure.materials.len()];
         let (mut damping, mut mass) = (zero.clone(), zero.clone());
         watch::stage("assembling the elements");
-        for (number, (element, tie)) in structure.elements.iter().zip(&ties).enumerate() {
-            watch::progress(number as f64 / ties.len() as f64);
-            let matter = &structure.matters[element.matter()];
+        for (number, (element, map)) in structure.elements.iter().zip(&maps).enumerate() {
+            watch::progress(number as f64 / maps.len() as f64);
+            let material = &structure.materials[element.material()];
             let (K, M) = (element.stiffness(), element.mass());
-            tie.add(&K, 1.0, &mut stiffness[element.matter()]);
-            tie.add(&M, 1.0, &mut mass);
-            tie.add(&K, matter.per_stiffness, &mut damping);
-            tie.add(&M, matter.per_mass, &mut damping);
+            map.add(&K, 1.0, &mut stiffness[element.material()]);
+            map.add(&M, 1.0, &mut mass);
+            map.add(&K, material.per_stiffness, &mut damping);
+            map.add(&M, material.per_mass, &mut damping);
             if let Some(dashpots) = element.damping() {
-                tie.add(&dashpots, 1.0, &mut damping);
+                map.add(&dashpots, 1.0, &mut damping);
             }
         }
         for joint in &structure.joints {
-            for (axis, unknown) in joint_unknowns(&freedoms, joint) {
-                diagonal(unknown, joint.stiffness[axis], &mut stiffness[joint.matter]);
+            for (axis, unknown) in joint_unknowns(&dofs, joint) {
+                diagonal(unknown, joint.stiffness[axis], &mut stiffness[joint.material]);
                 diagonal(unknown, joint.damping[axis], &mut damping);
             }
         }
@@ -139,15 +142,16 @@ impl<'a> Discrete<'a> {
             .iter()
             .fold(zero, |sum, part| sum.plus(1.0, part).expect("all matters are on one pattern"));
         let damping = damping.entries().iter().any(|entry| *entry != 0.0).then_some(damping);
-        Ok(Self { structure, freedoms, stiffness, damping, mass, total })
+        Ok(Self { structure, dofs, stiffness, damping, mass, total })
     }
 
-    /// What takes energy from a motion, as matrices; nothing that is a multiple of the stiffness.
+    /// Matrices that dissipate; none of them is a multiple of the stiffness.
     pub fn losses(&self) -> Vec<&Symmetric> {
-        let matters = self.structure.matters.iter().zip(&self.stiffness);
-        let several = self.structure.matters.len() > 1;
-        let lossy = matters.filter(|(matter, _)| several && matter.rheology != Rheology::Elastic);
-        self.damping.iter().chain(lossy.map(|(_, stiffness)| stiffness)).collect()
+        let materials = self.structure.materials.iter().zip(&self.stiffness);
+        let several = self.structure.materials.len() > 1;
+        let viscoelastic =
+            materials.filter(|(material, _)| several && material.rheology != Rheology::Elastic);
+        self.damping.iter().chain(viscoelastic.map(|(_, stiffness)| stiffness)).collect()
     }
 }
 
@@ -163,10 +167,10 @@ fn diagonal(unknown: usize, value: f64, sum: &mut Symmetric) {
 
 /// Axes of a joint, each with its unknown.
 pub(super) fn joint_unknowns<'f>(
-    freedoms: &'f Freedoms,
+    dofs: &'f Dofs,
     joint: &'f Joint,
 ) -> impl Iterator<Item = (usize, usize)> + 'f {
-    freedoms.unknowns().iter().enumerate().filter_map(move |(index, unknown)| match unknown {
+    dofs.unknowns().iter().enumerate().filter_map(move |(index, unknown)| match unknown {
         Unknown::Joint(node, axis) if *node == joint.node => Some((*axis, index)),
         _ => None,
     })

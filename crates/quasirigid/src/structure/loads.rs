@@ -1,10 +1,9 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::grains::Whole;
+use super::lumped_masses::Whole;
 use crate::model::moment;
 
-/// Loads that an acceleration linear in the place puts on a structure: `e_a` for each axis, then `ρ_b e_a`, `b` outermost.
-/// (K4)
+/// Number of the loads of an acceleration that is linear in the place: `e_a` for each axis, then `ρ_b e_a`, `b` outermost. (K4)
 pub(super) const LOADS: usize = 12;
 
 /// Axes `b` and `a` of the loads `ρ_b e_a + ρ_a e_b`, which stretch.
@@ -13,13 +12,13 @@ const STRETCHING: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0),
 /// An acceleration that is linear in the place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Acceleration {
-    /// At the reference point.
+    /// Acceleration at the reference point.
     pub uniform: Vector3<f64>,
     pub gradient: Matrix3<f64>,
 }
 
 impl Acceleration {
-    /// That of a load.
+    /// Acceleration of a load.
     pub fn of_load(load: usize) -> Self {
         let along = Vector3::ith(load % 3, 1.0);
         if load < 3 {
@@ -28,7 +27,7 @@ impl Acceleration {
         Self { uniform: Vector3::zeros(), gradient: along * Vector3::ith(load / 3 - 1, 1.0).transpose() }
     }
 
-    /// At `s` from the reference point, where a field that is one everywhere has the value `one`.
+    /// Acceleration at `s` from the reference point, where a field that is one everywhere has the value `one`.
     pub fn at(&self, s: Vector3<f64>, one: f64) -> Vector3<f64> {
         one * self.uniform + self.gradient * s
     }
@@ -39,13 +38,12 @@ fn load(b: usize, a: usize) -> usize {
     3 + 3 * b + a
 }
 
-/// Of forces that the loads cause, a row each, those of the accelerations `B s` with `B` symmetric; those with `B` skew, and
-/// the uniform ones, are inertia, which a floating structure balances itself.
+/// Keeps the six straining loads (`B` symmetric). Uniform and skew loads are rigid-body inertia, which a free structure balances.
 pub(super) fn stretching(forces: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_rows(&STRETCHING.map(|(b, a)| 0.5 * (forces.row(load(b, a)) + forces.row(load(a, b)))))
 }
 
-/// The same accelerations together with the inertia of the rotation that they cause, about the centre of mass. (K7)
+/// Straining accelerations with the inertia of the rotation that they cause, about the centre of mass. (K7)
 pub(super) fn balanced(whole: &Whole) -> Vec<Acceleration> {
     let inertia = whole.second.trace() * Matrix3::identity() - whole.second;
     let turning = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
@@ -58,8 +56,8 @@ pub(super) fn balanced(whole: &Whole) -> Vec<Acceleration> {
     STRETCHING.map(acceleration).to_vec()
 }
 
-/// `∫ u_a dm` and `∫ s_b u_a dm` of a field on which the loads do these works, with those that stretch a floating structure
-/// alone: it keeps its momenta at zero.
+/// Moments `∫ u_a dm` and `∫ s_b u_a dm` of a field, given the work of each load on it; of a floating structure the straining loads
+/// suffice, since its linear and angular momentum are zero.
 pub(super) fn moments(works: &[f64]) -> (Vector3<f64>, Matrix3<f64>) {
     if works.len() == LOADS {
         return (Vector3::from_row_slice(&works[..3]), Matrix3::from_row_slice(&works[3..]));

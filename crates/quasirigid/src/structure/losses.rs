@@ -1,54 +1,60 @@
+//! Budget of dissipation of a structure: stiffness and damping of each dissipator over few fields.
+//! Shares are made element by element only where several owners have one material, after the condensation, when fields are few.
+//! Equation (D1), docs/theory/11-materials.md.
+
 use nalgebra::DMatrix;
 
 use super::discrete::{Discrete, joint_unknowns, times};
-use super::sum::Tie;
+use super::sum::DofMap;
 use crate::model::Rheology;
 use crate::structure::Block;
 
-/// Stiffness and damping between displacements, a row each: a block for each dissipator and for each matter without loss. (D1)
+/// Stiffness and damping between displacements, a row each: a block for each dissipator and for each material without loss. (D1)
 ///
-/// What a matter shared by several dissipators gives to each is added up element by element, once the displacements are few: the
-/// many unknowns have one matrix for each matter, however many parts are made of it.
+/// The share of each dissipator in a material is summed element by element, once the displacements are few: the many unknowns have one
+/// matrix for each material, however many parts are made of it.
 pub(super) fn blocks(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<Block> {
     let columns: Vec<usize> = (0..fields.nrows()).collect();
-    let matters = &discrete.structure.matters;
-    let block = |name: String, matter: usize, [stiffness, damping]: [Option<DMatrix<f64>>; 2]| Block {
+    let materials = &discrete.structure.materials;
+    let block = |name: String, material: usize, [stiffness, damping]: [Option<DMatrix<f64>>; 2]| Block {
         name,
         columns: columns.clone(),
         stiffness: stiffness.map(rows).unwrap_or_default(),
         damping: damping.map(rows).unwrap_or_default(),
-        rheology: matters[matter].rheology.clone(),
+        rheology: materials[material].rheology.clone(),
     };
     let between = |matrix| fields * times(matrix, fields).transpose();
-    let elastic = (0..matters.len()).filter(|matter| matters[*matter].rheology == Rheology::Elastic);
+    let elastic = (0..materials.len()).filter(|material| materials[*material].rheology == Rheology::Elastic);
     let mut blocks: Vec<Block> = elastic
-        .map(|matter| block(String::new(), matter, [Some(between(&discrete.stiffness[matter])), None]))
+        .map(|material| block(String::new(), material, [Some(between(&discrete.stiffness[material])), None]))
         .collect();
     let budget = Budget::of(discrete);
-    let shared = |matter| budget.dissipators.iter().filter(|(_, other)| *other == matter).count() > 1;
-    let lossy = |matter: usize| matters[matter].rheology != Rheology::Elastic;
+    let shared = |material| budget.dissipators.iter().filter(|(_, other)| *other == material).count() > 1;
+    let viscoelastic = |material: usize| materials[material].rheology != Rheology::Elastic;
     let alone = budget.dissipators.len() == 1;
-    let split = (!alone).then(|| budget.split(discrete, fields, |matter| lossy(matter) && shared(matter)));
+    let split = (!alone)
+        .then(|| budget.split(discrete, fields, |material| viscoelastic(material) && shared(material)));
     let mut parts = split.into_iter().flatten();
-    for (number, (_, matter)) in budget.dissipators.iter().enumerate() {
+    for (number, (_, material)) in budget.dissipators.iter().enumerate() {
         let (stiffness, damping) = match parts.next() {
             Some([stiffness, damping]) => (Some(stiffness), Some(damping)),
             None => (None, discrete.damping.as_ref().map(between)),
         };
-        let stiffness = if shared(*matter) { stiffness } else { Some(between(&discrete.stiffness[*matter])) };
-        let stiffness = stiffness.filter(|_| lossy(*matter));
-        blocks.push(block(budget.name(number), *matter, [stiffness, damping]));
+        let stiffness =
+            if shared(*material) { stiffness } else { Some(between(&discrete.stiffness[*material])) };
+        let stiffness = stiffness.filter(|_| viscoelastic(*material));
+        blocks.push(block(budget.name(number), *material, [stiffness, damping]));
     }
     blocks
 }
 
-/// What dissipates in a structure: each owner of elements and joints with each matter it has that dissipates.
+/// Dissipators of a structure: each owner of elements and joints with each of its materials that dissipates.
 struct Budget<'a> {
-    /// Name of the owner, and matter.
+    /// Name of the owner, and number of the material.
     dissipators: Vec<(&'a str, usize)>,
-    /// Dissipator of each element; none of one that is elastic.
+    /// Dissipator of each element; none of an elastic one.
     elements: Vec<Option<usize>>,
-    /// The same of the joints.
+    /// Dissipator of each joint; none of one without loss.
     joints: Vec<Option<usize>>,
 }
 
@@ -56,10 +62,10 @@ impl<'a> Budget<'a> {
     fn of(discrete: &Discrete<'a>) -> Self {
         let structure = discrete.structure;
         let mut dissipators: Vec<(&str, usize)> = Vec::new();
-        let mut place = |owner: &'a str, matter: usize| {
-            let known = dissipators.iter().position(|known| *known == (owner, matter));
+        let mut place = |owner: &'a str, material: usize| {
+            let known = dissipators.iter().position(|known| *known == (owner, material));
             known.unwrap_or_else(|| {
-                dissipators.push((owner, matter));
+                dissipators.push((owner, material));
                 dissipators.len() - 1
             })
         };
@@ -67,15 +73,15 @@ impl<'a> Budget<'a> {
         let elements = structure.elements.iter().zip(structure.owner_of_each());
         let elements = elements
             .map(|(element, owner)| {
-                let matter = element.matter();
-                let dissipates = structure.matters[matter].dissipates() || braked(element.damping());
-                dissipates.then(|| place(owner, matter))
+                let material = element.material();
+                let dissipates = structure.materials[material].dissipates() || braked(element.damping());
+                dissipates.then(|| place(owner, material))
             })
             .collect();
         let joints = structure.joints.iter().map(|joint| {
             let braked = joint.damping.iter().any(|entry| *entry != 0.0);
-            let dissipates = structure.matters[joint.matter].dissipates() || braked;
-            dissipates.then(|| place(&joint.name, joint.matter))
+            let dissipates = structure.materials[joint.material].dissipates() || braked;
+            dissipates.then(|| place(&joint.name, joint.material))
         });
         let joints = joints.collect();
         Self { dissipators, elements, joints }
@@ -92,7 +98,7 @@ impl<'a> Budget<'a> {
         }
     }
 
-    /// Stiffness, of the matters that are wanted, and damping of each dissipator between displacements.
+    /// Stiffness, of the materials that are wanted, and damping of each dissipator between displacements.
     fn split(
         &self,
         discrete: &Discrete<'_>,
@@ -104,18 +110,18 @@ impl<'a> Budget<'a> {
         let structure = discrete.structure;
         for (element, number) in structure.elements.iter().zip(&self.elements) {
             let Some([stiffness, damping]) = number.map(|number| &mut sums[number]) else { continue };
-            let matter = &structure.matters[element.matter()];
-            let moved = Tie::new(&discrete.freedoms, element.as_ref()).moved(fields);
+            let material = &structure.materials[element.material()];
+            let moved = DofMap::new(&discrete.dofs, element.as_ref()).moved(fields);
             let add = |sum: &mut DMatrix<f64>, factor: f64, matrix: &DMatrix<f64>| {
                 *sum += factor * moved.tr_mul(&(matrix * &moved));
             };
-            if wanted(element.matter()) || matter.per_stiffness != 0.0 {
+            if wanted(element.material()) || material.per_stiffness != 0.0 {
                 let K = element.stiffness();
                 add(stiffness, 1.0, &K);
-                add(damping, matter.per_stiffness, &K);
+                add(damping, material.per_stiffness, &K);
             }
-            if matter.per_mass != 0.0 {
-                add(damping, matter.per_mass, &element.mass());
+            if material.per_mass != 0.0 {
+                add(damping, material.per_mass, &element.mass());
             }
             if let Some(dashpots) = element.damping() {
                 add(damping, 1.0, &dashpots);
@@ -123,7 +129,7 @@ impl<'a> Budget<'a> {
         }
         for (joint, number) in structure.joints.iter().zip(&self.joints) {
             let Some([stiffness, damping]) = number.map(|number| &mut sums[number]) else { continue };
-            for (axis, unknown) in joint_unknowns(&discrete.freedoms, joint) {
+            for (axis, unknown) in joint_unknowns(&discrete.dofs, joint) {
                 let turn = fields.column(unknown);
                 let square = turn * turn.transpose();
                 *stiffness += joint.stiffness[axis] * &square;

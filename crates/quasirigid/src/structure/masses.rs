@@ -7,7 +7,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// Displacements of a structure as coordinates: each with an rms of one over its mass, and the mass matrix between them. (K16)
 pub(super) struct Scaled {
-    /// A row each.
+    /// Displacements, a row each.
     pub fields: DMatrix<f64>,
     pub masses: DMatrix<f64>,
 }
@@ -33,7 +33,7 @@ impl Scaled {
     }
 }
 
-/// What raises the mass of motions that have none, to rounding: `Σ (θ₀ − θ) y yᵀ` over the `y` with `θ < θ₀`; none if all have more.
+/// Matrix that raises the mass of motions without mass to rounding: `Σ (θ₀ − θ) y yᵀ` over the `y` with `θ < θ₀`; none if all have more.
 fn raised(masses: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let size = masses.nrows();
     let floor = ROUNDING * masses.trace();

@@ -1,4 +1,4 @@
-//! Structures of finite elements, and the few coordinates that say all about their slow motion.
+//! Structures of finite elements, and their condensation to the few coordinates of their slow motion.
 
 mod basis;
 mod block;
@@ -6,10 +6,10 @@ mod component;
 mod condensation;
 mod curvature;
 mod discrete;
-mod freedoms;
-mod grains;
+mod dofs;
 mod loads;
 mod losses;
+mod lumped_masses;
 mod masses;
 mod owned;
 mod paths;
@@ -22,4 +22,4 @@ pub(crate) use block::{Block, Entries};
 pub(crate) use component::{Component, Fault, Load, Purpose};
 pub use condensation::Condensation;
 pub(crate) use discrete::{Joint, Structure};
-pub(crate) use freedoms::{Freedoms, Hold, Node, Unknown};
+pub(crate) use dofs::{Constraint, Dofs, Node, Unknown};

@@ -1,12 +1,12 @@
 use nalgebra::DMatrix;
 
 use super::discrete::Discrete;
-use super::sum::Tie;
+use super::sum::DofMap;
 
-/// What masses without an owner are called: the points of a body without a carrier.
+/// Name of masses without an owner: the points of a body without a carrier.
 const POINTS: &str = "points";
 
-/// Mass between displacements, a row each, of what the elements of a structure belong to, by name. (M5)
+/// Mass matrix of each owner of elements between displacements, a row each, by name. (M5)
 pub(super) fn masses(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<(String, DMatrix<f64>)> {
     let structure = discrete.structure;
     let mut sums: Vec<(&str, DMatrix<f64>)> = Vec::new();
@@ -15,7 +15,7 @@ pub(super) fn masses(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<(Str
         if mass.amax() == 0.0 {
             continue;
         }
-        let moved = Tie::new(&discrete.freedoms, element.as_ref()).moved(fields);
+        let moved = DofMap::new(&discrete.dofs, element.as_ref()).moved(fields);
         let own = moved.tr_mul(&(mass * &moved));
         match sums.iter_mut().find(|(name, _)| *name == owner) {
             Some((_, sum)) => *sum += own,

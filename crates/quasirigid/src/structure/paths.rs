@@ -1,10 +1,14 @@
+//! Curved paths point by point: second order of beams, masses and springs as few fields of their own.
+//! The full system needs them at large displacements, where moments of second order alone leave the mass matrix indefinite.
+//! Equations (K6), (K7) and (K12), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, Vector4};
 
 use super::discrete::Discrete;
-use super::grains::Whole;
 use super::loads::{Acceleration, LOADS};
+use super::lumped_masses::Whole;
 use super::solver::Solver;
-use crate::finite::{Element, Grain, Site, Turn};
+use crate::finite::{Element, LumpedMass, Site, Turn};
 
 /// Second order of the paths of all points, `½ G_jk q_j q_k = Σ_e Ψ_e ½ qᵀΓ^e q`, as few fields `Ψ_e` with a unit mass each. (K12)
 #[derive(Clone, Debug)]
@@ -19,13 +23,13 @@ pub(super) struct Paths {
     pub forms: Vec<DMatrix<f64>>,
 }
 
-/// A field of the second order below this share of the largest, at equal elastic energy of the coordinates, stays with (I6) alone: what
-/// it lacks beyond matters at displacements larger by its inverse.
+/// Share of the largest field, at equal elastic energy of the coordinates, below which a field of the second order stays with (I6) alone:
+/// its own terms matter at displacements larger by the inverse.
 const NEGLIGIBLE: f64 = 1e-3;
 
 impl Discrete<'_> {
-    /// The second order of the paths, if they are curved and every element is a beam, a mass or a spring: then each point is known,
-    /// and the fields are few. (K12)
+    /// Second order of the paths, if they are curved and every element is a beam, a mass or a spring: then each point is known, and the
+    /// fields are few. (K12)
     ///
     /// `energies` are the stiffness of each field with itself.
     pub(super) fn paths(
@@ -42,7 +46,7 @@ impl Discrete<'_> {
         }
         let pairs = Pairs::new(fields.nrows());
         let spread = |element: &dyn Element, rows: &DMatrix<f64>| {
-            self.freedoms.spread(element.nodes(), element.freedoms(), rows)
+            self.dofs.spread(element.nodes(), element.dofs(), rows)
         };
         let mut forces = DMatrix::zeros(pairs.count(), fields.ncols());
         let mut inner = Vec::new();
@@ -51,7 +55,7 @@ impl Discrete<'_> {
                 inner.push(None);
                 continue;
             };
-            self.freedoms.gather(element.nodes(), element.freedoms(), &bent.forces, &mut forces);
+            self.dofs.gather(element.nodes(), element.dofs(), &bent.forces, &mut forces);
             inner.push(Some(bent));
         }
         if inner.iter().all(Option::is_none) {
@@ -62,8 +66,8 @@ impl Discrete<'_> {
             Points { masses: Vec::new(), places: Vec::new(), first: Vec::new(), second: Vec::new() };
         for (element, bent) in elements.iter().zip(&inner) {
             let own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
-            for grain in element.grains() {
-                points.push(&grain, whole.center, &own, bent.as_ref(), &pairs);
+            for lumped_mass in element.lumped_masses() {
+                points.push(&lumped_mass, whole.center, &own, bent.as_ref(), &pairs);
             }
         }
         let scales: Vec<f64> =
@@ -74,7 +78,8 @@ impl Discrete<'_> {
 
 /// Whether an element is a line or a point of known masses.
 fn slender(element: &dyn Element) -> bool {
-    element.nodes().len() <= 2 && element.grains().iter().all(|grain| matches!(grain.site, Site::At(_)))
+    element.nodes().len() <= 2
+        && element.lumped_masses().iter().all(|lumped_mass| matches!(lumped_mass.site, Site::At(_)))
 }
 
 /// Pairs `j ≤ k` of coordinates, numbered.
@@ -94,13 +99,13 @@ impl Pairs {
     }
 }
 
-/// What the second order of an element's strains asks for.
+/// Second order of an element's strains: the forces and displacements that keep them.
 struct Bent {
-    /// Forces on its freedoms that keep its strains, a row for each pair.
+    /// Forces on its degrees of freedom that keep its strains, a row for each pair.
     forces: DMatrix<f64>,
     /// Mean place of its masses.
     center: Vector3<f64>,
-    /// Between its nodes, beside the answers to the forces: the displacement there, linear in the place, of each pair.
+    /// Displacement between its nodes, beside the responses to the forces, of each pair: linear in the place.
     between: Vec<SMatrix<f64, 3, 4>>,
 }
 
@@ -114,20 +119,24 @@ impl Bent {
         };
         let none = |_: Vector3<f64>| Vector3::zeros();
         let mut forces = DMatrix::zeros(pairs.count(), size);
-        for freedom in 0..size {
+        for dof in 0..size {
             let mut unit = DVector::zeros(size);
-            unit[freedom] = 1.0;
-            forces.set_column(freedom, &works(&unit, &none)?);
+            unit[dof] = 1.0;
+            forces.set_column(dof, &works(&unit, &none)?);
         }
-        let grains = element.grains();
-        let place = |grain: &Grain| grain.place_from(Vector3::zeros());
-        let mass: f64 = grains.iter().map(|grain| grain.mass).sum();
-        let center = grains.iter().map(|grain| grain.mass * place(grain)).sum::<Vector3<f64>>() / mass;
-        let moments: Matrix4<f64> = grains
+        let lumped_masses = element.lumped_masses();
+        let place = |lumped_mass: &LumpedMass| lumped_mass.place_from(Vector3::zeros());
+        let mass: f64 = lumped_masses.iter().map(|lumped_mass| lumped_mass.mass).sum();
+        let center = lumped_masses
             .iter()
-            .map(|grain| {
-                let s = (place(grain) - center).insert_row(0, 1.0);
-                grain.mass * s * s.transpose()
+            .map(|lumped_mass| lumped_mass.mass * place(lumped_mass))
+            .sum::<Vector3<f64>>()
+            / mass;
+        let moments: Matrix4<f64> = lumped_masses
+            .iter()
+            .map(|lumped_mass| {
+                let s = (place(lumped_mass) - center).insert_row(0, 1.0);
+                lumped_mass.mass * s * s.transpose()
             })
             .sum();
         let inverse = moments.pseudo_inverse(f64::EPSILON * moments.amax()).ok()?;
@@ -148,9 +157,9 @@ impl Bent {
 /// Displacements of all masses, times the root of each mass.
 struct Points {
     masses: Vec<f64>,
-    /// From the centre of mass.
+    /// Places from the centre of mass.
     places: Vec<Vector3<f64>>,
-    /// Of the coordinates and of the pairs: a matrix with a column for each.
+    /// Displacements of the coordinates and of the pairs: a matrix with a column for each.
     first: Vec<Matrix3xX<f64>>,
     second: Vec<Matrix3xX<f64>>,
 }
@@ -158,31 +167,32 @@ struct Points {
 impl Points {
     fn push(
         &mut self,
-        grain: &Grain,
+        lumped_mass: &LumpedMass,
         center: Vector3<f64>,
         [first, second]: &[DMatrix<f64>; 2],
         bent: Option<&Bent>,
         pairs: &Pairs,
     ) {
-        let root = grain.mass.sqrt();
-        let place = grain.place_from(Vector3::zeros());
-        let mut curved: Matrix3xX<f64> = &grain.shapes * second.transpose();
+        let root = lumped_mass.mass.sqrt();
+        let place = lumped_mass.place_from(Vector3::zeros());
+        let mut curved: Matrix3xX<f64> = &lumped_mass.shapes * second.transpose();
         if let Some(bent) = bent {
             let s = Vector4::from((place - bent.center).insert_row(0, 1.0));
             for (mut column, between) in curved.column_iter_mut().zip(&bent.between) {
                 column += between * s;
             }
         }
-        if let Some(Turn { arm, shapes }) = &grain.turn {
-            let turns: Matrix3xX<f64> = shapes * first.transpose();
+        if let Some(Turn { arm, shapes }) = &lumped_mass.turn {
+            let rotations: Matrix3xX<f64> = shapes * first.transpose();
             for (mut column, (j, k)) in curved.column_iter_mut().zip(pairs.iter()) {
-                let (a, b): (Vector3<f64>, Vector3<f64>) = (turns.column(j).into(), turns.column(k).into());
+                let (a, b): (Vector3<f64>, Vector3<f64>) =
+                    (rotations.column(j).into(), rotations.column(k).into());
                 column += 0.5 * (a.cross(&b.cross(arm)) + b.cross(&a.cross(arm)));
             }
         }
-        self.masses.push(grain.mass);
+        self.masses.push(lumped_mass.mass);
         self.places.push(place - center);
-        self.first.push(root * &grain.shapes * first.transpose());
+        self.first.push(root * &lumped_mass.shapes * first.transpose());
         self.second.push(root * curved);
     }
 
@@ -233,7 +243,7 @@ impl Points {
         }
     }
 
-    /// Takes from displacements their part as a rigid body: the second order keeps the momenta at zero like the first. (K7)
+    /// Removes the rigid part of displacements: the second order keeps linear and angular momentum at zero like the first. (K7)
     fn settle(&self, columns: &mut DMatrix<f64>) {
         let mut rigid = DMatrix::zeros(columns.nrows(), 6);
         for (point, (mass, s)) in self.masses.iter().zip(&self.places).enumerate() {
@@ -247,8 +257,7 @@ impl Points {
     }
 }
 
-/// Orthonormal columns that hold these columns but for negligible ones, measured with their scales: Gram and Schmidt's method, the
-/// largest first.
+/// Orthonormal columns that span these columns but for negligible ones, measured with their scales: Gram–Schmidt, the largest first.
 fn independent(columns: &DMatrix<f64>, scales: &[f64]) -> DMatrix<f64> {
     let mut rest = columns.clone();
     for (mut column, scale) in rest.column_iter_mut().zip(scales) {

@@ -1,10 +1,14 @@
+//! Rigid motions of a floating structure: balance of loads, removal of rigid parts, and springs that resist a rotation of the whole.
+//! A spring across the line of its ends gives the six pins a load; the twelve-row correction restores the Tisserand frame.
+//! Equations (K7) and (K15), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Matrix6, SMatrix, Vector3, Vector6};
 
 use super::discrete::{Discrete, times};
-use super::freedoms::Unknown;
+use super::dofs::Unknown;
 use crate::math::factor::{Factor, NotPositive};
 
-/// The six motions of a structure as a rigid body, a row each, and their forces of inertia. (K7)
+/// Six rigid motions of a structure, a row each, and their forces of inertia. (K7)
 pub(super) struct Rigid {
     fields: DMatrix<f64>,
     forces: DMatrix<f64>,
@@ -15,7 +19,7 @@ impl Rigid {
     pub fn new(discrete: &Discrete<'_>) -> Self {
         let center = discrete.structure.middle();
         let nodes = &discrete.structure.nodes;
-        let unknowns = discrete.freedoms.unknowns();
+        let unknowns = discrete.dofs.unknowns();
         let mut fields = DMatrix::zeros(6, unknowns.len());
         for (column, unknown) in unknowns.iter().enumerate() {
             if let Unknown::Node(node, component) = *unknown {
@@ -29,13 +33,13 @@ impl Rigid {
         Self { fields, forces, inverse }
     }
 
-    /// Takes from the forces those of the rigid acceleration that they cause.
+    /// Removes the forces of the rigid acceleration that the loads cause.
     pub fn balance(&self, forces: &mut DMatrix<f64>) {
         let shares = &*forces * self.fields.transpose() * self.inverse;
         forces.gemm(-1.0, &shares, &self.forces, 1.0);
     }
 
-    /// Takes from the displacements their part as a rigid body.
+    /// Removes the rigid part of the displacements.
     pub fn settle(&self, displacements: &mut DMatrix<f64>) {
         let shares = &*displacements * self.forces.transpose() * self.inverse;
         displacements.gemm(-1.0, &shares, &self.fields, 1.0);
@@ -51,12 +55,12 @@ fn motions(s: Vector3<f64>) -> SMatrix<f64, 6, 6> {
 
 /// Energy of a rigid motion, relative to the energies of its displacements one by one, that is rounding.
 const ROUNDING: f64 = 1e-13;
-/// A motion that keeps less than this share of its stiffness once the structure floats meets none.
+/// Share of its stiffness below which a motion of the floating structure meets none.
 const LOOSE: f64 = 1e-13;
 
 type Matrix12 = SMatrix<f64, 12, 12>;
 
-/// What the stiffness loses where the structure floats although something resists a rigid motion, as a spring between nodes apart does
+/// Difference of the stiffness where the structure floats although something resists a rigid motion, as a spring between nodes apart does
 /// that acts across the line between them: `Pᵀ C P − C = Bᵀ Q B`, with twelve rows `B`. (K15)
 pub(super) struct Resistance {
     /// `B`.
@@ -68,10 +72,10 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
-    /// None if nothing resists a rigid motion.
+    /// Resistance to rigid motions; none if nothing resists them.
     ///
     /// # Errors
-    /// [`NotPositive`] holds a motion that the pins alone hold.
+    /// [`NotPositive`] contains a motion that only the pins resist.
     pub fn new(discrete: &Discrete<'_>, rigid: &Rigid, pinned: &Factor) -> Result<Option<Self>, NotPositive> {
         let resisting = times(&discrete.total, &rigid.fields);
         let energies = &resisting * rigid.fields.transpose();
@@ -113,14 +117,14 @@ impl Resistance {
         }
     }
 
-    /// Makes answers to loads in balance, found with pins, those of the structure that floats: Woodbury's identity.
+    /// Corrects responses to loads in balance, found with pins, to those of the floating structure: Woodbury's identity.
     pub fn correct(&self, displacements: &mut DMatrix<f64>) {
         let shares = &*displacements * self.rows.transpose() * self.between.transpose();
         displacements.gemm(-1.0, &shares, &self.answers, 1.0);
     }
 }
 
-/// The motion that meets no stiffness, its largest entry one.
+/// Motion that meets no stiffness, its largest entry one.
 fn loose(ratio: &Matrix12, answers: &DMatrix<f64>) -> Vec<f64> {
     let shares = ratio.svd(false, true).v_t.map(|rows| rows.row(11).into_owned());
     let Some(shares) = shares else { return vec![0.0; answers.ncols()] };

@@ -1,48 +1,52 @@
+//! Elimination of constraints: rows of each node's degrees of freedom from those of the nodes that it follows.
+//! Nodes are taken in the order in which they follow each other; a circle has no such order and is refused.
+//! Equation (K2), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Vector3};
 
-use super::freedoms::{Hold, Node, Unknown};
+use super::dofs::{Constraint, Node, Unknown};
 
-/// Unknowns that move one freedom, and their shares.
+/// Unknowns that move one degree of freedom, and their shares.
 type Row = Vec<(usize, f64)>;
 
-/// Nodes that hold each other in a circle.
+/// Nodes that constrain each other in a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Circle {
     /// One of them.
     pub node: usize,
 }
 
-/// The freedoms of nodes as combinations of unknowns, while they are made. (K2)
+/// The degrees of freedom of nodes as combinations of unknowns, while they are made. (K2)
 pub(super) struct Rows<'n> {
     nodes: &'n [Node],
-    /// Rows of the freedoms of each node.
+    /// Rows of the degrees of freedom of each node.
     pub made: Vec<Vec<Row>>,
     pub unknowns: Vec<Unknown>,
 }
 
 impl<'n> Rows<'n> {
-    /// The rows of nodes that are held like this.
+    /// Rows of nodes under these constraints.
     ///
     /// # Errors
-    /// [`Circle`] if nodes hold each other.
-    pub fn new(nodes: &'n [Node], holds: &[Hold]) -> Result<Self, Circle> {
+    /// [`Circle`] if nodes constrain each other.
+    pub fn new(nodes: &'n [Node], constraints: &[Constraint]) -> Result<Self, Circle> {
         let mut rows = Self { nodes, made: vec![Vec::new(); nodes.len()], unknowns: Vec::new() };
-        for node in order(holds)? {
-            rows.made[node] = match &holds[node] {
-                Hold::Free => rows.own(node, |_| true, Unknown::Node),
-                Hold::Partly(moves) => rows.own(node, |component| moves[component], Unknown::Node),
-                Hold::Coordinates(count) => {
+        for node in order(constraints)? {
+            rows.made[node] = match &constraints[node] {
+                Constraint::Free => rows.own(node, |_| true, Unknown::Node),
+                Constraint::Partly(moves) => rows.own(node, |component| moves[component], Unknown::Node),
+                Constraint::Coordinates(count) => {
                     rows.own(node, |component| component < *count, Unknown::Coordinate)
                 }
-                Hold::On { base, axes } => rows.held(node, *base, axes),
-                Hold::Shaped { columns, shares } => rows.shaped(node, columns, shares),
+                Constraint::On { base, axes } => rows.held(node, *base, axes),
+                Constraint::Shaped { columns, shares } => rows.shaped(node, columns, shares),
             };
         }
         Ok(rows)
     }
 
     fn count(&self, node: usize) -> usize {
-        if self.nodes[node].turns { 6 } else { 3 }
+        if self.nodes[node].rotations { 6 } else { 3 }
     }
 
     /// Rows of which some are unknowns of their own, the others zero.
@@ -98,22 +102,22 @@ impl<'n> Rows<'n> {
     }
 }
 
-/// The nodes, each after those that it follows.
-fn order(holds: &[Hold]) -> Result<Vec<usize>, Circle> {
+/// Nodes in an order in which each comes after those that it follows.
+fn order(constraints: &[Constraint]) -> Result<Vec<usize>, Circle> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {
         New,
         Open,
         Done,
     }
-    let mut states = vec![State::New; holds.len()];
-    let mut order = Vec::with_capacity(holds.len());
-    for start in 0..holds.len() {
+    let mut states = vec![State::New; constraints.len()];
+    let mut order = Vec::with_capacity(constraints.len());
+    for start in 0..constraints.len() {
         let mut path = vec![start];
         while let Some(node) = path.last().copied() {
             if states[node] == State::New {
                 states[node] = State::Open;
-                for base in followed(&holds[node]) {
+                for base in followed(&constraints[node]) {
                     match states[base] {
                         State::New => path.push(base),
                         State::Open => return Err(Circle { node: base }),
@@ -133,15 +137,15 @@ fn order(holds: &[Hold]) -> Result<Vec<usize>, Circle> {
 }
 
 /// Nodes whose motion a node follows.
-fn followed(hold: &Hold) -> Vec<usize> {
-    match hold {
-        Hold::Free | Hold::Partly(_) | Hold::Coordinates(_) => Vec::new(),
-        Hold::On { base, .. } => base.iter().copied().collect(),
-        Hold::Shaped { columns, .. } => columns.iter().map(|(node, _)| *node).collect(),
+fn followed(constrain: &Constraint) -> Vec<usize> {
+    match constrain {
+        Constraint::Free | Constraint::Partly(_) | Constraint::Coordinates(_) => Vec::new(),
+        Constraint::On { base, .. } => base.iter().copied().collect(),
+        Constraint::Shaped { columns, .. } => columns.iter().map(|(node, _)| *node).collect(),
     }
 }
 
-/// A displacement at the end of an arm: `u + θ × arm`.
+/// Displacement at the end of an arm: `u + θ × arm`.
 fn carried(base: &[Row], arm: Vector3<f64>, axis: usize) -> Row {
     let mut row = base[axis].clone();
     if base.len() == 6 {
@@ -157,7 +161,7 @@ fn scaled(row: &Row, factor: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
     row.iter().map(move |(unknown, share)| (*unknown, factor * share)).filter(|(_, share)| *share != 0.0)
 }
 
-/// A row in which each unknown stands once.
+/// Row in which each unknown stands once.
 fn merged(mut row: Row) -> Row {
     row.sort_unstable_by_key(|(unknown, _)| *unknown);
     row.dedup_by(|next, sum| {

@@ -1,3 +1,7 @@
+//! Static responses of a structure: on its carrier, or floating in the Tisserand frame; and its lowest modes.
+//! A floating stiffness is singular, so it is factored with six pins, which carry no load when the loads are in balance.
+//! Equations (K7) and (K15), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::discrete::{Discrete, times};
@@ -9,16 +13,16 @@ use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
 use crate::math::watch;
 
-/// Answers of a structure to static loads: on its carrier, or floating in the Tisserand frame.
+/// Static responses of a structure to loads: on its carrier, or floating in the Tisserand frame.
 pub(super) struct Solver {
     factor: Factor,
-    /// Motions as a rigid body, of a structure that floats.
+    /// Rigid motions, of a structure that floats.
     rigid: Option<Rigid>,
-    /// What resists them.
+    /// Resistance to rigid motions.
     resistance: Option<Resistance>,
 }
 
-/// Why a structure has no solver.
+/// Cause for which a structure has no solver.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Unsolved {
     /// A motion meets no stiffness.
@@ -33,7 +37,7 @@ impl From<NotPositive> for Unsolved {
     }
 }
 
-/// The factor of a matrix, once it is known to have room.
+/// Factor of a matrix, after a check of the memory.
 fn factor(matrix: &Symmetric) -> Result<Factor, Unsolved> {
     let Method { precision, ordering } = Method::default();
     watch::stage("ordering the unknowns");
@@ -44,10 +48,10 @@ fn factor(matrix: &Symmetric) -> Result<Factor, Unsolved> {
 }
 
 impl Solver {
-    /// The solver of a structure, floating or held.
+    /// Solver of a structure, floating or on its carrier.
     ///
     /// # Errors
-    /// [`Unsolved`] holds a motion that meets no stiffness, or says how much memory the factor needs.
+    /// [`Unsolved`] with a motion that meets no stiffness, or with the memory that the factor needs.
     pub fn new(discrete: &Discrete<'_>, floating: bool) -> Result<Self, Unsolved> {
         if !floating {
             return Ok(Self { factor: factor(&discrete.total)?, rigid: None, resistance: None });
@@ -58,8 +62,8 @@ impl Solver {
         Ok(Self { factor, rigid: Some(rigid), resistance })
     }
 
-    /// Displacements under forces, a row each. A structure that floats is loaded by them and the inertia they wake, and
-    /// keeps its linear and angular momentum at zero. (K7)
+    /// Displacements under forces, a row each. A floating structure is loaded by the forces and by the inertia that they cause, and keeps
+    /// its linear and angular momentum at zero. (K7)
     pub fn answers(&self, mut forces: DMatrix<f64>) -> DMatrix<f64> {
         if let Some(rigid) = &self.rigid {
             rigid.balance(&mut forces);
@@ -85,7 +89,7 @@ impl Solver {
     /// # Errors
     /// [`NoConvergence`] if they are not found.
     pub fn modes(&self, discrete: &Discrete<'_>, count: usize) -> Result<DMatrix<f64>, NoConvergence> {
-        let size = discrete.freedoms.unknowns().len();
+        let size = discrete.dofs.unknowns().len();
         let answer = |x: &mut [f64]| {
             let found = self.answers(DMatrix::from_row_slice(1, size, x));
             x.copy_from_slice(found.as_slice());
@@ -112,12 +116,12 @@ impl Solver {
     }
 }
 
-/// The stiffness with six pins: enough to hold a rigid body, and too few to strain one. (K7)
+/// Stiffness with six pins: enough to fix a rigid body, and too few to strain one. (K7)
 fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     let diagonal = discrete.total.diagonal();
     let firm = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
     let unknown =
-        |node, component| discrete.freedoms.row(node, component).first().map(|(unknown, _)| *unknown as u32);
+        |node, component| discrete.dofs.row(node, component).first().map(|(unknown, _)| *unknown as u32);
     let mut pinned = discrete.total.clone();
     for (node, pins) in pins(discrete) {
         let unknowns: Vec<Option<u32>> =
@@ -127,12 +131,12 @@ fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     pinned
 }
 
-/// Nodes that are pinned, and the components of their motion: three nodes, or one that turns where there are no three.
+/// Pinned nodes, and the components of their motion: three nodes, or one with rotations where there are no three.
 fn pins(discrete: &Discrete<'_>) -> Vec<(usize, DMatrix<f64>)> {
     let nodes = &discrete.structure.nodes;
     let free: Vec<usize> =
-        (0..nodes.len()).filter(|node| discrete.structure.holds[*node].is_free()).collect();
-    if let (true, Some(node)) = (free.len() < 3, free.iter().find(|node| nodes[**node].turns)) {
+        (0..nodes.len()).filter(|node| discrete.structure.constraints[*node].is_free()).collect();
+    if let (true, Some(node)) = (free.len() < 3, free.iter().find(|node| nodes[**node].rotations)) {
         return vec![(*node, DMatrix::identity(6, 6))];
     }
     let farthest = |measure: &dyn Fn(Vector3<f64>) -> f64| {

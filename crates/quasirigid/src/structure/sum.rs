@@ -2,20 +2,20 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::freedoms::Freedoms;
+use super::dofs::Dofs;
 use crate::finite::Element;
 use crate::math::symmetric::{Pattern, Symmetric};
 
-/// Unknowns of an element, and its freedoms as combinations of them.
-pub(super) struct Tie {
+/// Unknowns of an element, and its degrees of freedom as combinations of them.
+pub(super) struct DofMap {
     unknowns: Vec<Option<u32>>,
-    /// A row per freedom; none where each freedom is an unknown or held.
+    /// A row per degree of freedom; none where each degree of freedom is an unknown or fixed.
     shares: Option<DMatrix<f64>>,
 }
 
-impl Tie {
-    pub fn new(freedoms: &Freedoms, element: &dyn Element) -> Self {
-        let rows: Vec<&[(usize, f64)]> = freedoms.rows(element.nodes(), element.freedoms()).collect();
+impl DofMap {
+    pub fn new(dofs: &Dofs, element: &dyn Element) -> Self {
+        let rows: Vec<&[(usize, f64)]> = dofs.rows(element.nodes(), element.dofs()).collect();
         if rows.iter().all(|row| matches!(row, [] | [(_, 1.0)])) {
             let unknowns = rows.iter().map(|row| row.first().map(|(unknown, _)| *unknown as u32)).collect();
             return Self { unknowns, shares: None };
@@ -48,7 +48,7 @@ impl Tie {
         sum.add(&self.unknowns, tied.as_slice()).expect("the pattern has the places of every element");
     }
 
-    /// Freedoms of the element in displacements of the unknowns, a row per freedom.
+    /// Displacements of the unknowns over the degrees of freedom of the element, a row per degree of freedom.
     pub fn moved(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
         let unknown = |i: usize, j: usize| self.unknowns[i].map_or(0.0, |place| fields[(j, place as usize)]);
         let unknowns = DMatrix::from_fn(self.unknowns.len(), fields.nrows(), unknown);
@@ -67,10 +67,10 @@ impl Tie {
     }
 }
 
-/// The places that the matrices of elements fill.
-pub(super) fn pattern(freedoms: &Freedoms, ties: &[Tie]) -> Arc<Pattern> {
-    let groups = freedoms.groups();
-    let lists: Vec<Vec<u32>> = ties.iter().map(|tie| tie.groups(&groups)).collect();
+/// Pattern of the matrices of elements.
+pub(super) fn pattern(dofs: &Dofs, maps: &[DofMap]) -> Arc<Pattern> {
+    let groups = dofs.groups();
+    let lists: Vec<Vec<u32>> = maps.iter().map(|map| map.groups(&groups)).collect();
     let pattern = Pattern::new(&groups, lists.iter().map(Vec::as_slice));
     Arc::new(pattern.expect("groups ascend and each list names groups"))
 }

@@ -1,3 +1,7 @@
+//! Verification of a mean power: the polynomial average beside short runs of the full system, at ever stiffer springs.
+//! Both differ by the polhode of the deformed body and by terms of the power two degrees up, so their difference must fall as `ε²`.
+//! Equations (Q4) and (Q9), docs/theory/16-methods.md; (E4), docs/theory/09-forced-reduction.md.
+
 use std::ops::ControlFlow;
 
 use thiserror::Error;
@@ -11,42 +15,43 @@ use crate::modes::{EquilibriumError, ModesError};
 use crate::reduction::reduce;
 use crate::secular::{EnergyRange, MeasureError, MeasureOptions, Poles, Probes};
 
-/// Mean power of the polynomial average against that of the full system, near the polhode of a start, at ever stiffer springs.
+/// Row of a verification: mean power of the polynomial average against that of the full system, near the polhode of a start, at ever
+/// stiffer springs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AverageRow {
     /// Factors `ε` of `C → C/ε²`, `B → B/ε`, descending from 1, which is the model itself.
     pub epsilons: Vec<f64>,
     /// Relative differences of the mean power at each `ε`.
     pub errors: Vec<f64>,
-    /// Order in `ε` of the differences, from the smallest two that the measurement resolves; none if there are no two.
+    /// Order in `ε` of the differences, from the smallest two that the measurement resolves; none without two.
     pub order: Option<f64>,
-    /// The order that it should have.
+    /// Expected order.
     pub expected: usize,
 }
 
-/// Averages that could not be verified.
+/// Error of an average that could not be verified.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum AverageError {
-    /// A wheel, a force or a support, which the average does not take.
+    /// The body has a wheel, a force or a support, outside of the average.
     #[error("the average is of a free body without wheels and forces")]
     NotFree,
-    /// Materials or liquids that the full system does not hold.
+    /// The body has materials or liquids outside of the full system.
     #[error("the full system does not hold all that dissipates")]
     LeftOut,
     /// The body spins steadily.
     #[error("the body spins steadily, so that there is no wobble")]
     Steady,
-    /// No steady spins.
+    /// No steady spin was found.
     #[error(transparent)]
     Equilibrium(#[from] EquilibriumError),
-    /// No modes.
+    /// The modes were not found.
     #[error(transparent)]
     Modes(#[from] ModesError),
-    /// No mean power.
+    /// The mean power was not found.
     #[error(transparent)]
     Measure(#[from] MeasureError),
-    /// No start, or somebody asked for an end.
+    /// The start failed, or the caller asked for an end.
     #[error(transparent)]
     Verification(#[from] VerificationError),
 }
@@ -54,15 +59,15 @@ pub enum AverageError {
 /// Relative change of the power from one window of a run to the next: that of the wobble, at whose mean it is compared.
 const CHANGE: f64 = 4e-3;
 const TOLERANCE: f64 = 1e-12;
-/// Differences below this may be those of the window.
+/// Difference below which an error may be that of the window.
 const RESOLVED: f64 = 1e-6;
 /// Order in `ε` of the difference: the polhode of the deformed body, and terms of the power two degrees up.
 const EXPECTED: usize = 2;
-/// Least order of the equations that hold dissipation.
+/// Least order of the equations with dissipation.
 const LOSSY: usize = 3;
 
-/// Sets the mean power of the polynomial average of an order beside that of the full system, at `ε = 1, ½, ¼, …`, in runs of
-/// so many steps at most in all. (Q4), (Q9), (E4)
+/// Compares the mean power of the polynomial average of an order with that of the full system at `ε = 1, ½, ¼, …`, in runs of at most
+/// `most_steps` in all. (Q4), (Q9), (E4)
 ///
 /// # Errors
 /// [`AverageError`].
@@ -78,7 +83,7 @@ pub fn verify_average(
     if system.acts() || !matches!(body.support(), Support::Free) || !body.wheels().is_empty() {
         return Err(AverageError::NotFree);
     }
-    if !body.lossy().is_empty() || !body.memories().is_empty() {
+    if !body.viscoelastic().is_empty() || !body.memories().is_empty() {
         return Err(AverageError::LeftOut);
     }
     let epsilons = halved(halvings);
@@ -111,7 +116,7 @@ fn error(
     watch: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<(f64, u64), AverageError> {
     let full = start.settled(Forced::not(body), order)?;
-    let range = EnergyRange::compute(body, norm(full.momentum(body)))?;
+    let range = EnergyRange::compute(body, norm(full.angular_momentum(body)))?;
     let poles = Poles::compute(body, &range)?;
     if range.stage(full.energy(body)).is_none() {
         return Err(AverageError::Steady);
@@ -123,7 +128,7 @@ fn error(
 }
 
 impl AverageRow {
-    /// Whether the difference falls as it should; one that the measurement does not resolve is small enough.
+    /// True if the difference falls with the expected order, or is below the resolution of the measurement.
     #[must_use]
     pub fn reached(&self) -> bool {
         falls(self.order, self.expected, self.errors.iter().copied())

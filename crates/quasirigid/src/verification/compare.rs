@@ -2,16 +2,16 @@ use crate::dynamics::Sample;
 use crate::math::rotation::angle_between;
 use crate::math::vec3::{add, norm, scale};
 
-/// How far a reduced history is from the full one: the largest difference at any of its times.
+/// Largest differences between a reduced history and the full one over all output times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// Of the spin, relative to the largest spin.
+    /// Difference in angular velocity, relative to the largest angular velocity.
     pub omega: f64,
-    /// Of the attitude (rad).
+    /// Difference in attitude (rad).
     pub attitude: f64,
-    /// Of the energy that the dashpots have taken (J).
+    /// Difference in the energy taken by the dashpots (J).
     pub dissipated: f64,
-    /// That energy itself (J), at the end of the full history.
+    /// Energy taken by the dashpots (J) at the end of the full history.
     pub dissipation: f64,
 }
 

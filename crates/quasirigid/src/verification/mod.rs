@@ -1,4 +1,4 @@
-//! Proof of a reduction: the full system beside the reduced ones, at ever stiffer springs.
+//! Verification of a reduction: the full system beside the reduced ones, at ever stiffer springs. (E4)
 
 mod averages;
 mod compare;

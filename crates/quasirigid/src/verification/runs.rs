@@ -1,3 +1,8 @@
+//! Histories of a verification: full and reduced runs from the same angular momentum and attitude.
+//! The full run starts on the slow manifold two orders above, so that its own vibration is below the difference; the reduced run takes over
+//! the angular momentum, not the angular velocity.
+//! Equation (E4), docs/theory/09-forced-reduction.md.
+
 use std::ops::ControlFlow;
 
 use super::verify::VerificationError;
@@ -8,7 +13,7 @@ use crate::dynamics::{
 use crate::reduction::{MAX_ORDER, reduce};
 
 impl Start {
-    /// The full state on the slow manifold, two orders above `order` where there are so many, with this spin.
+    /// Full state on the slow manifold with this angular velocity, two orders above `order` where the reduction goes so far.
     ///
     /// # Errors
     /// [`VerificationError`] if there is no such state.
@@ -16,7 +21,7 @@ impl Start {
         let Start { omega, attitude, place, velocity } = *self;
         if system.acts() {
             let above = (order + 2).min(MAX_FORCED_ORDER);
-            let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+            let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
             let slow = still.with_spin(system, above, omega)?;
             return Ok(FullState::on_manifold(system, above, &slow)?);
         }
@@ -26,14 +31,14 @@ impl Start {
     }
 }
 
-/// A full history, where it started, and its steps.
+/// Full history with its start and number of steps.
 pub(super) struct Truth {
     pub start: FullState,
     pub samples: Vec<Sample>,
     pub steps: u64,
 }
 
-/// The full history at the times, from the slow manifold of an order above `order`.
+/// Full history at the output times, from the slow manifold of an order above `order`.
 pub(super) fn full(
     system: Forced,
     start: &Start,
@@ -49,7 +54,7 @@ pub(super) fn full(
     Ok(Truth { start: state, samples: collector.samples, steps: run.work.steps })
 }
 
-/// The reduced history of order `p` at the times, with the momentum that the full one starts with.
+/// Reduced history of order `p` at the output times, from the angular momentum of the full one.
 pub(super) fn reduced(
     system: Forced,
     full: &FullState,
@@ -58,16 +63,16 @@ pub(super) fn reduced(
     options: &Options,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Vec<Sample>, VerificationError> {
-    let momentum = full.momentum(system.body);
+    let angular_momentum = full.angular_momentum(system.body);
     let mut collector = Collector { samples: Vec::new(), watch };
     let run = if system.acts() {
         let FullState { attitude, place, velocity, .. } = *full;
-        let slow = SlowState { momentum, attitude, place, velocity };
+        let slow = SlowState { angular_momentum, attitude, place, velocity };
         propagate_forced(system, order, &slow, times, options, &mut collector)?
     } else {
         let body = reduce(system.body, order)?;
         let FullState { attitude, place, velocity, .. } = *full;
-        let initial = Start { omega: body.Omega.vector(momentum), attitude, place, velocity };
+        let initial = Start { omega: body.Omega.vector(angular_momentum), attitude, place, velocity };
         propagate(&body, initial, times, options, &mut collector)?
     };
     finished(run.outcome)?;

@@ -1,3 +1,8 @@
+//! Verification of orders: differences between full and reduced histories at ever stiffer springs, and their slope.
+//! An order is a statement about `ε → 0`, so it can be measured on any body; differences near the error of the integrator are left out of
+//! the slope.
+//! Equation (E4), docs/theory/09-forced-reduction.md.
+
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -10,18 +15,18 @@ use crate::math::vec3::norm;
 use crate::model::FlexibleError;
 use crate::reduction::{MAX_ORDER, ReductionError};
 
-/// What a verification does.
+/// Plan of a verification.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VerificationPlan {
     /// Orders `p` to verify, from 0.
     pub orders: Vec<usize>,
-    /// Turns of the histories at the initial spin.
+    /// Revolutions of the histories at the initial spin.
     pub rotations: f64,
-    /// How often `ε` is halved: `C → C/ε²`, `B → B/ε` with `ε = 1, ½, ¼, …`.
+    /// Number of halvings of `ε`: `C → C/ε²`, `B → B/ε` with `ε = 1, ½, ¼, …`.
     pub halvings: usize,
-    /// Times at which the histories are compared.
+    /// Number of times at which the histories are compared.
     pub samples: usize,
-    /// Forms of the reduced equations; each takes the orders that it is written for. (P1), (P2), (E2), (E3)
+    /// Forms of the reduced equations; each with the orders that it is defined for. (P1), (P2), (E2), (E3)
     pub forms: Vec<Form>,
 }
 
@@ -32,7 +37,7 @@ impl Default for VerificationPlan {
             rotations: 5.0,
             halvings: 4,
             samples: 200,
-            forms: vec![Form::Momentum, Form::Paper],
+            forms: vec![Form::AngularMomentum, Form::AngularVelocity],
         }
     }
 }
@@ -46,11 +51,11 @@ pub struct Verification {
     pub duration: f64,
     /// One row per form and order asked for.
     pub rows: Vec<OrderRow>,
-    /// Steps that the full histories took.
+    /// Steps of the full histories.
     pub steps: u64,
 }
 
-/// What was measured at one order.
+/// Differences measured at one order and form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrderRow {
     /// Order `p`.
@@ -59,12 +64,12 @@ pub struct OrderRow {
     pub form: Form,
     /// Differences at each `ε`.
     pub differences: Vec<Difference>,
-    /// Order in `ε` of the difference in spin, from the smallest `ε` whose difference stands above rounding; none if
-    /// there are no two of them.
+    /// Order in `ε` of the difference in angular velocity, from the two smallest `ε` whose differences stand above rounding; none without
+    /// two.
     pub order: Option<f64>,
 }
 
-/// A verification that could not be made.
+/// Error of a verification that could not be made.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum VerificationError {
@@ -74,7 +79,7 @@ pub enum VerificationError {
         /// Highest order.
         highest: usize,
     },
-    /// An order out of range.
+    /// The order is out of range.
     #[error("order {order} cannot be verified here; choose orders from 0 to {highest}")]
     Order {
         /// Order asked for.
@@ -82,7 +87,7 @@ pub enum VerificationError {
         /// Highest order.
         highest: usize,
     },
-    /// A number of the plan that means nothing.
+    /// A number of the plan is out of range.
     #[error(
         "a verification over {rotations} rotations with {halvings} halvings means nothing; choose more than 0 rotations, and 1 to 12 halvings"
     )]
@@ -95,7 +100,7 @@ pub enum VerificationError {
     /// The reduction failed.
     #[error(transparent)]
     Reduction(#[from] ReductionError),
-    /// The stiffened body is no body.
+    /// The stiffened body is invalid.
     #[error(transparent)]
     Body(#[from] FlexibleError),
     /// A history could not start.
@@ -104,7 +109,7 @@ pub enum VerificationError {
     /// A history ended early.
     #[error("a history ended early: {outcome}")]
     Unfinished {
-        /// Why it ended.
+        /// Reason of the end.
         outcome: Outcome,
     },
     /// The observer asked for an end.
@@ -115,10 +120,11 @@ pub enum VerificationError {
 /// Tolerances of the full and the reduced histories.
 const FULL: f64 = 1e-13;
 const REDUCED: f64 = 1e-14;
-/// Differences in spin below this, per turn, may be rounding; the error allowed in each step of the full history adds up.
+/// Relative difference in angular velocity per revolution that may be rounding; the errors allowed in the steps of the full history add
+/// up to it.
 const ROUNDING: f64 = 1e-12;
 
-/// Runs the full system and the reduced ones side by side, from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
+/// Verifies orders: runs the full system and the reduced ones from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -161,7 +167,7 @@ pub fn verify(
         let part = |done: f64| move |t: f64| (done + t / duration) / runs;
         let mut share = part(done);
         let options = |form, tolerance: f64| Options { form, tolerance, ..Options::default() };
-        let exact = options(Form::Momentum, FULL);
+        let exact = options(Form::AngularMomentum, FULL);
         let truth = full(scaled, start, highest, &times, &exact, &mut |t| watch(share(t)))?;
         floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
         steps += truth.steps;
@@ -180,7 +186,7 @@ pub fn verify(
     Ok(Verification { epsilons, duration, rows, steps })
 }
 
-/// The highest order asked for.
+/// Checks a plan; returns the highest order asked for.
 fn check(system: Forced, plan: &VerificationPlan) -> Result<usize, VerificationError> {
     let highest = if system.acts() { MAX_FORCED_ORDER - 2 } else { MAX_ORDER - 2 };
     let Some(&most) = plan.orders.iter().max() else {
@@ -196,7 +202,7 @@ fn check(system: Forced, plan: &VerificationPlan) -> Result<usize, VerificationE
     Ok(most)
 }
 
-/// Slope of the difference in spin at the smallest `ε` where it stands above the integrator's own error.
+/// Slope of the difference in angular velocity at the smallest `ε` where the difference stands above the error of the integrator.
 fn order(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option<f64> {
     let above =
         differences.iter().zip(floors).take_while(|(difference, floor)| difference.omega > **floor).count();
@@ -205,22 +211,21 @@ fn order(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option
     Some(ratio.ln() / (epsilons[before] / epsilons[last]).ln())
 }
 
-/// An order that falls short by more than this is not reached.
+/// Shortfall of the measured order up to which an order counts as reached.
 const SHORT: f64 = 0.3;
 
-/// Factors `ε = 1, ½, ¼, …` of so many halvings.
+/// Factors `ε = 1, ½, ¼, …` for a number of halvings.
 pub(super) fn halved(halvings: usize) -> Vec<f64> {
     (0..=halvings).map(|k| 0.5_f64.powi(k as i32)).collect()
 }
 
-/// Whether differences fall with the order expected; those in which no order is found are small enough.
+/// True if differences fall with the expected order; without a measured order they are small enough.
 pub(super) fn falls(order: Option<f64>, expected: usize, mut differences: impl Iterator<Item = f64>) -> bool {
     order.is_none_or(|order| order > expected as f64 - SHORT) && differences.all(f64::is_finite)
 }
 
 impl OrderRow {
-    /// Whether the difference falls as `ε^{p+1}`, as it should; a difference that cannot be told from rounding is small
-    /// enough.
+    /// True if the difference falls as `ε^{p+1}`, or is at the level of rounding.
     #[must_use]
     pub fn reached(&self) -> bool {
         falls(self.order, self.p + 1, self.differences.iter().map(|difference| difference.omega))
@@ -228,7 +233,7 @@ impl OrderRow {
 }
 
 impl Verification {
-    /// Whether every order asked for was reached.
+    /// True if every order asked for was reached.
     #[must_use]
     pub fn reached(&self) -> bool {
         self.rows.iter().all(OrderRow::reached)

@@ -81,7 +81,7 @@ fn rotations_that_no_body_makes_are_refused() {
         assert!(matches!(at(2.0, angle), Err(E::Nutation { .. })), "{angle}");
     }
     for G in [-2.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(at(G, 0.3), Err(E::Momentum { .. })), "{G}");
+        assert!(matches!(at(G, 0.3), Err(E::AngularMomentum { .. })), "{G}");
     }
     assert!(at(2.0, 0.999_999 * FRAC_PI_2).is_ok() && at(0.0, 1e-9).is_ok());
     for wrong in [[3.0, 2.0, 1.0], [1.0, 3.0, 2.0], [0.0, 1.0, 2.0], [-1.0, 1.0, 2.0], [f64::NAN; 3]] {
@@ -101,7 +101,7 @@ fn evolutions_of_no_angular_momentum_are_refused() {
     let reduced = reduce(&body, 3).unwrap();
     for G in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = Evolution::compute(&body, &reduced, G).err();
-        assert!(matches!(error, Some(EvolutionError::Momentum { .. })), "{G}");
+        assert!(matches!(error, Some(EvolutionError::AngularMomentum { .. })), "{G}");
     }
     assert!(Evolution::compute(&body, &reduced, 1e-12).is_ok());
 }

@@ -48,7 +48,7 @@ fn assemblies_come_back() {
 fn runs_come_back() {
     let reduced = reduce(&ring_of_points(2).body().unwrap(), 3).unwrap();
     let events = vec![Event::Nutation { axis: [0.1, 0.2, 0.3], angle: 0.4 }, Event::Energy(-1.0)];
-    let options = Options { events, tolerance: 1e-7, form: Form::Paper, ..Options::default() };
+    let options = Options { events, tolerance: 1e-7, form: Form::AngularVelocity, ..Options::default() };
     same(&options);
     let start = Start::new([0.1, 0.2, 1.0 / 3.0], ALIGNED);
     same(&start);

@@ -87,7 +87,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::Spring>();
     crosses::<elements::Station>();
     crosses::<elements::StokesError>();
-    crosses::<elements::Substance>();
+    crosses::<elements::ElasticMaterial>();
     crosses::<elements::Surface>();
     crosses::<elements::TipMass>();
     crosses::<elements::Wheel>();
@@ -108,7 +108,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Kinetics>();
     crosses::<model::LiquidFlow>();
     crosses::<model::LiquidMemory>();
-    crosses::<model::Lossy>();
+    crosses::<model::Viscoelastic>();
     crosses::<model::Marker>();
     crosses::<model::Measured>();
     crosses::<model::Mode>();
@@ -165,7 +165,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::HarmonicResonance>();
     crosses::<averaging::DampingEstimate>();
     crosses::<averaging::Drift>();
-    crosses::<averaging::DriftEnding>();
+    crosses::<averaging::DriftStopReason>();
     crosses::<averaging::DriftHistory>();
     crosses::<averaging::DriftLimits>();
     crosses::<averaging::DriftState>();
@@ -179,7 +179,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::HillResponse>();
     crosses::<averaging::InterpolatedPower>();
     crosses::<averaging::Level>();
-    crosses::<averaging::LevelEnding>();
+    crosses::<averaging::LevelStopReason>();
     crosses::<averaging::LevelError>();
     crosses::<averaging::LevelEvolution>();
     crosses::<averaging::LevelPassage>();
@@ -196,7 +196,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::SeparatrixPassage>();
     crosses::<averaging::SlowTorque>();
     crosses::<averaging::SmallBody>();
-    crosses::<averaging::Stage>();
+    crosses::<averaging::RotationState>();
     crosses::<averaging::Unaveraged>();
     crosses::<averaging::Until>();
     crosses::<averaging::Way>();
@@ -212,7 +212,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<modes::SteadyState>();
     crosses::<secular::AverageCriteria>();
     crosses::<secular::CalibratedPower>();
-    crosses::<secular::DirectEnding>();
+    crosses::<secular::DirectStopReason>();
     crosses::<secular::DirectOptions>();
     crosses::<secular::DirectRow>();
     crosses::<secular::DirectRun>();

@@ -57,7 +57,7 @@ pub fn full_start(body: &FlexibleBody, hill: &HillResponse, motion: &FreeRotatio
     let (q, rate) = hill.state(motion, 0.0).unwrap();
     let J = body.invariants().J;
     let K = sym3::times(J, hill.principal().vector(motion.omega(0.0)));
-    let inside = body.momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
+    let inside = body.angular_momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
     let left = vec3::add(K, vec3::scale(-1.0, inside));
     let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), left);
     FullState { q, rate, ..FullState::at_rest(body, omega, ALIGNED) }

@@ -85,7 +85,7 @@ fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
             rate[column - 3] = 1.0
         }
         let motion = MotionState { omega, q: &q, rate: &rate };
-        let entries = body.momentum(motion).into_iter().chain(body.generalized_momentum(motion));
+        let entries = body.angular_momentum(motion).into_iter().chain(body.generalized_momentum(motion));
         matrix.set_column(column, &DVector::from_iterator(3 + n, entries));
     }
     let right = DVector::from_iterator(3 + n, K.iter().chain(p.iter()).copied());
@@ -128,11 +128,11 @@ fn a_small_wobble_has_the_eigenvalue_of_the_full_system() {
             let motion = motion(&body, spin, mode, 30.0);
             let predicted = hill.mean_power(&motion) / (2.0 * motion.energy_from_axis());
             let start = full_start(&body, &hill, &motion);
-            let G = motion.momentum();
+            let G = motion.angular_momentum();
             let rate = vec![0.0; 2];
             let still = MotionState { omega: start.omega, q: &start.q, rate: &rate };
             let state = body
-                .momentum(still)
+                .angular_momentum(still)
                 .into_iter()
                 .chain(start.q.iter().copied())
                 .chain(body.generalized_momentum(still));
@@ -180,14 +180,14 @@ fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64
     let n = body.coordinates().len();
     let state = |omega: [f64; 3], q: &[f64], rate: &[f64]| {
         let motion = MotionState { omega, q, rate };
-        let entries = body.momentum(motion).into_iter().chain(q.iter().copied());
+        let entries = body.angular_momentum(motion).into_iter().chain(q.iter().copied());
         DVector::from_iterator(3 + 2 * n, entries.chain(body.generalized_momentum(motion)))
     };
     let end = |y: &DVector<f64>| {
         let rates = rates(body, y);
         let q = y.rows(3, n).as_slice().to_vec();
         let rate = rates.rows(3, n).as_slice().to_vec();
-        let inside = body.momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
+        let inside = body.angular_momentum(MotionState { omega: [0.0; 3], q: &q, rate: &rate });
         let K = [y[0] - inside[0], y[1] - inside[1], y[2] - inside[2]];
         let omega = sym3::times(sym3::inverse(body.inertia_at(&q)), K);
         let from = FullState { omega, q, rate, ..start.clone() };
@@ -225,7 +225,7 @@ fn multipliers_are_those_of_the_full_system() {
         let hill = HillResponse::compute(&body).unwrap();
         let floquet = hill.floquet(&motion).unwrap();
         let start = full_start(&body, &hill, &motion);
-        let (G, momentum) = (motion.momentum(), mass * spin);
+        let (G, momentum) = (motion.angular_momentum(), mass * spin);
         let steps = [1e-4 * G, 1e-4 * G, 1e-4 * G, 1e-2, 1e-2, 1e-2 * momentum, 1e-2 * momentum];
         let full = flow(&body, &start, period, &DVector::from_row_slice(&steps)).complex_eigenvalues();
         println!("{tuning}: {floquet:?}, full {:?}", full.as_slice());

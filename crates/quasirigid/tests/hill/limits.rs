@@ -103,7 +103,7 @@ fn a_small_wobble_loses_no_digits() {
     });
     assert!((rates[1] / rates[2] - 1.0).abs() < 1e-7, "{rates:?}");
     assert!((rates[0] / rates[2] - 1.0).abs() < 1e-4, "{rates:?}");
-    let G = motion(&body, 5.0, Mode::ShortAxis, 1.0).momentum();
+    let G = motion(&body, 5.0, Mode::ShortAxis, 1.0).angular_momentum();
     let rate = Evolution::new(&hill, G).wobble_rate(Mode::ShortAxis);
     assert!((rate / rates[2] - 1.0).abs() < 1e-8, "{rate} {rates:?}");
 }
@@ -139,8 +139,11 @@ fn ends_of_the_range() {
 
 #[test]
 fn momentum_wheels_are_refused() {
-    let wheel =
-        Wheel { name: "wheel".into(), axis: [0.0, 0.3, 1.0], speed: WheelSpeed::Constant { momentum: 2.0 } };
+    let wheel = Wheel {
+        name: "wheel".into(),
+        axis: [0.0, 0.3, 1.0],
+        speed: WheelSpeed::Constant { angular_momentum: 2.0 },
+    };
     let body = Assembly { wheels: vec![wheel], ..skew([0.2, 0.1], [40.0, 30.0], 0.1) }.body().unwrap();
     assert_eq!(HillResponse::compute(&body).unwrap_err(), HillError::Wheels);
 }

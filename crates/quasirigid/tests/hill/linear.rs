@@ -10,7 +10,7 @@ use super::oracle::{Linear, periodic};
 use crate::support::rotors::{ball, flywheel};
 use crate::support::{assemblies, cases};
 
-/// Power, states and multipliers of a body along a polhode, by both roads.
+/// Power, states and multipliers of a body along a polhode, by both methods.
 fn compare(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> Result<(), TestCaseError> {
     let motion = motion(body, spin, mode, xi);
     let hill = HillResponse::compute(body).unwrap();

@@ -44,7 +44,7 @@ impl<'a> Linear<'a> {
     /// Momenta and forces of the Routhian at a state.
     fn routhian(&self, K: [f64; 3], q: &[f64], rate: &[f64]) -> [DVector<f64>; 2] {
         let still = MotionState { omega: [0.0; 3], q, rate };
-        let inside = Vector3::from(self.body.momentum(still));
+        let inside = Vector3::from(self.body.angular_momentum(still));
         let J = Matrix3::from(sym3::rows(self.body.inertia_at(q)));
         let omega = (J.try_inverse().unwrap() * (Vector3::from(K) - inside)).into();
         let motion = MotionState { omega, q, rate };

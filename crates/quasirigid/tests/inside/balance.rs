@@ -52,7 +52,7 @@ fn momentum_stays_and_friction_takes_the_energy() {
     let run = propagate_full(Forced::not(&body), &released, &times, &options, &mut history).unwrap();
     assert_eq!(run.outcome, Outcome::Finished);
 
-    let inertial = |state: &FullState| to_inertial(state.attitude, state.momentum(&body));
+    let inertial = |state: &FullState| to_inertial(state.attitude, state.angular_momentum(&body));
     let K = inertial(&released);
     let moved = history.states().map(|state| norm(add(inertial(&state), scale(-1.0, K))) / norm(K));
     let moved = moved.fold(0.0, f64::max);

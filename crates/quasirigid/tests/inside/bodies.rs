@@ -90,7 +90,7 @@ pub fn everything() -> Assembly {
         points: vec![point, other],
         springs: vec![spring, between, held],
         rotors: vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)],
-        wheels: vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { momentum: 6.0 })],
+        wheels: vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { angular_momentum: 6.0 })],
         cavities: vec![cavity([0.4, 0.3, 0.2], 500.0, 0.1), round],
         ..bare()
     }
@@ -105,7 +105,7 @@ pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> 
         rotations: 1.0,
         halvings: 3,
         samples: 40,
-        forms: vec![Form::Momentum],
+        forms: vec![Form::AngularMomentum],
     };
     let verification = verify(system, &start(omega), &plan, &mut |_| ControlFlow::Continue(())).unwrap();
     for row in &verification.rows {

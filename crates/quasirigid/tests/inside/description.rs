@@ -82,8 +82,8 @@ impl Description {
         }
         for Wheel { axis, speed, .. } in &mut other.wheels {
             *axis = self.vector(*axis, [0; 3]);
-            let WheelSpeed::Constant { momentum } = speed else { panic!("{speed:?}") };
-            *momentum *= self.factor([2, 1, -1]);
+            let WheelSpeed::Constant { angular_momentum } = speed else { panic!("{speed:?}") };
+            *angular_momentum *= self.factor([2, 1, -1]);
         }
         for cavity in &mut other.cavities {
             let CavityShape::Ellipsoid { semi_axes } = &mut cavity.shape else {
@@ -101,7 +101,7 @@ impl Description {
     /// How far a reduced body is from the image of another, by name: the largest difference of each degree, relative to the
     /// largest value of that degree.
     pub fn gaps(&self, found: &ReducedBody, before: &ReducedBody) -> Vec<(&'static str, f64)> {
-        let (spin, momentum) = ((SPIN, [0, 0, -1]), (MOMENTUM, [2, 1, -1]));
+        let (spin, angular_momentum) = ((SPIN, [0, 0, -1]), (MOMENTUM, [2, 1, -1]));
         let tensor = self.tensor(sym3::rows(before.J), [2, 1, 0]);
         let mut gaps = vec![("J", matrix_gap(sym3::rows(found.J), tensor))];
         // At a given momentum whole degrees of the energy cancel: its sizes are those at a given spin.
@@ -110,9 +110,9 @@ impl Description {
             ("f", &found.f, &before.f, spin, [0, 0, -2]),
             ("mu", &torque(found), &torque(before), spin, [2, 1, -2]),
             ("K", &found.K, &before.K, spin, [2, 1, -1]),
-            ("Omega", &found.Omega, &before.Omega, momentum, [0, 0, -1]),
+            ("Omega", &found.Omega, &before.Omega, angular_momentum, [0, 0, -1]),
             ("E of omega", &found.energy, &before.energy, spin, [2, 1, -2]),
-            ("E of K", &found.energy_of_momentum, &before.energy_of_momentum, momentum, [2, 1, -2]),
+            ("E of K", &found.energy_of_momentum, &before.energy_of_momentum, angular_momentum, [2, 1, -2]),
             ("power", &found.power, &before.power, spin, [2, 1, -3]),
             ("phi", &found.phi, &before.phi, spin, [1, 1, -2]),
         ] {

@@ -45,7 +45,7 @@ fn expected(gyrostat: &Gyrostat) -> [f64; 3] {
 
 #[test]
 fn rotors_and_a_wheel_of_constant_speed() {
-    let assembly = assembly(WheelSpeed::Constant { momentum: 12.0 });
+    let assembly = assembly(WheelSpeed::Constant { angular_momentum: 12.0 });
     let spin = expected(&gyrostat(|_| Vector3::new(0.0, 0.0, 12.0)));
     for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
         let last = run(&assembly, method);

@@ -119,7 +119,7 @@ fn the_slow_flow_of_a_ball_turns_as_a_solid_one() {
     }
 }
 
-/// Finite elements and polynomials are two roads to the cubic and the quartic torque of an ellipsoid of liquid.
+/// Finite elements and polynomials are two methods to the cubic and the quartic torque of an ellipsoid of liquid.
 #[test]
 fn a_meshed_ellipsoid_turns_as_the_exact_one() {
     let semi_axes = [0.6, 0.45, 0.3];

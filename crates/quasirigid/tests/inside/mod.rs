@@ -6,10 +6,10 @@ mod description;
 mod oracle;
 
 mod advection;
-mod ageing;
 mod balance;
 mod full;
 mod liquids;
+mod secular;
 
 mod orders;
 mod parts;
@@ -17,5 +17,5 @@ mod properties;
 mod shapes;
 mod spinning;
 mod start;
-mod without_momentum;
+mod without_angular_momentum;
 mod wobble;

@@ -41,7 +41,7 @@ fn rotors_beside_a_sprung_mass() {
 fn a_momentum_wheel_beside_rotor_and_sprung_mass() {
     let (point, spring) = sprung();
     let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0)];
-    let wheels = vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { momentum: 6.0 })];
+    let wheels = vec![wheel([1.0, 0.2, 0.4], WheelSpeed::Constant { angular_momentum: 6.0 })];
     assert_orders(&Assembly { rotors, wheels, points: vec![point], springs: vec![spring], ..bare() }, 3);
 }
 
@@ -79,7 +79,7 @@ fn an_ellipsoid_of_liquid_beside_a_sprung_mass() {
     assert_orders(&Assembly { cavities, points: vec![point], springs: vec![spring], ..bare() }, 3);
 }
 
-/// The paper's form and that of the momentum differ by what the order leaves out, and of a rigid body with a wheel not at all.
+/// The angular-velocity form and that of the momentum differ by what the order leaves out, and of a rigid body with a wheel not at all.
 /// (P1), (P2), (C4)
 #[test]
 fn both_forms_of_the_equations_know_of_the_wheel() {
@@ -90,8 +90,9 @@ fn both_forms_of_the_equations_know_of_the_wheel() {
         spin_path(&reduced, scale(0.5, OMEGA), &[6.0], &options).unwrap().omega[0]
     };
     let gap = |order, epsilon| {
-        let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| spin(order, form, epsilon));
-        norm(add(momentum, scale(-1.0, paper))) / norm(momentum)
+        let [angular_momentum, paper] =
+            [Form::AngularMomentum, Form::AngularVelocity].map(|form| spin(order, form, epsilon));
+        norm(add(angular_momentum, scale(-1.0, paper))) / norm(angular_momentum)
     };
     assert!(gap(0, 1.0) < 1e-12, "{:e}", gap(0, 1.0));
     for p in 1..=3 {
@@ -105,8 +106,8 @@ fn both_forms_of_the_equations_know_of_the_wheel() {
 /// A wheel tells the two senses of an axis apart: the steady spin against it is the one along the reversed wheel.
 #[test]
 fn steady_spins_against_a_wheel_are_those_along_the_reversed_one() {
-    let spins = |momentum: f64, sense: f64| {
-        let wheels = vec![wheel([0.2, 1.0, 0.3], WheelSpeed::Constant { momentum })];
+    let spins = |angular_momentum: f64, sense: f64| {
+        let wheels = vec![wheel([0.2, 1.0, 0.3], WheelSpeed::Constant { angular_momentum })];
         let assembly = Assembly { rotors: vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0)], wheels, ..bare() };
         steady_spins(&reduce(&assembly.body().unwrap(), 3).unwrap(), sense * 40.0)
     };

@@ -37,14 +37,14 @@ fn cut_rotor(assembly: &mut Assembly, index: usize, share: f64) {
 /// Two wheels whose momenta sum up.
 fn cut_wheel(assembly: &mut Assembly) {
     let whole = &assembly.wheels[0];
-    let WheelSpeed::Constant { momentum } = whole.speed else { panic!("{whole:?}") };
-    let vector = momentum * Vector3::from(whole.axis).normalize();
+    let WheelSpeed::Constant { angular_momentum } = whole.speed else { panic!("{whole:?}") };
+    let vector = angular_momentum * Vector3::from(whole.axis).normalize();
     let part = Vector3::new(-1.5, 3.0, 0.7);
     assembly.wheels = [part, vector - part]
         .iter()
         .enumerate()
         .map(|(i, vector)| {
-            let mut wheel = wheel((*vector).into(), WheelSpeed::Constant { momentum: vector.norm() });
+            let mut wheel = wheel((*vector).into(), WheelSpeed::Constant { angular_momentum: vector.norm() });
             wheel.name = format!("wheel {i}");
             wheel
         })
@@ -162,7 +162,7 @@ fn frozen() -> Assembly {
 fn what_friction_holds_is_frozen() {
     let frozen = reduced(&frozen());
     let omega = [0.3, -0.2, 0.4];
-    let K = frozen.momentum(omega);
+    let K = frozen.angular_momentum(omega);
     let gap = |found: &[f64], expected: &[f64]| {
         let apart = found.iter().zip(expected).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
         apart / expected.iter().map(|b| b * b).sum::<f64>().sqrt()
@@ -175,7 +175,7 @@ fn what_friction_holds_is_frozen() {
         assert!(body.J.iter().zip(frozen.J).all(|(a, b)| (a - b).abs() < 1e-14 * frozen.J[0]));
         [
             gap(&body.torque(omega), &frozen.torque(omega)),
-            gap(&body.momentum(omega), &K),
+            gap(&body.angular_momentum(omega), &K),
             gap(&body.Omega.vector(K), &frozen.Omega.vector(K)),
             gap(&[body.energy(omega)], &[frozen.energy(omega)]),
             gap(&[body.dissipated_power(omega)], &[frozen.dissipated_power(omega)]),

@@ -141,7 +141,7 @@ const SPHEROIDS: [([f64; 2], f64, [f64; 2]); 20] = [
     ([0.25, 0.35], 1000.0, [2.595080202e-03, 2.445147157e-02]),
 ];
 
-/// Two roads: solenoidal fields that are curls of potentials, and the poloidal and toroidal fields of the library.
+/// Two methods: solenoidal fields that are curls of potentials, and the poloidal and toroidal fields of the library.
 #[test]
 fn balls_and_spheroids_nutate_as_fields_of_another_kind_say() {
     let spin = 0.1;

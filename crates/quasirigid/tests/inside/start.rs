@@ -57,9 +57,12 @@ fn the_matched_start_gains_an_order() {
                 let start = released(&body);
                 let reduced = reduce(&body, 3).unwrap();
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
-                let (momentum, attitude) =
-                    if turned { (slow.momentum, slow.attitude) } else { (start.momentum(&body), ALIGNED) };
-                let initial = Start::new(reduced.Omega.vector(momentum), attitude);
+                let (angular_momentum, attitude) = if turned {
+                    (slow.angular_momentum, slow.attitude)
+                } else {
+                    (start.angular_momentum(&body), ALIGNED)
+                };
+                let initial = Start::new(reduced.Omega.vector(angular_momentum), attitude);
                 let mut samples = Vec::new();
                 propagate(&reduced, initial, &[END], &Options::default(), &mut samples).unwrap();
                 let truth = full(&body, &start, &[END])[0];

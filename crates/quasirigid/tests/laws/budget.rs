@@ -1,4 +1,4 @@
-//! Who takes the energy: shares that sum to the whole on every road, and that do not know of each other.
+//! Who takes the energy: shares that sum to the whole on every method, and that do not know of each other.
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
@@ -233,7 +233,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     (body, full, reduced)
 }
 
-/// Two roads to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
+/// Two methods to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
 #[test]
 fn histories_know_who_took_the_energy() {
     [Method::Explicit, Method::Implicit].into_iter().for_each(compare_histories);

@@ -177,8 +177,8 @@ proptest! {
         let ahead = reduce(&body, (order + 4).min(MAX_ORDER)).unwrap();
         prop_assert_eq!(&validity.degrees, &degree_sizes(&ahead, omega));
         let reduced = reduce(&body, order).unwrap();
-        let momentum = Vector3::from(reduced.momentum(omega)).norm();
-        let size = |degree: usize| greatest(|x| value(ahead.Omega.part(degree), x), momentum);
+        let angular_momentum = Vector3::from(reduced.angular_momentum(omega)).norm();
+        let size = |degree: usize| greatest(|x| value(ahead.Omega.part(degree), x), angular_momentum);
         let ratio = |from: f64, to: f64| if from > 0.0 { to / from } else { 0.0 };
         let series = ratio(size(1), size(3)).max(ratio(size(3), size(5)));
         let found = criterion(&validity, Comparison::Series);

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, FreeRotation, MeanPower,
-    PolynomialPower, SlowTorque, Stage,
+    Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, Evolution, FreeRotation, MeanPower,
+    PolynomialPower, RotationState, SlowTorque,
 };
 use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
@@ -20,8 +20,8 @@ fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> 
     drift.follow(start, times, &DriftLimits::until(times[times.len() - 1]), |_| ControlFlow::Continue(()))
 }
 
-fn start(stage: Stage, momentum: f64) -> DriftState {
-    DriftState { t: 0.0, stage, momentum, side: 1.0, turns: 0.0 }
+fn start(stage: RotationState, angular_momentum: f64) -> DriftState {
+    DriftState { t: 0.0, stage, angular_momentum, side: 1.0, revolutions: 0.0 }
 }
 
 /// Without a torque the drift is the evolution at one momentum, through the separatrix too.
@@ -31,11 +31,11 @@ fn drift_without_torque_is_the_evolution() {
     let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, 15.0);
     let drift = Drift::new(&power, &Principal::compute(reduced.J), SlowTorque::default());
-    let [long, short] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| move |xi| Stage { mode, xi });
+    let [long, short] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| move |xi| RotationState { mode, xi });
     for (from, to) in [(short(-1.0), short(3.0)), (long(2.0), long(-3.0)), (long(1.0), short(2.0))] {
         let passage = evolution.passage(from, to);
         let found = followed(&drift, start(from, 15.0), &[0.5 * passage.time, passage.time]);
-        assert_eq!(found.ending, DriftEnding::Finished);
+        assert_eq!(found.ending, DriftStopReason::Finished);
         let [_, last] = found.states[..] else { panic!("two states") };
         assert_eq!(last, found.end);
         let crossed = found.passages.iter().map(|passage| passage.t).next();
@@ -47,8 +47,8 @@ fn drift_without_torque_is_the_evolution() {
         }
         assert_eq!(last.stage.mode, to.mode);
         assert!((last.stage.xi - to.xi).abs() < 1e-6, "{last:?} {to:?}");
-        assert!((last.turns / passage.turns - 1.0).abs() < 1e-7, "{last:?} {passage:?}");
-        assert!((last.momentum / 15.0 - 1.0).abs() < 1e-14);
+        assert!((last.revolutions / passage.revolutions - 1.0).abs() < 1e-7, "{last:?} {passage:?}");
+        assert!((last.angular_momentum / 15.0 - 1.0).abs() < 1e-14);
     }
 }
 
@@ -74,18 +74,18 @@ fn steady_spins_follow_their_closed_laws() {
     let rigid = Rigid(moments);
     let times = [1e5, 3e5];
     for (mode, axis) in [(Mode::ShortAxis, 2), (Mode::LongAxis, 0)] {
-        let stage = Stage { mode, xi: 25.0 };
+        let stage = RotationState { mode, xi: 25.0 };
         let mut constant = [0.0; 3];
         constant[axis] = 3e-6;
         let torque = SlowTorque { constant, drag: 0.0 };
         let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
         for (state, t) in states.iter().zip(times) {
-            assert!((state.momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
+            assert!((state.angular_momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
         }
         let torque = SlowTorque { constant: [0.0; 3], drag: 1e-5 };
         let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
         let slowed = (-1e-5 * times[0] / moments[axis]).exp();
-        assert!((states[0].momentum / (5.0 * slowed) - 1.0).abs() < 1e-8, "{states:?}");
+        assert!((states[0].angular_momentum / (5.0 * slowed) - 1.0).abs() < 1e-8, "{states:?}");
     }
 }
 
@@ -106,28 +106,30 @@ fn drift_is_that_of_the_reduced_equations() {
             named(ForceLaw::Torque { torque: torque.constant, axes: Axes::Body, wave: Wave::default() }),
         ];
         let system = Forced { body: &body, forces: &forces };
-        let still = SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let still =
+            SlowState { angular_momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
         let slow = still.with_spin(system, 2, omega).unwrap();
         let mut samples = Vec::new();
         let options = Options { tolerance: 1e-11, ..Options::default() };
         propagate_forced(system, 3, &slow, &[0.0, duration], &options, &mut samples).unwrap();
-        let G = norm(samples[0].momentum);
+        let G = norm(samples[0].angular_momentum);
         let evolution = Evolution::new(&power, G);
         let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);
         let drift = Drift::new(&power, &principal, torque);
         let found = followed(&drift, start(evolution.stage(ratio).unwrap(), G), &[duration]);
-        assert_eq!(found.ending, DriftEnding::Finished);
+        assert_eq!(found.ending, DriftStopReason::Finished);
         let (last, state) = (&samples[1], found.end);
-        let reached = Evolution::new(&power, state.momentum).motion(state.stage);
+        let reached = Evolution::new(&power, state.angular_momentum).motion(state.stage);
         println!(
             "weaker by {weakness}: |K| {:.6} {:.6}, E {:.6} {:.6} of {:.6}",
-            norm(last.momentum),
-            state.momentum,
+            norm(last.angular_momentum),
+            state.angular_momentum,
             last.energy,
             reached.energy(),
             samples[0].energy
         );
-        [norm(last.momentum) / state.momentum - 1.0, last.energy / reached.energy() - 1.0].map(f64::abs)
+        [norm(last.angular_momentum) / state.angular_momentum - 1.0, last.energy / reached.energy() - 1.0]
+            .map(f64::abs)
     };
     let [strong, weak] = [gap(1.0), gap(4.0)];
     assert!(weak.iter().all(|gap| *gap < 2e-3), "{strong:?} {weak:?}");

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
-    Drift, DriftEnding, DriftHistory, DriftLimits, DriftState, Evolution, FreeRotation, MeanPower,
-    SlowTorque, Stage,
+    Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, Evolution, FreeRotation, MeanPower,
+    RotationState, SlowTorque,
 };
 use quasirigid::model::{Mode, Principal};
 use quasirigid_math::vec3::norm;
@@ -30,8 +30,8 @@ fn drift(torque: SlowTorque) -> Drift<Rigid> {
     Drift::new(Rigid, &Principal { moments: MOMENTS, axes }, torque)
 }
 
-fn start(mode: Mode, xi: f64, momentum: f64) -> DriftState {
-    DriftState { t: 0.0, stage: Stage { mode, xi }, momentum, side: 1.0, turns: 0.0 }
+fn start(mode: Mode, xi: f64, angular_momentum: f64) -> DriftState {
+    DriftState { t: 0.0, stage: RotationState { mode, xi }, angular_momentum, side: 1.0, revolutions: 0.0 }
 }
 
 fn onward(_: f64) -> ControlFlow<()> {
@@ -83,7 +83,7 @@ fn drift_is_that_of_eulers_equations() {
             let (torque, duration) = (torque(weakness, sign), 150.0 * weakness);
             let from = start(mode, xi, 5.0);
             let found = drift(torque).follow(from, &[], &DriftLimits::until(duration), onward);
-            assert_eq!((found.ending, found.end.t), (DriftEnding::Finished, duration));
+            assert_eq!((found.ending, found.end.t), (DriftStopReason::Finished, duration));
             assert!(found.passages.is_empty());
             let motion = FreeRotation::at_logit(MOMENTS, 5.0, mode, xi);
             // Mean over the last turns: what the torque does within a turn is not of the drift.
@@ -98,8 +98,12 @@ fn drift_is_that_of_eulers_equations() {
                 t < duration + window
             });
             let ratio = Evolution::new(&Rigid, 5.0).ratio(found.end.stage);
-            println!("{mode:?} {sign}: {:?} {:?}", sum.map(|sum| sum / rows), [found.end.momentum, ratio]);
-            [sum[0] / rows / found.end.momentum - 1.0, sum[1] / rows / ratio - 1.0].map(f64::abs)
+            println!(
+                "{mode:?} {sign}: {:?} {:?}",
+                sum.map(|sum| sum / rows),
+                [found.end.angular_momentum, ratio]
+            );
+            [sum[0] / rows / found.end.angular_momentum - 1.0, sum[1] / rows / ratio - 1.0].map(f64::abs)
         };
         let [strong, weak] = [gap(1.0), gap(8.0)];
         println!("{strong:?} {weak:?}");
@@ -117,7 +121,10 @@ fn a_torque_against_the_spin_turns_the_body_over() {
         let found = drift(torque).follow(from, &[], &DriftLimits::until(duration), onward);
         let [passage] = found.passages[..] else { panic!("{found:?}") };
         assert_eq!((passage.from, passage.to), ((Mode::ShortAxis, 1.0), (Mode::ShortAxis, -1.0)));
-        assert_eq!((passage.probability, found.ending, found.end.side), (1.0, DriftEnding::Finished, -1.0));
+        assert_eq!(
+            (passage.probability, found.ending, found.end.side),
+            (1.0, DriftStopReason::Finished, -1.0)
+        );
         let (mut turned, mut last) = (f64::NAN, [0.0; 3]);
         let omega = FreeRotation::at_logit(MOMENTS, 5.0, Mode::ShortAxis, 1.0).omega(0.0);
         euler(torque, omega, 0.02, |t, omega| {
@@ -130,7 +137,8 @@ fn a_torque_against_the_spin_turns_the_body_over() {
         assert!(last[2] < 0.0);
         let ([G, ratio], expected) = (slow(last), Evolution::new(&Rigid, 5.0).ratio(found.end.stage));
         println!("{turned} {passage:?}, {G} {ratio} {expected} {:?}", found.end);
-        [turned / passage.t, G / found.end.momentum, ratio / expected].map(|share| (share - 1.0).abs())
+        [turned / passage.t, G / found.end.angular_momentum, ratio / expected]
+            .map(|share| (share - 1.0).abs())
     });
     let [strong, weak] = gaps;
     assert!((0..3).all(|i| strong[i] < 0.03 && weak[i] < 5e-3), "{gaps:?}");
@@ -180,8 +188,8 @@ fn ends_do_not_depend_on_the_rows() {
     let all = DriftLimits::until(1e6);
     let reached = ends(DriftLimits { target, ..all });
     let ratio = Evolution::new(&Rigid, 5.0).ratio(reached.end.stage);
-    assert!(reached.ending == DriftEnding::Target && (ratio / 0.8 - 1.0).abs() < 1e-13, "{reached:?}");
-    assert_eq!(ends(all).ending, DriftEnding::Finished);
+    assert!(reached.ending == DriftStopReason::Target && (ratio / 0.8 - 1.0).abs() < 1e-13, "{reached:?}");
+    assert_eq!(ends(all).ending, DriftStopReason::Finished);
     assert_eq!(ends(all).passages.len(), 1);
 }
 
@@ -195,12 +203,12 @@ fn steady_spins_end_at_rest_or_spun_up() {
     let ended = |mode: Mode, torque, fastest| -> DriftHistory {
         let limits = DriftLimits { fastest, ..DriftLimits::until(1e12) };
         let found = drift(torque).follow(
-            DriftState { stage: Stage::steady(mode), ..start(mode, 0.0, 5.0) },
+            DriftState { stage: RotationState::steady(mode), ..start(mode, 0.0, 5.0) },
             &[],
             &limits,
             onward,
         );
-        assert!(found.end.stage == Stage::steady(mode) && found.steps < 2000, "{found:?}");
+        assert!(found.end.stage == RotationState::steady(mode) && found.steps < 2000, "{found:?}");
         found
     };
     for mode in [Mode::ShortAxis, Mode::LongAxis] {
@@ -212,11 +220,11 @@ fn steady_spins_end_at_rest_or_spun_up() {
         };
         if mode == Mode::ShortAxis {
             let slowed = ended(mode, SlowTorque { constant: [0.0; 3], drag: 1e-4 }, f64::INFINITY);
-            assert_eq!(slowed.ending, DriftEnding::Rest { share: 1e-9 });
+            assert_eq!(slowed.ending, DriftStopReason::Rest { share: 1e-9 });
             close(slowed.end.t, MOMENTS[axis] / 1e-4 * 1e9_f64.ln());
         }
         let found = ended(mode, torque(1e-4), 3.0);
-        assert!(matches!(found.ending, DriftEnding::SpunUp { rate } if (rate / 3.0 - 1.0).abs() < 1e-12));
+        assert!(matches!(found.ending, DriftStopReason::SpunUp { rate } if (rate / 3.0 - 1.0).abs() < 1e-12));
         close(found.end.t, (3.0 * MOMENTS[axis] - 5.0) / 1e-4);
     }
 }
@@ -229,10 +237,10 @@ fn a_wobble_that_dies_out_leaves_a_steady_spin() {
     let found = drift(torque).follow(start(Mode::ShortAxis, 1.0, 5.0), &[1e7], &limits, onward);
     assert_eq!(
         (found.ending, found.states[0].stage),
-        (DriftEnding::Finished, Stage::steady(Mode::ShortAxis))
+        (DriftStopReason::Finished, RotationState::steady(Mode::ShortAxis))
     );
     assert!(found.died_out.is_some_and(|t| t > 0.0 && t < 1e6) && found.steps < 5000, "{found:?}");
-    close(found.end.momentum, MOMENTS[2]); // drag and torque balance at Ω = M/κ = 1
+    close(found.end.angular_momentum, MOMENTS[2]); // drag and torque balance at Ω = M/κ = 1
 }
 
 #[test]
@@ -246,13 +254,13 @@ fn a_drift_can_be_stopped_and_never_hangs() {
         asked += 1;
         if asked == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    assert_eq!((stopped.ending, stopped.states.len(), stopped.steps), (DriftEnding::Interrupted, 1, 5));
+    assert_eq!((stopped.ending, stopped.states.len(), stopped.steps), (DriftStopReason::Interrupted, 1, 5));
     assert!(stopped.end.t > 0.0);
     let limited = drift(torque).follow(from, &[], &DriftLimits { steps: 7, ..limits }, onward);
-    assert_eq!((limited.ending, limited.steps), (DriftEnding::StepLimit { steps: 7 }, 7));
+    assert_eq!((limited.ending, limited.steps), (DriftStopReason::StepLimit { steps: 7 }, 7));
     let held = drift(SlowTorque::default()).follow(start(Mode::ShortAxis, -30.0, 5.0), &[], &limits, onward);
-    assert_eq!(held.ending, DriftEnding::Held);
+    assert_eq!(held.ending, DriftStopReason::Held);
     let undefined = SlowTorque { constant: [0.0, 0.0, f64::NAN], drag: 0.0 };
     let failed = drift(undefined).follow(from, &[], &limits, onward);
-    assert!(matches!(failed.ending, DriftEnding::Failed(_)) && failed.end.t == 0.0, "{failed:?}");
+    assert!(matches!(failed.ending, DriftStopReason::Failed(_)) && failed.end.t == 0.0, "{failed:?}");
 }

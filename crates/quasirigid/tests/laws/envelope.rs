@@ -58,7 +58,7 @@ struct Seen(Vec<[f64; 3]>);
 
 impl Observer for Seen {
     fn sample(&mut self, sample: &Sample) {
-        self.0.push(sample.momentum);
+        self.0.push(sample.angular_momentum);
     }
 }
 
@@ -85,13 +85,16 @@ fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
 /// Wheels turn the axis of steady spin far from every principal axis, and the angle is counted from there.
 #[test]
 fn momentum_wheels_turn_the_axis_that_is_circled() {
-    let wheel =
-        Wheel { name: "wheel".into(), axis: [0.5, 1.0, 0.2], speed: WheelSpeed::Constant { momentum: 6.0 } };
+    let wheel = Wheel {
+        name: "wheel".into(),
+        axis: [0.5, 1.0, 0.2],
+        speed: WheelSpeed::Constant { angular_momentum: 6.0 },
+    };
     let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], vec![wheel]);
     let omega = [0.05, 0.1, 0.7];
-    let axis = Nutations::new(&body).at(body.momentum(omega)).unwrap().axis;
+    let axis = Nutations::new(&body).at(body.angular_momentum(omega)).unwrap().axis;
     assert!(Principal::compute(body.J).axes.iter().all(|principal| dot(*principal, axis).abs() < 0.99));
-    let spin = body.Omega.vector(axis.map(|entry| norm(body.momentum(omega)) * entry));
+    let spin = body.Omega.vector(axis.map(|entry| norm(body.angular_momentum(omega)) * entry));
     assert!(angle(spin, axis).min(angle(spin, axis.map(|entry| -entry))) < 1e-9, "a steady spin");
     assert_seen(&body, omega, 60.0);
 }
@@ -101,10 +104,10 @@ fn momentum_wheels_turn_the_axis_that_is_circled() {
 fn the_axis_is_that_of_the_deformed_body() {
     let body = reduce(&ring_of_points(7).body().unwrap(), 2).unwrap();
     let omega = [0.03, 0.05, 0.9];
-    let found = Nutations::new(&body).at(body.momentum(omega)).unwrap();
-    let steady = steady_spins(&body, norm(body.momentum(omega)));
+    let found = Nutations::new(&body).at(body.angular_momentum(omega)).unwrap();
+    let steady = steady_spins(&body, norm(body.angular_momentum(omega)));
     let nearest = steady.iter().flatten().map(|spin| {
-        let K = body.momentum(spin.omega);
+        let K = body.angular_momentum(spin.omega);
         angle(K, found.axis).min(angle(K, found.axis.map(|entry| -entry)))
     });
     assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-8);

@@ -1,6 +1,6 @@
-//! Averaged ageing against closed forms and against the reduced equations themselves.
+//! Averaged secular evolution against closed forms and against the reduced equations themselves.
 
-use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Stage};
+use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, RotationState};
 use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier};
 use quasirigid::model::{Mode, Principal, ReducedBody};
@@ -65,10 +65,10 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     let body = tumbler(epsilon).body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
     let Principal { moments, .. } = Principal::compute(reduced.J);
-    let G = norm(reduced.momentum(omega));
+    let G = norm(reduced.angular_momentum(omega));
     let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, G);
-    let ratio = |sample: &Sample| norm(sample.momentum).powi(2) / (2.0 * sample.energy * moments[2]);
+    let ratio = |sample: &Sample| norm(sample.angular_momentum).powi(2) / (2.0 * sample.energy * moments[2]);
     let averaged = |start: &Sample| {
         let (from, to) = (evolution.stage(ratio(start)).unwrap(), evolution.stage(0.97).unwrap());
         assert_eq!((from.mode, to.mode), (mode, Mode::ShortAxis));
@@ -103,8 +103,8 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     gaps
 }
 
-fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega: [f64; 3]) -> Stage {
-    let G = norm(reduced.momentum(omega));
+fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega: [f64; 3]) -> RotationState {
+    let G = norm(reduced.angular_momentum(omega));
     evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::compute(reduced.J).moments[2])).unwrap()
 }
 

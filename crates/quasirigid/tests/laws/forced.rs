@@ -5,7 +5,7 @@ use proptest::array::{uniform2, uniform3, uniform4, uniform7};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Situation, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticField, Orbit, Wave};
 use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::expression::Expression;
 
@@ -58,8 +58,8 @@ impl State {
         }
     }
 
-    pub fn situation(&self) -> Situation<'_, f64> {
-        Situation {
+    pub fn kinematics(&self) -> KinematicState<'_, f64> {
+        KinematicState {
             t: self.t,
             attitude: self.attitude,
             pole: self.pole,
@@ -147,12 +147,12 @@ pub fn numbers() -> impl Strategy<Value = Numbers> {
 /// An orbit as large as the body, so that nothing about it is negligible.
 pub fn orbit() -> impl Strategy<Value = Orbit> {
     (0.0..0.95, uniform7(0.2..3.0)).prop_map(|(eccentricity, x)| Orbit {
-        parameter: x[0],
+        mu: x[0],
         semi_major_axis: x[1] + 1.0,
         eccentricity,
         inclination: x[2],
-        node: 2.0 * x[3],
-        periapsis: 2.0 * x[4],
+        raan: 2.0 * x[3],
+        argument_of_periapsis: 2.0 * x[4],
         mean_anomaly: 2.0 * x[5],
     })
 }
@@ -212,15 +212,17 @@ pub fn forced(assembly: &Assembly, forces: Vec<Force<Station>>) -> Assembly {
 /// Orbit whose plane and periapsis are turned, in other units. The elements are read off the turned axes.
 fn seen_from(orbit: Orbit, R: &Matrix3<f64>, units: Units) -> Orbit {
     let about = |axis: V, angle: f64| *Rotation3::new(angle * axis).matrix();
-    let axes =
-        R * about(V::z(), orbit.node) * about(V::x(), orbit.inclination) * about(V::z(), orbit.periapsis);
+    let axes = R
+        * about(V::z(), orbit.raan)
+        * about(V::x(), orbit.inclination)
+        * about(V::z(), orbit.argument_of_periapsis);
     let (P, Q, W) = (axes.column(0), axes.column(1), axes.column(2));
     Orbit {
-        parameter: orbit.parameter * units.factor([3, 0, -2]),
+        mu: orbit.mu * units.factor([3, 0, -2]),
         semi_major_axis: orbit.semi_major_axis * units.length,
         inclination: W[0].hypot(W[1]).atan2(W[2]),
-        node: W[0].atan2(-W[1]),
-        periapsis: P[2].atan2(Q[2]),
+        raan: W[0].atan2(-W[1]),
+        argument_of_periapsis: P[2].atan2(Q[2]),
         ..orbit
     }
 }

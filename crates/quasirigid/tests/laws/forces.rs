@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, End, Station};
-use quasirigid::model::force::{Axes, Force, ForceLaw, Loads, MagneticField, Situation};
+use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, Loads, MagneticField};
 use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::scalar::Smooth;
 use quasirigid_math::taylor::Taylor;
@@ -46,14 +46,14 @@ fn drifting<T: Smooth>(
     let mut moved = |x: f64| T::from(x) + T::from(drift.next().map_or(0.0, |rate| *rate)) * t;
     let (q, rate): (Vec<T>, Vec<T>) =
         state.q.iter().zip(&state.rate).map(|(q, rate)| (moved(*q), moved(*rate))).unzip();
-    let situation = Situation {
+    let kinematics = KinematicState {
         t: T::from(state.t) + t,
         attitude: state.attitude.map(&mut moved),
         pole: state.pole.map(&mut moved),
         pole_velocity: state.velocity.map(&mut moved),
         motion: MotionState { omega: state.omega.map(&mut moved), q: &q, rate: &rate },
     };
-    body.loads(forces, &situation)
+    body.loads(forces, &kinematics)
 }
 
 /// Numbers that the loads of one law are judged against.
@@ -74,8 +74,8 @@ proptest! {
         let turn = state.turn();
         let V_B: [f64; 3] = (turn.transpose() * V::from(state.velocity)).into();
         for force in forces {
-            let loads = body.loads(std::slice::from_ref(&force), &state.situation());
-            let power = loads.power(state.situation().motion, V_B);
+            let loads = body.loads(std::slice::from_ref(&force), &state.kinematics());
+            let power = loads.power(state.kinematics().motion, V_B);
             let omega = V::from(state.omega);
             let expected = match &force.law {
                 ForceLaw::Drag { at, coefficient } => -coefficient * state.velocity(at).norm_squared(),
@@ -116,11 +116,11 @@ proptest! {
             v.x.powi(2) - 0.7 * R.y + t.cos(),
             v.z * (R.x + 2.0) + 0.3 * R.y * R.z,
         );
-        let loads = body.loads(&forces, &state.situation());
+        let loads = body.loads(&forces, &state.kinematics());
         let F_B = state.turn().transpose() * F;
         prop_assert!((V::from(loads.force) - F_B).norm() < ROUNDING * F.norm().max(1.0));
         let V_B: [f64; 3] = (state.turn().transpose() * V::from(state.velocity)).into();
-        let power = loads.power(state.situation().motion, V_B);
+        let power = loads.power(state.kinematics().motion, V_B);
         prop_assert!((power - F.dot(&v)).abs() < ROUNDING * 10.0 * size(&loads).max(1.0), "{power} {}", F.dot(&v));
     }
 
@@ -149,8 +149,8 @@ proptest! {
             let dt = 2e-3;
             let odd = |i: f64| energy(-i * dt) - energy(i * dt);
             let expected = (45.0 * odd(1.0) - 9.0 * odd(2.0) + odd(3.0)) / (60.0 * dt);
-            let loads = body.loads(&[field(law)], &state.situation());
-            let power = loads.power(state.situation().motion, [0.0; 3]);
+            let loads = body.loads(&[field(law)], &state.kinematics());
+            let power = loads.power(state.kinematics().motion, [0.0; 3]);
             // Differences of the potential over 2e-3 of the distance err by 1e-13 of it, 56 of its seventh order.
             prop_assert!((power - expected).abs() < 1e-11 * B.norm().max(1e-3 / R.norm().powi(3)), "{power} {expected}");
         }
@@ -191,8 +191,8 @@ proptest! {
         let state = State::of(&body, &loose, 0.5);
         for (force, turned) in forces.into_iter().zip(turned) {
             let law = force.law.clone();
-            let expected = body.loads(&[force], &state.situation());
-            let found = body.loads(&[turned], &state.seen_from(&R).situation());
+            let expected = body.loads(&[force], &state.kinematics());
+            let found = body.loads(&[turned], &state.seen_from(&R).kinematics());
             let gap = gap(&body, &found, &expected, BASE);
             prop_assert!(gap < ROUNDING * size(&expected), "{law:?}: {gap:e}");
         }
@@ -219,8 +219,8 @@ proptest! {
         };
         for (force, scaled_force) in forces.into_iter().zip(scaled_forces) {
             let law = force.law.clone();
-            let expected = body.loads(&[force], &state.situation());
-            let found = scaled_body.loads(&[scaled_force], &scaled_state.situation());
+            let expected = body.loads(&[force], &state.kinematics());
+            let found = scaled_body.loads(&[scaled_force], &scaled_state.kinematics());
             let gap = gap(&body, &unscale(&found, &body), &expected, BASE);
             prop_assert!(gap < ROUNDING * size(&expected), "{law:?}: {gap:e}");
         }
@@ -237,10 +237,10 @@ proptest! {
             matches!(law, ForceLaw::Thrust { axes: Axes::Body, .. } | ForceLaw::Torque { axes: Axes::Body, .. })
         };
         let forces: Vec<_> = forces.into_iter().filter(|force| fixed(&force.law)).collect();
-        let before = body.loads(&forces, &state.situation());
+        let before = body.loads(&forces, &state.kinematics());
         state = state.seen_from(&R);
         (state.pole, state.velocity, state.omega) = (moved, moved, moved);
-        prop_assert_eq!(before, body.loads(&forces, &state.situation()));
+        prop_assert_eq!(before, body.loads(&forces, &state.kinematics()));
     }
 
     /// Forces add, and the power is the same about the pole and about the centre of mass, each with its own velocity.
@@ -250,9 +250,9 @@ proptest! {
     ) {
         let (body, forces) = resolved(&forced(&assembly, numbers.forces(BASE, &Matrix3::identity())));
         let state = State::of(&body, &loose, 0.5);
-        let loads = body.loads(&forces, &state.situation());
+        let loads = body.loads(&forces, &state.kinematics());
         let sum = forces.iter().fold(Loads::none(state.q.len()), |sum, force| {
-            let one = body.loads(std::slice::from_ref(force), &state.situation());
+            let one = body.loads(std::slice::from_ref(force), &state.kinematics());
             let add = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + b[i]);
             Loads {
                 force: add(sum.force, one.force),
@@ -262,7 +262,7 @@ proptest! {
         });
         prop_assert!(gap(&body, &loads, &sum, BASE) < ROUNDING * size(&loads));
         let felt = loads.about_center(&body, &state.q);
-        let motion = state.situation().motion;
+        let motion = state.kinematics().motion;
         let V_O = state.turn().transpose() * V::from(state.velocity);
         // Σ m u and its slopes, from the invariants.
         let invariants = body.invariants();

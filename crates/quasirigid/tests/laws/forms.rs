@@ -33,7 +33,8 @@ fn gap(left: &[[f64; 3]], right: &[[f64; 3]]) -> f64 {
 #[test]
 fn momentum_and_paper_form_agree_to_their_order() {
     for (p, expected) in [(2, 4.0), (3, 4.0), (4, 5.0)] {
-        let order = order_of(|e| gap(&spins(p, Form::Momentum, e), &spins(p, Form::Paper, e)));
+        let order =
+            order_of(|e| gap(&spins(p, Form::AngularMomentum, e), &spins(p, Form::AngularVelocity, e)));
         assert!((order - expected).abs() < 0.1, "p = {p}: order {order}");
     }
 }
@@ -41,7 +42,7 @@ fn momentum_and_paper_form_agree_to_their_order() {
 /// Order `p` errs by `ε^{p+1}` over a fixed time, whatever the form. (R1)
 #[test]
 fn the_error_of_an_order_falls_with_its_power() {
-    for form in [Form::Momentum, Form::Paper] {
+    for form in [Form::AngularMomentum, Form::AngularVelocity] {
         for p in 1..=4 {
             let order = order_of(|e| gap(&spins(p, form, e), &spins(p + 3, form, e)));
             assert!((order - (p as f64 + 1.0)).abs() < 0.1, "{form:?}, p = {p}: order {order}");

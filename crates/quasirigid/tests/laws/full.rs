@@ -70,7 +70,7 @@ fn a_steady_spin_dissipates_nothing() {
     }
 }
 
-/// Explicit, implicit and both in turns are roads to the same motion; what they change of the energy is small beside what the
+/// Explicit, implicit and both in turns are methods to the same motion; what they change of the energy is small beside what the
 /// dashpots take.
 #[test]
 fn methods_agree() {
@@ -140,8 +140,9 @@ fn matched_start_gains_an_order() {
                 let start = FullState::at_rest(&body, OMEGA, ALIGNED);
                 let reduced = reduce(&body, 3).unwrap();
                 let slow = matched_start(Forced::not(&body), 3, &start).unwrap();
-                let momentum = if turned { slow.momentum } else { start.momentum(&body) };
-                let initial = Start::new(reduced.Omega.vector(momentum), slow.attitude);
+                let angular_momentum =
+                    if turned { slow.angular_momentum } else { start.angular_momentum(&body) };
+                let initial = Start::new(reduced.Omega.vector(angular_momentum), slow.attitude);
                 let times: Vec<f64> = (40..=80).map(|i| f64::from(i) * 0.25).collect();
                 let mut samples: Vec<Sample> = Vec::new();
                 propagate(&reduced, initial, &times, &at(1e-13), &mut samples).unwrap();
@@ -199,7 +200,7 @@ fn composite_solution_holds_from_the_first_moment() {
     assert!((order(&without) - 1.0).abs() < 0.2, "{}", order(&without));
 }
 
-/// Series in time at each state and polynomials of the spin are two roads to the same slow manifold: they differ by the next
+/// Series in time at each state and polynomials of the spin are two methods to the same slow manifold: they differ by the next
 /// order.
 #[test]
 fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
@@ -207,8 +208,12 @@ fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
         let differences = [0.25, 0.125].map(|epsilon| {
             let body = body().stiffened(epsilon).unwrap();
             let reduced = reduce(&body, order).unwrap();
-            let still =
-                SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+            let still = SlowState {
+                angular_momentum: [0.0; 3],
+                attitude: ALIGNED,
+                place: [0.0; 3],
+                velocity: [0.0; 3],
+            };
             let system = Forced::not(&body);
             let state = still.with_spin(system, order, OMEGA).unwrap();
             let point = slow_state_point(system, order, &state).unwrap();
@@ -235,7 +240,7 @@ fn events_end_a_run_where_they_happen() {
     assert_eq!(samples.len(), 1);
     let reduced = reduce(&body, 3).unwrap();
     let initial = Start::new(CommonProblem::SPIN, ALIGNED);
-    for form in [Form::Momentum, Form::Paper] {
+    for form in [Form::AngularMomentum, Form::AngularVelocity] {
         let options = Options { form, ..options.clone() };
         let run = propagate(&reduced, initial, &[1e-3, 1e5], &options, &mut Vec::new()).unwrap();
         assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{form:?}: {:?}", run.outcome);

@@ -69,7 +69,7 @@ fn weight(g: [f64; 3]) -> impl Fn(&[Mass]) -> f64 {
 /// that follows the orbit.
 fn tide(orbit: Orbit, t: f64, free: bool) -> impl Fn(&[Mass]) -> f64 {
     let R = V::from(orbit.at(t).place);
-    let (n, kappa) = (R.normalize(), orbit.parameter / R.norm().powi(3));
+    let (n, kappa) = (R.normalize(), orbit.mu / R.norm().powi(3));
     move |masses| {
         let middle = if free { center(masses) } else { V::zeros() };
         let one = |(m, r): &Mass| {
@@ -102,12 +102,12 @@ proptest! {
             massive.assembly.support = Support::FixedPoint { point };
         }
         let (body, free, cloud, state) = at_rest(&massive, &loose, 1.0);
-        let uniform = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.situation());
-        let central = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.situation());
+        let uniform = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.kinematics());
+        let central = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.kinematics());
         let (mass, J) = (body.invariants().mass, body.invariants().J[0] + body.invariants().J[1]);
         let (moment, generalized) = gap(&uniform, &slopes(&cloud, &state, weight(g)));
         prop_assert!(moment.max(generalized) < DIFFERENCES * mass, "{moment:e} {generalized:e}");
-        let size = (J + mass) * orbit.parameter / orbit.at(state.t).radius.powi(3);
+        let size = (J + mass) * orbit.mu / orbit.at(state.t).radius.powi(3);
         let (moment, generalized) = gap(&central, &slopes(&cloud, &state, tide(orbit, state.t, free)));
         prop_assert!(moment.max(generalized) < DIFFERENCES * size, "{moment:e} {generalized:e} of {size}");
         prop_assert_eq!(central.force, [0.0; 3]);
@@ -131,7 +131,7 @@ proptest! {
                     let mut loose = loose.clone();
                     loose.3.rotate_left(first);
                     let (body, free, cloud, state) = at_rest(&massive, &loose, amount);
-                    let loads = body.loads(&one(law.clone()), &state.situation());
+                    let loads = body.loads(&one(law.clone()), &state.kinematics());
                     let expected = match which {
                         0 => slopes(&cloud, &state, weight(g)),
                         _ => slopes(&cloud, &state, tide(orbit, state.t, free)),
@@ -142,7 +142,7 @@ proptest! {
                 sum
             };
             let (large, small) = (error(2e-2), error(1e-2));
-            let kappa = orbit.parameter / orbit.at(loose.0).radius.powi(3);
+            let kappa = orbit.mu / orbit.at(loose.0).radius.powi(3);
             let floor = 60.0 * DIFFERENCES * kappa.max(1.0);
             prop_assert!(small.0 < large.0 / 6.0 + floor, "M: {large:?} {small:?}");
             prop_assert!(small.1 < large.1 / 3.0 + floor, "Q: {large:?} {small:?}");
@@ -166,11 +166,11 @@ proptest! {
         let error = |distance: f64| {
             let orbit = Orbit { semi_major_axis: distance, ..orbit };
             let R = state.turn().transpose() * V::from(orbit.at(state.t).place);
-            let pull = |d: V| -orbit.parameter * (R + d) / (R + d).norm().powi(3);
+            let pull = |d: V| -orbit.mu * (R + d) / (R + d).norm().powi(3);
             let moment: V =
                 masses.iter().map(|(m, u)| *m * (u - middle).cross(&(pull(u - middle) - pull(V::zeros())))).sum();
-            let loads = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.situation());
-            let kappa = orbit.parameter / R.norm().powi(3);
+            let loads = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.kinematics());
+            let kappa = orbit.mu / R.norm().powi(3);
             (moment - V::from(loads.moment)).norm() / (kappa * largest) * (R.norm() / distance)
         };
         let (near, far) = (error(1e4), error(2e4));
@@ -186,7 +186,7 @@ proptest! {
         assembly.support = Support::Free;
         let body = assembly.body().unwrap();
         let state = State::of(&body, &loose, 0.5);
-        let loads = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.situation());
+        let loads = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.kinematics());
         let felt = loads.about_center(&body, &state.q);
         let rounding = 1e-15 * V::from(g).norm();
         let invariants = body.invariants();
@@ -217,8 +217,8 @@ proptest! {
         let driven = held(Support::Prescribed { point, acceleration, velocity: [0.0; 3], position: [0.0; 3] });
         let state = State::of(&fixed, &loose, 0.5);
         let weight = one(ForceLaw::UniformGravity { acceleration: g.map(|a| a * state.t) });
-        let loads = driven.loads(&[], &state.situation());
-        prop_assert_eq!(&loads, &fixed.loads(&weight, &state.situation()));
+        let loads = driven.loads(&[], &state.kinematics());
+        prop_assert_eq!(&loads, &fixed.loads(&weight, &state.kinematics()));
         prop_assert_eq!(&loads.about_center(&driven, &state.q), &loads);
         prop_assert_eq!(driven.mass_matrix(), fixed.mass_matrix());
     }

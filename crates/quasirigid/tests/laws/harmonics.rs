@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, Stage};
+use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, RotationState};
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use quasirigid::model::{Measured, Mode, Rheology};
@@ -208,6 +208,7 @@ fn crossings_are_where_harmonics_meet_elastic_frequencies() {
     }
     let strongest = &crossings[0];
     assert_eq!(strongest.harmonic, 1);
-    let power = |shift: f64| evolution.power(Stage { xi: strongest.stage.xi + shift, ..strongest.stage });
+    let power =
+        |shift: f64| evolution.power(RotationState { xi: strongest.stage.xi + shift, ..strongest.stage });
     assert!(power(0.0) > 2.0 * power(0.5) && power(0.0) > 2.0 * power(-0.5));
 }

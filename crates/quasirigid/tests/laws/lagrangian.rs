@@ -80,8 +80,8 @@ fn by_newton(cloud: &Cloud, free: bool, state: &State) -> (V, f64) {
         relative + omega.cross(&now[i].1)
     };
     let (mass, center, _) = moments(&now);
-    let momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
-    let (center, drift) = if free { (center, momentum / mass) } else { (V::zeros(), V::zeros()) };
+    let angular_momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
+    let (center, drift) = if free { (center, angular_momentum / mass) } else { (V::zeros(), V::zeros()) };
     let mut K = V::zeros();
     let mut energy = 0.0;
     for (i, (m, u)) in now.iter().enumerate() {
@@ -108,7 +108,7 @@ proptest! {
             state.rate[j] *= unit / time;
         }
         let T = body.energy(state.motion());
-        let K = body.momentum(state.motion());
+        let K = body.angular_momentum(state.motion());
         for (axis, K) in K.into_iter().enumerate() {
             let expected = slope(&body, &state, 1.0 / time, |state, step| state.omega[axis] += step);
             prop_assert!((K - expected).abs() < ROUNDING * T * time, "K: {} {expected}", K);
@@ -137,7 +137,7 @@ proptest! {
         let q: Vec<Jet> = (0..n).map(|j| jet(some(j, 0), some(j, 1), some(j, 2))).collect();
         let rate: Vec<Jet> = (0..n).map(|j| jet(some(j, 1), some(j, 2), 0.0)).collect();
         let motion = MotionState { omega: spin, q: &q, rate: &rate };
-        let K = body.momentum(motion);
+        let K = body.angular_momentum(motion);
         let (momenta, loads) = (body.generalized_momentum(motion), body.load(motion));
         let spring = body.stiffness().times(&q.iter().map(|q| q.value).collect::<Vec<_>>());
         let mut work: f64 = (0..3).map(|i| omega[i] * K[i].first).sum();
@@ -173,7 +173,7 @@ proptest! {
         let body = massive.assembly.body().unwrap();
         let state = State::new(omega, &numbers, body.coordinates().len(), 1.0);
         let (K, T) = by_newton(&Cloud::of(&massive, &body), !held, &state);
-        let gap = (V::from(body.momentum(state.motion())) - K).norm();
+        let gap = (V::from(body.angular_momentum(state.motion())) - K).norm();
         // Rates by differences over 1e-3 round by 1e-13.
         prop_assert!(gap < 1e-11 * T.max(K.norm()), "K: {gap:e}");
         prop_assert!((kinetic(&body, &state) - T).abs() < 1e-11 * T);
@@ -190,14 +190,14 @@ proptest! {
         let cloud = Cloud::of(&massive, &body);
         // Sums over several states, in which no cubic term vanishes by accident.
         let gap = |amount: f64| {
-            let (mut momentum, mut energy) = (0.0, 0.0);
+            let (mut angular_momentum, mut energy) = (0.0, 0.0);
             for first in 0..6 {
                 let state = State::new(omega, &numbers[first..], body.coordinates().len(), amount);
                 let (K, T) = by_newton(&cloud, free, &state);
-                momentum += (V::from(body.momentum(state.motion())) - K).norm();
+                angular_momentum += (V::from(body.angular_momentum(state.motion())) - K).norm();
                 energy += (kinetic(&body, &state) - T).abs();
             }
-            (momentum, energy)
+            (angular_momentum, energy)
         };
         let (large, small) = (gap(4e-3), gap(2e-3));
         // 2³ = 8, less a fourth-order term of relative size 1e-2, plus the rounding of the differences.

@@ -9,6 +9,7 @@ mod forced;
 mod ray;
 mod wobbler;
 
+mod angular_momentum_form;
 mod axes_and_units;
 mod budget;
 mod cutting;
@@ -24,7 +25,6 @@ mod harmonics;
 mod invariants;
 mod lagrangian;
 mod mechanisms;
-mod momentum_form;
 mod nutation;
 mod orbits;
 mod orders;

@@ -31,11 +31,11 @@ fn roots(body: &ReducedBody, K: [f64; 3]) -> (f64, f64) {
 }
 
 /// What is wrong with a steady spin near an axis.
-fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], momentum: f64) -> Option<String> {
+fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], angular_momentum: f64) -> Option<String> {
     let SteadySpin { omega, growth, frequency } = spin;
     let scale = norm(omega);
-    let K = omega.map(|w| momentum * w / scale);
-    let left = norm(cross(K, body.Omega.vector(K))) / (momentum * scale);
+    let K = omega.map(|w| angular_momentum * w / scale);
+    let left = norm(cross(K, body.Omega.vector(K))) / (angular_momentum * scale);
     let (sum, product) = roots(body, K);
     let wrong = if frequency > 0.0 {
         let turning = growth * growth + frequency * frequency - product;
@@ -44,7 +44,7 @@ fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], momentum: f64) ->
         let root = growth * growth - sum * growth + product;
         if growth >= 0.5 * sum { root.abs() / (scale * scale) } else { f64::INFINITY }
     };
-    let near = dot(K, axis) > 0.9 * momentum;
+    let near = dot(K, axis) > 0.9 * angular_momentum;
     let sound = near && left < STEADY && wrong < ROUNDING;
     (!sound).then(|| format!("{spin:?} near {axis:?}: left {left:e}, roots {wrong:e}, {sum:e} {product:e}"))
 }
@@ -57,11 +57,11 @@ proptest! {
         assembly in assemblies(), units in units(), spin in direction(), p in 3..6usize
     ) {
         let body = reduce(&rescaled(&assembly, units).body().unwrap(), p).unwrap();
-        let momentum = norm(times(body.J, spin.map(|w| w / units.time)));
+        let angular_momentum = norm(times(body.J, spin.map(|w| w / units.time)));
         let axes = Principal::compute(body.J).axes;
-        let spins = steady_spins(&body, momentum).map(|spin| spin.expect("distinct moments"));
+        let spins = steady_spins(&body, angular_momentum).map(|spin| spin.expect("distinct moments"));
         for (spin, axis) in spins.into_iter().zip(axes) {
-            let fault = fault(&body, spin, axis, momentum);
+            let fault = fault(&body, spin, axis, angular_momentum);
             prop_assert!(fault.is_none(), "{fault:?}");
         }
     }
@@ -74,8 +74,8 @@ proptest! {
         assembly in assemblies(), units in units(), spin in direction()
     ) {
         let body = reduce(&rescaled(&assembly, units).body().unwrap(), 3).unwrap();
-        let momentum = norm(times(body.J, spin.map(|w| SLOW * w / units.time)));
-        let [minor, middle, major] = steady_spins(&body, momentum).map(|spin| spin.expect("distinct moments"));
+        let angular_momentum = norm(times(body.J, spin.map(|w| SLOW * w / units.time)));
+        let [minor, middle, major] = steady_spins(&body, angular_momentum).map(|spin| spin.expect("distinct moments"));
         prop_assert!(minor.growth > 0.0 && minor.frequency > 0.0, "{minor:?}");
         prop_assert!(middle.growth > 0.0 && middle.frequency == 0.0, "{middle:?}");
         prop_assert!(major.growth < 0.0 && major.frequency > 0.0, "{major:?}");

@@ -26,7 +26,7 @@ fn orbits() -> impl Strategy<Value = (Orbit, f64)> {
             let orbit = Orbit {
                 eccentricity: 1.0 - flatness,
                 semi_major_axis: orbit.semi_major_axis * length,
-                parameter: orbit.parameter * length.powi(3) / time.powi(2),
+                mu: orbit.mu * length.powi(3) / time.powi(2),
                 ..orbit
             };
             (orbit, 1e-14 / flatness)
@@ -41,23 +41,23 @@ proptest! {
     fn energy_momentum_and_shape_are_constant_along_an_orbit(
         (orbit, rounding) in orbits(), phase in -20.0..20.0
     ) {
-        let Orbit { parameter, semi_major_axis: a, eccentricity: e, .. } = orbit;
+        let Orbit { mu, semi_major_axis: a, eccentricity: e, .. } = orbit;
         let (R, velocity) = at(&orbit, phase * orbit.period());
         let r = R.norm();
         let radius: f64 = orbit.at(phase * orbit.period()).radius;
         prop_assert!((radius / r - 1.0).abs() < rounding);
-        let energy = 0.5 * velocity.norm_squared() - parameter / r;
-        prop_assert!((energy + 0.5 * parameter / a).abs() < rounding * (parameter / r), "{energy:e}");
-        let momentum = R.cross(&velocity);
+        let energy = 0.5 * velocity.norm_squared() - mu / r;
+        prop_assert!((energy + 0.5 * mu / a).abs() < rounding * (mu / r), "{energy:e}");
+        let angular_momentum = R.cross(&velocity);
         let (si, ci) = orbit.inclination.sin_cos();
-        let (sn, cn) = orbit.node.sin_cos();
+        let (sn, cn) = orbit.raan.sin_cos();
         let normal = V::new(si * sn, -si * cn, ci);
-        let size = (parameter * a * (1.0 - e) * (1.0 + e)).sqrt();
-        prop_assert!((momentum / size - normal).norm() < rounding, "{momentum:?}");
+        let size = (mu * a * (1.0 - e) * (1.0 + e)).sqrt();
+        prop_assert!((angular_momentum / size - normal).norm() < rounding, "{angular_momentum:?}");
         // Laplace's vector points to the periapsis, which is the angle from the node.
-        let laplace = velocity.cross(&momentum) / parameter - R / r;
+        let laplace = velocity.cross(&angular_momentum) / mu - R / r;
         let node = V::new(cn, sn, 0.0);
-        let (sp, cp) = orbit.periapsis.sin_cos();
+        let (sp, cp) = orbit.argument_of_periapsis.sin_cos();
         prop_assert!((laplace - e * (cp * node + sp * normal.cross(&node))).norm() < rounding);
     }
 
@@ -81,7 +81,7 @@ fn obeys_the_law<const N: usize>(orbit: Orbit, t: f64) -> Result<(), TestCaseErr
     let OrbitPoint { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
     // Coefficients grow by powers of the rate at which the body passes; the factor covers those that vanish by chance.
     let unit = 0.3 * radius.value() / V::from(velocity.map(|v| v.value())).norm();
-    let pull = Taylor::from(-orbit.parameter) / (radius * radius * radius);
+    let pull = Taylor::from(-orbit.mu) / (radius * radius * radius);
     for axis in 0..3 {
         let (rate, attraction) = (place[axis].derivative(), pull * place[axis]);
         let acceleration = rate.derivative();
@@ -121,12 +121,12 @@ fn the_anomaly_is_found_however_narrow_the_orbit() {
             for sign in [1.0, -1.0] {
                 let M = sign * 3.1 * 10f64.powf(f64::from(exponent) / 4.0);
                 let orbit = Orbit {
-                    parameter: 1.0,
+                    mu: 1.0,
                     semi_major_axis: 1.0,
                     eccentricity: e,
                     inclination: 0.0,
-                    node: 0.0,
-                    periapsis: 0.0,
+                    raan: 0.0,
+                    argument_of_periapsis: 0.0,
                     mean_anomaly: M,
                 };
                 let ([x, y, _], radius) = (orbit.at(0.0).place, orbit.at(0.0).radius);

@@ -92,7 +92,7 @@ proptest! {
         let body = damped(&assembly);
         let reduced = reduce(&body, p).unwrap();
         let found = power(lowest(&body), |omega| {
-            let gyroscopic = norm(omega) * norm(reduced.momentum(omega));
+            let gyroscopic = norm(omega) * norm(reduced.angular_momentum(omega));
             (residual(&body, &reduced, omega).torque, ROUNDING * gyroscopic)
         });
         // At p = 6 a body whose moving masses are light leaves nothing above rounding at any spin tried.

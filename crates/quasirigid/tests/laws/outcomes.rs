@@ -75,13 +75,13 @@ fn a_step_limit_leaves_valid_samples() {
     assert!(!path.omega.is_empty() && path.omega.len() < 50);
 }
 
-/// Far outside its validity the paper's form can run away in finite time; what was observed before stands.
+/// Far outside its validity the angular-velocity form can run away in finite time; what was observed before stands.
 #[test]
 fn a_runaway_ends_as_a_failure_with_valid_samples() {
     let body = reduced(4);
     let times = times_to(1e-3, 100);
     let mut samples: Vec<Sample> = Vec::new();
-    let options = Options { form: Form::Paper, most_steps: 100_000, ..Options::default() };
+    let options = Options { form: Form::AngularVelocity, most_steps: 100_000, ..Options::default() };
     let run = propagate(&body, state([30.0, 30.0, 30.0]), &times, &options, &mut samples).unwrap();
     assert!(matches!(run.outcome, Outcome::Failed(_)), "{run:?}");
     assert!(run.last.t < 1e-3 && !samples.is_empty());
@@ -152,7 +152,10 @@ fn times_that_do_not_ascend_are_refused() {
 /// A spin beyond the largest that the truncated series reaches has no momentum.
 #[test]
 fn a_spin_without_momentum_is_refused() {
-    assert_eq!(refused([300.0, -200.0, 400.0], &[1.0], Options::default()), Some(PropagateError::NoMomentum));
+    assert_eq!(
+        refused([300.0, -200.0, 400.0], &[1.0], Options::default()),
+        Some(PropagateError::NoAngularMomentum)
+    );
 }
 
 /// A state of another body: other coordinates, or other rates.

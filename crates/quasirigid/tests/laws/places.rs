@@ -6,7 +6,7 @@ use quasirigid::elements::{
     Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Point,
     PointMotion, Prestress, Problem, Spring, SpringLaw, Station,
 };
-use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Situation, Wave};
+use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticField, Wave};
 use quasirigid::model::{MotionState as Moving, Rheology};
 use quasirigid::reduction::frequencies;
 use quasirigid::verification::{VerificationPlan, verify};
@@ -51,14 +51,14 @@ fn a_place_on_an_appendage_turns_with_it() {
         (q[3], q[4]) = (size, -0.7 * size);
         let rate = [0.0, 0.0, 0.0, 0.9, 0.6];
         let motion = Moving { omega, q: &q, rate: &rate };
-        let situation = Situation {
+        let kinematics = KinematicState {
             t: 0.0,
             attitude: [1.0, 0.0, 0.0, 0.0],
             pole: [0.3, 1.0, -2.0],
             pole_velocity: [0.1, 0.2, 0.5],
             motion,
         };
-        let loads = body.loads(&forces, &situation);
+        let loads = body.loads(&forces, &kinematics);
         let slope = |i: usize| {
             let at = |h: f64| {
                 let mut moved = [q[3], q[4]];
@@ -69,8 +69,8 @@ fn a_place_on_an_appendage_turns_with_it() {
         };
         let u = exact(&q[3..]);
         let (x, v) = (
-            V::from(situation.pole) + u,
-            V::from(situation.pole_velocity) + V::from(omega).cross(&u) + 0.9 * slope(0) + 0.6 * slope(1),
+            V::from(kinematics.pole) + u,
+            V::from(kinematics.pole_velocity) + V::from(omega).cross(&u) + 0.9 * slope(0) + 0.6 * slope(1),
         );
         let F = V::new(2.0 * x.x + x.y * v.z, 0.3 * v.x - x.y, x.z * x.x);
         let Q = [3, 4].map(|i| loads.generalized[i] - F.dot(&slope(i - 3)));
@@ -176,9 +176,9 @@ fn formulas_of_torques_are_torques() {
     let omega = [0.4, -0.7, 1.3];
     let attitude = attitude();
     let motion = Moving { omega, q: &q, rate: &rate };
-    let situation =
-        Situation { t: 0.7, attitude, pole: [0.3, 1.0, -2.0], pole_velocity: [0.1, 0.2, 0.5], motion };
-    let moment = |law| body.loads(&[Force { name: "own".into(), law }], &situation).moment;
+    let kinematics =
+        KinematicState { t: 0.7, attitude, pole: [0.3, 1.0, -2.0], pole_velocity: [0.1, 0.2, 0.5], motion };
+    let moment = |law| body.loads(&[Force { name: "own".into(), law }], &kinematics).moment;
     let own =
         |torque: [&str; 3], axes| moment(ForceLaw::TorqueExpression { torque: torque.map(formula), axes });
     let near = |a: [f64; 3], b: [f64; 3]| {

@@ -18,13 +18,13 @@ fn moments() -> impl Strategy<Value = [f64; 3]> {
     })
 }
 
-fn momentum(moments: [f64; 3], omega: [f64; 3]) -> [f64; 3] {
+fn angular_momentum(moments: [f64; 3], omega: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|axis| moments[axis] * omega[axis])
 }
 
 /// `ω̇` by Euler's equations.
 fn euler(moments: [f64; 3], omega: [f64; 3]) -> [f64; 3] {
-    let torque = cross(momentum(moments, omega), omega);
+    let torque = cross(angular_momentum(moments, omega), omega);
     [0, 1, 2].map(|axis| torque[axis] / moments[axis])
 }
 
@@ -43,8 +43,8 @@ proptest! {
         let motion = FreeRotation::through(moments, omega).unwrap();
         prop_assert!(gap(motion.omega(0.0), omega) < 1e-13 * spin, "{:?}", motion.omega(0.0));
         let later = motion.omega(t);
-        let G = norm(momentum(moments, omega));
-        prop_assert!((norm(momentum(moments, later)) / G - 1.0).abs() < 1e-13);
+        let G = norm(angular_momentum(moments, omega));
+        prop_assert!((norm(angular_momentum(moments, later)) / G - 1.0).abs() < 1e-13);
         let energy = |omega: [f64; 3]| 0.5 * (0..3).map(|axis| moments[axis] * omega[axis].powi(2)).sum::<f64>();
         prop_assert!((energy(later) / energy(omega) - 1.0).abs() < 1e-13);
         prop_assert!((motion.energy() / energy(omega) - 1.0).abs() < 1e-13);
@@ -63,7 +63,7 @@ proptest! {
         let motion = FreeRotation::through(moments, omega).unwrap();
         let h = 1e-3 / spin;
         let [before, now, after] = [t - h, t, t + h].map(|t| motion.attitude(t));
-        let K = momentum(moments, motion.omega(t));
+        let K = angular_momentum(moments, motion.omega(t));
         let turned = now.map(|row| (0..3).map(|axis| row[axis] * K[axis]).sum::<f64>());
         prop_assert!(gap(turned, [0.0, 0.0, norm(K)]) < 1e-13 * norm(K));
         for row in 0..3 {
@@ -97,7 +97,7 @@ fn mean_precession_of_the_long_axis_is_the_quadrature() {
     for ratio in [0.62, 0.8, 0.95, 0.9651, 0.97, 0.99, 0.9999] {
         let motion = FreeRotation::at_ratio(moments, 1.3, ratio);
         assert_eq!(motion.mode(), if ratio > 0.965 { Mode::ShortAxis } else { Mode::LongAxis });
-        let (G, twice_energy) = (motion.momentum(), 2.0 * motion.energy());
+        let (G, twice_energy) = (motion.angular_momentum(), 2.0 * motion.energy());
         let points = 4000;
         let mean = (0..points).map(|i| {
             let omega = motion.omega(motion.polhode_period() * f64::from(i) / f64::from(points))[0];
@@ -166,7 +166,7 @@ fn observed_periods_are_those_of_the_motion_found() {
         let motion = FreeRotation::at_ratio(moments, G, ratio);
         let observed = ObservedPeriods::from_motion(&motion);
         let found = observed.motion(moments).unwrap();
-        assert!((found.momentum() / G - 1.0).abs() < 1e-9, "{} {G}", found.momentum());
+        assert!((found.angular_momentum() / G - 1.0).abs() < 1e-9, "{} {G}", found.angular_momentum());
         assert!((found.energy() / motion.energy() - 1.0).abs() < 1e-9);
         assert_eq!(found.mode(), motion.mode());
     }
@@ -191,7 +191,7 @@ fn toutatis_has_the_published_energy() {
     let day = 86_400.0;
     let observed = ObservedPeriods { rotation: 5.41 * day, precession: 7.35 * day, mode: Mode::LongAxis };
     let motion = observed.motion(moments).unwrap();
-    let over = 2.0 * motion.energy() * moments[2] / motion.momentum().powi(2);
+    let over = 2.0 * motion.energy() * moments[2] / motion.angular_momentum().powi(2);
     assert!((1.895..1.905).contains(&over), "{over}");
 }
 

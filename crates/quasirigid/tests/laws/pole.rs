@@ -92,13 +92,14 @@ fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
         let start = Start { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
         let full: FullState = start.settled(system, 3).unwrap();
         let mut runs = [Both::default(), Both::default(), Both::default()];
-        propagate_full(system, &full, &times, &options(Form::Momentum), &mut runs[0]).unwrap();
-        for (run, form) in runs[1..].iter_mut().zip([Form::Momentum, Form::Paper]) {
+        propagate_full(system, &full, &times, &options(Form::AngularMomentum), &mut runs[0]).unwrap();
+        for (run, form) in runs[1..].iter_mut().zip([Form::AngularMomentum, Form::AngularVelocity]) {
             if forces.is_empty() {
                 let spin = Start { omega: OMEGA, attitude, place: PLACE, velocity: VELOCITY };
                 propagate(&reduce(&body, 3).unwrap(), spin, &times, &options(form), run).unwrap();
             } else {
-                let still = SlowState { momentum: [0.0; 3], attitude, place: PLACE, velocity: VELOCITY };
+                let still =
+                    SlowState { angular_momentum: [0.0; 3], attitude, place: PLACE, velocity: VELOCITY };
                 let slow = still.with_spin(system, 3, OMEGA).unwrap();
                 propagate_forced(system, 3, &slow, &times, &options(form), run).unwrap();
             }
@@ -149,7 +150,7 @@ fn the_pole_is_right_to_the_order() {
             let start = Start { omega: OMEGA, attitude: attitude(), place: [0.0; 3], velocity: [0.0; 3] };
             let full = start.settled(Forced::not(&body), p).unwrap();
             let reduced = reduce(&body, p).unwrap();
-            let spin = Start::new(reduced.Omega.vector(full.momentum(&body)), full.attitude);
+            let spin = Start::new(reduced.Omega.vector(full.angular_momentum(&body)), full.attitude);
             let (mut truth, mut samples): (Vec<Sample>, Vec<Sample>) = Default::default();
             let options = Options { tolerance: 1e-14, ..Options::default() };
             let times = times_to(6.0, 12);

@@ -38,17 +38,17 @@ fn momentum_is_kept_through_ten_thousand_turns() {
     let body = reduced(3);
     // The body turns more slowly as it loses energy.
     let times = times_to(1.1e4 * TAU / norm(START), 200);
-    let G = norm(run(&body, &[0.0], at(1e-12))[0].momentum);
+    let G = norm(run(&body, &[0.0], at(1e-12))[0].angular_momentum);
     for tolerance in [1e-8, 1e-12, 1e-13] {
         let samples = run(&body, &times, at(tolerance));
         let last = samples[199];
-        assert!(last.turns > 1e4);
-        let change = |sample: &Sample| (norm(sample.momentum) / G - 1.0).abs();
+        assert!(last.revolutions > 1e4);
+        let change = |sample: &Sample| (norm(sample.angular_momentum) / G - 1.0).abs();
         let worst = samples.iter().map(change).fold(0.0, f64::max);
         println!(
             "tolerance {tolerance:e}, {:.0} turns: |K| within {worst:.1e}, {:.1e} at the end; projected away {:.1e}; \
              energy taken by dashpots {:.3e} J, made by the integrator {:.1e} J",
-            last.turns,
+            last.revolutions,
             change(&last),
             last.momentum_drift,
             last.dissipated,
@@ -65,9 +65,9 @@ fn momentum_is_kept_through_ten_thousand_turns() {
 fn inertial_momentum_keeps_its_direction() {
     let body = reduced(3);
     let samples = run(&body, &times_to(2e3, 150), at(1e-12));
-    let K_N = inertial(attitude(), run(&body, &[0.0], at(1e-12))[0].momentum);
+    let K_N = inertial(attitude(), run(&body, &[0.0], at(1e-12))[0].angular_momentum);
     for sample in &samples {
-        let K = inertial(sample.attitude, sample.momentum);
+        let K = inertial(sample.attitude, sample.angular_momentum);
         let gap = norm(std::array::from_fn(|i| K[i] - K_N[i])) / norm(K_N);
         assert!(gap < 1e-12, "t = {}: {gap:e}", sample.t);
         let length = sample.attitude.iter().map(|x| x * x).sum::<f64>();
@@ -92,7 +92,7 @@ fn a_steady_spin_turns_the_attitude_at_its_rate() {
             // Forty radians at 1e-13 per step.
             assert!((sign * found - expected).abs() < 1e-11, "{sample:?}");
         }
-        assert!((sample.turns - 1.3 * t / TAU).abs() < 1e-12 * t);
+        assert!((sample.revolutions - 1.3 * t / TAU).abs() < 1e-12 * t);
     }
 }
 
@@ -111,7 +111,7 @@ fn numerical_drift_stays_below_the_physical_dissipation() {
 fn a_loose_tolerance_shows_in_the_account_of_energy() {
     let body = reduced(3);
     let start = run(&body, &[0.0], at(1e-12))[0].energy;
-    for form in [Form::Momentum, Form::Paper] {
+    for form in [Form::AngularMomentum, Form::AngularVelocity] {
         let loose = run(&body, &[2e3], Options { form, ..at(1e-3) })[0];
         let tight = run(&body, &[2e3], Options { form, ..at(1e-12) })[0];
         assert!(loose.energy_drift.abs() > 1e3 * tight.energy_drift.abs(), "{form:?}: {loose:?} {tight:?}");
@@ -129,7 +129,7 @@ fn a_rigid_body_keeps_its_energy() {
     let body = reduced(1);
     let start = run(&body, &[0.0], at(1e-12))[0].energy;
     for (tolerance, allowed) in [(1e-13, 1e-10), (1e-3, f64::INFINITY)] {
-        for form in [Form::Momentum, Form::Paper] {
+        for form in [Form::AngularMomentum, Form::AngularVelocity] {
             let last = run(&body, &[1e3], Options { form, ..at(tolerance) })[0];
             assert_eq!(last.dissipated, 0.0);
             let change = last.energy - start;
@@ -144,7 +144,7 @@ fn a_rigid_body_keeps_its_energy() {
 #[test]
 fn dense_output_is_where_a_step_would_have_ended() {
     let body = reduced(3);
-    for form in [Form::Momentum, Form::Paper] {
+    for form in [Form::AngularMomentum, Form::AngularVelocity] {
         let options = Options { form, ..at(1e-12) };
         let times = [3.1, 3.2, 17.0, 33.3, 50.0];
         let dense = run(&body, &times, options.clone());
@@ -159,7 +159,7 @@ fn dense_output_is_where_a_step_would_have_ended() {
             }
             assert!((inside.energy - ended.energy).abs() < 2e-10 * ended.energy);
             assert!((inside.dissipated - ended.dissipated).abs() <= 1e-6 * ended.dissipated);
-            assert!((inside.turns - ended.turns).abs() < 1e-9);
+            assert!((inside.revolutions - ended.revolutions).abs() < 1e-9);
         }
     }
 }
@@ -183,7 +183,7 @@ proptest! {
         prop_assert!(gap(0) > 0.1 * moved, "after half a period {:e}", gap(0));
     }
 
-    /// The fast road and the full one follow the same equations.
+    /// The fast method and the full one follow the same equations.
     #[test]
     fn spin_path_is_the_spin_of_propagate(assembly in bodies(), u in direction(), paper in any::<bool>()) {
         let body = assembly.body().unwrap();
@@ -191,7 +191,7 @@ proptest! {
         let body = reduce(&body, 3).unwrap();
         let omega = u.map(|x| 0.05 * frequency * x);
         let times = times_to(100.0 / norm(omega), 7);
-        let form = if paper { Form::Paper } else { Form::Momentum };
+        let form = if paper { Form::AngularVelocity } else { Form::AngularMomentum };
         let options = Options { form, ..at(1e-13) };
         let path = spin_path(&body, omega, &times, &options).unwrap();
         let mut samples = Vec::new();
@@ -205,7 +205,7 @@ proptest! {
         }
     }
 
-    /// The momentum form keeps `|K|` at every order and any damping; the paper's form does not, (P2).
+    /// The angular-momentum form keeps `|K|` at every order and any damping; the angular-velocity form does not, (P2).
     #[test]
     fn only_the_momentum_form_keeps_the_momentum(assembly in bodies(), u in direction(), p in 2..6usize) {
         let body = assembly.body().unwrap();
@@ -219,7 +219,7 @@ proptest! {
             propagate(&body, initial, &end, &Options { form, ..at(1e-13) }, &mut samples).unwrap();
             samples[0].momentum_drift.abs()
         };
-        prop_assert!(last(Form::Momentum) < 1e-9, "{:e}", last(Form::Momentum));
-        prop_assert!(last(Form::Paper) > 10.0 * last(Form::Momentum), "{:e}", last(Form::Paper));
+        prop_assert!(last(Form::AngularMomentum) < 1e-9, "{:e}", last(Form::AngularMomentum));
+        prop_assert!(last(Form::AngularVelocity) > 10.0 * last(Form::AngularMomentum), "{:e}", last(Form::AngularVelocity));
     }
 }

@@ -15,12 +15,12 @@ const STEADY: Wave = Wave { frequency: 0.0, phase: 0.0 };
 const CARRIER: Station = Station { on: End::Carrier, at: Some(GOOD) };
 const POINT: Station = Station { on: End::Point(0), at: None };
 const ORBIT: Orbit = Orbit {
-    parameter: 3.986e14,
+    mu: 3.986e14,
     semi_major_axis: 7e6,
     eccentricity: 0.1,
     inclination: 1.0,
-    node: -2.0,
-    periapsis: 9.0,
+    raan: -2.0,
+    argument_of_periapsis: 9.0,
     mean_anomaly: 0.5,
 };
 
@@ -94,7 +94,7 @@ fn a_drag_must_not_drive() {
 fn an_orbit_is_an_ellipse_about_something() {
     let on = |orbit| ForceLaw::CentralGravity { orbit };
     for value in [0.0, -1.0] {
-        let centre = Orbit { parameter: value, ..ORBIT };
+        let centre = Orbit { mu: value, ..ORBIT };
         refused!(on(centre), Field::GRAVITATIONAL_PARAMETER, Problem::NotPositive { .. });
         let size = Orbit { semi_major_axis: value, ..ORBIT };
         refused!(on(size), Field::SEMI_MAJOR_AXIS, Problem::NotPositive { .. });
@@ -106,12 +106,12 @@ fn an_orbit_is_an_ellipse_about_something() {
         assert_eq!(error(on(Orbit { eccentricity, ..ORBIT })), None);
     }
     let not_finite = [
-        (Orbit { parameter: NAN, ..ORBIT }, Field::GRAVITATIONAL_PARAMETER),
+        (Orbit { mu: NAN, ..ORBIT }, Field::GRAVITATIONAL_PARAMETER),
         (Orbit { semi_major_axis: f64::INFINITY, ..ORBIT }, Field::SEMI_MAJOR_AXIS),
         (Orbit { eccentricity: NAN, ..ORBIT }, Field::ECCENTRICITY),
         (Orbit { inclination: NAN, ..ORBIT }, Field::INCLINATION),
-        (Orbit { node: NAN, ..ORBIT }, Field::NODE),
-        (Orbit { periapsis: NAN, ..ORBIT }, Field::PERIAPSIS),
+        (Orbit { raan: NAN, ..ORBIT }, Field::NODE),
+        (Orbit { argument_of_periapsis: NAN, ..ORBIT }, Field::PERIAPSIS),
         (Orbit { mean_anomaly: NAN, ..ORBIT }, Field::MEAN_ANOMALY),
     ];
     for (orbit, field) in not_finite {

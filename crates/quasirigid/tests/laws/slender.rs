@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, Stage};
+use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, RotationState};
 use quasirigid::model::Mode;
 
 /// A loss by the products of the spin, `Σ c (ω_i ω_j)²`, averaged by sums over the polhode.
@@ -31,8 +31,9 @@ fn times_of_slender_bodies_are_found() {
             let power = Products { moments: [slenderness, 1.0 - gap, 1.0], calls: AtomicU32::new(0) };
             let evolution = Evolution::new(&power, 1.0);
             for end in [1.0, 20.0, 36.0, 300.0] {
-                let [from, to] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| Stage { mode, xi: end });
-                let middle = Stage { mode: Mode::ShortAxis, xi: 0.5 };
+                let [from, to] =
+                    [Mode::LongAxis, Mode::ShortAxis].map(|mode| RotationState { mode, xi: end });
+                let middle = RotationState { mode: Mode::ShortAxis, xi: 0.5 };
                 let whole = evolution.passage(from, to);
                 let parts = [evolution.passage(from, middle), evolution.passage(middle, to)];
                 let sum: f64 = parts.iter().map(|part| part.time).sum();

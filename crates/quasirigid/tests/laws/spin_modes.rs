@@ -127,7 +127,7 @@ proptest! {
             });
         }
         if inside > 1 {
-            let speed = WheelSpeed::Constant { momentum: 0.02 };
+            let speed = WheelSpeed::Constant { angular_momentum: 0.02 };
             assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.2, 0.5, -0.9], speed });
         }
         // Modes and full system share the paths of hinges, also beyond the range in which they are those of a body.

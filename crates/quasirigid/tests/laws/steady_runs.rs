@@ -160,7 +160,7 @@ proptest! {
             });
         }
         if inside > 1 {
-            let speed = WheelSpeed::Constant { momentum: 0.3 };
+            let speed = WheelSpeed::Constant { angular_momentum: 0.3 };
             assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.2, 0.5, -0.9], speed });
         }
         let (assembly, omega_N) = world(&assembly, kind, &S, direction, rate);

@@ -175,7 +175,7 @@ proptest! {
         let mut assembly = body.held(l);
         assembly.forces.push(gravity(-9.81 * up));
         let axis: [f64; 3] = R.column(2).into_owned().into();
-        assembly.wheels.push(Wheel { name: "own spin".into(), axis, speed: WheelSpeed::Constant { momentum: own } });
+        assembly.wheels.push(Wheel { name: "own spin".into(), axis, speed: WheelSpeed::Constant { angular_momentum: own } });
         let attitude = S * frame(&R.transpose(), lean + off);
         let omega = rate * (attitude.transpose() * up);
         let modes = found(&assembly, near(omega, &attitude)).unwrap();
@@ -262,7 +262,7 @@ proptest! {
         // Units.
         let mut scaled = rescaled(&assembly, units);
         let orbit = Orbit {
-            parameter: orbit.parameter * units.factor([3, 0, -2]),
+            mu: orbit.mu * units.factor([3, 0, -2]),
             semi_major_axis: orbit.semi_major_axis * units.length,
             ..orbit
         };
@@ -395,12 +395,12 @@ pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
     let (P, Q, W) = (S.column(0), S.column(1), S.column(2));
     let semi_major_axis = 7.0e6;
     Orbit {
-        parameter: n * n * f64::powi(semi_major_axis, 3),
+        mu: n * n * f64::powi(semi_major_axis, 3),
         semi_major_axis,
         eccentricity: 0.0,
         inclination: W[0].hypot(W[1]).atan2(W[2]),
-        node: W[0].atan2(-W[1]),
-        periapsis: P[2].atan2(Q[2]),
+        raan: W[0].atan2(-W[1]),
+        argument_of_periapsis: P[2].atan2(Q[2]),
         mean_anomaly: phase,
     }
 }

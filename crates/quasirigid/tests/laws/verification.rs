@@ -48,7 +48,7 @@ fn start(omega: [f64; 3]) -> Start {
     }
 }
 
-/// The orders of `p = 1, 2, …`, measured in the momentum form; those of the paper's form are reached too.
+/// The orders of `p = 1, 2, …`, measured in the angular-momentum form; those of the angular-velocity form are reached too.
 fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize, rotations: f64) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };
@@ -70,9 +70,9 @@ fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize, rotations: f64) 
         );
     }
     assert!(verification.reached());
-    assert!(verification.rows.iter().any(|row| row.form == Form::Paper && row.p == highest.min(3)));
-    let momentum = verification.rows.iter().filter(|row| row.form == Form::Momentum);
-    momentum.map(|row| row.order.unwrap()).collect()
+    assert!(verification.rows.iter().any(|row| row.form == Form::AngularVelocity && row.p == highest.min(3)));
+    let angular_momentum = verification.rows.iter().filter(|row| row.form == Form::AngularMomentum);
+    angular_momentum.map(|row| row.order.unwrap()).collect()
 }
 
 fn assert_orders(found: &[f64]) {
@@ -92,12 +92,12 @@ fn a_heavy_body_with_a_fixed_point_reaches_its_orders() {
 #[test]
 fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
     let orbit = Orbit {
-        parameter: 1.0,
+        mu: 1.0,
         semi_major_axis: 1.0,
         eccentricity: 0.3,
         inclination: 0.5,
-        node: 0.2,
-        periapsis: 0.7,
+        raan: 0.2,
+        argument_of_periapsis: 0.7,
         mean_anomaly: 0.4,
     };
     let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
@@ -142,7 +142,7 @@ fn parsed(text: &str, variables: &[&str]) -> Expression {
     Expression::parse(text, variables).unwrap()
 }
 
-/// The paper's form (3.1)–(3.4) and the momentum form differ by the order that they both leave out.
+/// The angular-velocity form (3.1)–(3.4) and the angular-momentum form differ by the order that they both leave out.
 #[test]
 fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
     let gravity = ForceLaw::UniformGravity { acceleration: [0.2, -0.1, -1.5] };
@@ -153,13 +153,13 @@ fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
             let body = body.stiffened(epsilon).unwrap();
             let system = Forced { body: &body, forces: &forces };
             let Start { omega, attitude, place, velocity } = start([0.3, 0.2, 1.4]);
-            let still = SlowState { momentum: [0.0; 3], attitude, place, velocity };
+            let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
             let state = still.with_spin(system, order, omega).unwrap();
             let end = |form| {
                 let options = Options { form, tolerance: 1e-12, ..Options::default() };
                 propagate_forced(system, order, &state, &[4.0], &options, &mut Vec::new()).unwrap().last.omega
             };
-            norm(add(end(Form::Momentum), scale(-1.0, end(Form::Paper))))
+            norm(add(end(Form::AngularMomentum), scale(-1.0, end(Form::AngularVelocity))))
         });
         let measured = (gaps[0] / gaps[1]).log2();
         println!("p = {order}: {gaps:?} {measured:.3}");

@@ -49,7 +49,7 @@ fn eigenvalue_rate(body: &FlexibleBody, mode: Mode, G: f64) -> f64 {
     let n = q.len();
     // p = h(q)ω + A·0 of a steady state: what makes the rates of the coordinates vanish.
     let mut p = vec![0.0; n];
-    let K = reduced.momentum(omega);
+    let K = reduced.angular_momentum(omega);
     for _ in 0..30 {
         let state: Vec<f64> = [&K[..], &p, &q].concat();
         let rate = rates(body, &state);

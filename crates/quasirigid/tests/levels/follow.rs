@@ -1,7 +1,7 @@
 //! Energy lost along levels against that of integrated equations.
 
 use nalgebra::Matrix3;
-use quasirigid::averaging::{LevelEnding, LevelError, LevelEvolution, Until};
+use quasirigid::averaging::{LevelError, LevelEvolution, LevelStopReason, Until};
 use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
 use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, ReducedBody};
@@ -42,7 +42,7 @@ fn loss_over_many_periods_is_that_of_the_reduced_equations() {
         (1e-2, [0.4, -1.3, 0.8], 40.0),
     ] {
         let reduced = reduce(&nearly_equal(difference, turn).body().unwrap(), 5).unwrap();
-        let K = reduced.momentum(SPIN);
+        let K = reduced.angular_momentum(SPIN);
         let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
         let mut time = periods * levels.level(K).unwrap().period;
         let mut passage = levels.follow(K, Until::Duration(time), 9).unwrap();
@@ -55,11 +55,14 @@ fn loss_over_many_periods_is_that_of_the_reduced_equations() {
             time *= periods / turned;
             passage = levels.follow(K, Until::Duration(time), 9).unwrap();
         }
-        assert_eq!(passage.ending, LevelEnding::Duration);
+        assert_eq!(passage.ending, LevelStopReason::Duration);
         let [first, .., last] = &passage.rows[..] else { panic!("{passage:?}") };
         let taken = dissipated(&reduced, SPIN, time);
         let gap = ((first.energy - last.energy) / taken - 1.0).abs();
-        println!("{difference:e}: {} to {} W, gap {gap:.1e}, {} turns", first.power, last.power, last.turns);
+        println!(
+            "{difference:e}: {} to {} W, gap {gap:.1e}, {} turns",
+            first.power, last.power, last.revolutions
+        );
         assert!(gap < 1e-4, "{difference}: {gap}");
     }
 }
@@ -71,7 +74,7 @@ fn near_sphere_loses_what_the_full_system_loses() {
     let body = near_sphere().body().unwrap();
     let power = |order: usize| {
         let reduced = reduce(&body, order).unwrap();
-        let K = reduced.momentum(SPIN);
+        let K = reduced.angular_momentum(SPIN);
         LevelEvolution::new(&reduced, norm(K)).unwrap().level(K).unwrap()
     };
     let (third, fifth) = (power(3), power(5));
@@ -91,7 +94,7 @@ fn near_sphere_loses_what_the_full_system_loses() {
 fn a_sphere_with_one_mass_ages_about_it() {
     let body = with_tensor(2.0 * Matrix3::identity()).body().unwrap();
     let reduced = reduce(&body, 5).unwrap();
-    let K = reduced.momentum(SPIN);
+    let K = reduced.angular_momentum(SPIN);
     let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
     let level = levels.level(K).unwrap();
     let [least, greatest] = level.nutation;
@@ -100,7 +103,7 @@ fn a_sphere_with_one_mass_ages_about_it() {
     assert!((level.power / taken - 1.0).abs() < 1e-4, "{} {taken}", level.power);
     assert_eq!(levels.follow(K, Until::Wobble(0.1), 3), Err(LevelError::Family));
     let passage = levels.follow(K, Until::EnergyLeft(0.1), 5).unwrap();
-    assert_eq!((passage.ending, passage.rows.len()), (LevelEnding::Reached, 5));
+    assert_eq!((passage.ending, passage.rows.len()), (LevelStopReason::Reached, 5));
     assert!(passage.rows.array_windows().all(|[a, b]| a.time < b.time && a.energy > b.energy));
     let ball =
         Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia: (2.0 * Matrix3::<f64>::identity()).into() };
@@ -113,12 +116,19 @@ fn a_sphere_with_one_mass_ages_about_it() {
 fn axes_and_units_change_nothing() {
     let aged = |assembly: &Assembly, omega: [f64; 3]| {
         let reduced = reduce(&assembly.body().unwrap(), 5).unwrap();
-        let K = reduced.momentum(omega);
+        let K = reduced.angular_momentum(omega);
         let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
         let passage = levels.follow(K, Until::Wobble(0.2), 2).unwrap();
-        assert_eq!(passage.ending, LevelEnding::Reached);
+        assert_eq!(passage.ending, LevelStopReason::Reached);
         let last = passage.rows[1];
-        [last.time, last.turns, last.period, last.power, last.nutation[0], passage.separatrices.len() as f64]
+        [
+            last.time,
+            last.revolutions,
+            last.period,
+            last.power,
+            last.nutation[0],
+            passage.separatrices.len() as f64,
+        ]
     };
     let body = nearly_equal(3e-4, [0.4, -1.3, 0.8]);
     let known = aged(&body, SPIN);
@@ -149,21 +159,21 @@ fn axes_and_units_change_nothing() {
 /// A weak wheel makes the two senses of every spin unlike: behind a separatrix the ways are listed, and each can be followed.
 #[test]
 fn ways_that_differ_are_both_told() {
-    let speed = WheelSpeed::Constant { momentum: 2e-4 };
+    let speed = WheelSpeed::Constant { angular_momentum: 2e-4 };
     let wheel = Wheel { name: "wheel".into(), axis: [0.3, 0.4, 1.0], speed };
     let body = Assembly { wheels: vec![wheel], ..nearly_equal(1e-3, [0.0; 3]) }.body().unwrap();
     let reduced = reduce(&body, 5).unwrap();
-    let K = reduced.momentum([1.5, 0.2, 0.1]);
+    let K = reduced.angular_momentum([1.5, 0.2, 0.1]);
     let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
     let passage = levels.follow(K, Until::EnergyLeft(0.05), 4).unwrap();
     println!("{:?} {:?}", passage.ending, passage.separatrices);
-    assert_eq!(passage.ending, LevelEnding::Undecided);
+    assert_eq!(passage.ending, LevelStopReason::Undecided);
     let ways = &passage.separatrices.last().unwrap().ways;
     assert!(ways.len() > 1);
     assert!((ways.iter().map(|way| way.share).sum::<f64>() - 1.0).abs() < 1e-12);
     let ends: Vec<_> = ways
         .iter()
-        .map(|way| levels.follow(way.momentum, Until::Duration(1e3), 2).unwrap().attractor)
+        .map(|way| levels.follow(way.angular_momentum, Until::Duration(1e3), 2).unwrap().attractor)
         .collect();
     assert!(norm([0, 1, 2].map(|i| ends[0][i] - ends[1][i])) > 0.1 * norm(K), "{ends:?}");
 }

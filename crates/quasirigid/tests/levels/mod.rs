@@ -1,4 +1,4 @@
-//! Steady spins and ageing along the levels of the slow energy, for moments that are nearly equal: against integrations, against
+//! Steady spins and secular evolution along the levels of the slow energy, for moments that are nearly equal: against integrations, against
 //! averages along rigid polhodes, and laws.
 
 mod bodies;

@@ -13,12 +13,16 @@ use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 fn a_mass_off_the_axis_leaves_four_steady_spins_of_the_equator() {
     let body = with_tensor(Matrix3::from_diagonal(&Vector3::new(2.0, 2.0, 1.0))).body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
-    let found = all_steady_spins(&reduced, norm(reduced.momentum([0.5, 0.3, 0.4])));
+    let found = all_steady_spins(&reduced, norm(reduced.angular_momentum([0.5, 0.3, 0.4])));
     assert!(found.complete && !found.families, "{found:?}");
     assert_eq!(found.isolated.len(), 6);
-    let equator = found.isolated.iter().filter(|spin| spin.momentum[2].abs() < 0.1 * norm(spin.momentum));
-    let mut azimuths: Vec<f64> =
-        equator.map(|spin| spin.momentum[1].atan2(spin.momentum[0]).to_degrees().rem_euclid(360.0)).collect();
+    let equator = found
+        .isolated
+        .iter()
+        .filter(|spin| spin.angular_momentum[2].abs() < 0.1 * norm(spin.angular_momentum));
+    let mut azimuths: Vec<f64> = equator
+        .map(|spin| spin.angular_momentum[1].atan2(spin.angular_momentum[0]).to_degrees().rem_euclid(360.0))
+        .collect();
     azimuths.sort_by(f64::total_cmp);
     for (azimuth, expected) in azimuths.iter().zip([18.43, 108.43, 198.43, 288.43]) {
         assert!((azimuth - expected).abs() < 0.01, "{azimuths:?}"); // two decimals given
@@ -34,17 +38,17 @@ fn every_steady_spin_is_one_of_the_equations_and_of_the_energy() {
     for difference in [1e-5, 3e-4, 1e-2] {
         let body = nearly_equal(difference, [0.4, -1.3, 0.8]).body().unwrap();
         let reduced = reduce(&body, 5).unwrap();
-        let G = norm(reduced.momentum(SPIN));
+        let G = norm(reduced.angular_momentum(SPIN));
         let found = all_steady_spins(&reduced, G);
         assert!(found.complete, "{found:?}");
         let levels = LevelEvolution::new(&reduced, G).unwrap();
         let of_energy: Vec<_> = levels.steady().collect();
         assert_eq!(of_energy.len(), found.isolated.len());
         for spin in &found.isolated {
-            let torque = norm(cross(spin.momentum, spin.spin.omega));
+            let torque = norm(cross(spin.angular_momentum, spin.spin.omega));
             assert!(torque < 1e-13 * G * norm(spin.spin.omega), "{torque}");
             assert_eq!(spin.spin.growth > 0.0, spin.kind != StationaryKind::Minimum, "{spin:?}");
-            let apart = |K: [f64; 3]| norm([0, 1, 2].map(|i| K[i] - spin.momentum[i])) / G;
+            let apart = |K: [f64; 3]| norm([0, 1, 2].map(|i| K[i] - spin.angular_momentum[i])) / G;
             let (K, kind) = of_energy.iter().min_by(|a, b| apart(a.0).total_cmp(&apart(b.0))).unwrap();
             assert_eq!(*kind, spin.kind);
             assert!(apart(*K) < 2e-3, "{}", apart(*K));
@@ -57,7 +61,7 @@ fn every_steady_spin_is_one_of_the_equations_and_of_the_energy() {
 fn distinct_moments_have_the_six_spins_near_their_axes() {
     let body = with_tensor(Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0))).body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
-    let G = norm(reduced.momentum(SPIN));
+    let G = norm(reduced.angular_momentum(SPIN));
     let found = all_steady_spins(&reduced, G);
     assert_eq!((found.isolated.len(), found.complete, found.families), (6, true, false));
     for known in steady_spins(&reduced, G).map(Option::unwrap) {
@@ -72,9 +76,9 @@ fn distinct_moments_have_the_six_spins_near_their_axes() {
 #[test]
 fn near_sphere_turns_about_none_of_its_principal_axes() {
     let reduced = reduce(&near_sphere().body().unwrap(), 5).unwrap();
-    let found = all_steady_spins(&reduced, norm(reduced.momentum(SPIN)));
+    let found = all_steady_spins(&reduced, norm(reduced.angular_momentum(SPIN)));
     let off = |spin: &quasirigid::dynamics::IsolatedSpin| {
-        let K = spin.momentum.map(|K| K.abs() / norm(spin.momentum));
+        let K = spin.angular_momentum.map(|K| K.abs() / norm(spin.angular_momentum));
         K.iter().copied().fold(0.0, f64::max)
     };
     assert!(found.complete);

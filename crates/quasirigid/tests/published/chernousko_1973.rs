@@ -117,7 +117,7 @@ fn tensors_contract_to_the_torque() {
     }
 }
 
-/// The whole passage from 79° to 5.7° off the axis. In the paper's form the law is exact, so nothing but the integrator
+/// The whole passage from 79° to 5.7° off the axis. In the angular-velocity form the law is exact, so nothing but the integrator
 /// is between the two.
 #[test]
 fn axial_mass_keeps_its_law_in_time() {
@@ -129,7 +129,7 @@ fn axial_mass_keeps_its_law_in_time() {
     let start = (along / G).powi(2);
     let passage = problem.time(G, start, 0.99);
     let times: Vec<f64> = (1..=50).map(|i| passage * f64::from(i) / 50.0).collect();
-    let options = Options { form: Form::Paper, tolerance: 1e-13, ..Options::default() };
+    let options = Options { form: Form::AngularVelocity, tolerance: 1e-13, ..Options::default() };
     let path = spin_path(&reduced, omega, &times, &options).unwrap();
     for (t, omega) in times.iter().zip(&path.omega) {
         let u = (problem.C * omega[2] / G).powi(2);
@@ -152,7 +152,7 @@ fn full_over_reduced(case: &AxialMass, order: usize) -> [f64; 2] {
     let reduced = reduce(&body, order).unwrap();
     let power = |sample: &Sample| reduced.power.scalar(sample.omega);
     let mean = samples.iter().map(power).sum::<f64>() / samples.len() as f64;
-    let Sample { omega, momentum: K, .. } = samples[0];
+    let Sample { omega, angular_momentum: K, .. } = samples[0];
     let precession = (K[2] * omega[0] - K[0] * omega[2]) / K[0];
     let rigid = (case.C - case.A) / case.A * omega[2];
     [samples[100].dissipated / mean, (precession - rigid) / (-case.F() * dot(K, K) * omega[2])]

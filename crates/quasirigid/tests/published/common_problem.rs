@@ -52,7 +52,7 @@ fn full_system_follows_the_reference_trajectories() {
     }
 }
 
-/// 4900 turns: the table itself is good to 1e-12 (SOURCE.md).
+/// 4900 revolutions: the table itself is good to 1e-12 (SOURCE.md).
 #[test]
 fn full_system_follows_the_reference_for_thousands_of_turns() {
     let [spin, attitude, energy] = differences("long", 1e-13);

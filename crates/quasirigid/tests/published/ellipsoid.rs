@@ -1,4 +1,4 @@
-//! Homogeneous ellipsoids: compliance, mean power, periods and times of ageing. `data/published/ellipsoid`.
+//! Homogeneous ellipsoids: compliance, mean power, periods and times of secular evolution. `data/published/ellipsoid`.
 
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::elements::{Assembly, Ellipsoid, Material};
@@ -114,7 +114,7 @@ impl MeanPower for Stronger<'_> {
     }
 }
 
-/// Both roads to the power of the asteroid: the mean of the polynomial, and the sum over the harmonics, of a body so stiff
+/// Both methods to the power of the asteroid: the mean of the polynomial, and the sum over the harmonics, of a body so stiff
 /// and a Kelvin–Voigt time so short that the frequencies are as good as zero, scaled up.
 fn both_roads(check: impl Fn(&dyn MeanPower)) {
     let polynomial = reduce(&asteroid(1e9, Rheology::KelvinVoigt { time: 100.0 }), 3).unwrap();

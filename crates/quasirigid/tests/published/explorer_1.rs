@@ -22,8 +22,8 @@ fn frozen_satellite_has_the_published_inertia() {
 fn difference(ratio: f64, order: usize) -> f64 {
     let satellite = Explorer1::stiffened(ratio, 0.05);
     let reduced = reduce(&satellite.assembly().body().unwrap(), order).unwrap();
-    let momentum = norm(reduced.momentum([0.0, 0.0, Explorer1::SPIN]));
-    let spin = steady_spins(&reduced, momentum)[0].unwrap();
+    let angular_momentum = norm(reduced.angular_momentum([0.0, 0.0, Explorer1::SPIN]));
+    let spin = steady_spins(&reduced, angular_momentum)[0].unwrap();
     spin.growth / satellite.growth(Explorer1::SPIN) - 1.0
 }
 
@@ -62,7 +62,7 @@ fn flown(omega: [f64; 3], times: &[f64]) -> (Vec<Sample>, Run) {
 }
 
 fn nutation(sample: &Sample) -> f64 {
-    angle(sample.momentum, [0.0, 0.0, 1.0])
+    angle(sample.angular_momentum, [0.0, 0.0, 1.0])
 }
 
 /// Time (s) at which the nutation first reaches an angle (degrees), by linear interpolation.
@@ -117,8 +117,9 @@ fn over_closed_form(ratio: f64, zeta: f64) -> [f64; 2] {
     let mut samples = Vec::new();
     propagate_full(Forced::not(&body), &full, &times, &options, &mut samples).unwrap();
     let [along, across] = [body.inertia()[2][2], body.inertia()[0][0]];
-    let square =
-        |sample: &Sample| (sample.momentum[0].powi(2) + sample.momentum[1].powi(2)) / (across * across);
+    let square = |sample: &Sample| {
+        (sample.angular_momentum[0].powi(2) + sample.angular_momentum[1].powi(2)) / (across * across)
+    };
     let mean = samples.iter().map(square).sum::<f64>() / samples.len() as f64;
     let power = satellite.growth(Explorer1::SPIN) * across * (across - along) / along * mean;
     let growth = (nutation(&samples[400]) / nutation(&samples[0])).ln() / 4.0;

@@ -87,7 +87,7 @@ impl Cantilever {
             invariants: Invariants { pairs, ..body.invariants().clone() },
             damping: body.damping().clone(),
             stiffness: body.stiffness().clone(),
-            lossy: body.lossy().to_vec(),
+            viscoelastic: body.viscoelastic().to_vec(),
             dissipators: body.dissipators().to_vec(),
             memories: Vec::new(),
             coordinates: body.coordinates().to_vec(),

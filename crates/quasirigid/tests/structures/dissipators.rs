@@ -84,19 +84,19 @@ fn names(body: &FlexibleBody) -> Vec<&str> {
     body.dissipators().iter().map(|dissipator| dissipator.name.as_str()).collect()
 }
 
-/// Damping, and the lossy stiffness of each rheology, of the dissipators and of the whole.
+/// Damping, and the viscoelastic stiffness of each rheology, of the dissipators and of the whole.
 fn compare(body: &FlexibleBody) {
     let size = body.coordinates().len();
     let zero = DMatrix::<f64>::zeros(size, size);
     let sum = body.dissipators().iter().fold(zero.clone(), |sum, part| sum + dense(&part.damping));
     let whole = dense(body.damping());
     assert!((&sum - &whole).amax() <= ROUNDING * whole.amax(), "damping");
-    for lossy in body.lossy() {
+    for viscoelastic in body.viscoelastic() {
         let same = body.dissipators().iter().filter_map(|part| part.loss.as_ref());
-        let same = same.filter(|loss| loss.rheology == lossy.rheology);
+        let same = same.filter(|loss| loss.rheology == viscoelastic.rheology);
         let sum = same.fold(zero.clone(), |sum, loss| sum + dense(&loss.stiffness));
-        let whole = dense(&lossy.stiffness);
-        assert!((&sum - &whole).amax() <= ROUNDING * whole.amax(), "{:?}", lossy.rheology);
+        let whole = dense(&viscoelastic.stiffness);
+        assert!((&sum - &whole).amax() <= ROUNDING * whole.amax(), "{:?}", viscoelastic.rheology);
     }
 }
 

@@ -89,7 +89,7 @@ fn every_cell_approaches_the_ellipsoid_at_its_order() {
     }
 }
 
-/// Two roads to the exact one: the table, and the element made of polynomials. The same mesh in both.
+/// Two methods to the exact one: the table, and the element made of polynomials. The same mesh in both.
 #[test]
 fn meshes_agree_with_the_element_and_the_table() {
     let axes = turned_axes();

@@ -42,9 +42,9 @@ impl Body {
             let strained = DMatrix::identity(size, size) - &rigid * inverse * rigid.transpose();
             K = &strained * K * &strained;
         }
-        let freedoms = (0..size).map(|row| (row / 6, row % 6)).collect();
+        let dofs = (0..size).map(|row| (row / 6, row % 6)).collect();
         let node_labels = (1..=NODES as u64).map(|node| 10 * node).collect();
-        let mass = NodalMass { nodes, node_labels, freedoms, entries: entries(&M) };
+        let mass = NodalMass { nodes, node_labels, dofs, entries: entries(&M) };
         Self { mass, M, K }
     }
 
@@ -52,7 +52,7 @@ impl Body {
     pub fn held(mut self) -> Self {
         self.M = self.M.remove_rows(0, 6).remove_columns(0, 6);
         self.K = self.K.remove_rows(0, 6).remove_columns(0, 6);
-        self.mass.freedoms.drain(..6);
+        self.mass.dofs.drain(..6);
         self.mass.entries = entries(&self.M);
         self
     }

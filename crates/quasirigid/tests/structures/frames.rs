@@ -79,7 +79,7 @@ fn of_a_rod(axes: &[[f64; 3]], stiffness: f64, damping: f64) -> FlexibleBody {
     Assembly { carrier: Some(carrier()), hinged: vec![hinged], ..Assembly::default() }.body().unwrap()
 }
 
-/// Two roads to the same hinge: finite elements with a connection, their curved paths from the stress of the loads;
+/// Two methods to the same hinge: finite elements with a connection, their curved paths from the stress of the loads;
 /// and a rigid appendage with its paths in closed form. All degrees up to the seventh agree as the beams stiffen; with two axes, which gimbals and a rotation vector count differently, those up to the fifth.
 #[test]
 fn stiff_beams_on_a_hinge_are_a_hinged_appendage() {

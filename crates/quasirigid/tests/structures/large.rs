@@ -102,7 +102,7 @@ fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
     for share in [0.0, 1e-3, 0.003, 0.006, 0.05, 0.2] {
         let q = bent(&body, share);
         let second = least(&body, &q, &mut |motion| {
-            [&body.momentum(motion)[..], &body.generalized_momentum(motion)].concat()
+            [&body.angular_momentum(motion)[..], &body.generalized_momentum(motion)].concat()
         });
         let whole = least(&body, &q, &mut |motion| {
             let (K, p) = body.full_momenta(motion);
@@ -116,7 +116,7 @@ fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
     }
 }
 
-/// Two roads to the second order of the paths: explicit fields, and reciprocity (K6). The momenta differ in the third order alone.
+/// Two methods to the second order of the paths: explicit fields, and reciprocity (K6). The momenta differ in the third order alone.
 #[test]
 fn explicit_paths_agree_with_reciprocity_to_the_second_order() {
     let body = Boom { aside: 0.7, ..TUBE }.body();
@@ -127,7 +127,7 @@ fn explicit_paths_agree_with_reciprocity_to_the_second_order() {
         let rate: Vec<f64> = (0..n).map(|j| q[j] * (1.3 + 2.0 * (j as f64).sin())).collect();
         let motion = MotionState { omega, q: &q, rate: &rate };
         let (K, p) = body.full_momenta(motion);
-        let known = body.momentum(motion);
+        let known = body.angular_momentum(motion);
         let gap = Vector3::from(K) - Vector3::from(known);
         let largest =
             body.generalized_momentum(motion).iter().zip(&p).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -217,7 +217,7 @@ const CHAIN: [(f64, [f64; 3]); 4] = [
     (0.28987815287671237, [0.255097, 0.795482, 1.140902]),
 ];
 
-/// A second road at 3, 10, 15 and 19 % of the length. (K14)
+/// A second method at 3, 10, 15 and 19 % of the length. (K14)
 #[test]
 fn the_tip_follows_a_chain_of_rigid_links() {
     for (acceleration, chain) in CHAIN {
@@ -271,10 +271,10 @@ fn energy_stays_over_many_turns() {
     frame.members[0].elements = 2;
     part.rayleigh = [0.0; 2];
     let body = boom.body().unwrap();
-    let turns = 20.0;
-    let (run, samples) = run(&body, [0.0, 0.02, 0.4], turns * std::f64::consts::TAU / 0.4, 1e-9);
+    let rotations = 20.0;
+    let (run, samples) = run(&body, [0.0, 0.02, 0.4], rotations * std::f64::consts::TAU / 0.4, 1e-9);
     assert_eq!(run.outcome, Outcome::Finished);
     let drift = samples.iter().map(|sample| sample.energy_drift.abs()).fold(0.0, f64::max);
-    println!("{:.0} turns, drift {drift:.1e} J of {} J", run.last.turns, run.last.energy);
-    assert!(run.last.turns > 0.99 * turns && drift < 1e-7 * run.last.energy, "{drift}");
+    println!("{:.0} turns, drift {drift:.1e} J of {} J", run.last.revolutions, run.last.energy);
+    assert!(run.last.revolutions > 0.99 * rotations && drift < 1e-7 * run.last.energy, "{drift}");
 }

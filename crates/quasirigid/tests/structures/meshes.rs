@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use quasirigid::elements::{Material, Part, PartKind, Region, Solid, Substance};
+use quasirigid::elements::{ElasticMaterial, Material, Part, PartKind, Region, Solid};
 use quasirigid_mesh::surface::ClosedSurface;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
@@ -186,7 +186,7 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let region = |(cells, material): &(Vec<usize>, Material)| Region {
         cells: cells.clone(),
-        substance: Substance::Isotropic(material.clone()),
+        material: ElasticMaterial::Isotropic(material.clone()),
         axes,
     };
     let regions = regions.iter().map(region).collect();

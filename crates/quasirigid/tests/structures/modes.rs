@@ -195,7 +195,7 @@ fn what_is_no_mode_is_refused() {
     let inner = problem(good(), vec![hinge(0), hinge(3)]);
     assert_eq!(inner, Problem::NotInterface { node: "\"wing\" node 40".to_owned() });
     let missing = GivenModes { shapes: good().shapes[1..].to_vec(), ..good() };
-    assert_eq!(problem(missing, vec![hinge(0)]), Problem::ShapeRows { rows: 29, freedoms: 30 });
+    assert_eq!(problem(missing, vec![hinge(0)]), Problem::ShapeRows { rows: 29, dofs: 30 });
     let narrow = good().shapes.iter().map(|row| row[..5].to_vec()).collect();
     let narrow = GivenModes { shapes: narrow, ..good() };
     assert_eq!(problem(narrow, vec![hinge(0)]), Problem::ShapeColumns { columns: 5, interface: 6 });
@@ -232,7 +232,7 @@ fn modes_left_out_add_less_than_the_bound() {
         let answer = |load: usize| {
             let (a, b) = (load % 3, load / 3);
             let field = DVector::from_fn(body.size(), |row, _| {
-                let (node, component) = body.mass.freedoms[row];
+                let (node, component) = body.mass.dofs[row];
                 if component == a { place(node)[b] - pole[b] } else { 0.0 }
             });
             let forces = found.shapes.tr_mul(&(&body.M * field));

@@ -77,7 +77,7 @@ fn moments(masses: &[f64]) -> (Vec<Vector3<f64>>, Matrix3<f64>) {
     (arms, inertia)
 }
 
-/// Compliance by another road: every coordinate of every point, loads less the inertia that they wake, and the
+/// Compliance by another method: every coordinate of every point, loads less the inertia that they wake, and the
 /// pseudo-inverse of the stiffness.
 fn exact_compliance(masses: &[f64]) -> Matrix6<f64> {
     let (arms, _) = moments(masses);
@@ -91,16 +91,16 @@ fn exact_compliance(masses: &[f64]) -> Matrix6<f64> {
             block += sign * k;
         }
     }
-    let slope = |freedom: usize| {
-        let (s, e) = (arms[freedom / 3], Vector3::ith(freedom % 3, 1.0));
-        masses[freedom / 3] * (2.0 * s.dot(&e) * Matrix3::identity() - s * e.transpose() - e * s.transpose())
+    let slope = |dof: usize| {
+        let (s, e) = (arms[dof / 3], Vector3::ith(dof % 3, 1.0));
+        masses[dof / 3] * (2.0 * s.dot(&e) * Matrix3::identity() - s * e.transpose() - e * s.transpose())
     };
     let J1: Vec<Matrix3<f64>> = (0..size).map(slope).collect();
-    let rigid = MatrixXx6::from_fn(size, |freedom, motion| {
+    let rigid = MatrixXx6::from_fn(size, |dof, motion| {
         let e = Vector3::ith(motion % 3, 1.0);
-        if motion < 3 { e[freedom % 3] } else { e.cross(&arms[freedom / 3])[freedom % 3] }
+        if motion < 3 { e[dof % 3] } else { e.cross(&arms[dof / 3])[dof % 3] }
     });
-    let inertia = MatrixXx6::from_fn(size, |freedom, motion| masses[freedom / 3] * rigid[(freedom, motion)]);
+    let inertia = MatrixXx6::from_fn(size, |dof, motion| masses[dof / 3] * rigid[(dof, motion)]);
     let loads = loads(&J1, Rotation3::identity());
     let balanced = &loads - &inertia * rigid.tr_mul(&inertia).try_inverse().unwrap() * rigid.tr_mul(&loads);
     let eigen = stiffness.symmetric_eigen();

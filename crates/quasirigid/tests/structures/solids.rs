@@ -1,4 +1,4 @@
-//! Solids of cells against other roads to the same body: polynomials inside a surface, a beam, all coordinates.
+//! Solids of cells against other methods to the same body: polynomials inside a surface, a beam, all coordinates.
 
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{

@@ -66,7 +66,7 @@ pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     }
     let q = (dense(body.stiffness()) - softer).lu().solve(&constant).unwrap();
     let motion = MotionState { omega, q: q.as_slice(), rate: &still };
-    [&body.momentum(motion)[..], &body.generalized_momentum(motion), q.as_slice()].concat()
+    [&body.angular_momentum(motion)[..], &body.generalized_momentum(motion), q.as_slice()].concat()
 }
 
 /// Derivative of the rates by central differences, which are exact to rounding: the rates hardly curve within a

@@ -51,7 +51,7 @@ fn internal(pole: Option<&Pole>) -> &SpinModes {
 
 /// No dashpot, no decay, to the last digit: the eigenvalues of such motions have real parts of either sign by rounding.
 #[test]
-fn a_body_of_lossy_material_alone_has_no_motion_that_grows_in_its_equations() {
+fn a_body_of_viscoelastic_material_alone_has_no_motion_that_grows_in_its_equations() {
     let body = booms(0.0);
     let poles = poles(&body, 0.05);
     for mode in [Mode::LongAxis, Mode::ShortAxis] {
@@ -95,8 +95,8 @@ fn a_boom_above_its_critical_spin_whirls() {
     };
     let body = Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap();
     let spin = 50.0 * std::f64::consts::TAU / 60.0;
-    let momentum = spin * quasirigid::model::Principal::compute(body.invariants().J).moments[0];
-    let poles = Poles::compute(&body, &EnergyRange::compute(&body, momentum).unwrap()).unwrap();
+    let angular_momentum = spin * quasirigid::model::Principal::compute(body.invariants().J).moments[0];
+    let poles = Poles::compute(&body, &EnergyRange::compute(&body, angular_momentum).unwrap()).unwrap();
     let long = internal(poles.long.as_ref());
     let slowest = long.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min);
     let grown = long.modes.iter().filter(|mode| mode.grows() && !mode.nutation).count();

@@ -1,3 +1,7 @@
+//! Bulk data cards of NASTRAN: small, large and free fields, with continuations.
+//! Fields are numbered as in the NASTRAN guide and keep their line, so that an error names the line of a continuation. Tabs are
+//! refused, since their width in columns is not defined.
+
 use std::iter::Peekable;
 
 use crate::matrix::error::{MatrixProblem, Row};
@@ -9,7 +13,7 @@ use crate::text_file::whole;
 pub(in crate::matrix) struct Card<'a> {
     /// The line on which it begins.
     pub line: usize,
-    /// What follows its name, without the last columns of a line, which name the continuation.
+    /// Fields after the name, without the last columns of a line, which name the continuation.
     fields: Vec<Field<'a>>,
 }
 
@@ -27,7 +31,7 @@ impl<'a> Card<'a> {
         number.checked_sub(2).and_then(|index| self.fields.get(index)).copied().unwrap_or(blank)
     }
 
-    /// Fields from one on, as it would be counted if the card were one line.
+    /// Fields from this number on, counted as if the card were one line.
     pub fn fields_from(&self, number: usize) -> &[Field<'a>] {
         number.checked_sub(2).and_then(|index| self.fields.get(index..)).unwrap_or(&[])
     }
@@ -59,7 +63,7 @@ fn card<'a>(
     Ok(Card { line, fields })
 }
 
-/// Lines up to `ENDDATA` without comments, unless nothing is left.
+/// Lines up to `ENDDATA` without comments and without those that become blank.
 fn bulk_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let lines = (1..).zip(text.lines());
     let bare = lines.map(|(line, content)| (line, content.split('$').next().unwrap_or(content).trim_end()));
@@ -98,7 +102,7 @@ fn add_fields<'a>(line: usize, content: &'a str, fields: &mut Vec<Field<'a>>) ->
         let cell = |k: usize| content.get(8 + width * k..content.len().min(8 + width * (k + 1)));
         (0..count).map(|k| cell(k).unwrap_or_default()).collect()
     };
-    // One more names the continuation.
+    // One field more names the continuation.
     if texts.len() > count + 1 {
         return Err((line, MatrixProblem::Values { found: texts.len() + 1, row: Row::Card }));
     }

@@ -1,12 +1,16 @@
+//! `DMIG` reader: a header card and column cards become one matrix whose rows are the degrees of freedom that occur.
+//! The cards give no sizes, so rows and columns are collected first; for square and symmetric forms their union is both.
+//! MSC Nastran Quick Reference Guide, *Bulk Data Entries*, DMIG.
+
 use std::collections::BTreeSet;
 
 use super::bulk::{Card, Field, cards, integer, real};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::{At, Listed, Symmetry};
-use crate::matrix::{Freedom, MatrixFile};
+use crate::matrix::{Dof, MatrixFile};
 use crate::text_file::last_line;
 
-/// The card that says what kind of matrix it is.
+/// Header card of a matrix.
 struct Header {
     name: String,
     line: usize,
@@ -24,8 +28,8 @@ enum Form {
 
 /// A value with its row and its column, and the line on which it stands.
 struct Term {
-    row: Freedom,
-    column: Freedom,
+    row: Dof,
+    column: Dof,
     value: f64,
     line: usize,
 }
@@ -106,10 +110,10 @@ impl Header {
         Ok(Self { name: card.field(2).text.to_uppercase(), line: card.line, form, columns })
     }
 
-    /// The matrix between the freedoms that occur.
+    /// The matrix between the degrees of freedom that occur.
     fn matrix(&self, terms: &[Term]) -> Result<MatrixFile, At> {
-        let mut rows: BTreeSet<Freedom> = terms.iter().map(|term| term.row).collect();
-        let mut columns: BTreeSet<Freedom> = terms.iter().map(|term| term.column).collect();
+        let mut rows: BTreeSet<Dof> = terms.iter().map(|term| term.row).collect();
+        let mut columns: BTreeSet<Dof> = terms.iter().map(|term| term.column).collect();
         if self.form != Form::Rectangular {
             rows.append(&mut columns);
             columns.clone_from(&rows);
@@ -121,7 +125,7 @@ impl Header {
         let mut listed = Listed::new(rows.len(), columns.len()).map_err(|problem| (self.line, problem))?;
         for term in terms {
             let [row, column] = [(&rows, term.row), (&columns, term.column)]
-                .map(|(freedoms, freedom)| freedoms.partition_point(|other| *other < freedom));
+                .map(|(dofs, dof)| dofs.partition_point(|other| *other < dof));
             listed.add(row, column, term.value, term.line)?;
         }
         let symmetry = if self.form == Form::Symmetric { Symmetry::Symmetric } else { Symmetry::General };
@@ -138,7 +142,7 @@ impl Header {
 
 /// Adds the terms of a column.
 fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
-    let column = freedom(card.field(3), card.field(4))?;
+    let column = dof(card.field(3), card.field(4))?;
     if !card.field(5).text.is_empty() {
         let found = card.field(5).text.to_owned();
         return Err((card.line, MatrixProblem::Unexpected { found, row: Row::DmigColumn }));
@@ -152,18 +156,18 @@ fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
             let found = imaginary.text.to_owned();
             return Err((imaginary.line, MatrixProblem::Unexpected { found, row: Row::DmigColumn }));
         }
-        terms.push(Term { row: freedom(point, component)?, column, value: real(value)?, line: value.line });
+        terms.push(Term { row: dof(point, component)?, column, value: real(value)?, line: value.line });
     }
     Ok(())
 }
 
 /// A point and its component; scalar points have none.
-fn freedom(point: Field, component: Field) -> Result<Freedom, At> {
+fn dof(point: Field, component: Field) -> Result<Dof, At> {
     let node = integer(point, Row::DmigColumn)?;
     match component.text {
-        "" => Ok(Freedom { node, component: 0 }),
+        "" => Ok(Dof { node, component: 0 }),
         _ => match integer(component, Row::DmigColumn)? {
-            component @ 0..=6 => Ok(Freedom { node, component: component as u8 }),
+            component @ 0..=6 => Ok(Dof { node, component: component as u8 }),
             found => Err((component.line, MatrixProblem::Component { found: found.to_string() })),
         },
     }

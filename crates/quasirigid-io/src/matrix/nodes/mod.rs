@@ -16,9 +16,9 @@ use super::listed::At;
 /// A node of a finite-element model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Its label, unique in its file.
+    /// Label of the node, unique in its file.
     pub label: u64,
-    /// Its place in the global system, in the unit of the file; finite.
+    /// Place of the node in the global system, in the unit of the file; finite.
     pub place: [f64; 3],
 }
 

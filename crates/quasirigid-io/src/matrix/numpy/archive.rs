@@ -1,3 +1,6 @@
+//! `.npz` reader: a dense array by its name, or the arrays of one SciPy sparse matrix.
+//! Unpacking stops at a hundred times the size of the archive, and 64 MiB at least: a malicious file cannot fill the memory.
+
 use std::io::{Cursor, Read};
 
 use zip::ZipArchive;
@@ -40,9 +43,9 @@ fn sparse(archive: &mut Archive) -> Result<MatrixFile, Fault> {
 /// Files in an archive, as bytes that may be compressed.
 struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
-    /// How many more bytes are unpacked.
+    /// Number of bytes that may still be unpacked.
     left: u64,
-    /// How many are unpacked in all.
+    /// Number of bytes that may be unpacked in all.
     limit: u64,
 }
 

@@ -1,3 +1,7 @@
+//! `.npy` arrays: numbers of four types and either byte order, by rows or by columns.
+//! The bytes are read in place and each number by its index, so an array is not copied before it becomes a matrix.
+//! Format: NumPy Enhancement Proposal 1.
+
 use super::header::Header;
 use crate::matrix::MatrixFile;
 use crate::matrix::error::MatrixProblem;
@@ -47,7 +51,7 @@ impl<'a> Array<'a> {
         Ok(Self { shape, fortran_order, scalar, big_endian, numbers, start })
     }
 
-    /// How many numbers there are.
+    /// Number of numbers in the array.
     pub fn len(&self) -> usize {
         self.numbers.len() / self.scalar.size().max(1)
     }

@@ -1,7 +1,11 @@
+//! Header of a `.npy` file: the magic bytes, a version, and a Python dictionary as text.
+//! The dictionary is parsed by hand, for the three keys that the format has; anything else is refused rather than guessed.
+//! Format: NumPy Enhancement Proposal 1.
+
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::At;
 
-/// What stands before the numbers of an array.
+/// Header: everything before the numbers of an array.
 pub(super) struct Header {
     /// Type of the numbers, such as `<f8`.
     pub descr: String,

@@ -14,7 +14,7 @@ pub(super) struct Parts(HashMap<&'static str, Vec<u8>>);
 /// Arrays that a sparse matrix may have.
 const NAMES: [&str; 7] = ["format", "shape", "data", "indices", "indptr", "row", "col"];
 
-/// What is wrong in which array.
+/// A problem, with the name of its array.
 type In = (&'static str, At);
 
 impl Parts {
@@ -37,7 +37,7 @@ impl Parts {
     }
 }
 
-/// The matrix in these arrays; what is given several times for one place adds up.
+/// The matrix in these arrays; the values of one place add up.
 pub(super) fn matrix(parts: &Parts) -> Result<MatrixFile, In> {
     let format = parts.array("format")?.text().unwrap_or_default();
     let shape = parts.list("shape")?;

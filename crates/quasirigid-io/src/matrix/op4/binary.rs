@@ -1,3 +1,7 @@
+//! Binary `OUTPUT4`: Fortran records of 32-bit words in either byte order.
+//! Both lengths of each record are compared, so that a file changed by a text transfer is refused where the damage is.
+//! Format: NX Nastran DMAP Programmer's Guide, OUTPUT4.
+
 use super::{Header, Records};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::At;
@@ -8,7 +12,7 @@ pub(super) struct Binary<'a> {
     big_endian: bool,
     /// The next byte.
     next: usize,
-    /// Where what was read last begins.
+    /// First byte of the value read last.
     at: usize,
     /// Where the record begins and ends, without its lengths.
     record: (usize, usize),

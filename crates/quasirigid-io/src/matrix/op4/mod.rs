@@ -43,7 +43,7 @@ trait Records {
     fn column(&mut self) -> Result<[i64; 3], At>;
     /// The next integers, as many as stand before a string.
     fn integers<const N: usize>(&mut self) -> Result<[i64; N], At>;
-    /// Makes ready for values that follow each other.
+    /// Starts a run: values that follow each other.
     fn run(&mut self);
     /// The next value.
     fn value(&mut self) -> Result<f64, At>;
@@ -51,11 +51,11 @@ trait Records {
     fn end(&mut self) -> Result<(), At>;
     /// Ends the column, whatever it has.
     fn skip(&mut self) -> Result<(), At>;
-    /// The line or byte of what was read last.
+    /// The line or byte of the value read last.
     fn at(&self) -> usize;
 }
 
-/// What stands before a matrix.
+/// Header: everything before the columns of a matrix.
 struct Header {
     name: String,
     columns: usize,
@@ -99,7 +99,7 @@ impl Header {
         if self.kind % 2 == 0 { 2 } else { 1 }
     }
 
-    /// An empty matrix, if it is one that is read.
+    /// An empty matrix of the announced size, if form and kind are supported.
     fn listed(&self) -> Result<Listed, At> {
         if self.complex() {
             return Err((self.at, MatrixProblem::Complex));
@@ -169,7 +169,7 @@ fn columns<R: Records>(
     }
 }
 
-/// Strings of values that take so many words with what stands before each.
+/// Adds strings of values that take so many words, each with the integers before it.
 fn strings(
     records: &mut impl Records,
     header: &Header,

@@ -1,3 +1,7 @@
+//! Text `OUTPUT4`: integers of eight columns, and values in the Fortran format that the header of the matrix gives.
+//! Values are cut by columns and not at blanks, because adjacent negative numbers have no blank between them.
+//! Format: NX Nastran DMAP Programmer's Guide, OUTPUT4.
+
 use super::{Header, Records};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::At;
@@ -7,15 +11,15 @@ use crate::matrix::text::number;
 pub(super) struct Text<'a> {
     lines: std::iter::Enumerate<std::str::Lines<'a>>,
     line: usize,
-    /// How the values of this matrix are written.
+    /// Layout of the values of this matrix.
     layout: Layout,
     /// The line of values that is being read.
     values: &'a str,
-    /// How many values were taken from it.
+    /// Number of values taken from the line.
     taken: usize,
 }
 
-/// How many values a line has, and how many characters a value.
+/// Layout of a line: number of values, and characters of each.
 #[derive(Clone, Copy)]
 struct Layout {
     values: usize,
@@ -73,7 +77,7 @@ impl Records for Text<'_> {
 
     fn integers<const N: usize>(&mut self) -> Result<[i64; N], At> {
         let line = self.line()?;
-        // What holds length and row in one word may be wider than others.
+        // A word with both length and row may be wider than eight columns.
         let wide = || line.trim().parse().ok().filter(|_| N == 1).map(|word| [word; N]);
         integers(line).or_else(wide).ok_or_else(|| self.unexpected(line, Row::Op4String))
     }

@@ -1,3 +1,6 @@
+//! PLY header: encoding, elements with their counts, and properties with their types.
+//! A file without coordinates of vertices or corners of faces is refused here, so that the readers of values need not check.
+
 use crate::mesh::error::{Fault, MeshProblem, Part, Place};
 use crate::mesh::file::Encoding;
 
@@ -69,25 +72,25 @@ impl Element {
         self.properties.iter().position(|property| is_list(property) && named(property))
     }
 
-    /// Which properties are x, y and z.
+    /// Indices of the properties x, y and z.
     pub(super) fn axes(&self) -> [usize; 3] {
         ["x", "y", "z"].map(|name| self.axis(name).expect("the header was refused without it"))
     }
 
-    /// Which property lists the corners of a face.
+    /// Index of the property that lists the corners of a face.
     pub(super) fn corners(&self) -> usize {
         self.list().expect("the header was refused without it")
     }
 }
 
-/// What a PLY file says of itself.
+/// Header of a PLY file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
     /// Lines of the header.
     pub lines: usize,
-    /// Its bytes.
+    /// Bytes of the header.
     pub size: usize,
 }
 
@@ -149,7 +152,7 @@ impl Header {
         self.elements.iter().find(|element| element.part == part).ok_or(MeshProblem::Nothing { part })
     }
 
-    /// How many vertices the file announces.
+    /// Number of vertices that the file announces.
     pub(super) fn vertices(&self) -> usize {
         let count = self.element(Part::Vertices).map_or(0, |element| element.count);
         usize::try_from(count).unwrap_or(usize::MAX)

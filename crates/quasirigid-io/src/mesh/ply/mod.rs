@@ -1,3 +1,6 @@
+//! PLY: vertices and faces, among any other elements and properties, in any order.
+//! Unknown elements are read and dropped rather than skipped, since the length of a list stands in the file before each list.
+
 mod header;
 mod values;
 
@@ -85,7 +88,7 @@ fn read_faces(
     Ok(())
 }
 
-/// Reads an element and shows each of its values, of lists too, with the index of the property.
+/// Reads an element and shows each value, entries of lists too, with the index of the property.
 fn read_element<V: Values>(
     element: &Element,
     values: &mut V,

@@ -1,3 +1,6 @@
+//! Values of a PLY file in order, as text (a line for each element) or binary (bytes without gaps).
+//! One trait for both keeps the reading of elements free of the encoding; it also keeps the place of the last number for errors.
+
 use super::header::{Element, Header, Scalar};
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
 use crate::text_file::{number, text};
@@ -12,13 +15,13 @@ pub(super) trait Values {
     fn next(&mut self, scalar: Scalar) -> Result<f64, Fault>;
     /// Ends the element.
     fn finish(&mut self) -> Result<(), Fault>;
-    /// Where the last number was.
+    /// Place of the last number.
     fn place(&self) -> Place;
-    /// Where something follows after the last element, if it does.
+    /// Place of the first thing after the last element, if there is one.
     fn surplus(&mut self) -> Option<Place>;
 }
 
-/// How far reading has come among elements of a kind.
+/// Progress among the elements of a kind.
 struct Progress {
     part: Part,
     announced: u64,
@@ -101,7 +104,7 @@ impl Values for Text<'_> {
 pub(super) struct Binary<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Where the last number starts.
+    /// First byte of the last number.
     last: usize,
     big_endian: bool,
     progress: Progress,

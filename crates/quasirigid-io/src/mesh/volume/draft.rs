@@ -1,3 +1,6 @@
+//! Mesh under construction: nodes and cells by the labels of their file, sets by name.
+//! Labels are arbitrary 64-bit numbers, so indices come from a hash map and not from a table as long as the greatest label.
+
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 

@@ -57,7 +57,7 @@ pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     Ok(mesh)
 }
 
-/// How a file is written.
+/// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Gmsh,

@@ -1,23 +1,26 @@
+//! Errors of volume meshes of gmsh, VTK and Abaqus.
+//! Apart from the errors of surfaces because no surface file can have them; every message ends with a remedy or a question.
+
 use std::path::PathBuf;
 
 use thiserror::Error;
 
 use super::Part;
 
-/// What is wrong with a file of nodes and cells.
+/// Problem of a file of nodes and cells.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum VolumeProblem {
-    /// Its beginning is not that of a known format.
+    /// A file whose beginning is that of no known format.
     #[error(
         "the file begins with {start:?}, as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
          .vtu of VTK, or .inp of Abaqus or CalculiX"
     )]
     NotAMesh {
-        /// Its first characters.
+        /// First characters of the file.
         start: String,
     },
-    /// No cell in it.
+    /// A file without cells.
     #[error(
         "the file has no cells; were they left out when it was written, perhaps for lack of physical groups?"
     )]
@@ -34,7 +37,7 @@ pub enum VolumeProblem {
          first or second order are, but no wedges of 18 nodes"
     )]
     Kind {
-        /// Its type, as the file says it, with its name where that is known.
+        /// Type of the cell, as the file says it, with its name where that is known.
         found: String,
     },
     /// A coordinate that is NaN or infinite.
@@ -88,9 +91,9 @@ pub enum VolumeProblem {
     /// A cell with too few or too many nodes.
     #[error("{found} nodes for a {shape}; is the type of the cell right?")]
     NodeCount {
-        /// How many the file has.
+        /// Number of nodes that the file has.
         found: u64,
-        /// What the cell is.
+        /// Shape of the cell.
         shape: String,
     },
     /// A line that is no beginning of a gmsh section.
@@ -104,17 +107,17 @@ pub enum VolumeProblem {
     /// A section that does not end.
     #[error("the section ${section} does not end; was the file cut off?")]
     NoSectionEnd {
-        /// Its name.
+        /// Name of the section.
         section: String,
     },
     /// A section that ends early.
     #[error("the section ends after {found} of {announced} {part}; is the number wrong?")]
     Short {
-        /// What is missing.
+        /// Part that is missing.
         part: Part,
-        /// How many the section announces.
+        /// Number that the section announces.
         announced: u64,
-        /// How many it has.
+        /// Number found.
         found: u64,
     },
     /// A mesh in parts for several computers.
@@ -125,7 +128,7 @@ pub enum VolumeProblem {
     NoSuchEntity {
         /// 0 for points to 3 for volumes.
         dimension: i64,
-        /// Its number.
+        /// Number of the entity.
         tag: i64,
     },
     /// A line that is not known in a VTK file.
@@ -168,13 +171,13 @@ pub enum VolumeProblem {
     /// An array whose text is no base64.
     #[error("the array {array:?} is not base64 text, or it is cut off; was the file edited?")]
     Base64 {
-        /// Its name.
+        /// Name.
         array: String,
     },
     /// An array whose compressed bytes are damaged.
     #[error("block {block} of the array {array:?} cannot be decompressed; is the file damaged?")]
     Compressed {
-        /// Its name.
+        /// Name.
         array: String,
         /// The block, from 0.
         block: u64,
@@ -184,25 +187,25 @@ pub enum VolumeProblem {
         "array {array:?} decompresses to more than {limit} bytes, which is more than its cells and points need; is the file damaged?"
     )]
     Inflated {
-        /// Its name.
+        /// Name.
         array: String,
-        /// Bytes that it may have.
+        /// Bytes that the array may have.
         limit: u64,
     },
     /// A compression that is not read.
     #[error("the compression {found:?} is not read; save with zlib or without compression")]
     Compressor {
-        /// Its name.
+        /// Name.
         found: String,
     },
     /// An array with a wrong number of values.
     #[error("the array {array:?} has {found} values instead of {expected}; is the file damaged?")]
     ArrayLength {
-        /// Its name.
+        /// Name.
         array: String,
-        /// How many it has.
+        /// Number found.
         found: u64,
-        /// How many there should be.
+        /// Number of values expected.
         expected: u64,
     },
     /// Offsets of cells that do not rise.
@@ -212,11 +215,11 @@ pub enum VolumeProblem {
     Offset {
         /// The cell, from 0.
         cell: u64,
-        /// Where its nodes start.
+        /// Index of the first node of the cell.
         start: u64,
-        /// Where they end.
+        /// Index after the last node of the cell.
         end: u64,
-        /// How many there are.
+        /// Number of values found.
         total: u64,
     },
     /// Data of an Abaqus file that make or move nodes and cells and are not read.
@@ -230,7 +233,7 @@ pub enum VolumeProblem {
     /// More than one body in an Abaqus file, or a body that is moved.
     #[error("{found}; save a flattened file: one part, where it is, without instances")]
     Assembly {
-        /// What there is: a second part, a second instance, an instance that is moved.
+        /// Obstacle: a second part, a second instance, an instance that is moved.
         found: String,
     },
     /// A keyword of an Abaqus file without a parameter that it needs.

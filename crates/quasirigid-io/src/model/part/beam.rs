@@ -1,3 +1,6 @@
+//! Beam reader: `[[beam]]`, a frame of named nodes and straight lines, all of one section and one material.
+//! Each line is divided into elements; memory is asked for before they exist, since a file can demand any number.
+
 use quasirigid::elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
 
 use super::super::names;
@@ -30,7 +33,7 @@ const BEAM: Keys = Keys {
     ],
 };
 
-/// Elements of a line unless the file chooses another number: the energy of a bent cantilever is then right to 4e-6.
+/// Elements of a line unless the file chooses another number: the relative error of the energy of a bent cantilever is then 4e-6.
 const ELEMENTS: usize = 8;
 const MOST_ELEMENTS: usize = 10_000;
 /// Bytes that an element takes at least: its own, and six rows of some ten matrices.

@@ -1,3 +1,7 @@
+//! Connection reader: `[[connection]]`, a weld, a hinge about one or two axes, or a ball between parts or to the carrier.
+//! No axes means a weld: the joint is told by its axes alone, and stiffness and damping have one entry for each.
+//! Equations (K1) and (K2), docs/theory/12-structures.md.
+
 use quasirigid::elements::{Anchor, Connection, ElementKind};
 
 use super::super::names::{Names, Part};

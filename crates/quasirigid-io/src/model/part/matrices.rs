@@ -4,7 +4,7 @@ use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};
 use super::super::rheology::{Scale, rheology};
 use super::super::table::{Keys, Table};
-use super::nodal::{Given, Rows, Units, freedom_list, node_table};
+use super::nodal::{Given, Rows, Units, dof_list, node_table};
 use super::{Nodes, Read, attached, masses, rayleigh};
 
 pub(in crate::model) const READER: Reader = Reader {
@@ -27,7 +27,7 @@ const MATRICES: Keys = Keys {
     known: &[
         "name",
         "nodes",
-        "freedoms",
+        "dofs",
         "mass",
         "stiffness",
         "damping",
@@ -43,7 +43,7 @@ const MATRICES: Keys = Keys {
 /// Reads `[[matrices]]`: mass, stiffness and damping between the nodes of a table.
 pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let folder = sources.folder;
-    let (units, nodes, listed) = (Units::new(table), node_table(table, folder), freedom_list(table, folder));
+    let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
     let stiffness = Given::required(table, "stiffness", "stiffness = \"bracket.sti\"", folder);
     let mass = Given::required(table, "mass", "mass = \"bracket.mas\"", folder);
     let damping = Given::optional(table, "damping", folder);

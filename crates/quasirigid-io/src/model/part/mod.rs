@@ -1,4 +1,4 @@
-//! Parts of finite elements: beams, panels, solids, matrices and modes, how they are held, and how a file names their nodes.
+//! Parts of finite elements: beams, panels, solids, matrices and modes, their attachments, and the names of their nodes.
 
 pub(super) mod beam;
 pub(super) mod connection;
@@ -23,7 +23,7 @@ use masses::masses;
 pub(super) use nodes::Nodes;
 pub(super) use reduction::reduction;
 
-/// A part, how its nodes are named, and the ranges of its rheologies in the order of its regions, members or layers.
+/// A part, the names of its nodes, and the ranges of its rheologies in the order of its regions, members or layers.
 pub(super) struct Read {
     pub(super) part: Part,
     pub(super) nodes: Nodes,

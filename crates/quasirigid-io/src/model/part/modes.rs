@@ -1,3 +1,7 @@
+//! Mode reader: `[[modes]]`, shapes over nodes from another program, with the mass at the nodes and a spectrum or matrices.
+//! A shape of the interface has the unit of length of the files and any other has none, so each coordinate has its own scale to SI.
+//! Equation (K10), docs/theory/12-structures.md.
+
 use std::path::Path;
 
 use quasirigid::elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
@@ -8,7 +12,7 @@ use super::super::rheology::{Scale, rheology};
 use super::super::surface::unit_of;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
-use super::nodal::{Given, Rows, Units, freedom_list, node_table};
+use super::nodal::{Given, Rows, Units, dof_list, node_table};
 use super::{Nodes, Read, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
@@ -33,7 +37,7 @@ const MODES: Keys = Keys {
     known: &[
         "name",
         "nodes",
-        "freedoms",
+        "dofs",
         "mass",
         "masses",
         "shapes",
@@ -52,10 +56,10 @@ const MODES: Keys = Keys {
 
 const NUMBERS: Keys = Keys { known: &["file", "name", "unit"] };
 
-/// Reads `[[modes]]`: shapes over the nodes of a table, the mass there, and what resists the shapes.
+/// Reads `[[modes]]`: shapes over the nodes of a table, the mass at the nodes, and the frequencies or matrices of the shapes.
 pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let folder = sources.folder;
-    let (units, nodes, listed) = (Units::new(table), node_table(table, folder), freedom_list(table, folder));
+    let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
     let shapes = Given::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
     let given_mass = Given::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
     let stiffness = Given::optional(table, "stiffness", folder);
@@ -88,7 +92,7 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         },
         None => spectrum(table, coordinates.scales.len(), folder)?,
     };
-    let shapes = coordinates.shapes(&shapes, &rows, mass.freedoms.len())?;
+    let shapes = coordinates.shapes(&shapes, &rows, mass.dofs.len())?;
     let given = GivenModes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
     let (masses, attached) = (masses(table, &labels), attached(table, &labels));
     let part = Part {
@@ -119,16 +123,16 @@ fn interface(table: &Table<'_>, labels: &Nodes) -> Option<Vec<usize>> {
     value.list("a list of nodes", |node| labels.single(&node))
 }
 
-/// Reads the mass at each node, and says it of the displacements of the node that have a row.
+/// Reads a lumped mass for each node, and gives it to the displacements of the node that have a row.
 fn lumps(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
     let masses = column(given, nodal.nodes.len(), "node")?;
     let of_row = |(row, (node, component)): (usize, &(usize, usize))| {
         (*component < 3).then_some((row, row, units.mass * masses[*node]))
     };
-    Some(nodal.freedoms.iter().enumerate().filter_map(of_row).collect())
+    Some(nodal.dofs.iter().enumerate().filter_map(of_row).collect())
 }
 
-/// The numbers of a file that has one for each of something.
+/// Reads the numbers of a file with one number for each node or mode.
 fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
     let MatrixFile { rows, columns, .. } = given.matrix;
     if (rows, columns) != (count, 1) && (rows, columns) != (1, count) {
@@ -178,7 +182,7 @@ fn numbers(value: &Value<'_>, dimension: Dimension, modes: usize, folder: &Path)
     Some(column(&given, modes, "mode")?.into_iter().map(|number| unit * number).collect())
 }
 
-/// Generalised coordinates, and what the unit of a file makes of them.
+/// Generalised coordinates, and their scales from the units of the files.
 struct Coordinates<'u> {
     units: &'u Units,
     /// SI units in one unit of each: metres for displacements of the interface, one for the others.
@@ -210,10 +214,10 @@ impl<'u> Coordinates<'u> {
         Some(given.matrix.entries.iter().map(entry).collect())
     }
 
-    /// The shapes in SI units, a row for each of so many freedoms.
-    fn shapes(&self, given: &Given<'_>, rows: &Rows<'_>, freedoms: usize) -> Option<Vec<Vec<f64>>> {
+    /// The shapes in SI units, a row for each of so many degrees of freedom.
+    fn shapes(&self, given: &Given<'_>, rows: &Rows<'_>, dofs: usize) -> Option<Vec<Vec<f64>>> {
         let numbers = rows.numbers_of(given)?;
-        let mut shapes = vec![vec![0.0; self.scales.len()]; freedoms];
+        let mut shapes = vec![vec![0.0; self.scales.len()]; dofs];
         for (row, column, share) in &given.matrix.entries {
             let row = numbers[*row];
             let unit = self.units.length.powi(1 - rows.turns(row)) / self.scales[*column];

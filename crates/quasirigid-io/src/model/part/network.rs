@@ -1,3 +1,7 @@
+//! Network reader: `[[network]]`, random points in an ellipsoid and springs between near ones.
+//! A network becomes points and springs at once, so errors of those point back to this table; the expected number of points is
+//! limited before any is drawn.
+
 use quasirigid::elements::{ElementKind, Network};
 
 use super::super::body::FEWEST_POINTS;
@@ -30,7 +34,7 @@ const NETWORK: Keys = Keys {
 
 /// Most points that a network may be expected to have.
 const MOST_POINTS: f64 = 1e5;
-/// Reach of the springs over the least distance of points, unless the file chooses another.
+/// Reach of the springs over the least distance of points, unless the file gives the reach.
 const REACH: f64 = 2.3;
 /// Longest springs over the least distance of points.
 const LONGEST: f64 = 10.0;

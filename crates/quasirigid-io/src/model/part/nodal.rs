@@ -1,3 +1,7 @@
+//! Matrices and nodes from the files of another program: rows matched to degrees of freedom, numbers taken to SI units.
+//! Files name their rows in three ways (labels of their own, a list, or the order of the nodes); all are brought to one numbering.
+//! Equation (K9), docs/theory/12-structures.md, uses the entries.
+
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -6,12 +10,12 @@ use quasirigid::elements::NodalMass;
 use super::super::surface::unit_of;
 use super::super::table::{Keys, Table};
 use super::super::value::Value;
-use crate::matrix::{Freedom, MatrixFile, NodeTable, read_freedoms, read_matrix, read_nodes};
+use crate::matrix::{Dof, MatrixFile, NodeTable, read_dofs, read_matrix, read_nodes};
 use crate::units::Dimension;
 
 const FILE: Keys = Keys { known: &["file", "name"] };
 
-/// Units of the numbers in the files of another program; the second is that of time.
+/// Units of the numbers in the files of another program; their unit of time is the second.
 pub(super) struct Units {
     pub length: f64,
     pub mass: f64,
@@ -44,7 +48,7 @@ impl<'a> Given<'a> {
         }
     }
 
-    /// Reads the matrix that the keys `file` and `name` of a table are about.
+    /// Reads the matrix that the keys `file` and `name` of a table name.
     pub(super) fn in_table(value: Value<'a>, table: &Table<'a>, folder: &Path) -> Option<Self> {
         let name = match table.get("name") {
             Some(name) => Some(name.text()?),
@@ -91,9 +95,9 @@ pub(super) fn node_table(table: &Table<'_>, folder: &Path) -> Option<NodeTable> 
     opened(&value, folder, read_nodes)
 }
 
-/// Reads the list `freedoms` of what rows are about, if there is one.
-pub(super) fn freedom_list(table: &Table<'_>, folder: &Path) -> Option<Option<Vec<Freedom>>> {
-    table.get("freedoms").map_or(Some(None), |value| opened(&value, folder, read_freedoms).map(Some))
+/// Reads the list `dofs`, the degrees of freedom of the rows, if there is one.
+pub(super) fn dof_list(table: &Table<'_>, folder: &Path) -> Option<Option<Vec<Dof>>> {
+    table.get("dofs").map_or(Some(None), |value| opened(&value, folder, read_dofs).map(Some))
 }
 
 /// Reads a file that a value names, looked for beside the model.
@@ -111,57 +115,54 @@ fn opened<T, E: std::fmt::Display>(
     read(&path).map_or_else(refuse, Some)
 }
 
-/// Rows of the matrices of a part, one for each freedom.
+/// Rows of the matrices of a part, one for each degree of freedom.
 pub(super) struct Rows<'f> {
     nodes: &'f NodeTable,
-    /// Freedoms of the rows where a matrix does not say them itself.
-    listed: Option<&'f [Freedom]>,
-    /// Number of each freedom among those of all matrices.
-    numbers: BTreeMap<Freedom, usize>,
-    /// Index of the node of each freedom, and its component from 0.
+    /// Degrees of freedom of the rows of matrices without labels of their own.
+    listed: Option<&'f [Dof]>,
+    /// Number of each degree of freedom among those of all matrices.
+    numbers: BTreeMap<Dof, usize>,
+    /// Index of the node of each degree of freedom, and its component from 0.
     places: Vec<(usize, usize)>,
 }
 
 impl<'f> Rows<'f> {
     /// The rows of all these matrices.
-    pub(super) fn new(
-        files: &[&Given<'_>],
-        listed: Option<&'f [Freedom]>,
-        nodes: &'f NodeTable,
-    ) -> Option<Self> {
+    pub(super) fn new(files: &[&Given<'_>], listed: Option<&'f [Dof]>, nodes: &'f NodeTable) -> Option<Self> {
         let mut rows = Self { nodes, listed, numbers: BTreeMap::new(), places: Vec::new() };
         let indices: BTreeMap<u64, usize> =
             nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
         let mut found = BTreeMap::new();
         for file in files {
-            for freedom in rows.of(file)? {
-                let index = indices.get(&freedom.node).copied();
-                let component = usize::from(freedom.component).checked_sub(1).filter(|known| *known < 6);
+            for dof in rows.of(file)? {
+                let index = indices.get(&dof.node).copied();
+                let component = usize::from(dof.component).checked_sub(1).filter(|known| *known < 6);
                 let Some(place) = index.zip(component) else {
                     let help = "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
-                    let message = format!("there is no freedom {freedom} of a node in the table `nodes`");
+                    let message =
+                        format!("there is no degree of freedom {dof} of a node in the table `nodes`");
                     return file.value.refuse(message, "a row without a node", Some(help.to_owned()));
                 };
-                found.insert(freedom, place);
+                found.insert(dof, place);
             }
         }
         rows.places = found.values().copied().collect();
-        rows.numbers = found.into_keys().enumerate().map(|(number, freedom)| (freedom, number)).collect();
+        rows.numbers = found.into_keys().enumerate().map(|(number, dof)| (dof, number)).collect();
         Some(rows)
     }
 
-    /// The nodes in SI units, with what each row is about and no mass.
+    /// The nodes in SI units, with the degree of freedom of each row and no mass.
     pub(super) fn nodal(&self, units: &Units) -> NodalMass {
         let nodes = self.nodes.nodes();
         NodalMass {
             nodes: nodes.iter().map(|node| node.place.map(|entry| units.length * entry)).collect(),
             node_labels: nodes.iter().map(|node| node.label).collect(),
-            freedoms: self.places.clone(),
+            dofs: self.places.clone(),
             entries: Vec::new(),
         }
     }
 
-    /// Entries of a square matrix in SI units, by the numbers of their freedoms.
+    /// Entries of a square matrix in SI units, by the numbers of their degrees of freedom.
     pub(super) fn entries(&self, given: &Given<'_>, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
         let numbers = self.numbers_of(given)?;
         let entry = |(row, column, entry): &(usize, usize, f64)| {
@@ -172,38 +173,38 @@ impl<'f> Rows<'f> {
         Some(given.matrix.entries.iter().map(entry).collect())
     }
 
-    /// Number of the freedom of each row of a matrix.
+    /// Number of the degree of freedom of each row of a matrix.
     pub(super) fn numbers_of(&self, given: &Given<'_>) -> Option<Vec<usize>> {
-        Some(self.of(given)?.iter().map(|freedom| self.numbers[freedom]).collect())
+        Some(self.of(given)?.iter().map(|dof| self.numbers[dof]).collect())
     }
 
-    /// 1 for a row that is about a rotation, 0 for a displacement.
+    /// 1 for the row of a rotation, 0 for that of a displacement.
     pub(super) fn turns(&self, row: usize) -> i32 {
         i32::from(self.places[row].1 >= 3)
     }
 
-    /// What the rows of a matrix are about: as it says itself, as a list says, or all components of every node.
-    fn of(&self, given: &Given<'_>) -> Option<Vec<Freedom>> {
+    /// Degrees of freedom of the rows of a matrix: its own labels, a list, or all components of every node.
+    fn of(&self, given: &Given<'_>) -> Option<Vec<Dof>> {
         let MatrixFile { rows, labels, .. } = &given.matrix;
         if let Some(labels) = labels {
             return Some(labels.clone());
         }
         let nodes = self.nodes.nodes();
         let per_node = if *rows == 6 * nodes.len() { 6 } else { 3 };
-        let freedoms = match self.listed {
+        let dofs = match self.listed {
             Some(listed) => listed.to_vec(),
             None => {
                 let of_node =
-                    |label: u64| (1..=per_node).map(move |component| Freedom { node: label, component });
+                    |label: u64| (1..=per_node).map(move |component| Dof { node: label, component });
                 nodes.iter().flat_map(|node| of_node(node.label)).collect()
             }
         };
-        if freedoms.len() == *rows {
-            return Some(freedoms);
+        if dofs.len() == *rows {
+            return Some(dofs);
         }
-        let message = format!("the matrix has {rows} rows, but {} freedoms are known", freedoms.len());
-        let help = "say what each row is about: freedoms = \"bracket.dof\", with lines node.component; without it the rows \
+        let message = format!("the matrix has {rows} rows, but {} degrees of freedom are known", dofs.len());
+        let help = "say what each row is about: dofs = \"bracket.dof\", with lines node.component; without it the rows \
                     are the three or six components of each node in the order of the table";
-        given.value.refuse(message, "rows without freedoms", Some(help.to_owned()))
+        given.value.refuse(message, "rows without `dofs`", Some(help.to_owned()))
     }
 }

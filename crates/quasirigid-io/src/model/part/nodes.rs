@@ -1,3 +1,6 @@
+//! Names of the nodes of a part: by name, by number, or in sets.
+//! One lookup serves beams (names), matrices (labels) and meshes (labels and sets), so that references are written alike for all.
+
 use std::collections::HashMap;
 
 use quasirigid_mesh::Mesh;
@@ -5,7 +8,7 @@ use quasirigid_mesh::Mesh;
 use super::super::names::suggestion;
 use super::super::value::Value;
 
-/// How a file names the nodes of a part: by name, by number, or in sets.
+/// Node lookup of a part: by name, by number, or in sets.
 #[derive(Clone, Debug, Default)]
 pub(in crate::model) struct Nodes {
     names: HashMap<String, usize>,

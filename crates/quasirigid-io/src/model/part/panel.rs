@@ -1,3 +1,6 @@
+//! Panel reader: `[[panel]]`, a layered shell on a mesh from a file, or on a rectangle that is meshed here.
+//! Angles of layers count from `reference`; by default that is the first side of the first cell, so it depends on the mesh.
+
 use std::sync::Arc;
 
 use quasirigid::elements::{ElementKind, Layer, Panel, Part, PartKind};
@@ -50,7 +53,7 @@ const LAYER: Keys = Keys { known: &["material", "thickness", "angle"] };
 
 const MOST_CELLS: usize = 1000;
 
-/// Reads a `[[panel]]`: from a file, or a rectangle of so many cells.
+/// Reads a `[[panel]]`: from a file, or a rectangle of a given number of cells.
 pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let mesh = match table.get("rectangle") {
         Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)),
@@ -88,8 +91,8 @@ fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes
         .required("thickness", "thickness = \"2 mm\"")
         .and_then(|value| value.positive(Dimension::LENGTH));
     let angle = table.get("angle").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
-    let (substance, extremes) = material?;
-    Some((Layer { substance, thickness: thickness?, angle: angle? }, extremes))
+    let (material, extremes) = material?;
+    Some((Layer { material, thickness: thickness?, angle: angle? }, extremes))
 }
 
 /// Direction of the first side of the first cell.
@@ -115,7 +118,7 @@ fn span_a_plane(rectangle: &Table<'_>, sides: [[f64; 3]; 2]) -> Option<[[f64; 3]
 /// Bytes that a cell takes at least: an element for each of two materials, and six rows of some ten matrices.
 const CELL: f64 = 12_000.0;
 
-/// A parallelogram with a corner at the origin: its edges are the sets `left`, `right` (at the end of the first side),
+/// Meshes a parallelogram with a corner at the origin: its edges are the sets `left`, `right` (at the end of the first side),
 /// `bottom` and `top` (at the end of the second), its corners `left bottom` and so on.
 fn rectangle(value: &Value<'_>) -> Option<Mesh> {
     if !value.is_table() {

@@ -10,14 +10,14 @@ use super::super::value::Value;
 use crate::mesh::read_mesh;
 use crate::units::Dimension;
 
-/// Where a mesh stands in the file's frame.
+/// Placement of a mesh in the file's frame.
 struct Placement {
     position: [f64; 3],
-    /// Turns components along the axes of the mesh into those along the file's.
+    /// Rotation from components along the axes of the mesh to those along the file's.
     attitude: Attitude,
 }
 
-/// Reads the mesh of a part, in the file's frame; a line such as `example` is missing if it has none.
+/// Reads the mesh of a part, in the file's frame; a part without one is told to add a line such as `example`.
 pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Mesh> {
     let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
     let placement = placement(table);
@@ -29,7 +29,7 @@ pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Me
     Some(mesh)
 }
 
-/// A mesh that is made here, in the file's frame.
+/// Places a mesh that is made here in the file's frame.
 pub(super) fn placed(table: &Table<'_>, mut mesh: Mesh) -> Option<Mesh> {
     let placement = placement(table)?;
     mesh.nodes.iter_mut().for_each(|node| *node = placement.of(*node));

@@ -6,7 +6,7 @@ const REDUCTION: Keys = Keys { known: &["modes"] };
 
 const MOST_MODES: usize = 500;
 
-/// Reads `[reduction]`: how many coordinates the parts are given beside those that the order asks for.
+/// Reads `[reduction]`: number of coordinates of the parts beside those that the order asks for.
 pub(in crate::model) fn reduction(file: &Table<'_>) -> Option<PartReduction> {
     let default = PartReduction::default();
     let Some(table) = file.table("reduction", "[reduction]", &REDUCTION) else {

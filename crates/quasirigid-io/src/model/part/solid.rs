@@ -1,3 +1,6 @@
+//! Solid reader: `[[solid]]`, a mesh of cells of one material, or of several by sets.
+//! Every solid cell must be in exactly one set: a cell without a material would be a hole, one with two would count twice.
+
 use std::sync::Arc;
 
 use quasirigid::elements::{ElementKind, Part, PartKind, Region, Solid};
@@ -45,7 +48,7 @@ const SOLID: Keys = Keys {
     ],
 };
 
-/// Reads a `[[solid]]`: of one material, or of several by sets of its cells.
+/// Reads a `[[solid]]` of one material, or of several by sets of its cells.
 pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let mesh = mesh(table, sources.folder, "file = \"bracket.msh\"");
     let axes = match table.get("axes") {
@@ -73,9 +76,9 @@ fn one(
     axes: [[f64; 3]; 3],
 ) -> Option<(Region, Extremes)> {
     let help = "material = \"aluminium\", or materials = { SET = \"aluminium\" }";
-    let (substance, extremes) =
+    let (material, extremes) =
         table.required("material", help).and_then(|value| sources.materials.named(&value))?;
-    Some((Region { cells: solid_cells(mesh).collect(), substance, axes }, extremes))
+    Some((Region { cells: solid_cells(mesh).collect(), material, axes }, extremes))
 }
 
 /// Reads the materials of sets of cells; every solid cell is in one of them.
@@ -98,8 +101,8 @@ fn several(
     for (_, entry) in entries {
         let cells = cells_of(&entry, mesh)?;
         cells.iter().for_each(|cell| owners[*cell] += 1);
-        let (substance, extremes) = sources.materials.named(&entry)?;
-        regions.push((Region { cells, substance, axes }, extremes));
+        let (material, extremes) = sources.materials.named(&entry)?;
+        regions.push((Region { cells, material, axes }, extremes));
     }
     let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
     let Some(first) = wrong.first() else { return Some(regions) };

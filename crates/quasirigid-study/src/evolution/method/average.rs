@@ -1,9 +1,9 @@
-//! Averages: when they are taken.
+//! Choice of the average: its criteria, probes of the full system, and the response in the spinning frame.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use quasirigid::averaging::{Evolution, HillResponse, MeanPower, Stage};
+use quasirigid::averaging::{Evolution, HillResponse, MeanPower, RotationState};
 use quasirigid::reduction::frequencies;
 use quasirigid::secular::{AverageCriteria, CalibratedPower, MeasureError, MeasureOptions, Probes};
 use quasirigid_math::vec3::norm;
@@ -11,67 +11,67 @@ use quasirigid_math::vec3::norm;
 use super::full::REFUSED;
 use super::short_or_full::Choice;
 use super::steady_spins::Ground;
-use super::verdict::Road;
+use super::verdict::ChosenMethod;
 use crate::error::StudyError;
-use crate::evolution::ageing::Ageing;
+use crate::evolution::secular::SecularEvolution;
 use crate::words::{significant, time};
 
 /// Places of the way at which parametric resonance is looked for.
 const LOOKS: usize = 4;
-/// Ratio of the spin to the slowest elastic frequency from which an average is held against short runs of the full system, and the
-/// steps that each may take.
+/// Ratio of the spin to the slowest elastic frequency from which an average is compared with short runs of the full system, and the
+/// steps of each run at most.
 const PROBED: f64 = 0.1;
 const PROBE_STEPS: u64 = 3_000_000;
 /// Coordinates up to which the response in the spinning frame is tried.
 const FEW_COORDINATES: usize = 120;
-/// Wobble (rad) at which the rates of the modes say no more than the average.
+/// Wobble (rad) at which the rates of the modes are no better than the average.
 const WIDE: f64 = 0.6;
 /// Least error that is claimed for the rates of the modes.
 const LEAST: f64 = 1e-3;
-/// The same of liquids whose boundary layer is that of a liquid at rest in a turned frame.
+/// Least error for liquids whose boundary layer is that of a liquid at rest in a turned frame.
 const OF_LIQUIDS: f64 = 0.02;
 
 impl Choice<'_> {
     /// The average if it holds: from the reduced equations, from the harmonics, or from those of the spinning frame.
     pub fn average(
         &self,
-        ageing: &mut Ageing,
+        secular: &mut SecularEvolution,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Option<Road>, StudyError> {
+    ) -> Result<Option<ChosenMethod>, StudyError> {
         let hill = self.spinning_frame();
-        ageing.verdict.parametric = hill.as_ref().and_then(|hill| self.parametric(hill));
-        if ageing.verdict.parametric.is_some() {
+        secular.verdict.parametric = hill.as_ref().and_then(|hill| self.parametric(hill));
+        if secular.verdict.parametric.is_some() {
             return Ok(None);
         }
-        if let Some(road) = self.accepted(self.criteria(ageing), ageing.power(), watch)? {
+        if let Some(road) = self.accepted(self.criteria(secular), secular.power(), watch)? {
             return Ok(Some(road));
         }
-        if ageing.by_polynomial && !ageing.power_was_asked {
-            ageing.take_harmonics();
-            if let Some(road) = self.accepted(self.criteria(ageing), ageing.power(), watch)? {
+        if secular.by_polynomial && !secular.power_was_asked {
+            secular.take_harmonics();
+            if let Some(road) = self.accepted(self.criteria(secular), secular.power(), watch)? {
                 return Ok(Some(road));
             }
         }
-        let Some(hill) = hill.filter(|_| !ageing.power_was_asked) else { return Ok(None) };
-        let evolution = Evolution::new(&hill, self.ground.range.momentum());
-        let share = |stage: Stage| hill.share(&evolution.motion(stage)).unwrap_or(f64::INFINITY);
+        let Some(hill) = hill.filter(|_| !secular.power_was_asked) else { return Ok(None) };
+        let evolution = Evolution::new(&hill, self.ground.range.angular_momentum());
+        let share = |stage: RotationState| hill.share(&evolution.motion(stage)).unwrap_or(f64::INFINITY);
         let share = self.way.ends.map(share).into_iter().fold(0.0, f64::max);
         let criteria = self.ground.criteria(&hill, self.way.ends);
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let road = self.accepted(criteria, &hill, watch)?;
         if road.is_some() {
-            ageing.take_hill(hill);
+            secular.take_hill(hill);
         }
         Ok(road)
     }
 
-    /// An average whose criteria hold and that short runs of the full system bear out.
+    /// An average whose criteria hold and that short runs of the full system confirm.
     pub fn accepted(
         &self,
         criteria: AverageCriteria,
         power: &dyn MeanPower,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Option<Road>, StudyError> {
+    ) -> Result<Option<ChosenMethod>, StudyError> {
         if !criteria.hold() {
             return Ok(None);
         }
@@ -80,7 +80,7 @@ impl Choice<'_> {
         Ok(criteria.hold().then(|| self.averaged(criteria)))
     }
 
-    /// Short runs of the full system on the way; none of a body that is stiff, or has no equations of motion for what it loses.
+    /// Short runs of the full system on the way; none of a body that is stiff, or whose losses have no equations of motion.
     pub fn probes(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -105,9 +105,9 @@ impl Choice<'_> {
     }
 
     /// The average, with the error of its time.
-    pub fn averaged(&self, criteria: AverageCriteria) -> Road {
+    pub fn averaged(&self, criteria: AverageCriteria) -> ChosenMethod {
         let revolutions = self.ground.revolutions(self.way.ends).unwrap_or(f64::INFINITY);
-        Road::Average { error: criteria.time_error(revolutions) }
+        ChosenMethod::Average { error: criteria.time_error(revolutions) }
     }
 
     /// The response in the spinning frame; none of a body of many coordinates.
@@ -118,7 +118,7 @@ impl Choice<'_> {
 
     /// A vibration that grows from nothing on the way, in words; none if none does.
     pub fn parametric(&self, hill: &HillResponse) -> Option<String> {
-        let evolution = Evolution::new(hill, self.ground.range.momentum());
+        let evolution = Evolution::new(hill, self.ground.range.angular_momentum());
         let [from, to] = self.way.ends;
         evolution.stages(from, to, LOOKS).find_map(|stage| {
             let motion = evolution.motion(stage);
@@ -134,12 +134,12 @@ impl Choice<'_> {
     }
 
     /// The average at the rates of the modes, for small wobbles.
-    pub fn calibrated(&self, ageing: &mut Ageing) -> Result<Road, String> {
-        if !ageing.lossy {
-            ageing.take_harmonics();
+    pub fn calibrated(&self, secular: &mut SecularEvolution) -> Result<ChosenMethod, String> {
+        if !secular.viscoelastic {
+            secular.take_harmonics();
         }
         let Ground { range, poles, .. } = self.ground;
-        let power = CalibratedPower::new(ageing.shared(), range.momentum(), |mode| poles.rate(mode));
+        let power = CalibratedPower::new(secular.shared(), range.angular_momentum(), |mode| poles.rate(mode));
         if self.way.ends.iter().any(|stage| poles.rate(stage.mode).is_none_or(|rate| rate <= 0.0)) {
             return Err(
                 "the modes about the steady spins give no rate at which a small wobble changes".into()
@@ -168,6 +168,6 @@ impl Choice<'_> {
             ));
         }
         let least = if self.body.memories().is_empty() { LEAST } else { OF_LIQUIDS };
-        Ok(Road::Calibrated { power: Arc::new(power), error: error.max(least).max(liquids) })
+        Ok(ChosenMethod::Calibrated { power: Arc::new(power), error: error.max(least).max(liquids) })
     }
 }

@@ -1,20 +1,20 @@
-//! Roads of the full system: short runs, and the history from start to end.
+//! Methods of the full system: short runs, and the history from start to end.
 
 use std::ops::ControlFlow;
 
 use quasirigid::secular::{
-    DirectEnding, DirectOptions, DirectRow, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
+    DirectOptions, DirectRow, DirectStopReason, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
 };
 
 use super::short_or_full::{Choice, MANY};
 use super::steady_spins::Ground;
-use super::verdict::Road;
+use super::verdict::ChosenMethod;
 use crate::error::StudyError;
 use crate::words::{significant, time};
 
 /// Steps of a history.
 const STEPS: u64 = 30_000_000;
-/// Steps of one that is followed unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes of work.
+/// Steps of a history that is followed unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes.
 const WORK: f64 = 1e9;
 /// Error allowed per step of the full system, relative.
 const TOLERANCE: f64 = 1e-10;
@@ -28,7 +28,10 @@ pub const REFUSED: f64 = 0.03;
 
 impl Choice<'_> {
     /// The power measured by short runs.
-    pub fn measured(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Road, MeasureError> {
+    pub fn measured(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<ChosenMethod, MeasureError> {
         let Ground { range, poles, .. } = self.ground;
         let settled = self.settled(watch)?;
         let [from, to] = self.way.ends;
@@ -38,10 +41,10 @@ impl Choice<'_> {
         if power.error > REFUSED {
             return Err(MeasureError::Unsettled { change: power.error });
         }
-        Ok(Road::Measured(Box::new(power), settled))
+        Ok(ChosenMethod::Measured(Box::new(power), settled))
     }
 
-    /// Where the full system has forgotten the start of the file; none where the start is a stage that was asked for.
+    /// State at which the full system has forgotten the start of the file; none where the start is a state that was asked for.
     pub fn settled(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -54,23 +57,23 @@ impl Choice<'_> {
         let options = DirectOptions {
             until: Some(self.way.energies[1]),
             duration,
-            most_turns: f64::INFINITY,
+            most_revolutions: f64::INFINITY,
             most_steps: STEPS,
             tolerance: TOLERANCE,
         };
         let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         match run.ending {
-            DirectEnding::Finished => Ok(run.rows.last().copied()),
-            DirectEnding::Interrupted => Err(MeasureError::Interrupted),
+            DirectStopReason::Finished => Ok(run.rows.last().copied()),
+            DirectStopReason::Interrupted => Err(MeasureError::Interrupted),
             _ => Err(MeasureError::LeftMode),
         }
     }
 
-    /// The history of the full system, as long as it takes.
+    /// The history of the full system, however long.
     pub fn direct(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, StudyError> {
+    ) -> Result<Result<ChosenMethod, String>, StudyError> {
         self.followed([f64::INFINITY, f64::INFINITY], watch)
     }
 
@@ -78,7 +81,7 @@ impl Choice<'_> {
     pub fn short_history(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, StudyError> {
+    ) -> Result<Result<ChosenMethod, String>, StudyError> {
         let power = if self.body.paths().is_some() { 3 } else { 2 };
         let per_step = (self.body.coordinates().len().max(1) as f64).powi(power);
         self.followed([MANY, WORK / per_step], watch)
@@ -86,13 +89,13 @@ impl Choice<'_> {
 
     fn followed(
         &self,
-        [most_turns, most_steps]: [f64; 2],
+        [most_revolutions, most_steps]: [f64; 2],
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, StudyError> {
+    ) -> Result<Result<ChosenMethod, String>, StudyError> {
         let options = DirectOptions {
             until: Some(self.way.energies[1]),
             duration: self.duration.unwrap_or(f64::MAX),
-            most_turns,
+            most_revolutions,
             most_steps: STEPS.min(most_steps as u64),
             tolerance: TOLERANCE,
         };
@@ -102,24 +105,24 @@ impl Choice<'_> {
             let unstable = self.ground.unstable().or_else(|| self.ground.whirl());
             let unstable = unstable.map_or_else(String::new, |unstable| format!("; {unstable}"));
             format!(
-                "the full system was followed for {} ({} turns) and did not get there: {why}{unstable}",
+                "the full system was followed for {} ({} revolutions) and did not get there: {why}{unstable}",
                 time(end.t),
-                significant(end.turns, 3)
+                significant(end.revolutions, 3)
             )
         };
         Ok(match &run.ending {
-            DirectEnding::Reached if end.turns < ONE_TURN => Err(format!(
+            DirectStopReason::Reached if end.revolutions < ONE_TURN => Err(format!(
                 "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
                  balance, not a wobble that dies out; its history in the full system shows it",
                 time(end.t)
             )),
-            DirectEnding::Reached | DirectEnding::Finished => Ok(Road::Direct(Box::new(run))),
-            DirectEnding::Interrupted => return Err(StudyError::Interrupted),
-            DirectEnding::TurnLimit => Err(told("that is more than may be followed turn by turn")),
-            DirectEnding::StepLimit => Err(told(
+            DirectStopReason::Reached | DirectStopReason::Finished => Ok(ChosenMethod::Direct(Box::new(run))),
+            DirectStopReason::Interrupted => return Err(StudyError::Interrupted),
+            DirectStopReason::TurnLimit => Err(told("that is more than may be followed turn by turn")),
+            DirectStopReason::StepLimit => Err(told(
                 "the steps allowed were used up; asked for, the direct integration has more of them",
             )),
-            DirectEnding::Failed { reason } => Err(told(reason)),
+            DirectStopReason::Failed { reason } => Err(told(reason)),
         })
     }
 }

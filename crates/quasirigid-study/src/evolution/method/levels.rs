@@ -1,26 +1,26 @@
-//! Levels of the slow energy: when they are followed.
+//! Choice of level curves of the slow energy.
 
-use quasirigid::averaging::{LevelEnding, LevelEvolution, Until};
+use quasirigid::averaging::{LevelEvolution, LevelStopReason, Until};
 use quasirigid::model::Principal;
 use quasirigid::reduction::{frequencies, reduce};
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
 use super::short_or_full::Choice;
-use super::verdict::Road;
+use super::verdict::ChosenMethod;
 use crate::evolution::Asked;
 use crate::study::Study;
 use crate::words::time;
 
-/// Relative change of a difference of moments by elasticity from which levels are followed, largest ratio of spin to frequency, and
-/// least order of the power there.
+/// Relative change of a difference of moments by elasticity from which levels are followed; largest ratio of spin to frequency; and
+/// least order of the power on levels.
 const BENT: f64 = 0.01;
 const STIFF: f64 = 0.15;
 const LEVEL_ORDER: usize = 5;
 
 impl Choice<'_> {
-    /// Averaged along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
-    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<Road, String>> {
+    /// Average along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
+    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<ChosenMethod, String>> {
         let rigid = Principal::compute(self.body.invariants().J).moments;
         let bent = self.ground.range.moments();
         let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
@@ -32,7 +32,7 @@ impl Choice<'_> {
         if !changed
             || norm(omega) > STIFF * slowest
             || !self.body.cyclic().is_empty()
-            || !self.body.lossy().is_empty()
+            || !self.body.viscoelastic().is_empty()
         {
             return None;
         }
@@ -45,17 +45,19 @@ impl Choice<'_> {
             (_, Some(duration)) => Until::Duration(duration),
             (None, None) => Until::EnergyLeft(0.01),
         };
-        let momentum = self.way.start.momentum(self.body);
-        let found = LevelEvolution::new(&reduced, norm(momentum))
-            .and_then(|levels| levels.follow(momentum, until, asked.samples));
+        let angular_momentum = self.way.start.angular_momentum(self.body);
+        let found = LevelEvolution::new(&reduced, norm(angular_momentum))
+            .and_then(|levels| levels.follow(angular_momentum, until, asked.samples));
         Some(match found {
             Ok(passage) => match passage.ending {
-                LevelEnding::Reached | LevelEnding::Duration => Ok(Road::Levels(Box::new(passage))),
-                LevelEnding::Undecided => Err(format!(
+                LevelStopReason::Reached | LevelStopReason::Duration => {
+                    Ok(ChosenMethod::Levels(Box::new(passage)))
+                }
+                LevelStopReason::Undecided => Err(format!(
                     "the rotation comes to a saddle of the slow energy after {}, behind which the ways differ",
                     time(passage.rows.last().map_or(f64::NAN, |row| row.time))
                 )),
-                LevelEnding::Lossless => Err("nothing is dissipated".into()),
+                LevelStopReason::Lossless => Err("nothing is dissipated".into()),
             },
             Err(error) => Err(error.to_string()),
         })

@@ -18,7 +18,7 @@ use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
 
 use super::Asked;
-use super::ageing::Ageing;
+use super::secular::SecularEvolution;
 use crate::error::StudyError;
 use crate::motion::Motion;
 use crate::study::Study;
@@ -29,11 +29,11 @@ use steady_spins::Ground;
 pub use verdict::Verdict;
 use verdict::{take, unfounded};
 
-/// What is followed beside a power.
+/// History that is followed beside a power.
 pub enum History {
-    /// Nothing: the power says it all.
+    /// No history: the power determines the evolution.
     None,
-    /// The full system until it has forgotten its start; from there on the power says it all.
+    /// The full system until it has forgotten its start; from there on the power determines the evolution.
     Settled(DirectRow, EnergyRange),
     /// The full system, with its range of energies.
     Full(Box<DirectRun>, EnergyRange),
@@ -41,7 +41,7 @@ pub enum History {
     Levels(Box<LevelPassage>),
 }
 
-/// Why no road leads to an answer, in words, with the rates of the modes where these are known.
+/// Reason why no method leads to an answer, with the rates of the modes where these are known.
 pub struct Refusal {
     pub message: String,
     pub rates: Option<[Option<f64>; 2]>,
@@ -49,45 +49,45 @@ pub struct Refusal {
 
 /// A spin below this share of the slowest elastic frequency needs no more than the average.
 const SLOW: f64 = 1e-3;
-/// Error of an average that is given under a torque, which has no other road.
+/// Error of an average that is given under a torque, which has no other method.
 const UNDER_TORQUE: f64 = 0.1;
 /// Moments whose relative difference is larger are distinct for so slow a spin.
 const DISTINCT: f64 = 1e-3;
 
-/// Chooses the road for a body on which no torque acts: the power that is followed from then on, or the history.
+/// Chooses the method for a body on which no torque acts: the power that is followed from then on, or the history.
 pub fn choose(
     study: &Study,
     start: Start,
     asked: &Asked,
-    ageing: &mut Ageing,
+    secular: &mut SecularEvolution,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Result<History, Refusal>, StudyError> {
     let body = &study.body;
-    if asked.method.is_none() && plain(body, ageing, norm(start.omega)) {
+    if asked.method.is_none() && plain(body, secular, norm(start.omega)) {
         return Ok(Ok(History::None));
     }
     let full = Motion::new(study, start).full()?;
-    let momentum = norm(full.momentum(body));
-    if !(momentum.is_finite() && momentum > 0.0) {
+    let angular_momentum = norm(full.angular_momentum(body));
+    if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
         return Ok(Ok(History::None));
     }
-    let ground = match Ground::of(study, momentum)? {
+    let ground = match Ground::of(study, angular_momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
     };
-    ageing.verdict.rates = Some(ground.rates());
+    secular.verdict.rates = Some(ground.rates());
     if let (None, Some(unstable)) = (asked.method, ground.unstable()) {
-        return Ok(Err(Refusal { message: unstable, rates: ageing.verdict.rates }));
+        return Ok(Err(Refusal { message: unstable, rates: secular.verdict.rates }));
     }
-    let way = Way::of(&ground, full, asked, ageing)?;
+    let way = Way::of(&ground, full, asked, secular)?;
     if let Some(silent) = way.ends.iter().find_map(|stage| ground.silent(stage.mode)) {
-        return Ok(Err(Refusal { message: silent.clone(), rates: ageing.verdict.rates }));
+        return Ok(Err(Refusal { message: silent.clone(), rates: secular.verdict.rates }));
     }
     let choice = Choice::new(&ground, &way, asked.duration);
     let refused = |message: String| Refusal { message, rates: Some(ground.rates()) };
     let found = match asked.method {
-        Some(EvolveMethod::Average) => Ok(choice.forced_average(ageing)),
-        Some(EvolveMethod::Modes) => choice.calibrated(ageing),
+        Some(EvolveMethod::Average) => Ok(choice.forced_average(secular)),
+        Some(EvolveMethod::Modes) => choice.calibrated(secular),
         Some(EvolveMethod::MicroRuns | EvolveMethod::Direct) if !ground.complete(way.ends) => {
             Err(without_equations(ground.left_out(way.ends)))
         }
@@ -96,21 +96,21 @@ pub fn choose(
             found => found.map_err(|error| error.to_string()),
         },
         Some(EvolveMethod::Direct) => choice.direct(watch)?,
-        None => match choice.average(ageing, watch)? {
+        None => match choice.average(secular, watch)? {
             Some(road) => Ok(road),
             None => match choice.levels(study, asked) {
                 Some(found) => found,
-                None => choice.other(ageing, watch)?,
+                None => choice.other(secular, watch)?,
             },
         },
     };
     Ok(match found {
-        Ok(road) => Ok(take(road, &ground, &way, ageing)),
+        Ok(road) => Ok(take(road, &ground, &way, secular)),
         Err(message) => Err(refused(message)),
     })
 }
 
-/// Why the full system gives no answer, in words.
+/// Reason why the full system gives no answer, in words.
 fn without_equations(left_out: f64) -> String {
     let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose answer is known at each \
                frequency alone)";
@@ -123,23 +123,23 @@ fn without_equations(left_out: f64) -> String {
     )
 }
 
-/// Judges the average of a body under a slow torque, which no other road follows; why it does not hold, if it does not.
+/// Judges the average of a body under a slow torque, which no other method follows; returns why the average does not hold, if so.
 pub fn under_torque(
     study: &Study,
     start: Start,
     asked: &Asked,
-    ageing: &mut Ageing,
+    secular: &mut SecularEvolution,
 ) -> Result<Option<Refusal>, StudyError> {
     let body = &study.body;
-    if plain(body, ageing, norm(start.omega)) {
+    if plain(body, secular, norm(start.omega)) {
         return Ok(None);
     }
     let full = Motion::new(study, start).full()?;
-    let momentum = norm(full.momentum(body));
-    if !(momentum.is_finite() && momentum > 0.0) {
+    let angular_momentum = norm(full.angular_momentum(body));
+    if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
         return Ok(None);
     }
-    let ground = match Ground::of(study, momentum)? {
+    let ground = match Ground::of(study, angular_momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),
     };
@@ -148,18 +148,18 @@ pub fn under_torque(
     if let Some(silent) = ground.silent(stage.mode) {
         return Ok(Some(Refusal { message: silent.clone(), rates }));
     }
-    let mut criteria = ground.criteria(ageing.power(), [stage; 2]);
-    if criteria.error() > UNDER_TORQUE && ageing.by_polynomial && !ageing.power_was_asked {
-        ageing.take_harmonics();
-        criteria = ground.criteria(ageing.power(), [stage; 2]);
+    let mut criteria = ground.criteria(secular.power(), [stage; 2]);
+    if criteria.error() > UNDER_TORQUE && secular.by_polynomial && !secular.power_was_asked {
+        secular.take_harmonics();
+        criteria = ground.criteria(secular.power(), [stage; 2]);
     }
-    ageing.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
+    secular.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
     if criteria.error() <= UNDER_TORQUE {
         return Ok(None);
     }
     if asked.method == Some(EvolveMethod::Average) {
-        ageing.verdict.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
-        ageing.verdict.fails = true;
+        secular.verdict.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
+        secular.verdict.fails = true;
         return Ok(None);
     }
     let message = format!(
@@ -170,9 +170,9 @@ pub fn under_torque(
 }
 
 /// Whether a body is so stiff, with moments so distinct, that the average needs no judgement.
-fn plain(body: &FlexibleBody, ageing: &Ageing, spin: f64) -> bool {
-    let [I1, I2, I3] = ageing.principal.moments;
+fn plain(body: &FlexibleBody, secular: &SecularEvolution, spin: f64) -> bool {
+    let [I1, I2, I3] = secular.principal.moments;
     let distinct = [I2 - I1, I3 - I2].iter().all(|gap| *gap > DISTINCT * I3 || *gap < 1e-9 * I3);
-    let slowest = ageing.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
+    let slowest = secular.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
     body.cyclic().is_empty() && distinct && spin < SLOW * slowest
 }

@@ -6,24 +6,24 @@ use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 
 use super::start_and_end::Way;
 use super::steady_spins::Ground;
-use super::verdict::Road;
+use super::verdict::ChosenMethod;
 use crate::error::StudyError;
-use crate::evolution::ageing::Ageing;
+use crate::evolution::secular::SecularEvolution;
 
-/// Revolutions of a history of the full system that is chosen at once, and that is tried where nothing else holds.
+/// Revolutions up to which a history of the full system is chosen at once, and up to which it is tried where nothing else holds.
 const FEW: f64 = 3_000.0;
 pub const MANY: f64 = 200_000.0;
 /// Decay in a period of the polhode up to which the power has a mean.
 const DECAY: f64 = 0.05;
 
-/// A choice between the roads.
+/// A choice between the methods.
 pub struct Choice<'a> {
     pub body: &'a FlexibleBody,
     pub ground: &'a Ground<'a>,
     pub way: &'a Way,
     /// Longest time (s).
     pub duration: Option<f64>,
-    /// Short runs of the full system, once they were made; none where there are to be none.
+    /// Short runs of the full system, once made; none where they are not wanted.
     pub probes: OnceCell<Option<Probes>>,
 }
 
@@ -32,34 +32,34 @@ impl<'a> Choice<'a> {
         Self { body: ground.body, ground, way, duration, probes: OnceCell::new() }
     }
 
-    pub fn criteria(&self, ageing: &Ageing) -> AverageCriteria {
-        self.ground.criteria(ageing.power(), self.way.ends)
+    pub fn criteria(&self, secular: &SecularEvolution) -> AverageCriteria {
+        self.ground.criteria(secular.power(), self.way.ends)
     }
 
-    /// The average that was asked for.
-    pub fn forced_average(&self, ageing: &Ageing) -> Road {
-        let criteria = self.criteria(ageing);
-        if criteria.hold() { self.averaged(criteria) } else { Road::Unfounded { criteria } }
+    /// The average that was asked for, marked where its criteria fail.
+    pub fn forced_average(&self, secular: &SecularEvolution) -> ChosenMethod {
+        let criteria = self.criteria(secular);
+        if criteria.hold() { self.averaged(criteria) } else { ChosenMethod::Unfounded { criteria } }
     }
 
-    /// The road that holds where the average does not.
+    /// The method that holds where the average does not.
     pub fn other(
         &self,
-        ageing: &mut Ageing,
+        secular: &mut SecularEvolution,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<Road, String>, StudyError> {
+    ) -> Result<Result<ChosenMethod, String>, StudyError> {
         if !self.ground.complete(self.way.ends) {
-            return Ok(self.calibrated(ageing));
+            return Ok(self.calibrated(secular));
         }
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
-        if fast || self.whirls() || revolutions.is_none_or(|turns| turns <= FEW) {
+        if fast || self.whirls() || revolutions.is_none_or(|revolutions| revolutions <= FEW) {
             return self.short_history(watch);
         }
         match self.measured(watch) {
             Ok(road) => Ok(Ok(road)),
             Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
-            Err(_) if revolutions.is_some_and(|turns| turns <= MANY) => self.short_history(watch),
+            Err(_) if revolutions.is_some_and(|revolutions| revolutions <= MANY) => self.short_history(watch),
             Err(error) => Ok(Err(error.to_string())),
         }
     }

@@ -1,8 +1,8 @@
-//! Steady spins at the angular momentum of the start, with their modes: the grounds on which a method is judged.
+//! Steady spins at the angular momentum of the start, with their modes: the basis on which a method is judged.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use quasirigid::averaging::{FreeRotation, MeanPower, Stage};
+use quasirigid::averaging::{FreeRotation, MeanPower, RotationState};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
 use quasirigid::modes::SpinMode;
 use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
@@ -13,20 +13,20 @@ use crate::liquids::unanswered;
 use crate::study::Study;
 use crate::words::time;
 
-/// What every road is judged by: the steady spins at the angular momentum of the start, and their modes.
+/// Basis of every judgement of a method: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {
     pub body: &'a FlexibleBody,
     pub range: EnergyRange,
     pub poles: Poles,
-    /// Liquids whose answer is not known about the axes of least and of greatest inertia, in words.
+    /// Liquids of unknown response about the axes of least and of greatest inertia, in words.
     silent: [Option<String>; 2],
 }
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
-    pub fn of(study: &'a Study, momentum: f64) -> Result<Result<Self, String>, StudyError> {
+    pub fn of(study: &'a Study, angular_momentum: f64) -> Result<Result<Self, String>, StudyError> {
         let body = &study.body;
-        match EnergyRange::compute(body, momentum) {
+        match EnergyRange::compute(body, angular_momentum) {
             Ok(range) => {
                 let poles =
                     Poles::compute(body, &range).map_err(|error| format!("the steady spins: {error}"));
@@ -43,71 +43,71 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the answer of a liquid
-    /// is not known.
+    /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the response of a
+    /// liquid is not known.
     pub fn rates(&self) -> [Option<f64>; 2] {
         let known =
             |mode: Mode| if self.silent(mode).is_some() { Some(f64::NAN) } else { self.poles.rate(mode) };
         [Mode::LongAxis, Mode::ShortAxis].map(known)
     }
 
-    /// Liquids whose answer about the axis that a mode circles is not known, in words.
+    /// Liquids of unknown response about the axis that a mode circles, in words.
     pub fn silent(&self, mode: Mode) -> Option<&String> {
         self.silent[usize::from(mode == Mode::ShortAxis)].as_ref()
     }
 
-    /// The equivalent polhode at a stage.
-    pub fn motion(&self, Stage { mode, xi }: Stage) -> FreeRotation {
-        FreeRotation::at_logit(self.range.moments(), self.range.momentum(), mode, xi)
+    /// The equivalent polhode at a rotation state.
+    pub fn motion(&self, RotationState { mode, xi }: RotationState) -> FreeRotation {
+        FreeRotation::at_logit(self.range.moments(), self.range.angular_momentum(), mode, xi)
     }
 
-    /// What grows at the axis of greatest inertia, in words; none if its spin is stable.
+    /// Growing mode at the axis of greatest inertia, in words; none if its spin is stable.
     pub fn unstable(&self) -> Option<String> {
         self.poles.short.as_ref()?.unstable().map(|mode| grows("greatest", mode))
     }
 
-    /// What grows beside the nutation at the axis of least inertia, in words; none if nothing does.
+    /// Growing mode beside the nutation at the axis of least inertia, in words; none if nothing grows.
     pub fn whirl(&self) -> Option<String> {
         let modes = &self.poles.long.as_ref()?.modes.modes;
         modes.iter().find(|mode| mode.grows() && !mode.nutation).map(|mode| grows("least", mode))
     }
 
-    /// Estimate of the relative error that the answer of liquids about the mean spin leaves on a way, which is widest at an end or at the
+    /// Estimate of the relative error from the response of liquids about the mean spin on a way; the wobble is widest at an end or at the
     /// separatrix. (L19)
-    pub fn liquids(&self, ends: [Stage; 2]) -> f64 {
+    pub fn liquids(&self, ends: [RotationState; 2]) -> f64 {
         let wobble = ends.map(|stage| self.motion(stage).nutation()[1]);
         let widest = if ends[0].mode == ends[1].mode { wobble[0].max(wobble[1]) } else { FRAC_PI_2 };
-        let spin = self.range.momentum() / self.range.moments()[0];
+        let spin = self.range.angular_momentum() / self.range.moments()[0];
         let left_out = |memory: &LiquidMemory| memory.left_out(spin, widest);
         self.body.memories().iter().map(left_out).fold(0.0, f64::max)
     }
 
-    /// What speaks for an average on a way.
-    pub fn criteria(&self, power: &dyn MeanPower, ends: [Stage; 2]) -> AverageCriteria {
+    /// Criteria of an average on a way.
+    pub fn criteria(&self, power: &dyn MeanPower, ends: [RotationState; 2]) -> AverageCriteria {
         let criteria = average_criteria(power, &self.range, &self.poles, ends);
         AverageCriteria { liquids: self.liquids(ends), ..criteria }
     }
 
-    /// Whether the equations of motion hold all that dissipates in the modes on the way.
-    pub fn complete(&self, ends: [Stage; 2]) -> bool {
+    /// Whether the equations of motion have every loss in the modes on the way.
+    pub fn complete(&self, ends: [RotationState; 2]) -> bool {
         self.left_out(ends) <= LEFT_OUT
     }
 
-    /// What the equations of motion leave out at the poles of the way, as a share of the rate of a small wobble: materials and liquids
-    /// whose answer is known at each frequency alone.
-    pub fn left_out(&self, ends: [Stage; 2]) -> f64 {
-        let share = |stage: Stage| {
+    /// Losses that the equations of motion leave out at the poles of the way, as a share of the rate of a small wobble: materials and
+    /// liquids whose response is known at each frequency alone.
+    pub fn left_out(&self, ends: [RotationState; 2]) -> f64 {
+        let share = |stage: RotationState| {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
             nutation.map_or(f64::INFINITY, of_nutation)
         };
         share(ends[0]).max(share(ends[1]))
     }
 
-    /// Estimate of the revolutions from one stage to another, from the rates of the modes; none if these do not say.
-    pub fn revolutions(&self, ends: [Stage; 2]) -> Option<f64> {
+    /// Estimate of the revolutions from one state to another, from the rates of the modes; none if these are not known.
+    pub fn revolutions(&self, ends: [RotationState; 2]) -> Option<f64> {
         let [from, to] = ends;
-        let excess = |stage: Stage| self.motion(stage).energy_from_axis();
-        let middle = |mode: Mode| excess(Stage { mode, xi: -6.0 });
+        let excess = |stage: RotationState| self.motion(stage).energy_from_axis();
+        let middle = |mode: Mode| excess(RotationState { mode, xi: -6.0 });
         let rate = |mode: Mode| self.poles.rate(mode).filter(|rate| *rate > 0.0);
         let time = if from.mode == to.mode {
             (excess(from) / excess(to)).ln().abs() / (2.0 * rate(from.mode)?)
@@ -115,13 +115,13 @@ impl<'a> Ground<'a> {
             let grown = (middle(from.mode) / excess(from)).ln() / (2.0 * rate(from.mode)?);
             grown + (middle(to.mode) / excess(to)).ln() / (2.0 * rate(to.mode)?)
         };
-        let spin = self.range.momentum() / self.range.moments()[to.mode.circled()];
+        let spin = self.range.angular_momentum() / self.range.moments()[to.mode.circled()];
         Some(time * spin / TAU)
     }
 
     /// Decay in a period of the polhode at the poles of the way.
-    pub fn haste(&self, ends: [Stage; 2]) -> f64 {
-        let haste = |stage: Stage| {
+    pub fn haste(&self, ends: [RotationState; 2]) -> f64 {
+        let haste = |stage: RotationState| {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
             nutation.map_or(f64::INFINITY, |mode| mode.decay_rate.abs() * TAU / mode.frequency)
         };
@@ -129,7 +129,7 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// That a mode grows about an axis of extreme inertia.
+/// Sentence on a mode that grows about an axis of extreme inertia.
 fn grows(inertia: &str, mode: &SpinMode) -> String {
     format!(
         "the steady spin about the axis of {inertia} inertia is unstable: a motion of {} grows e-fold in {}",

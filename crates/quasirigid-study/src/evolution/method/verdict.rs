@@ -1,3 +1,7 @@
+//! Verdict on the method of an evolution: its name, its reason, and the error of the time, in numbers and in one sentence.
+//! The sentence is closed only when all errors are known, so that it has one number: that of the method and of approximated shapes.
+//! Criteria: (Q3), (Q7) and (Q9), docs/theory/16-methods.md.
+
 use std::sync::Arc;
 
 use quasirigid::averaging::{LevelPassage, MeanPower};
@@ -7,27 +11,27 @@ use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
 use super::History;
 use super::start_and_end::{Levels, Way};
 use super::steady_spins::Ground;
-use crate::evolution::ageing::Ageing;
+use crate::evolution::secular::SecularEvolution;
 use crate::resolution::{NOTHING, known};
 use crate::words::significant;
 
-/// Least error of a time that is told.
+/// Least relative error of a time that is stated.
 const LEAST: f64 = 1e-6;
 
-/// The road taken, and what it knows beside the power.
+/// The method taken, with its reason, its error, and its results beside the power.
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
-    /// `average`, `modes`, `micro-runs`, `direct`, or `none`.
+    /// `average`, `levels`, `modes`, `micro-runs`, `direct`, or `none`.
     pub road: &'static str,
-    /// Why, and how far it holds.
+    /// Reason for the method and limits of its validity.
     pub sentence: String,
-    /// What judges the time, in words that may be none, until all its errors are known and the sentence is closed with them.
+    /// Source of the error of the time, in words that may be empty, until all errors are known and the sentence is closed with them.
     pub judge: Option<&'static str>,
     /// Estimate of the relative error of the time.
     pub error: Option<f64>,
     /// Rates (1/s) of the modes: growth about the axis of least inertia, decay about that of greatest.
     pub rates: Option<[Option<f64>; 2]>,
-    /// Power or energy that each dissipator takes, where the road measured it.
+    /// Power or energy that each dissipator takes, where the method measures them.
     pub budget: Option<Vec<(String, f64)>>,
     /// A vibration that grows from nothing on the way, in words.
     pub parametric: Option<String>,
@@ -41,15 +45,15 @@ impl Verdict {
         Self { road: "average", error, ..Self::default() }
     }
 
-    /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if they were not asked, not a number where
-    /// they do not know.
+    /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if the modes were not computed, not a
+    /// number where their rates are not known.
     pub fn folding(&self, mode: Mode) -> Option<f64> {
         let rates = self.rates?;
         let rate = rates[usize::from(mode == Mode::ShortAxis)]?;
         Some(if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY })
     }
 
-    /// Closes the sentence with how good the time is: one number of the road and of what is approximated, by its name, since a time is as
+    /// Closes the sentence with the error of the time: one number for the method and for the approximated shape or flow, since a time is as
     /// wrong as its power.
     pub fn close(&mut self, approximated: Option<(&str, f64)>) {
         let (what, shape) = (approximated.map(|(what, _)| what), approximated.map(|(_, error)| error));
@@ -79,7 +83,7 @@ impl Verdict {
         }
     }
 
-    /// How the power was found, in words; none of an average.
+    /// Source of the power, in words; none of an average.
     pub fn method(&self) -> Option<String> {
         match self.road {
             "micro-runs" => Some("measured by short runs of the full system along the way".into()),
@@ -90,8 +94,8 @@ impl Verdict {
     }
 }
 
-/// A road that leads to an answer.
-pub enum Road {
+/// A method that leads to an answer.
+pub enum ChosenMethod {
     /// The average, with the estimate of its error.
     Average { error: f64 },
     /// The average that was asked for, although it does not hold.
@@ -102,57 +106,57 @@ pub enum Road {
     Measured(Box<MeasuredPower>, Option<DirectRow>),
     /// The history of the full system.
     Direct(Box<DirectRun>),
-    /// Averaged along levels of the slow energy.
+    /// The average along levels of the slow energy.
     Levels(Box<LevelPassage>),
 }
 
-/// Takes a road: the power that is followed, or the history.
-pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> History {
+/// Takes a method: the power that is followed, or the history.
+pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut SecularEvolution) -> History {
     let names = |budget: &[f64], names: &[String]| {
         names.iter().cloned().zip(budget.iter().copied()).collect::<Vec<_>>()
     };
     match road {
-        Road::Average { error } => {
-            ageing.begin(way.settled);
-            ageing.verdict = Verdict {
+        ChosenMethod::Average { error } => {
+            secular.begin(way.settled);
+            secular.verdict = Verdict {
                 sentence: "Averaged along the polhode".into(),
                 judge: Some("the modes about the steady spins"),
-                rates: ageing.verdict.rates,
-                parametric: ageing.verdict.parametric.take(),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
                 ..Verdict::average(Some(error))
             };
             History::None
         }
-        Road::Unfounded { criteria } => {
-            ageing.begin(way.settled);
-            ageing.verdict = Verdict {
+        ChosenMethod::Unfounded { criteria } => {
+            secular.begin(way.settled);
+            secular.verdict = Verdict {
                 sentence: format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria)),
                 fails: true,
-                rates: ageing.verdict.rates,
-                parametric: ageing.verdict.parametric.take(),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
                 ..Verdict::average(Some(criteria.error()))
             };
             History::None
         }
-        Road::Calibrated { power, error } => {
-            ageing.begin(way.settled);
-            ageing.source = power;
-            ageing.verdict = Verdict {
+        ChosenMethod::Calibrated { power, error } => {
+            secular.begin(way.settled);
+            secular.source = power;
+            secular.verdict = Verdict {
                 road: "modes",
                 sentence: "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them"
                     .into(),
                 judge: Some(""),
                 error: Some(error),
-                rates: ageing.verdict.rates,
-                parametric: ageing.verdict.parametric.take(),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
                 ..Verdict::default()
             };
             History::None
         }
-        Road::Measured(power, settled) => {
+        ChosenMethod::Measured(power, settled) => {
             let first = power.measurements.first();
             let error = power.time_error(ground.revolutions(way.ends).unwrap_or(f64::INFINITY));
-            ageing.verdict = Verdict {
+            secular.verdict = Verdict {
                 road: "micro-runs",
                 sentence: format!(
                     "What moves inside is too heavy or too soft for an average: the mean power was measured in {} short runs of the \
@@ -162,35 +166,35 @@ pub fn take(road: Road, ground: &Ground, way: &Way, ageing: &mut Ageing) -> Hist
                 judge: Some(""),
                 error: Some(error),
                 budget: first.map(|first| names(&first.budget, &way.dissipators)),
-                rates: ageing.verdict.rates,
-                parametric: ageing.verdict.parametric.take(),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
                 ..Verdict::default()
             };
-            ageing.take(Arc::new(*power), &ground.range, way.energies[0]);
+            secular.take(Arc::new(*power), &ground.range, way.energies[0]);
             if let Some(row) = settled {
                 return History::Settled(row, ground.range.clone());
             }
             History::None
         }
-        Road::Direct(run) => {
-            ageing.verdict = Verdict {
+        ChosenMethod::Direct(run) => {
+            secular.verdict = Verdict {
                 road: "direct",
                 sentence: "The full system was followed from start to end; the wobble is its envelope."
                     .into(),
                 error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
                 budget: Some(names(&run.budget, &way.dissipators)),
-                rates: ageing.verdict.rates,
-                parametric: ageing.verdict.parametric.take(),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
                 ..Verdict::default()
             };
-            ageing.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
+            secular.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
             History::Full(run, ground.range.clone())
         }
-        Road::Levels(passage) => {
-            ageing.verdict = Verdict {
+        ChosenMethod::Levels(passage) => {
+            secular.verdict = Verdict {
                 road: "levels",
                 sentence: "Elasticity changes a difference of the moments of inertia by more than 1 %: averaged along the level curves of the slow energy.".into(),
-                rates: ageing.verdict.rates,
+                rates: secular.verdict.rates,
                 ..Verdict::default()
             };
             History::Levels(passage)
@@ -203,7 +207,7 @@ fn capital(words: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Why an average does not hold, in words.
+/// Reason why an average does not hold, in words.
 pub fn unfounded(criteria: AverageCriteria) -> String {
     let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);

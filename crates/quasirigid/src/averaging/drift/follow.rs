@@ -1,10 +1,15 @@
+//! Integration of a drift: rotation states under slow torques, with the events that end or divide the integration.
+//! One region of the sphere of angular momentum at a time, since the rates jump at the separatrix; every end is a root of one function on
+//! the dense output, so that ends do not depend on the output times.
+//! Equations (A8) and (A10), docs/theory/10-torque-free.md.
+
 use std::ops::ControlFlow;
 
-use super::ending::{DriftEnding, DriftHistory};
 use super::rates::Rates;
 use super::region_choice::SEPARATRIX;
+use super::stop_reason::{DriftHistory, DriftStopReason};
 use super::{Drift, DriftLimits, DriftState};
-use crate::averaging::evolution::Stage;
+use crate::averaging::evolution::RotationState;
 use crate::averaging::power::MeanPower;
 use crate::math::bisection::bisected;
 use crate::math::ode::{Dop853, Solver};
@@ -13,12 +18,12 @@ use crate::model::Mode;
 
 /// Error allowed per step, in `ξ` and in the logarithm of `G`.
 const TOLERANCE: f64 = 1e-10;
-/// Places, as `ξ`, where a wobble counts as died out, and where it grows again should the steady spin become unstable: an angle
-/// of `e^{−40}` rad is always there.
+/// Places, as `ξ`, where a wobble counts as died out, and where a wobble grows again should the steady spin become unstable: a
+/// disturbance of `e^{−40}` rad always exists.
 const DIED_OUT: f64 = 81.0;
 const SEED: f64 = 80.0;
 
-/// Something that ends a part of the way.
+/// Event that ends a part of the integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mark {
     Target,
@@ -32,7 +37,7 @@ enum Mark {
 const MARKS: [Mark; 6] =
     [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::Separatrix, Mark::DiedOut, Mark::Unstable];
 
-/// A drift on its way.
+/// Integration of a drift in progress.
 struct Way<'f, P> {
     drift: &'f Drift<P>,
     start: DriftState,
@@ -45,8 +50,8 @@ struct Way<'f, P> {
 }
 
 impl<P: MeanPower> Drift<P> {
-    /// Follows the drift from a state, with the states at ascending times (s), until something ends it. At the separatrix the
-    /// most probable region is entered, (A10); of two alike that on the positive side.
+    /// Follows the drift from a state, with the states at ascending times (s), until a limit of `limits` or a mark ends the drift. At the
+    /// separatrix the most probable region is entered, (A10); of two equally probable regions the one on the positive side.
     ///
     /// `progress` is asked after each step, with the share of the time that is done; `Break` ends the drift there.
     pub fn follow(
@@ -59,7 +64,7 @@ impl<P: MeanPower> Drift<P> {
         let history = DriftHistory {
             states: Vec::with_capacity(times.len()),
             end: start,
-            ending: DriftEnding::Finished,
+            ending: DriftStopReason::Finished,
             passages: Vec::new(),
             died_out: None,
             steps: 0,
@@ -78,10 +83,10 @@ impl<'f, P: MeanPower> Way<'f, P> {
         self.steady = self.start.stage.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
     }
 
-    /// The numbers that are integrated, at the state reached.
+    /// Integrated variables at the state reached: `ξ`, `ln G` from its start, revolutions.
     fn y(&self) -> [f64; 3] {
-        let DriftState { stage, momentum, turns, .. } = self.history.end;
-        [stage.xi.min(SEED), (momentum / self.start.momentum).ln(), turns]
+        let DriftState { stage, angular_momentum, revolutions, .. } = self.history.end;
+        [stage.xi.min(SEED), (angular_momentum / self.start.angular_momentum).ln(), revolutions]
     }
 
     fn rates(&self) -> Rates<'f, P> {
@@ -90,19 +95,19 @@ impl<'f, P: MeanPower> Way<'f, P> {
             drift: self.drift,
             mode: stage.mode,
             side,
-            momentum: self.start.momentum,
+            angular_momentum: self.start.angular_momentum,
             steady: self.steady,
         }
     }
 
     fn state(&self, t: f64, y: &[f64; 3]) -> DriftState {
-        let DriftState { stage: Stage { mode, .. }, side, .. } = self.history.end;
+        let DriftState { stage: RotationState { mode, .. }, side, .. } = self.history.end;
         let xi = if self.steady { f64::INFINITY } else { y[0] };
-        let momentum = self.start.momentum * y[1].exp();
-        DriftState { t, stage: Stage { mode, xi }, momentum, side, turns: y[2] }
+        let angular_momentum = self.start.angular_momentum * y[1].exp();
+        DriftState { t, stage: RotationState { mode, xi }, angular_momentum, side, revolutions: y[2] }
     }
 
-    /// One part of the way: in one region of the sphere of angular momentum, with a wobble or without.
+    /// Integrates one part: in one region of the sphere of angular momentum, with a wobble or without.
     fn part(&mut self, progress: &mut impl FnMut(f64) -> ControlFlow<()>) -> ControlFlow<()> {
         let y = self.y();
         let [first, length] = [self.start.t, self.limits.end - self.start.t];
@@ -116,14 +121,14 @@ impl<'f, P: MeanPower> Way<'f, P> {
         let mut solver = Dop853::<_, _, Plain>::new(self.rates(), self.history.end.t, y, allowed);
         loop {
             if solver.t() >= self.limits.end {
-                return self.ended(DriftEnding::Finished);
+                return self.ended(DriftStopReason::Finished);
             }
             if self.history.steps >= self.limits.steps {
-                return self.ended(DriftEnding::StepLimit { steps: self.history.steps });
+                return self.ended(DriftStopReason::StepLimit { steps: self.history.steps });
             }
             let before = solver.t();
             if let Err(error) = solver.step(self.limits.end) {
-                return self.ended(DriftEnding::Failed(error));
+                return self.ended(DriftStopReason::Failed(error));
             }
             self.history.steps += 1;
             let (t, y) = (solver.t(), *solver.y());
@@ -140,12 +145,12 @@ impl<'f, P: MeanPower> Way<'f, P> {
                 return self.met(mark);
             }
             if progress((t - first) / length).is_break() {
-                return self.ended(DriftEnding::Interrupted);
+                return self.ended(DriftStopReason::Interrupted);
             }
         }
     }
 
-    /// The states at times up to one.
+    /// Records the states at output times up to `last`.
     fn outputs(&mut self, last: f64, place: impl Fn(f64) -> [f64; 3]) {
         while let Some(t) = self.times.get(self.history.states.len()).copied().filter(|t| *t <= last) {
             let state = self.state(t, &place(t));
@@ -153,21 +158,21 @@ impl<'f, P: MeanPower> Way<'f, P> {
         }
     }
 
-    /// How far a state is past a mark: negative before it.
+    /// Event function of a mark: negative before the mark, positive past it.
     fn past(&self, mark: Mark, y: &[f64; 3]) -> f64 {
         let mode = self.history.end.stage.mode;
         match mark {
             Mark::Target => match self.limits.target {
                 Some(target) if target.mode == mode => {
-                    let away = along(Stage { mode, xi: y[0] }) - along(target);
+                    let away = along(RotationState { mode, xi: y[0] }) - along(target);
                     if self.below { away } else { -away }
                 }
                 _ => f64::NEG_INFINITY,
             },
             Mark::Rest => self.limits.rest.ln() - y[1],
             Mark::SpunUp => {
-                let motion = self.rates().motion(y[0], self.start.momentum * y[1].exp());
-                (2.0 * motion.energy() / motion.momentum() / self.limits.fastest).ln()
+                let motion = self.rates().motion(y[0], self.start.angular_momentum * y[1].exp());
+                (2.0 * motion.energy() / motion.angular_momentum() / self.limits.fastest).ln()
             }
             Mark::Separatrix => SEPARATRIX - y[0],
             Mark::DiedOut if !self.steady => y[0] - DIED_OUT,
@@ -176,20 +181,21 @@ impl<'f, P: MeanPower> Way<'f, P> {
         }
     }
 
-    /// What a mark means for the way.
+    /// Acts on a mark: ends the drift, or sets the state of the next part.
     fn met(&mut self, mark: Mark) -> ControlFlow<()> {
         match mark {
-            Mark::Target => return self.ended(DriftEnding::Target),
-            Mark::Rest => return self.ended(DriftEnding::Rest { share: self.limits.rest }),
+            Mark::Target => return self.ended(DriftStopReason::Target),
+            Mark::Rest => return self.ended(DriftStopReason::Rest { share: self.limits.rest }),
             Mark::SpunUp => {
-                let DriftState { stage, momentum, .. } = self.history.end;
-                let motion = self.rates().motion(stage.xi, momentum);
-                return self.ended(DriftEnding::SpunUp { rate: 2.0 * motion.energy() / momentum });
+                let DriftState { stage, angular_momentum, .. } = self.history.end;
+                let motion = self.rates().motion(stage.xi, angular_momentum);
+                return self
+                    .ended(DriftStopReason::SpunUp { rate: 2.0 * motion.energy() / angular_momentum });
             }
             Mark::Separatrix => {
                 self.history.end.stage.xi = SEPARATRIX;
                 let Some((state, passage)) = self.drift.onward(&self.history.end) else {
-                    return self.ended(DriftEnding::Held);
+                    return self.ended(DriftStopReason::Held);
                 };
                 self.history.end = state;
                 self.history.passages.push(passage);
@@ -207,14 +213,14 @@ impl<'f, P: MeanPower> Way<'f, P> {
         ControlFlow::Continue(())
     }
 
-    fn ended(&mut self, ending: DriftEnding) -> ControlFlow<()> {
+    fn ended(&mut self, ending: DriftStopReason) -> ControlFlow<()> {
         self.history.ending = ending;
         ControlFlow::Break(())
     }
 }
 
-/// Place of a stage on the way from the axis of least inertia to that of greatest: it rises with `D/I₃`.
-fn along(Stage { mode, xi }: Stage) -> f64 {
+/// Place of a rotation state between the axis of least inertia and that of greatest: rises with `D/I₃`.
+fn along(RotationState { mode, xi }: RotationState) -> f64 {
     let from_separatrix = xi.max(SEPARATRIX) - SEPARATRIX;
     match mode {
         Mode::ShortAxis => from_separatrix,

@@ -1,3 +1,8 @@
+//! Averaged rates of a rotation under slow torques and dissipation: of `ξ`, of `ln G` and of the revolutions.
+//! The energy above the steady spin is followed instead of the energy, so that a steady spin stays one in every digit and no rate is a
+//! difference of large numbers.
+//! Equation (A8), docs/theory/10-torque-free.md.
+
 use std::f64::consts::TAU;
 
 use super::Drift;
@@ -8,13 +13,13 @@ use crate::math::simd::Arithmetic;
 use crate::math::vec3::{add, dot, scale};
 use crate::model::Mode;
 
-/// Rates of `ξ`, of the logarithm of `G`, and of the turns, in one mode and on one side.
+/// Rates of `ξ`, of the logarithm of `G`, and of the revolutions, in one mode and on one side.
 pub(super) struct Rates<'d, P> {
     pub drift: &'d Drift<P>,
     pub mode: Mode,
     pub side: f64,
     /// Angular momentum that the logarithm is counted from.
-    pub momentum: f64,
+    pub angular_momentum: f64,
     /// Whether the wobble has died out, and stays so.
     pub steady: bool,
 }
@@ -32,12 +37,12 @@ impl<P: MeanPower> System<[f64; 3]> for Rates<'_, P> {
 }
 
 impl<P: MeanPower> Rates<'_, P> {
-    /// The rates at a state, of `ξ` also where the wobble has died out.
+    /// Rates at the integrated variables; that of `ξ` also where the wobble has died out, to tell whether the steady spin is stable.
     pub fn of(&self, y: &[f64; 3]) -> [f64; 3] {
-        self.at(y[0], self.momentum * y[1].exp())
+        self.at(y[0], self.angular_momentum * y[1].exp())
     }
 
-    /// The motion at a place and an angular momentum; that of a last trace of wobble where there is less.
+    /// Free rotation at a place `ξ` and an angular momentum; beyond `AXIS` that at `AXIS`.
     pub fn motion(&self, xi: f64, G: f64) -> FreeRotation {
         FreeRotation::at_logit(self.drift.moments, G, self.mode, xi.min(AXIS))
     }
@@ -49,7 +54,7 @@ impl<P: MeanPower> Rates<'_, P> {
         let axis = self.mode.circled();
         let mut torque = [0.0; 3];
         torque[axis] = self.side * constant[axis];
-        // Torque along the momentum, and what it gives to the wobble: `±M·(ω − K/I)` with the moment of the circled axis.
+        // Torque along the angular momentum, and its work on the wobble: `±M·(ω − K/I)` with the moment of the circled axis.
         let along = |omega: [f64; 3]| {
             let K = [0, 1, 2].map(|i| moments[i] * omega[i]);
             dot(add(torque, scale(-drag, omega)), K) / G

@@ -1,10 +1,10 @@
 use super::rates::Rates;
 use super::{Drift, DriftState};
-use crate::averaging::evolution::Stage;
+use crate::averaging::evolution::RotationState;
 use crate::averaging::power::MeanPower;
 use crate::model::Mode;
 
-/// Distance from the separatrix, as `ξ`, where the rotation passes to another region: `e^{−25}` of a time is left out.
+/// Distance from the separatrix, as `ξ`, where the rotation passes to another region: the time left out is a share `e^{−25}`.
 pub(super) const SEPARATRIX: f64 = -25.0;
 
 /// A passage through the separatrix: from one of the four regions of the sphere of angular momentum to another.
@@ -14,36 +14,37 @@ pub struct SeparatrixPassage {
     pub t: f64,
     /// Mode and side of the circled axis, ±1, before.
     pub from: (Mode, f64),
-    /// The same after.
+    /// Mode and side of the circled axis, ±1, after.
     pub to: (Mode, f64),
-    /// Probability of that region: which one is entered hangs on the phase of the wobble.
+    /// Probability of that region: the phase of the wobble decides which one is entered.
     pub probability: f64,
 }
 
 impl<P: MeanPower> Drift<P> {
-    /// The most probable way on from the separatrix, with its state; none if every region leads back. (A10)
+    /// State in the most probable region beyond the separatrix, with the passage; none if every region leads back. (A10)
     pub(super) fn onward(&self, at: &DriftState) -> Option<(DriftState, SeparatrixPassage)> {
         let regions = [Mode::ShortAxis, Mode::LongAxis].map(|mode| [(mode, 1.0), (mode, -1.0)]);
-        let ways = regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at.momentum)));
+        let ways =
+            regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at.angular_momentum)));
         let open: Vec<_> = ways.filter(|(_, flow)| *flow > 0.0).collect();
         let sum: f64 = open.iter().map(|(_, flow)| flow).sum();
         let first = *open.first()?;
         let ((mode, side), flow) =
             open[1..].iter().fold(first, |best, way| if way.1 > best.1 { *way } else { best });
-        let state = DriftState { stage: Stage { mode, xi: SEPARATRIX }, side, ..*at };
+        let state = DriftState { stage: RotationState { mode, xi: SEPARATRIX }, side, ..*at };
         let from = (at.stage.mode, at.side);
         Some((state, SeparatrixPassage { t: at.t, from, to: (mode, side), probability: flow / sum }))
     }
 
     /// Change of `D` in a period of the polhode, away from the separatrix, next to it in a region. (A10)
-    fn outflow(&self, (mode, side): (Mode, f64), momentum: f64) -> f64 {
-        let rates = Rates { drift: self, mode, side, momentum, steady: false };
+    fn outflow(&self, (mode, side): (Mode, f64), angular_momentum: f64) -> f64 {
+        let rates = Rates { drift: self, mode, side, angular_momentum, steady: false };
         let [I1, I2, I3] = self.moments;
         let gap = match mode {
             Mode::ShortAxis => I3 - I2,
             Mode::LongAxis => I2 - I1,
         };
-        let period = rates.motion(SEPARATRIX, momentum).polhode_period();
-        gap * rates.at(SEPARATRIX, momentum)[0] * period
+        let period = rates.motion(SEPARATRIX, angular_momentum).polhode_period();
+        gap * rates.at(SEPARATRIX, angular_momentum)[0] * period
     }
 }

@@ -1,3 +1,8 @@
+//! Modal coefficients of Hill's equations: mass, loss, Coriolis and centrifugal matrices of the internal motion at given angular momentum.
+//! Kept per component and per product of the angular velocity, so that every polhode and every harmonic reuses them; `J⁻¹` terms are the
+//! recoil of the body.
+//! Equations (H2), (H3) and (H5), docs/theory/14-spinning-frame.md; (C2) and (C11), docs/theory/13-inside.md.
+
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::span::span;
@@ -8,7 +13,7 @@ use crate::math::krylov::dot;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, add, cross, scale};
 use crate::model::liquid::impedance;
-use crate::model::{FlexibleBody, LiquidMemory, Lossy, Principal};
+use crate::model::{FlexibleBody, LiquidMemory, Principal, Viscoelastic};
 
 /// Axes of the products xx, yy, zz, yz, zx, xy.
 const PRODUCTS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
@@ -26,11 +31,11 @@ pub(super) struct Coefficients {
     pub losses: Vec<Loss>,
     /// Liquids whose force at a frequency is known, each with its first row.
     pub memories: Vec<(usize, LiquidMemory)>,
-    /// `Y + W` per unit of spin about each principal axis: force per rate. (H2), (C2)
+    /// `Y + W` per unit of angular velocity about each principal axis: force per rate. (H2), (C2)
     pub coriolis: [DMatrix<f64>; 3],
-    /// `Yᵀ` per unit of spin about each principal axis: generalised momentum per displacement. (H2)
+    /// `Yᵀ` per unit of angular velocity about each principal axis: generalised momentum per displacement. (H2)
     pub momentum: [DMatrix<f64>; 3],
-    /// `N'` per product of the spin. (H3)
+    /// `N'` per product of the angular velocity. (H3)
     pub centrifugal: [DMatrix<f64>; 6],
     /// First-order change of inertia of each row, body axes.
     pub inertia: Vec<Sym>,
@@ -86,13 +91,13 @@ impl Coefficients {
         self.rows.len()
     }
 
-    /// The combination of matrices per component or product of the spin.
+    /// Sum of matrices weighted by the components or products of the angular velocity.
     pub fn mean<const M: usize>(&self, matrices: &[DMatrix<f64>; M], spin: [f64; M]) -> DMatrix<f64> {
         let zero = DMatrix::zeros(self.size(), self.size());
         matrices.iter().zip(spin).fold(zero, |sum, (matrix, spin)| sum + matrix * spin)
     }
 
-    /// Force of the liquids per rate at the frequency `nu` (rad/s), about a mean spin (rad/s, principal axes). (C11)
+    /// Force of the liquids per rate at the frequency `nu` (rad/s), about a mean angular velocity (rad/s, principal axes). (C11)
     pub fn impedance(&self, nu: f64, mean_spin: [f64; 3]) -> DMatrix<Complex<f64>> {
         let mut force = DMatrix::zeros(self.size(), self.size());
         let spin = Vector3::from(self.principal.vector(mean_spin));
@@ -108,8 +113,8 @@ impl Coefficients {
         force
     }
 
-    /// What a loss law multiplies its matrix with at the frequency `nu` (rad/s). In the mean a material that flows without
-    /// limit is elastic: how far it has flowed is not part of the model. (H5)
+    /// Factor of a loss law at the frequency `nu` (rad/s). In the mean a material that flows without limit is elastic: the strain from
+    /// flow is not part of the model. (H5)
     pub fn factor(law: &Law, nu: f64) -> Complex<f64> {
         if nu > 0.0 {
             let [re, im] = law.factor(nu);
@@ -125,7 +130,7 @@ impl Coefficients {
     }
 }
 
-/// A body seen from its rows.
+/// Projection of a body on its rows.
 struct View<'a> {
     body: &'a FlexibleBody,
     rows: &'a [LoadedMode],
@@ -136,7 +141,7 @@ impl View<'_> {
         DMatrix::from_fn(self.rows.len(), self.rows.len(), entry)
     }
 
-    /// A matrix in the rows, from its products with vectors over all coordinates.
+    /// Projects a matrix on the rows, from its products with vectors over all coordinates.
     fn matrix(&self, times: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
         let images: Vec<Vec<f64>> = self.rows.iter().map(|row| times(&row.shape)).collect();
         self.entries(|row, column| dot(&self.rows[row].shape, &images[column]))
@@ -145,11 +150,11 @@ impl View<'_> {
 
 fn losses(body: &FlexibleBody, view: &View) -> Vec<Loss> {
     let dashpots = Loss { law: Law::Dashpots, matrix: view.matrix(|x| view.body.damping().times(x)) };
-    let material = |Lossy { rheology, stiffness }: &Lossy| Loss {
+    let material = |Viscoelastic { rheology, stiffness }: &Viscoelastic| Loss {
         law: Law::Material(rheology.clone()),
         matrix: view.matrix(|x| stiffness.times(x)),
     };
-    std::iter::once(dashpots).chain(body.lossy().iter().map(material)).collect()
+    std::iter::once(dashpots).chain(body.viscoelastic().iter().map(material)).collect()
 }
 
 /// `Σ x_j J_j`.

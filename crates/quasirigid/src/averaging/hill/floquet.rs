@@ -1,3 +1,8 @@
+//! Floquet multipliers of the internal coordinates over a period of the polhode: parametric resonance.
+//! Magnus steps, because stiff friction then costs no steps; vibrations too fast for any harmonic of the angular velocity are left out, or
+//! they alone would set the step.
+//! Equations (H7) and (H8), docs/theory/14-spinning-frame.md.
+
 use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix};
@@ -15,15 +20,15 @@ use crate::math::vec3::norm;
 pub struct Floquet {
     /// Multipliers, real and imaginary parts, the largest first.
     pub multipliers: Vec<[f64; 2]>,
-    /// The fastest growing motion, where a multiplier lies outside of the unit circle.
+    /// Fastest growing motion, where a multiplier lies outside of the unit circle.
     pub resonance: Option<ParametricResonance>,
     /// Change of the largest multiplier when the steps were last halved.
     pub error: f64,
-    /// Vibrations too fast for any harmonic of the spin to meet, which are left out.
+    /// Number of vibrations left out, too fast for any harmonic of the angular velocity.
     pub left_out: usize,
 }
 
-/// Internal vibration that grows from nothing on the polhode's own period.
+/// Parametric resonance: internal vibration that the period of the polhode makes grow from any disturbance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParametricResonance {
     /// Growth rate (1/s).
@@ -35,20 +40,20 @@ pub struct ParametricResonance {
     pub coordinate: String,
 }
 
-/// Harmonics of the spin weaker than this couple no vibrations.
+/// Relative amplitude below which a harmonic of the angular velocity couples no vibrations.
 const WEAK: f64 = 1e-8;
-/// Steps per period to begin with, per harmonic that counts, and at most.
+/// Steps per period to begin with, per significant harmonic, and at most.
 const STEPS: usize = 8;
 const MOST_STEPS: usize = 8192;
-/// Change of the multipliers at which the steps are short enough, and distance from the circle that counts.
+/// Change of the multipliers at which the steps are short enough, and significant distance from the unit circle.
 const SETTLED: f64 = 1e-9;
 const OUTSIDE: f64 = 1e-8;
 
-/// The free motions of some rows as a system of first order.
+/// First-order system of the free motions of some rows.
 struct FirstOrder<'a> {
     coefficients: &'a Coefficients,
     motion: &'a FreeRotation,
-    /// Vibrations, then cyclic rows, that take part.
+    /// Rows kept: vibrations, then cyclic rows.
     kept: Vec<usize>,
     elastic: usize,
     inverse_mass: DMatrix<f64>,
@@ -59,7 +64,7 @@ struct FirstOrder<'a> {
     centrifugal: [DMatrix<f64>; 6],
 }
 
-/// The multipliers along a polhode.
+/// Floquet multipliers along a polhode.
 ///
 /// # Errors
 /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -112,8 +117,8 @@ fn multipliers(matrix: &DMatrix<f64>) -> Result<Multipliers, NoConvergence> {
     Ok((order.iter().map(|i| values[*i]).collect(), first))
 }
 
-/// Damping and stiffness of some rows, a material as it is at the frequency of each vibration. (H7)
-fn lossy(coefficients: &Coefficients, kept: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
+/// Damping and stiffness of some rows, materials evaluated at the frequency of each vibration. (H7)
+fn viscoelastic(coefficients: &Coefficients, kept: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
     let rows: Vec<_> = kept.iter().map(|i| &coefficients.rows[*i]).collect();
     let mut drag = DMatrix::zeros(rows.len(), rows.len());
     let mut stiffness =
@@ -142,7 +147,7 @@ impl<'a> FirstOrder<'a> {
         let kept: Vec<usize> = (0..coefficients.size()).filter(slow).collect();
         let elastic = kept.iter().filter(|i| **i < coefficients.elastic).count();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
-        let (drag, stiffness) = lossy(coefficients, &kept);
+        let (drag, stiffness) = viscoelastic(coefficients, &kept);
         let inverse_mass = part(&coefficients.mass)
             .try_inverse()
             .unwrap_or_else(|| DMatrix::from_element(kept.len(), kept.len(), f64::NAN));
@@ -160,7 +165,7 @@ impl<'a> FirstOrder<'a> {
         }
     }
 
-    /// Frequencies of the vibrations that take part.
+    /// Frequency of a kept vibration.
     fn frequency(&self, place: usize) -> f64 {
         self.coefficients.rows[self.kept[place]].square.sqrt()
     }
@@ -175,8 +180,8 @@ impl<'a> FirstOrder<'a> {
         softened.max(0.0).sqrt()
     }
 
-    /// The matrix of the rates of displacements, in units of equal energy, and momenta: `v = A'⁻¹(p − Yᵀq)`, `q̇ = v`,
-    /// `ṗ = (Y + W − B)v + (N' − C)q`. (H7)
+    /// Matrix of the rates of displacements, in units of equal energy, and momenta: `v = A'⁻¹(p − Yᵀq)`, `q̇ = v`, `ṗ = (Y + W − B)v +
+    /// (N' − C)q`. (H7)
     fn rates(&self, t: f64) -> DMatrix<f64> {
         let omega = self.motion.omega(t);
         let [x, y, z] = omega;
@@ -213,7 +218,7 @@ impl<'a> FirstOrder<'a> {
         rates
     }
 
-    /// The matrix that takes a state a period on, by Magnus' series to the fourth order. (H8)
+    /// Monodromy matrix: takes a state over a period, by Magnus' series to the fourth order. (H8)
     fn monodromy(&self, period: f64, steps: usize) -> DMatrix<f64> {
         let h = period / steps as f64;
         let size = self.elastic + self.kept.len();
@@ -228,7 +233,7 @@ impl<'a> FirstOrder<'a> {
         state
     }
 
-    /// What grows, if the largest multiplier is outside of the circle.
+    /// Parametric resonance of the largest multiplier, if outside of the unit circle.
     fn resonance(&self, (values, vector): &Multipliers, polhode: f64) -> Option<ParametricResonance> {
         let first = values.first()?;
         let size = size(Some(first));

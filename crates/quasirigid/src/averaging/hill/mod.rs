@@ -25,20 +25,20 @@ pub use periodic::PeriodicResponse;
 /// Response of a body's internal coordinates along the polhode of its frozen state, at any ratio of spin to elastic frequency.
 /// (H1)–(H5)
 ///
-/// Linear in the displacement, with Coriolis' and the centrifugal forces of the moving spin. What the internal motion does to the
-/// polhode is left out: [`share`](Self::share) says how much that is. [`Response`](super::Response) is its limit for slow spins.
+/// Linear in the displacement, with Coriolis' and the centrifugal forces of the moving angular velocity. The reaction of the internal
+/// motion on the polhode is left out: [`share`](Self::share) is its size. [`Response`](super::Response) is its limit for slow spins.
 #[derive(Clone, Debug)]
 pub struct HillResponse {
-    /// With liquids as their impedance has them.
+    /// Coefficients with the impedance of the liquids.
     harmonic: Coefficients,
-    /// With liquids as their coordinates in the equations of motion have them, where that differs.
+    /// Coefficients with the coordinates of the liquids in the equations of motion, where those differ.
     coordinates: Option<Coefficients>,
 }
 
-/// Residual from which the harmonics are no solution.
+/// Residual above which the harmonics are no solution.
 const UNSOLVED: f64 = 1e-6;
 
-/// A body or motion whose internal motion has no periodic response.
+/// Error of a body or motion without a periodic response.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum HillError {
@@ -83,9 +83,9 @@ impl HillResponse {
         &self.harmonic.principal
     }
 
-    /// The periodic response along a polhode, liquids as their impedance has them. (H4)
+    /// Periodic response along a polhode, with the impedance of liquids. (H4)
     ///
-    /// It is reached only where [`floquet`](Self::floquet) reports no resonance.
+    /// A motion settles to this response only where [`floquet`](Self::floquet) reports no resonance.
     ///
     /// # Errors
     /// [`HillError::NoPeriod`] on the separatrix.
@@ -94,8 +94,8 @@ impl HillResponse {
         Ok(PeriodicResponse::along(&self.harmonic, spectrum))
     }
 
-    /// The periodic response of the equations of motion along a polhode, liquids as their coordinates have them: the start of
-    /// a full run. Materials keep the loss that those equations lack. (H4)
+    /// Periodic response of the equations of motion along a polhode, with the coordinates of liquids: the start of a full run. Materials
+    /// keep the loss that those equations lack. (H4)
     ///
     /// # Errors
     /// [`HillError::NoPeriod`] on the separatrix.
@@ -141,7 +141,7 @@ impl MeanPower for HillResponse {
         self.principal().moments
     }
 
-    /// The sum over the harmonics; no number where Hill's determinant vanishes, and with it the solution. (H5)
+    /// Sum over the harmonics; NaN where Hill's determinant vanishes and the system has no solution. (H5)
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         match self.periodic(motion) {
             Err(_) => 0.0,
@@ -157,7 +157,7 @@ mod tests {
     use crate::model::Mode;
     use crate::problems::ring_of_points;
 
-    /// What the projection leaves out is of the fourth power of spin over elastic frequency.
+    /// The error of the projection is of the fourth power of spin over elastic frequency.
     #[test]
     fn excited_vibrations_take_the_power_of_all() {
         let body = ring_of_points(30).body().unwrap();

@@ -1,3 +1,8 @@
+//! Harmonic balance of Hill's equations: linear system of the Fourier amplitudes, preconditioned by its diagonal blocks.
+//! Each harmonic is factored with the mean angular velocity, the couplings follow by GMRES; unknowns are scaled to equal energy and to the
+//! size of the wobble, so that a wobble of 1e-8 loses no digits.
+//! Equation (H4), docs/theory/14-spinning-frame.md; GMRES `[@saad1986]`.
+
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
 
 use super::coefficients::Coefficients;
@@ -7,21 +12,21 @@ use crate::averaging::response::Law;
 use crate::math::gmres::gmres;
 use crate::math::vec3;
 
-/// The system of the harmonics 0 to `N` along a polhode, each harmonic solved for itself in the mean spin. (H4)
+/// Linear system of the harmonics 0 to `N` along a polhode, preconditioned by each harmonic alone in the mean angular velocity. (H4)
 ///
-/// Unknowns are amplitudes of the displacement; the mean of a cyclic row is that of its rate, since its value does not count.
+/// Unknowns are amplitudes of the displacement; the mean of a cyclic row is that of its rate, since the value itself displaces nothing.
 pub(super) struct Operator<'a> {
     coefficients: &'a Coefficients,
     spectrum: &'a Spectrum,
     last: usize,
     alone: Vec<LU<Complex<f64>, Dyn, Dyn>>,
-    /// Size of the unknowns, row by row and harmonic by harmonic: of equal energy, and a wobble beside the mean.
+    /// Scales of the unknowns, row by row and harmonic by harmonic: equal energy, and the size of the wobble beside the mean.
     units: Amplitudes,
 }
 
 /// Residual at which the harmonics count as solved.
 const TOLERANCE: f64 = 1e-14;
-/// Vectors in a Krylov space, at most.
+/// Largest Krylov space.
 const MOST: usize = 600;
 
 impl<'a> Operator<'a> {
@@ -31,7 +36,7 @@ impl<'a> Operator<'a> {
         Self { coefficients, spectrum, last, alone, units }
     }
 
-    /// The harmonics, from a start, with the residual left.
+    /// Solves for the harmonics from a start; returns them with the residual.
     pub fn solve(&self, start: &Amplitudes) -> (Amplitudes, f64) {
         let size = (self.coefficients.size(), 2 * (self.last + 1));
         let right = self.divided(self.solved(self.loads())).as_slice().to_vec();
@@ -49,7 +54,7 @@ impl<'a> Operator<'a> {
         (x.component_mul(&self.units), solved.residual)
     }
 
-    /// Velocities of the rows: of cyclic ones the mean, too. (H4)
+    /// Velocities of the rows, with the mean for cyclic ones. (H4)
     pub fn velocities(coefficients: &Coefficients, spectrum: &Spectrum, x: &Amplitudes) -> Amplitudes {
         let mut v = derivative(x, spectrum.frequency);
         for row in coefficients.elastic..coefficients.size() {
@@ -58,7 +63,7 @@ impl<'a> Operator<'a> {
         v
     }
 
-    /// Loads `½Ω·J_jΩ − h_j·Ω̇`, as (G5) has them.
+    /// Loads `½Ω·J_jΩ − h_j·Ω̇`, the loads of (G5).
     fn loads(&self) -> Amplitudes {
         let mut loads = Amplitudes::zeros(self.coefficients.size(), 2 * (self.last + 1));
         for (n, products) in self.spectrum.products.iter().enumerate().take(self.last + 1) {
@@ -71,7 +76,7 @@ impl<'a> Operator<'a> {
         loads
     }
 
-    /// What other harmonics of the spin than its mean put into each harmonic. (H4)
+    /// Couplings: forces of the harmonics of the angular velocity, without its mean, on each harmonic. (H4)
     fn coupled(&self, x: &Amplitudes) -> Amplitudes {
         let Coefficients { momentum, coriolis, centrifugal, .. } = self.coefficients;
         let v = Self::velocities(self.coefficients, self.spectrum, x);
@@ -88,7 +93,7 @@ impl<'a> Operator<'a> {
         derivative(&momenta, self.spectrum.frequency) - forces
     }
 
-    /// Each harmonic solved for itself.
+    /// Preconditioner: solves each harmonic alone.
     fn solved(&self, mut right: Amplitudes) -> Amplitudes {
         for (n, factor) in self.alone.iter().enumerate() {
             let part = |row: usize| Complex::new(right[(row, 2 * n)], right[(row, 2 * n + 1)]);
@@ -107,8 +112,8 @@ impl<'a> Operator<'a> {
     }
 }
 
-/// The matrix of one harmonic in the mean spin: `C̃ − ν²A' + iν(B + Yᵀ − Y − W) − N'`; of the mean the columns of cyclic rows are
-/// those of their rates. (H4)
+/// Matrix of one harmonic in the mean angular velocity: `C̃ − ν²A' + iν(B + Yᵀ − Y − W) − N'`; for the harmonic 0 the columns of cyclic
+/// rows are those of their rates. (H4)
 fn alone(coefficients: &Coefficients, spectrum: &Spectrum, n: usize) -> DMatrix<Complex<f64>> {
     let nu = n as f64 * spectrum.frequency;
     let mean_spin = spectrum.mean_spin();
@@ -122,7 +127,7 @@ fn alone(coefficients: &Coefficients, spectrum: &Spectrum, n: usize) -> DMatrix<
     for (i, row) in coefficients.rows.iter().enumerate() {
         stiffness[(i, i)] += row.square;
     }
-    // Force per rate, with that of the mass, which the mean has none of.
+    // Force per rate, that of the mass included; the harmonic 0 has none from the mass.
     let mut drag = coefficients.impedance(nu, mean_spin) - coriolis.map(Complex::from);
     drag += coefficients.mass.map(|mass| rate * mass);
     for loss in &coefficients.losses {

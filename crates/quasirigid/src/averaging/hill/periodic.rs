@@ -1,3 +1,8 @@
+//! Periodic response of the internal coordinates along a polhode: harmonics, mean power, state and share of the angular momentum.
+//! The number of harmonics doubles until the power settles; next to the separatrix 512 may not do, and [`PeriodicResponse::truncation`]
+//! then is the error.
+//! Equations (H4) to (H6), docs/theory/14-spinning-frame.md.
+
 use nalgebra::Complex;
 
 use super::coefficients::Coefficients;
@@ -14,19 +19,19 @@ use crate::math::vec3;
 pub struct PeriodicResponse<'a> {
     coefficients: &'a Coefficients,
     spectrum: Spectrum,
-    /// Displacements, with the mean rates of cyclic rows in place of their means, and rates.
+    /// Amplitudes of displacements (mean rates of cyclic rows in place of their means) and of rates.
     x: Amplitudes,
     v: Amplitudes,
     residual: f64,
     truncation: f64,
 }
 
-/// Change of the power at which more harmonics add nothing.
+/// Relative change of the power below which more harmonics are not needed.
 const SETTLED: f64 = 1e-10;
 /// Harmonics to begin with, and at most.
 const FEWEST: usize = 4;
 const MOST: usize = 512;
-/// Share of the largest harmonic of the angular momentum below which one is too weak to be a measure.
+/// Share of the largest harmonic of the angular momentum below which a harmonic is too weak to be a measure.
 const MEASURE: f64 = 0.1;
 
 impl<'a> PeriodicResponse<'a> {
@@ -63,8 +68,8 @@ impl<'a> PeriodicResponse<'a> {
         harmonic_power(self.coefficients, &self.v, &self.spectrum)
     }
 
-    /// Mean power of each harmonic (W) with its frequency (rad/s), from the mean on: rotors that turn steadily in the mean have a
-    /// share at the frequency zero. (H5)
+    /// Mean power of each harmonic (W) with its frequency (rad/s), from the mean on: rotors that rotate steadily in the mean have a share
+    /// at the frequency zero. (H5)
     pub fn harmonic_powers(&self) -> impl Iterator<Item = (f64, f64)> {
         (0..=harmonics(&self.v)).map(|n| {
             (n as f64 * self.spectrum.frequency, power_at(self.coefficients, &self.v, &self.spectrum, n))
@@ -77,7 +82,7 @@ impl<'a> PeriodicResponse<'a> {
         harmonics(&self.x)
     }
 
-    /// Relative residual of the harmonics solved for: not small where Hill's determinant vanishes, at the edge of a parametric
+    /// Relative residual of the linear system of the harmonics: not small where Hill's determinant vanishes, at the edge of a parametric
     /// resonance.
     #[must_use]
     pub fn residual(&self) -> f64 {
@@ -112,8 +117,8 @@ impl<'a> PeriodicResponse<'a> {
     /// Share of the internal motion in the periodic part of the angular momentum: the largest `|δK_n|/|K_n|`, harmonic by
     /// harmonic. (H6)
     ///
-    /// What the average along the rigid polhode leaves out is of this order. Where `|K_n|` is below a tenth of the largest
-    /// one, a tenth of that is the measure.
+    /// The error of the average along the rigid polhode is of this order. Where `|K_n|` is below a tenth of the largest one, a tenth of
+    /// the largest is the measure.
     #[must_use]
     pub fn share(&self) -> f64 {
         let rigid = |n: usize| {
@@ -160,7 +165,7 @@ fn harmonic_power(coefficients: &Coefficients, v: &Amplitudes, spectrum: &Spectr
     (0..=harmonics(v)).map(|n| power_at(coefficients, v, spectrum, n)).sum()
 }
 
-/// `2 v̄ᵀ[B + Im μ̃/ν S + Re D]v` of a harmonic, and once of the mean. (H5)
+/// `2 v̄ᵀ[B + Im μ̃/ν S + Re D]v` of a harmonic, without the factor 2 for the mean. (H5)
 fn power_at(coefficients: &Coefficients, v: &Amplitudes, spectrum: &Spectrum, n: usize) -> f64 {
     let nu = n as f64 * spectrum.frequency;
     let parts = [v.column(2 * n), v.column(2 * n + 1)];

@@ -1,7 +1,12 @@
+//! Truncated Fourier series of real functions: products, derivatives and values.
+//! Real and imaginary parts are columns of one real matrix, so that modal matrices act on whole series by one product; negative harmonics
+//! are conjugates and never stored.
+//! Equation (H4), docs/theory/14-spinning-frame.md.
+
 use nalgebra::{Complex, DMatrix};
 
 /// Fourier amplitudes of real functions of period `T`, harmonics 0 to `N`: row by row, columns in pairs of real and imaginary part.
-/// Those of negative harmonics are the conjugates. (H4)
+/// Amplitudes of negative harmonics are the conjugates. (H4)
 pub(super) type Amplitudes = DMatrix<f64>;
 
 /// Number of harmonics beside the mean.
@@ -61,7 +66,7 @@ pub(super) fn value(amplitudes: &Amplitudes, row: usize, phase: f64) -> f64 {
     amplitudes[(row, 0)] + 2.0 * (1..=harmonics(amplitudes)).map(term).sum::<f64>()
 }
 
-/// The derivative: `iν_n` times the amplitudes, of functions with the frequency `frequency` (rad/s).
+/// Derivative: `iν_n` times the amplitudes, of functions with the frequency `frequency` (rad/s).
 pub(super) fn derivative(amplitudes: &Amplitudes, frequency: f64) -> Amplitudes {
     let mut rates = amplitudes.clone();
     for n in 0..=harmonics(amplitudes) {
@@ -79,7 +84,7 @@ pub(super) fn derivative(amplitudes: &Amplitudes, frequency: f64) -> Amplitudes 
 mod tests {
     use super::*;
 
-    /// A product of two trigonometric polynomials, at some phases.
+    /// Product of two trigonometric polynomials, compared at some phases.
     #[test]
     fn amplitudes_of_a_product_are_those_of_its_values() {
         let function =

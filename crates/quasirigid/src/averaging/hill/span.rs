@@ -6,12 +6,12 @@ use crate::math::span::Span;
 use crate::math::sym3::Sym;
 use crate::model::{FlexibleBody, Principal};
 
-/// Lowest vibrations that are kept whatever the loads excite.
+/// Number of lowest vibrations kept, excited or not.
 const LOWEST: usize = 12;
 
-/// Vectors that span the answers of a body of many coordinates: its lowest vibrations; the static answers to the loads; what
-/// mass, damping, materials, Coriolis' and the centrifugal forces make of these, the second power of spin over elastic
-/// frequency; and what mass and damping make of it once more. (H9)
+/// Vectors that span the response of a body of many coordinates: its lowest vibrations; the static responses to the loads; the responses
+/// to mass, damping, material, Coriolis' and centrifugal forces of these, the second power of spin over elastic frequency; and those to
+/// mass, damping and material forces once more. (H9)
 ///
 /// # Errors
 /// [`NoConvergence`] if the lowest vibrations are not found.
@@ -23,7 +23,7 @@ pub(super) fn span(body: &FlexibleBody, principal: &Principal) -> Result<Span, N
     let loads: Vec<Sym> = loads(body, principal);
     let first: Vec<Vec<f64>> = (0..6).map(|i| softened(loads.iter().map(|load| load[i]).collect())).collect();
     let heavy = |x: &Vec<f64>| {
-        let materials = body.lossy().iter().map(|part| part.stiffness.times(x));
+        let materials = body.viscoelastic().iter().map(|part| part.stiffness.times(x));
         let images = [body.recoiling_mass_times(x), body.damping().times(x)].into_iter().chain(materials);
         images.map(softened).collect::<Vec<_>>()
     };
@@ -66,7 +66,7 @@ fn lowest(body: &FlexibleBody) -> Result<Vec<Vec<f64>>, NoConvergence> {
     Ok(pencil.largest(LOWEST.min(n))?.iter().map(|x| whole(x)).collect())
 }
 
-/// Scales a vector to unit elastic energy, so that what is left of it beside others is measured against itself.
+/// Scales a vector to unit elastic energy, so that its remainder beside others is measured against itself.
 fn scaled(body: &FlexibleBody, x: &mut [f64]) {
     let energy: f64 = body.stiffness().times(x).iter().zip(x.iter()).map(|(force, x)| force * x).sum();
     if energy > 0.0 {

@@ -1,26 +1,31 @@
+//! Fourier amplitudes of the angular velocity and of its six products along a polhode.
+//! Mean products are sums of squares of the amplitudes, so that they are consistent with the truncated series; a steady spin is a series
+//! of one term.
+//! Equations (H4), docs/theory/14-spinning-frame.md, and (G5), docs/theory/11-materials.md.
+
 use nalgebra::Complex;
 
 use crate::averaging::harmonics::{Harmonic, Series};
 use crate::averaging::poinsot::FreeRotation;
 
-/// Fourier amplitudes of the spin and of its six products along a polhode, from the mean on. (H4)
+/// Fourier amplitudes of the angular velocity and of its six products along a polhode, from the mean on. (H4)
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
-    /// Frequency `Ω_p` of the polhode (rad/s); zero of a spin that does not move.
+    /// Frequency `Ω_p` of the polhode (rad/s); zero of a steady spin.
     pub frequency: f64,
-    /// Harmonics of the response that the products alone ask for.
+    /// Number of harmonics of the products that stand out of rounding.
     pub count: usize,
-    /// Amplitudes of the spin (rad/s), principal axes.
+    /// Amplitudes of the angular velocity (rad/s), principal axes.
     pub spin: Vec<[Complex<f64>; 3]>,
     /// Amplitudes of xx, yy, zz, yz, zx, xy (rad²/s²).
     pub products: Vec<[Complex<f64>; 6]>,
-    /// First harmonic of the spin over its mean, at most 1.
+    /// First harmonic of the angular velocity over its mean, at most 1.
     pub wobble: f64,
-    /// Time (s) since the phase was zero, at `t = 0`.
+    /// Time (s) from phase zero to `t = 0`.
     pub origin: f64,
 }
 
-/// Amplitudes weaker than this beside the first ones are left out.
+/// Relative amplitude below which harmonics are left out.
 const WEAK: f64 = 1e-17;
 
 impl Spectrum {
@@ -75,12 +80,12 @@ impl Spectrum {
         }
     }
 
-    /// Mean spin (rad/s), principal axes.
+    /// Mean angular velocity (rad/s), principal axes.
     pub fn mean_spin(&self) -> [f64; 3] {
         self.spin[0].map(|rate| rate.re)
     }
 
-    /// Amplitudes of one component of the spin, from the first harmonic on.
+    /// Amplitudes of one component of the angular velocity, from the first harmonic on.
     pub fn component(&self, axis: usize) -> Vec<Complex<f64>> {
         self.spin[1..].iter().map(|amplitudes| amplitudes[axis]).collect()
     }

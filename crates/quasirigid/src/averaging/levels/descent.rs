@@ -1,30 +1,35 @@
+//! Gradient descent of the slow energy on the sphere `|K| = G`, to a minimum or up to a maximum.
+//! Every level of a component is met once on such a path, which gives a start on each; shares count from the lower end, where a wobble may
+//! be small beside the digits of a place.
+//! Equations (N1) and (N5), docs/theory/17-levels.md.
+
 use super::energy::SlowEnergy;
 use crate::math::rotation::angle;
 use crate::math::sphere::{StationaryKind, StationaryPoint};
 use crate::math::vec3::{add, norm, scale};
 
-/// A way down the slow energy to one of its minima, along which every level of a component is met once.
+/// Path of falling slow energy to one of its minima, along which every level of a component is met once.
 #[derive(Clone, Debug)]
 pub(super) struct Descent {
     /// Unit vectors with falling energy, the minimum last.
     places: Vec<[f64; 3]>,
-    /// `h` there (1/s).
+    /// `h` at each place (1/s).
     energies: Vec<f64>,
 }
 
-/// Longest step (rad), and the share of the distance to the minimum beyond which none leads.
+/// Longest step (rad), and the limit of the number of steps.
 const STRIDE: f64 = 0.02;
 const STEPS: usize = 100_000;
-/// Slope, as a share of the largest, that is none.
+/// Slope, as a share of the largest, that counts as zero.
 const AT_REST: f64 = 1e-8;
-/// Within this angle (rad) of a minimum the straight way is tried, looked at in so many places.
+/// Angle (rad) from a minimum within which the straight path is tried, checked at `LOOKS` places.
 const NEAR: f64 = 0.1;
 const LOOKS: usize = 24;
 const HALVINGS: usize = 200;
 
 impl Descent {
-    /// Follows the negative gradient to a minimum, with its number if it is isolated; `downhill` is −1 to climb to a maximum
-    /// instead. None if it ends elsewhere.
+    /// Follows the negative gradient to a minimum, with its number if it is isolated; `downhill` is −1 to climb to a maximum instead.
+    /// None if the path ends elsewhere.
     pub fn from(
         energy: &SlowEnergy,
         points: &[StationaryPoint],
@@ -73,7 +78,7 @@ impl Descent {
         self.places[self.places.len() - 1]
     }
 
-    /// The place on the way with this `h`, between those of its ends.
+    /// Place on the path with this `h`, between those of its ends.
     pub fn at(&self, energy: &SlowEnergy, h: f64) -> [f64; 3] {
         let after = self.energies.partition_point(|energy| *energy > h).clamp(1, self.energies.len() - 1);
         let (from, to) = (self.places[after - 1], self.places[after]);
@@ -95,7 +100,7 @@ impl Descent {
     }
 }
 
-/// Whether the energy falls (or rises) all along the straight way to a place.
+/// Tells whether the energy falls (or rises) all along the straight path to a place.
 fn falls(energy: &SlowEnergy, from: [f64; 3], to: [f64; 3], downhill: f64) -> bool {
     let place = |i: usize| {
         let share = i as f64 / LOOKS as f64;

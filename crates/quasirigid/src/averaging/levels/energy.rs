@@ -1,3 +1,8 @@
+//! Slow energy of a reduced body on the sphere `|K| = G`, with gradient, velocity along levels and power.
+//! The part that is constant on the sphere is subtracted, or nearly equal moments lose their digits; the ratio of the two speeds is fitted,
+//! because the quotient fails where both vanish.
+//! Equations (N1) and (N3), docs/theory/17-levels.md.
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::math::polynomial::monomial::exponents;
@@ -8,10 +13,10 @@ use crate::math::sym3;
 use crate::math::vec3::{cross, dot, norm};
 use crate::model::{Principal, ReducedBody};
 
-/// The slow energy on the sphere `|K| = G`, and how fast the momentum runs along its levels. (N1), (N3)
+/// Slow energy on the sphere `|K| = G`, and the velocity of the angular momentum along its levels. (N1), (N3)
 ///
-/// Places are unit vectors `u = K/G`; `h = (H − λ̄K²/2)/G` (1/s) is the slow energy with what is the same on the whole sphere
-/// left out, so that no digits are lost to it.
+/// Places are unit vectors `u = K/G`; `h = (H − λ̄K²/2)/G` (1/s) is the slow energy without its part that is constant on the sphere, so
+/// that no digits are lost to that part.
 #[derive(Clone, Debug)]
 pub(super) struct SlowEnergy {
     /// Angular momentum (N·m·s).
@@ -29,14 +34,14 @@ pub(super) struct SlowEnergy {
     power: Kernel,
     /// Largest speed along a level over the sphere (1/s).
     pub fastest: f64,
-    /// Largest power (W), and largest spin along the momentum (rad/s), over the sphere.
+    /// Largest power (W), and largest spin along the angular momentum (rad/s), over the sphere.
     pub largest_power: f64,
     pub fastest_turning: f64,
 }
 
 /// Directions in which the ratio of speeds is fitted.
 const FITTED: usize = 300;
-/// Combinations of monomials that change the speed by less than this share are left alone.
+/// Relative singular value below which a combination of monomials counts as linearly dependent on the sphere.
 const UNDETERMINED: f64 = 1e-10;
 
 impl SlowEnergy {
@@ -95,14 +100,14 @@ impl SlowEnergy {
         [x - along * u[0], y - along * u[1], z - along * u[2]]
     }
 
-    /// Velocity `u × ∇h` along the level (1/s), and the ratio `s` in which the momentum is faster. (N3)
+    /// Velocity `u × ∇h` along the level (1/s), and the factor `s` by which the angular momentum is faster. (N3)
     #[inline(always)]
     pub fn velocity(&self, u: [f64; 3]) -> ([f64; 3], f64) {
         let [x, y, z, over] = self.field.value::<Plain>(u);
         (cross(u, [x, y, z]), 1.0 + over)
     }
 
-    /// Power dissipated (W), and the component of the spin along the momentum (rad/s).
+    /// Power dissipated (W), and the component of the angular velocity along the angular momentum (rad/s).
     #[inline(always)]
     pub fn power(&self, u: [f64; 3]) -> [f64; 2] {
         let [x, y, z, _] = self.Omega.value::<Plain>(u);
@@ -126,9 +131,8 @@ fn potential(even: &Series, half_mean: f64, G: f64) -> Series {
     potential
 }
 
-/// `s − 1` as a polynomial on the unit sphere, so that `K × Ω = s K × ∇H` but for terms beyond the order: `K` is not a canonical
-/// variable of the slow motion. A least-squares fit over the sphere; the fit and not a quotient, which fails where both sides
-/// vanish. (N3)
+/// `s − 1` as a polynomial on the unit sphere, so that `K × Ω = s K × ∇H` but for terms beyond the order: `K` is not a canonical variable
+/// of the slow motion. A least-squares fit over the sphere, since a quotient fails where both sides vanish. (N3)
 fn speed_ratio(body: &ReducedBody, gradient: &Series, G: f64) -> Series {
     let highest = body.order.saturating_sub(1) / 2 * 2;
     let lowest = if body.has_wheels() { highest.saturating_sub(1) } else { highest };

@@ -1,3 +1,8 @@
+//! Secular evolution along level curves of the slow energy, for bodies whose moments are nearly equal.
+//! The average along rigid polhodes needs moments that differ by more than the deformation changes them; levels need no such difference.
+//! Legs between saddles are found here and followed in `passage.rs`.
+//! Equations (N1) to (N6), docs/theory/17-levels.md.
+
 use thiserror::Error;
 
 use super::descent::{Descent, unit};
@@ -10,11 +15,11 @@ use crate::math::sym3;
 use crate::math::vec3::{norm, scale};
 use crate::model::{Principal, ReducedBody};
 
-/// How the rotation of a free body ages whose moments may be nearly equal: it runs along a level curve of the slow energy on the
-/// sphere `|K| = G`, and its energy falls at the mean power dissipated there. (N1)–(N6)
+/// Secular evolution of a free body whose moments may be nearly equal: the angular momentum runs along a level curve of the slow energy
+/// on the sphere `|K| = G`, and the energy falls at the mean power dissipated on that curve. (N1)–(N6)
 ///
-/// Where the moments differ much this is the [`Evolution`](crate::averaging::Evolution) along rigid polhodes, at the order of the
-/// reduced body. The power of nearly equal moments needs order 5 or more: (V11) says which.
+/// For moments that differ much this is the [`Evolution`](crate::averaging::Evolution) along rigid polhodes, at the order of the reduced
+/// body. The power of nearly equal moments needs order 5 or more: (V11) says which.
 #[derive(Clone, Debug)]
 pub struct LevelEvolution {
     pub(super) energy: SlowEnergy,
@@ -24,22 +29,22 @@ pub struct LevelEvolution {
     pub(super) range: f64,
 }
 
-/// Levels that cannot be followed.
+/// Error of a level evolution.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum LevelError {
-    /// Nothing turns, or the momentum is no number.
+    /// The angular momentum is zero or no number.
     #[error(
-        "an angular momentum of {momentum} N m s means nothing here; give one that is finite and positive"
+        "an angular momentum of {angular_momentum} N m s means nothing here; give one that is finite and positive"
     )]
-    NoMomentum {
+    NoAngularMomentum {
         /// Angular momentum (N·m·s).
-        momentum: f64,
+        angular_momentum: f64,
     },
     /// The slow energy is the same everywhere.
     #[error("the slow energy is the same for every direction of the angular momentum: every spin is steady")]
     Flat,
-    /// The start is a steady spin, which does not age.
+    /// The start is a steady spin, which does not evolve.
     #[error("the rotation starts at a steady spin, about which nothing ages")]
     Steady,
     /// The level does not close, as on a separatrix.
@@ -47,7 +52,7 @@ pub enum LevelError {
         "the level of the slow energy could not be followed from here: it lies on a separatrix; move the start a little"
     )]
     Open,
-    /// A wobble so small that its energy is lost in rounding.
+    /// The wobble is so small that its energy is lost in rounding.
     #[error(
         "a wobble of {angle:.3e} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
     )]
@@ -55,14 +60,14 @@ pub enum LevelError {
         /// The wobble (rad).
         angle: f64,
     },
-    /// A wobble about a family of steady spins.
+    /// The wobble is about a family of steady spins.
     #[error(
         "the steady spins that attract form a family, and a wobble about them has no angle; give a duration or a share of the energy"
     )]
     Family,
 }
 
-/// Share of the spin below which a tangential part of it is rounding.
+/// Share of the angular velocity below which its tangential part is rounding.
 const ROUNDING: f64 = 1e-14;
 /// Speed along a level, relative to the fastest, below which a spin is steady.
 const AT_REST: f64 = 1e-9;
@@ -73,10 +78,10 @@ impl LevelEvolution {
     /// The levels of a reduced body with the angular momentum `G` (N·m·s).
     ///
     /// # Errors
-    /// [`LevelError::NoMomentum`], and [`LevelError::Flat`] where every spin is steady.
+    /// [`LevelError::NoAngularMomentum`], and [`LevelError::Flat`] where every spin is steady.
     pub fn new(body: &ReducedBody, G: f64) -> Result<Self, LevelError> {
         if !(G.is_finite() && G > 0.0) {
-            return Err(LevelError::NoMomentum { momentum: G });
+            return Err(LevelError::NoAngularMomentum { angular_momentum: G });
         }
         let energy = SlowEnergy::of(body, G);
         let axes = Principal::compute(body.J).axes;
@@ -96,22 +101,22 @@ impl LevelEvolution {
 
     /// Angular momentum (N·m·s).
     #[must_use]
-    pub fn momentum(&self) -> f64 {
+    pub fn angular_momentum(&self) -> f64 {
         self.energy.G
     }
 
-    /// Slow energy (J) at a momentum `K` (body axes; its direction counts). (N1)
+    /// Slow energy (J) at an angular momentum `K` (body axes; only the direction matters). (N1)
     #[must_use]
     pub fn slow_energy(&self, K: [f64; 3]) -> f64 {
         self.energy.joules(self.energy.energy(unit(K)))
     }
 
-    /// Momenta (N·m·s) of the isolated steady spins, and what each is for the energy. (N2)
+    /// Angular momenta (N·m·s) of the isolated steady spins, each with its kind of stationary point of the energy. (N2)
     pub fn steady(&self) -> impl Iterator<Item = ([f64; 3], StationaryKind)> + '_ {
         self.points.iter().map(|point| (scale(self.energy.G, point.place), point.kind))
     }
 
-    /// The level through a momentum `K` (body axes; its direction counts). (N4)
+    /// Level through an angular momentum `K` (body axes; only the direction matters). (N4)
     ///
     /// # Errors
     /// [`LevelError::Steady`] and [`LevelError::Open`].
@@ -122,10 +127,10 @@ impl LevelEvolution {
         Ok(turn.level(self.slow_energy(K)))
     }
 
-    /// The direction of a momentum that is not steady.
+    /// Direction of an angular momentum; an error at a steady spin.
     pub(super) fn moving(&self, K: [f64; 3]) -> Result<[f64; 3], LevelError> {
         if !(norm(K).is_finite() && norm(K) > 0.0) {
-            return Err(LevelError::NoMomentum { momentum: norm(K) });
+            return Err(LevelError::NoAngularMomentum { angular_momentum: norm(K) });
         }
         let u = unit(K);
         if norm(self.energy.velocity(u).0) <= AT_REST * self.energy.fastest {
@@ -138,7 +143,7 @@ impl LevelEvolution {
         Saddles::new(&self.energy, &self.points, self.range)
     }
 
-    /// The leg that starts at a place, below a separatrix of this `h` or anywhere.
+    /// Leg that starts at a place, bounded above by a separatrix of this `h` or by the next stationary point.
     pub(super) fn leg(&self, start: [f64; 3], below: Option<f64>) -> Result<Leg, LevelError> {
         let (descent, minimum) =
             Descent::from(&self.energy, &self.points, start, 1.0).ok_or(LevelError::Open)?;

@@ -1,3 +1,8 @@
+//! Leg of a level evolution: stretch between two stationary energies, with time and revolutions over `ξ`.
+//! `ξ` puts both ends at infinity, where the time diverges or has a logarithm; the integrand is interpolated, since each value costs a
+//! revolution along a level.
+//! Equation (N5), docs/theory/17-levels.md.
+
 use std::f64::consts::TAU;
 
 use super::descent::Descent;
@@ -6,26 +11,26 @@ use super::level::{Level, Traced, traced};
 use crate::math::chebyshev::Chebyshev;
 use crate::math::sphere::StationaryPoint;
 
-/// A stretch of the evolution between two energies where nothing branches. (N5)
+/// Stretch of the evolution between two energies, without a branch between them. (N5)
 ///
 /// The place on it is `ξ = ln (top − h)/(h − bottom)`: both ends, where time diverges or has a logarithm in it, are at infinity.
 #[derive(Clone, Debug)]
 pub(super) struct Leg {
     pub descent: Descent,
-    /// Place of the steady spin that nutation is measured from.
+    /// Direction of the steady spin that nutation is measured from.
     pub circled: [f64; 3],
-    /// Whether the minimum is isolated: in a family no wobble about it has an angle.
+    /// True if the minimum is isolated: a wobble about a family has no angle.
     pub isolated: bool,
     /// `h` that bounds the leg above and below (1/s).
     pub top: f64,
     pub bottom: f64,
-    /// The saddles that end it; none where it ends at the minimum.
+    /// Saddles that end the leg; none where the leg ends at the minimum.
     pub saddles: Vec<StationaryPoint>,
     /// `h` of the minimum that the descent leads to (1/s).
     pub minimum: f64,
 }
 
-/// A piece of a leg over which time and turns are interpolated.
+/// Piece of a leg over which time and revolutions are interpolated.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub ends: [f64; 2],
@@ -34,7 +39,7 @@ pub(super) struct Piece {
 
 /// Place beyond which a wobble about a minimum is so small that the rate is that of the smallest.
 const AXIS: f64 = 16.0;
-/// Relative error of a piece, and halvings that may be needed for it.
+/// Relative error of a piece, and the limit of halvings to reach it.
 const TOLERANCE: f64 = 1e-8;
 const HALVINGS: u32 = 6;
 
@@ -54,7 +59,7 @@ impl Leg {
         self.descent.at(energy, self.bottom + self.height(xi))
     }
 
-    /// One turn along the level at a place.
+    /// One circuit of the level at a place.
     pub fn turn(&self, energy: &SlowEnergy, xi: f64) -> Option<Traced> {
         traced(energy, self.on(energy, xi), self.circled, |_| {})
     }
@@ -65,7 +70,7 @@ impl Leg {
         Some(turn.level(energy.joules(self.bottom + self.height(xi))))
     }
 
-    /// Time (s) and turns per unit of the way.
+    /// Time (s) and revolutions per unit of `ξ`.
     pub fn slowness(&self, energy: &SlowEnergy, xi: f64) -> Option<[f64; 2]> {
         let xi = if self.saddles.is_empty() { xi.min(AXIS) } else { xi };
         let Traced { period, loss, angle, .. } = self.turn(energy, xi)?;
@@ -73,7 +78,7 @@ impl Leg {
         Some([fall * period / loss, fall * angle / (TAU * loss)])
     }
 
-    /// Pieces that cover an interval, each as long as it is well interpolated; fewer where a level is not closed.
+    /// Pieces that cover an interval, each short enough for its interpolation; none where a level is not closed.
     pub fn pieces(&self, energy: &SlowEnergy, ends: [f64; 2]) -> Option<Vec<Piece>> {
         let mut pieces = Vec::new();
         self.cover(energy, ends, HALVINGS, &mut pieces)?;
@@ -99,7 +104,7 @@ impl Leg {
 }
 
 impl Piece {
-    /// Time (s) and turns from the start of the piece to a place in it.
+    /// Time (s) and revolutions from the start of the piece to a place in it.
     pub fn until(&self, xi: f64) -> [f64; 2] {
         self.fit.integral(xi)
     }

@@ -1,3 +1,8 @@
+//! Level curve of the slow energy, traced once round: period, loss, angle and nutation.
+//! The curve runs along `K × ∇H`, which keeps the energy exactly; curves of `K × Ω` do not close. The solid angle about the long axis gives
+//! the precession without a singularity near that axis.
+//! Equations (N3), (N4) and (N7), docs/theory/17-levels.md.
+
 use std::f64::consts::TAU;
 
 use super::energy::SlowEnergy;
@@ -6,7 +11,7 @@ use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 
-/// One turn of the momentum along a level curve of the slow energy. (N4)
+/// One circuit of the angular momentum along a level curve of the slow energy. (N4)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
     /// Slow energy (J).
@@ -15,11 +20,11 @@ pub struct Level {
     pub period: f64,
     /// Mean power dissipated (W).
     pub power: f64,
-    /// Mean rate of the turns about the momentum (1/s).
-    pub turns: f64,
-    /// Mean rate (rad/s) at which the axis of least inertia goes round the momentum. (N7)
+    /// Mean rate of revolutions about the angular momentum (1/s).
+    pub revolutions: f64,
+    /// Mean rate (rad/s) at which the axis of least inertia goes round the angular momentum. (N7)
     pub long_axis_precession_rate: f64,
-    /// Least and greatest angle (rad) between the momentum and the steady spin circled.
+    /// Least and greatest angle (rad) between the angular momentum and the steady spin circled.
     pub nutation: [f64; 2],
 }
 
@@ -27,20 +32,20 @@ pub struct Level {
 const TOLERANCE: f64 = 1e-13;
 /// Error allowed per step in a unit vector at least: some roundings.
 const ROUNDING: f64 = 1e-15;
-/// Steps that one turn may take; next to a saddle it takes some hundred.
+/// Limit of steps per circuit; next to a saddle a circuit takes some hundred.
 const STEPS: usize = 20_000;
 /// A return nearer to the start than this share of the size of the level closes it.
 const CLOSED: f64 = 1e-4;
-/// Looks within a step.
+/// Places checked within a step.
 const LOOKS: usize = 6;
 /// Halvings of a step that find a crossing.
 const HALVINGS: usize = 60;
 
-/// State on a level: the place, the time (s), the energy dissipated (J), the angle turned about the momentum (rad), the solid angle
-/// swept about the axis of least inertia (rad).
+/// State on a level: the place, the time (s), the energy dissipated (J), the angle turned about the angular momentum (rad), the solid
+/// angle swept about the axis of least inertia (rad).
 type State = [f64; 7];
 
-/// Runs along a level at the speed of the canonical equations; the time runs at the ratio `s`. (N3)
+/// Motion along a level at the speed of the canonical equations; time runs at the ratio `s`. (N3)
 struct Along<'a> {
     energy: &'a SlowEnergy,
     /// Sense of the axis of least inertia that the level starts nearer to.
@@ -59,36 +64,36 @@ impl System<State> for Along<'_> {
     }
 }
 
-/// A level with what only its own module needs.
+/// Traced level, with the sums that [`Level`] is made of.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Traced {
     pub period: f64,
-    /// Energy dissipated in a turn (J).
+    /// Energy dissipated in a circuit (J).
     pub loss: f64,
-    /// Angle turned about the momentum in a turn (rad).
+    /// Angle turned about the angular momentum in a circuit (rad).
     pub angle: f64,
-    /// Angle by which the axis of least inertia goes round the momentum in a turn (rad).
+    /// Angle by which the axis of least inertia goes round the angular momentum in a circuit (rad).
     pub precession: f64,
     pub nutation: [f64; 2],
 }
 
 impl Traced {
-    /// The level as users see it, with its slow energy (J).
+    /// Public level, with its slow energy (J).
     pub fn level(&self, energy: f64) -> Level {
         let Self { period, loss, angle, precession, nutation } = *self;
         Level {
             energy,
             period,
             power: loss / period,
-            turns: angle / (TAU * period),
+            revolutions: angle / (TAU * period),
             long_axis_precession_rate: precession / period,
             nutation,
         }
     }
 }
 
-/// Follows the level through a unit vector once round; `pole` is where the angles of nutation are measured from, and `look` sees
-/// the places passed. None where it does not come back, as on a separatrix. (N4)
+/// Follows the level through a unit vector once round; angles of nutation are measured from `pole`, and `look` sees the places passed.
+/// None where the level does not close, as on a separatrix. (N4)
 pub(super) fn traced(
     energy: &SlowEnergy,
     start: [f64; 3],
@@ -149,7 +154,7 @@ pub(super) fn traced(
     None
 }
 
-/// What is gathered on the way round.
+/// Quantities gathered along the circuit.
 struct Turn {
     nutation: [f64; 2],
     extent: f64,
@@ -170,8 +175,8 @@ impl Turn {
     }
 }
 
-/// Errors allowed per step on a level of a size, as a share of the largest: the place to a share of the level's size, the rest to
-/// a share of a turn's worth.
+/// Errors allowed per step on a level of a size relative to the largest: the place to a share of the size of the level, the rest to a
+/// share of their values over a circuit.
 fn allowed(energy: &SlowEnergy, size: f64) -> State {
     let SlowEnergy { fastest, largest_power, fastest_turning, .. } = *energy;
     let place = (TOLERANCE * size).max(ROUNDING);
@@ -180,7 +185,7 @@ fn allowed(energy: &SlowEnergy, size: f64) -> State {
     [place, place, place, time, loss, fastest_turning * time, place]
 }
 
-/// Where a function changes its sign between two times.
+/// Time between two times where a function changes its sign, by bisection.
 fn crossing(function: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
     let negative = function(from) < 0.0;
     for _ in 0..HALVINGS {

@@ -1,4 +1,4 @@
-//! Ageing along the level curves of the slow energy, for bodies whose moments are nearly equal.
+//! Secular evolution along the level curves of the slow energy, for bodies whose moments are nearly equal.
 
 mod descent;
 mod energy;
@@ -10,5 +10,5 @@ mod saddle_passage;
 
 pub use evolution::{LevelError, LevelEvolution};
 pub use level::Level;
-pub use passage::{LevelEnding, LevelPassage, LevelRow, Until};
+pub use passage::{LevelPassage, LevelRow, LevelStopReason, Until};
 pub use saddle_passage::{Separatrix, Way};

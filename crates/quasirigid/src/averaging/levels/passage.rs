@@ -1,59 +1,64 @@
+//! Evolution along levels from a start to a target: legs, passages of saddles, and the rows of the result.
+//! Time next to a saddle has a logarithm, added in closed form from the last level followed; where the ways behind a saddle differ the
+//! evolution ends there, since a fraction of a revolution decides.
+//! Equations (N5) and (N6), docs/theory/17-levels.md.
+
 use super::evolution::{LevelError, LevelEvolution};
 use super::leg::{Leg, Piece};
 use super::saddle_passage::Separatrix;
 use crate::math::bisection::bisected;
 use crate::math::vec3::scale;
 
-/// What ends an evolution along levels.
+/// Target that ends an evolution along levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Until {
-    /// A share is left of the energy that the start has above the steady spin that attracts.
+    /// Share left of the energy that the start has above the attracting steady spin.
     EnergyLeft(f64),
-    /// The greatest angle (rad) between the momentum and the steady spin that attracts has fallen to this.
+    /// Greatest angle (rad) between the angular momentum and the attracting steady spin.
     Wobble(f64),
-    /// A time has passed (s).
+    /// Elapsed time (s).
     Duration(f64),
 }
 
-/// An evolution along levels.
+/// Result of an evolution along levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelPassage {
-    /// States on the way, start and end among them.
+    /// States of the evolution, start and end among them.
     pub rows: Vec<LevelRow>,
-    /// Energies of saddles passed on the way, the one that ended it last.
+    /// Separatrices passed, the one that ended the evolution last.
     pub separatrices: Vec<Separatrix>,
-    /// Why it ended.
-    pub ending: LevelEnding,
-    /// Momentum (N·m·s, body axes) of the steady spin that attracts; behind a separatrix whose ways are alike, one of them.
+    /// Reason of the end.
+    pub ending: LevelStopReason,
+    /// Angular momentum (N·m·s, body axes) of the attracting steady spin; behind a separatrix with equal ways, one of them.
     pub attractor: [f64; 3],
 }
 
-/// A state on the way.
+/// State of an evolution along levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LevelRow {
     /// Time (s).
     pub time: f64,
-    /// Turns about the angular momentum.
-    pub turns: f64,
+    /// Revolutions about the angular momentum.
+    pub revolutions: f64,
     /// Slow energy (J).
     pub energy: f64,
-    /// Least and greatest angle (rad) between the momentum and the steady spin circled.
+    /// Least and greatest angle (rad) between the angular momentum and the steady spin circled.
     pub nutation: [f64; 2],
     /// Period of the level (s).
     pub period: f64,
-    /// Mean rate (rad/s) at which the axis of least inertia goes round the momentum. (N7)
+    /// Mean rate (rad/s) at which the axis of least inertia goes round the angular momentum. (N7)
     pub long_axis_precession_rate: f64,
     /// Mean power dissipated (W).
     pub power: f64,
-    /// A momentum on the level (N·m·s, body axes).
-    pub momentum: [f64; 3],
-    /// Momentum of the steady spin circled (N·m·s, body axes).
+    /// Angular momentum on the level (N·m·s, body axes).
+    pub angular_momentum: [f64; 3],
+    /// Angular momentum of the steady spin circled (N·m·s, body axes).
     pub circled: [f64; 3],
 }
 
-/// Why an evolution along levels ended.
+/// Reason why an evolution along levels ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LevelEnding {
+pub enum LevelStopReason {
     /// The target was reached.
     Reached,
     /// The duration has passed.
@@ -64,23 +69,23 @@ pub enum LevelEnding {
     Lossless,
 }
 
-/// Length of the way that is integrated at once, and where a wobble has fallen to nothing.
+/// Length in `ξ` that is integrated at once, and the place where a wobble is negligible.
 const STRETCH: f64 = 2.0;
 const NOTHING: f64 = 300.0;
-/// Share of the logarithm that the last piece of time next to a saddle has beside its end value, `1/ln(1/margin)`.
+/// Relative excess of the last piece of time next to a saddle over its end value: the logarithm's share `1/ln(1/margin)`.
 const LOGARITHM: f64 = 1.0 / 16.0;
-/// Halvings that find an angle on the way.
+/// Halvings that locate an angle of wobble.
 const ANGLE_STEPS: usize = 50;
 
-/// A piece with what went before it.
+/// Piece with the time and revolutions before it.
 struct Stretch {
     leg: usize,
     piece: Piece,
     time: f64,
-    turns: f64,
+    revolutions: f64,
 }
 
-/// An evolution in the making.
+/// Evolution along levels in progress.
 struct Making<'a> {
     levels: &'a LevelEvolution,
     legs: Vec<Leg>,
@@ -88,12 +93,12 @@ struct Making<'a> {
     separatrices: Vec<Separatrix>,
     xi: f64,
     time: f64,
-    turns: f64,
+    revolutions: f64,
 }
 
 impl LevelEvolution {
-    /// Follows the levels from a momentum `K` (body axes; its direction counts) to a target, and lists states evenly along the
-    /// way. (N5), (N6)
+    /// Follows the levels from an angular momentum `K` (body axes; only the direction matters) to a target, and lists states evenly in
+    /// `ξ`. (N5), (N6)
     ///
     /// # Errors
     /// [`LevelError`] if the start is steady or on a separatrix, and for the angle of a wobble about a family of steady spins.
@@ -109,7 +114,7 @@ impl LevelEvolution {
             separatrices: Vec::new(),
             xi,
             time: 0.0,
-            turns: 0.0,
+            revolutions: 0.0,
         };
         let followed = making.run(h, until).and_then(|ending| making.passage(ending, rows));
         followed.map_err(|error| match (error, until) {
@@ -119,16 +124,16 @@ impl LevelEvolution {
     }
 }
 
-/// Wobbles (rad) above this have an energy that stands out of rounding.
+/// Smallest wobble (rad) whose energy stands out of rounding.
 const SMALLEST: f64 = 1e-6;
 
 impl Making<'_> {
-    fn run(&mut self, start: f64, until: Until) -> Result<LevelEnding, LevelError> {
+    fn run(&mut self, start: f64, until: Until) -> Result<LevelStopReason, LevelError> {
         loop {
             let leg = self.leg();
             let turn = leg.turn(&self.levels.energy, self.xi).ok_or(LevelError::Open)?;
             if !(turn.loss > 0.0) {
-                return Ok(LevelEnding::Lossless);
+                return Ok(LevelStopReason::Lossless);
             }
             let last = self.end_of_leg();
             let goal = self.goal(start, until)?;
@@ -136,10 +141,10 @@ impl Making<'_> {
                 return Ok(ending);
             }
             if goal.is_some() {
-                return Ok(LevelEnding::Reached);
+                return Ok(LevelStopReason::Reached);
             }
             if !self.pass()? {
-                return Ok(LevelEnding::Undecided);
+                return Ok(LevelStopReason::Undecided);
             }
         }
     }
@@ -154,7 +159,7 @@ impl Making<'_> {
         if leg.saddles.is_empty() { NOTHING } else { leg.place(self.levels.saddles().margin()) }
     }
 
-    /// The place of the target, if it lies on this leg.
+    /// Place of the target, if on this leg.
     fn goal(&self, start: f64, until: Until) -> Result<Option<f64>, LevelError> {
         let leg = self.leg();
         match until {
@@ -169,7 +174,7 @@ impl Making<'_> {
         }
     }
 
-    /// The place on the last leg where the greatest angle has fallen to this.
+    /// Place on the last leg where the greatest angle has fallen to `angle` (rad).
     fn wobbling(&self, angle: f64) -> Result<f64, LevelError> {
         let (leg, energy) = (self.leg(), &self.levels.energy);
         let greatest = |xi: f64| leg.turn(energy, xi).map_or(f64::NAN, |turn| turn.nutation[1]);
@@ -192,38 +197,43 @@ impl Making<'_> {
     }
 
     /// Integrates to a place on the leg, or to the end of the duration.
-    fn advance(&mut self, goal: f64, until: Until) -> Result<Option<LevelEnding>, LevelError> {
+    fn advance(&mut self, goal: f64, until: Until) -> Result<Option<LevelStopReason>, LevelError> {
         while self.xi < goal {
             let ends = [self.xi, (self.xi + STRETCH).min(goal)];
             let pieces = self.leg().pieces(&self.levels.energy, ends).ok_or(LevelError::Open)?;
             for piece in pieces {
                 let [_, end] = piece.ends;
-                let [time, turns] = piece.until(end);
-                let stretch = Stretch { leg: self.legs.len() - 1, time: self.time, turns: self.turns, piece };
+                let [time, revolutions] = piece.until(end);
+                let stretch = Stretch {
+                    leg: self.legs.len() - 1,
+                    time: self.time,
+                    revolutions: self.revolutions,
+                    piece,
+                };
                 self.stretches.push(stretch);
                 if let Until::Duration(duration) = until
                     && self.time + time >= duration
                 {
                     self.stop_within(duration);
-                    return Ok(Some(LevelEnding::Duration));
+                    return Ok(Some(LevelStopReason::Duration));
                 }
                 self.time += time;
-                self.turns += turns;
+                self.revolutions += revolutions;
                 self.xi = end;
             }
         }
         Ok(None)
     }
 
-    /// Ends in the last stretch, when a time has passed.
+    /// Ends within the last stretch at an elapsed time.
     fn stop_within(&mut self, duration: f64) {
-        let Stretch { piece, time, turns, .. } = &self.stretches[self.stretches.len() - 1];
+        let Stretch { piece, time, revolutions, .. } = &self.stretches[self.stretches.len() - 1];
         self.xi = bisected(piece.ends, |xi| piece.until(xi)[0], duration - time, true);
-        self.turns = turns + piece.until(self.xi)[1];
+        self.revolutions = revolutions + piece.until(self.xi)[1];
         self.time = duration;
     }
 
-    /// Passes the saddles at the end of the leg if it matters little which way; says whether it did.
+    /// Passes the saddles at the end of the leg if the ways behind them are alike; returns false where they are not.
     fn pass(&mut self) -> Result<bool, LevelError> {
         let (levels, leg) = (self.levels, self.leg().clone());
         let saddles = levels.saddles();
@@ -246,26 +256,26 @@ impl Making<'_> {
 
     /// Adds the time between a saddle and the last level followed beside it, where the integrand is a logarithm.
     fn rest(&mut self, leg: &Leg, xi: f64) -> Result<(), LevelError> {
-        let [time, turns] = leg.slowness(&self.levels.energy, xi).ok_or(LevelError::Open)?;
+        let [time, revolutions] = leg.slowness(&self.levels.energy, xi).ok_or(LevelError::Open)?;
         // dξ = dh (top − bottom)/((top − h)(h − bottom)): beside an end it is the distance over itself.
         self.time += time * (1.0 + LOGARITHM);
-        self.turns += turns * (1.0 + LOGARITHM);
+        self.revolutions += revolutions * (1.0 + LOGARITHM);
         Ok(())
     }
 
-    fn passage(self, ending: LevelEnding, rows: usize) -> Result<LevelPassage, LevelError> {
+    fn passage(self, ending: LevelStopReason, rows: usize) -> Result<LevelPassage, LevelError> {
         let (levels, G) = (self.levels, self.levels.energy.G);
-        let row = |leg: &Leg, xi: f64, time: f64, turns: f64| {
+        let row = |leg: &Leg, xi: f64, time: f64, revolutions: f64| {
             let level = leg.level(&levels.energy, xi).ok_or(LevelError::Open)?;
             Ok(LevelRow {
                 time,
-                turns,
+                revolutions,
                 energy: level.energy,
                 nutation: level.nutation,
                 period: level.period,
                 long_axis_precession_rate: level.long_axis_precession_rate,
                 power: level.power,
-                momentum: scale(G, leg.on(&levels.energy, xi)),
+                angular_momentum: scale(G, leg.on(&levels.energy, xi)),
                 circled: scale(G, leg.circled),
             })
         };
@@ -281,17 +291,17 @@ impl Making<'_> {
                 passed += length(&self.stretches[stretch]);
                 stretch += 1;
             }
-            let Stretch { leg, piece, time, turns } = &self.stretches[stretch];
+            let Stretch { leg, piece, time, revolutions } = &self.stretches[stretch];
             let xi = piece.ends[0] + (way - passed);
             let [more, further] = piece.until(xi);
-            listed.push(row(&self.legs[*leg], xi, time + more, turns + further)?);
+            listed.push(row(&self.legs[*leg], xi, time + more, revolutions + further)?);
         }
-        // An evolution that ends at a saddle is told up to the last level before it.
+        // Rows of an evolution that ends at a saddle stop at the last level before the saddle.
         let (xi, leg) = match (ending, self.stretches.last()) {
-            (LevelEnding::Undecided, Some(stretch)) => (stretch.piece.ends[1], &self.legs[stretch.leg]),
+            (LevelStopReason::Undecided, Some(stretch)) => (stretch.piece.ends[1], &self.legs[stretch.leg]),
             _ => (self.xi, &self.legs[self.legs.len() - 1]),
         };
-        listed.push(row(leg, xi, self.time, self.turns)?);
+        listed.push(row(leg, xi, self.time, self.revolutions)?);
         let attractor = self.legs[self.legs.len() - 1].descent.end();
         Ok(LevelPassage {
             rows: listed,

@@ -6,36 +6,36 @@ use super::level::{Traced, traced};
 use crate::math::sphere::{StationaryKind, StationaryPoint};
 use crate::math::vec3::{add, norm, scale};
 
-/// A passage of the energy of saddles, where a level meets itself or its neighbours. (N6)
+/// Separatrix passed: the energy of saddles, where a level meets itself or its neighbours. (N6)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Separatrix {
     /// Time (s) since the start.
     pub time: f64,
     /// Slow energy (J).
     pub energy: f64,
-    /// The ways on. A fraction of a turn decides which is taken.
+    /// Ways behind the separatrix. A fraction of a revolution decides which is taken.
     pub ways: Vec<Way>,
-    /// Whether the ways differ in nothing but their sense, so that the evolution goes on all the same.
+    /// True if the ways differ in nothing but their sense, so that the evolution goes on.
     pub alike: bool,
 }
 
-/// One way on from a separatrix.
+/// Way behind a separatrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Way {
-    /// A momentum (N·m·s, body axes) just below the separatrix, from which the evolution may be followed.
-    pub momentum: [f64; 3],
-    /// Share of the energy that is lost in a turn on the levels next below, which is the share of phases that lead here.
+    /// Angular momentum (N·m·s, body axes) just below the separatrix, a start to follow the evolution from.
+    pub angular_momentum: [f64; 3],
+    /// Share of the energy lost in a circuit of the levels next below: the probability of this way.
     pub share: f64,
 }
 
 /// Distance from the energy of a saddle, as a share of the range over the sphere, up to which levels are followed.
 pub(super) const MARGIN: f64 = 1e-7;
-/// A level has met a saddle when it came nearer than so many times the distance at which it would turn.
+/// Multiple of the distance at which a level turns before a saddle, within which the level counts as meeting the saddle.
 const MET: f64 = 4.0;
-/// Ways that differ less are alike.
+/// Relative difference below which ways are alike.
 const ALIKE: f64 = 1e-6;
 
-/// What a level comes past.
+/// Saddles of the slow energy, and the levels beside them.
 pub(super) struct Saddles<'a> {
     energy: &'a SlowEnergy,
     points: &'a [StationaryPoint],
@@ -62,7 +62,7 @@ impl<'a> Saddles<'a> {
         below
     }
 
-    /// Whether the level through a place, a margin above a saddle, meets it.
+    /// Tells whether the level through a place, a margin above a saddle, meets the saddle.
     pub fn meets(&self, start: [f64; 3], saddle: &StationaryPoint) -> bool {
         let (mut nearest, limit) = (f64::INFINITY, MET * self.reach(saddle, true).0);
         let look = |u: [f64; 3]| nearest = nearest.min(norm(add(u, scale(-1.0, saddle.place))));
@@ -83,7 +83,7 @@ impl<'a> Saddles<'a> {
         ((2.0 * self.margin() / curvature.abs()).sqrt(), direction)
     }
 
-    /// The levels that lie a margin below saddles of one energy: a place on each, and what a turn on it loses.
+    /// Levels a margin below saddles of one energy: a place on each, and its circuit.
     pub fn next(&self, saddles: &[StationaryPoint]) -> Vec<([f64; 3], Traced)> {
         let sides = saddles.iter().flat_map(|saddle| {
             let (distance, direction) = self.reach(saddle, false);
@@ -108,11 +108,11 @@ impl<'a> Saddles<'a> {
         known
     }
 
-    /// The ways as users see them, and whether they are alike.
+    /// Public ways, and whether they are alike.
     pub fn ways(&self, next: &[([f64; 3], Traced)]) -> (Vec<Way>, bool) {
         let whole: f64 = next.iter().map(|(_, turn)| turn.loss).sum();
         let way = |(place, turn): &([f64; 3], Traced)| Way {
-            momentum: scale(self.energy.G, *place),
+            angular_momentum: scale(self.energy.G, *place),
             share: if whole > 0.0 { turn.loss / whole } else { 1.0 / next.len() as f64 },
         };
         let close = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());

@@ -1,4 +1,4 @@
-//! The full stiff system: the truth that the reduced equations are measured against.
+//! The full stiff system: the reference for the reduced equations. (T1)
 
 mod propagate;
 mod solver;

@@ -1,3 +1,8 @@
+//! Integration of the full system from an initial state, with monitor, events and error scales.
+//! Errors are allowed per component by its share of the energy; quantities that steer nothing (accounts, place without forces) get none,
+//! or they would set the step.
+//! "Errors allowed" and equations (T1), docs/theory/08-full-system.md; (D4), docs/theory/11-materials.md.
+
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
@@ -10,7 +15,7 @@ use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
 
-/// Follows the full equations of a body from `t = 0` and observes it at the times asked for (s). (S2)–(S6), (F11)
+/// Integrates the full equations of a body from `t = 0` and observes the body at the output times (s). (S2)–(S6), (F11)
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -27,7 +32,7 @@ use crate::model::FlexibleBody;
 /// ```
 ///
 /// # Errors
-/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
+/// [`PropagateError`] before the first step. A later failure is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_full(
     system: Forced,
     initial: &FullState,
@@ -52,8 +57,8 @@ pub fn propagate_full(
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
     let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;
     let layout = Layout::of(system.body);
-    let momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
-    let mut monitor = InvariantMonitor::new(full.clone(), &y, momentum, options, observer);
+    let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
+    let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
     let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
@@ -62,18 +67,18 @@ pub fn propagate_full(
     Ok(run)
 }
 
-/// Energy that each dissipator has taken, from the accounts of a state if there are several. (D4)
+/// Energy taken by each dissipator, from the accounts of a state if there are several. (D4)
 fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String, f64)> {
     let energies = if accounts.is_empty() { &[dissipated] } else { accounts };
     let names = body.dissipators().iter().map(|part| part.name.clone());
     names.zip(energies.iter().copied()).collect()
 }
 
-/// Size that the error in each component is measured by; infinite where it does not matter.
+/// Error scale of each component; infinite where its error has no effect.
 fn sizes(body: &FlexibleBody, scales: &Scales) -> Vec<f64> {
     let layout = Layout::of(body);
     let mut sizes = vec![f64::INFINITY; layout.len()];
-    sizes[MOMENTUM..MOMENTUM + 3].fill(scales.momentum);
+    sizes[MOMENTUM..MOMENTUM + 3].fill(scales.angular_momentum);
     sizes[ATTITUDE..ATTITUDE + 4].fill(1.0);
     sizes[PLACE..PLACE + 3].fill(scales.place);
     sizes[VELOCITY..VELOCITY + 3].fill(scales.velocity);

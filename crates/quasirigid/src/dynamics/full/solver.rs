@@ -1,3 +1,8 @@
+//! Automatic choice between the explicit and the implicit integrator, step by step.
+//! Explicit steps do not show how long an accurate step could be, so the implicit method is tried from time to time; the numbers below are
+//! the relative costs of steps.
+//! "Choice of the method" and equation (T3), docs/theory/08-full-system.md.
+
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
 use crate::math::ode::{DenseOutput, Dop853, Radau, Solver, StepError, Work};
@@ -7,7 +12,7 @@ type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
 type Implicit<'a> = Radau<FullSystem<'a>, Plain>;
 
-/// Both methods, one of them at work.
+/// Solver of the full system with two methods, one of them active.
 pub(super) struct FullSolver<'a> {
     method: Method,
     active: Active<'a>,
@@ -16,11 +21,11 @@ pub(super) struct FullSolver<'a> {
     fastest: f64,
     /// Steps since the last change of method.
     since: u64,
-    /// Steps in a row that speak against the method at work.
+    /// Steps in a row that speak against the active method.
     against: u64,
     /// Explicit steps before the implicit method is tried.
     trust: u64,
-    /// Work of the methods at rest.
+    /// Work of the methods before the active one.
     done: Work,
 }
 
@@ -29,18 +34,18 @@ enum Active<'a> {
     Implicit(Box<Implicit<'a>>),
 }
 
-/// An explicit step times the fastest rate stays below 6 or so, where the method ceases to be stable.
+/// Limit of an explicit step times the fastest rate that counts as fit; the method ceases to be stable at about 6.
 const STABILITY: f64 = 4.0;
-/// An explicit step times the fastest rate up to which its dense output is as good as its end: beyond, the stages leave the slow
-/// manifold, and the end alone comes back.
+/// Limit of an explicit step times the fastest rate for which dense output is as accurate as the end of the step: beyond, the stages
+/// leave the slow manifold and only the end returns.
 const RESOLVED: f64 = 1.0;
-/// An implicit step costs as much as four explicit ones; below this many fastest rates it does not pay.
+/// Implicit step times the fastest rate below which it does not pay: an implicit step costs as much as four explicit ones of `STABILITY`.
 const WORTHWHILE: f64 = 16.0;
 /// Steps in a row before a change of method.
 const PATIENCE: u64 = 12;
 /// Explicit steps before the implicit method is first tried; twice as many after each trial that did not pay.
 const TRUST: u64 = 50;
-/// First implicit step after explicit ones.
+/// First implicit step over the last explicit one.
 const LEAP: f64 = 3.0;
 
 impl<'a> FullSolver<'a> {
@@ -57,7 +62,7 @@ impl<'a> FullSolver<'a> {
         Self { method, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
     }
 
-    /// Whether the last step speaks against the method at work.
+    /// True if the last step speaks against the active method.
     fn misfit(&self) -> bool {
         match &self.active {
             Active::Explicit(solver) => solver.h() * self.fastest > STABILITY,
@@ -65,7 +70,7 @@ impl<'a> FullSolver<'a> {
         }
     }
 
-    /// Whether the other method is to be tried.
+    /// True if the other method is to be tried.
     fn due(&self) -> bool {
         let unfit = self.against >= PATIENCE;
         let due = match &self.active {
@@ -95,7 +100,7 @@ impl<'a> FullSolver<'a> {
     }
 }
 
-/// Calls a method of the solver at work.
+/// Calls a method of the active solver.
 macro_rules! active {
     ($self:expr, $solver:ident => $call:expr) => {
         match $self {

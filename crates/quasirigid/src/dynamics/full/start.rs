@@ -5,26 +5,26 @@ use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
 use crate::math::vec3::add;
 use crate::model::{FlexibleBody, MotionState};
 
-/// Where a full run starts.
+/// Initial state of a run of the full system.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct FullState {
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
     /// Internal coordinates.
     pub q: Vec<f64>,
-    /// Their rates.
+    /// Rates of the internal coordinates.
     pub rate: Vec<f64>,
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
-    /// Its velocity (m/s).
+    /// Velocity of that point (m/s).
     pub velocity: [f64; 3],
 }
 
 impl FullState {
-    /// A body that turns without being displaced: the elastic parts at rest where they have their equilibrium.
+    /// Rotating body without displacement: elastic parts at rest in their equilibrium.
     #[must_use]
     pub fn at_rest(body: &FlexibleBody, omega: [f64; 3], attitude: [f64; 4]) -> Self {
         let n = body.coordinates().len();
@@ -32,7 +32,7 @@ impl FullState {
         Self { omega, attitude, q: still.clone(), rate: still, place: [0.0; 3], velocity: [0.0; 3] }
     }
 
-    /// A state on the slow manifold of order `p`, where a slow motion is.
+    /// State on the slow manifold of order `p` that belongs to a slow motion.
     ///
     /// # Errors
     /// [`PropagateError::Order`] if the order is beyond the reduction of forced bodies.
@@ -42,10 +42,10 @@ impl FullState {
         Ok(Self { omega, attitude, q, rate, place, velocity })
     }
 
-    /// Angular momentum (N·m·s), that of wheels included, body axes.
+    /// Angular momentum (N·m·s) with that of wheels, body axes.
     #[must_use]
-    pub fn momentum(&self, body: &FlexibleBody) -> [f64; 3] {
-        add(body.full_momenta(self.motion()).0, body.wheels().momentum(0.0))
+    pub fn angular_momentum(&self, body: &FlexibleBody) -> [f64; 3] {
+        add(body.full_momenta(self.motion()).0, body.wheels().angular_momentum(0.0))
     }
 
     /// Energy of rotation and deformation (J), without that of wheels.
@@ -66,8 +66,8 @@ impl FullState {
         let layout = Layout::of(body);
         let mut y = vec![0.0; layout.len()];
         let (own, p) = body.full_momenta(self.motion());
-        let momentum = add(own, body.wheels().momentum(0.0));
-        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&momentum);
+        let angular_momentum = add(own, body.wheels().angular_momentum(0.0));
+        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&angular_momentum);
         y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);
         y[PLACE..PLACE + 3].copy_from_slice(&self.place);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&self.velocity);

@@ -5,12 +5,12 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym3;
 use crate::model::FlexibleBody;
 
-/// Stiff linear part `L` of the rates of the coordinates and their momenta, as the implicit method solves for it. (T2)
+/// Stiff linear part `L` of the rates of the coordinates and their momenta, solved by the implicit method. (T2), (T4)
 #[derive(Clone, Debug)]
 pub(super) enum StiffPart {
-    /// Free vibrations of the body that recoils: constant, and sparse in a large body.
+    /// Free vibrations of the recoiling body: constant, and sparse in a large body.
     Vibrations(Box<Vibrator>, Vec<DynamicStiffness>),
-    /// Jacobian of the rates at a state, where curved paths change it with the displacements.
+    /// Jacobian of the rates at a state, for curved paths, where `L` changes with the displacements.
     Jacobian(Dense, Vec<Option<ComplexLu>>),
 }
 
@@ -40,7 +40,7 @@ impl StiffPart {
         }
     }
 
-    /// Solves at the shift with this number, in place; not numbers where `s` is an eigenvalue.
+    /// Solves at the shift with this index, in place; NaN where `s` is an eigenvalue.
     pub fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
         match self {
             Self::Vibrations(vibrator, stiffness) => vibrator.solve(&mut stiffness[shift], right),

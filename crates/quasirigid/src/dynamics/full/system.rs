@@ -1,3 +1,8 @@
+//! Full equations of motion in momenta: rates, quantities of a state, and the stiff part for the implicit method.
+//! With momenta no acceleration is solved for and the mass matrix is factored once; the stiff linear part is exact on straight paths and a
+//! Jacobian by differences on curved ones.
+//! Equations (S3), (S4), docs/theory/01-system.md; (T1) to (T4), docs/theory/08-full-system.md.
+
 use super::stiff_part::StiffPart;
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
@@ -13,8 +18,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{Displaced, Kinetics, MotionState};
 
-/// The full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for.
-/// (S3), (S4), (T1), (C2)
+/// Full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1), (C2)
 #[derive(Clone, Debug)]
 pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
@@ -23,7 +27,7 @@ pub(super) struct FullSystem<'a> {
     /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
     accounts: Vec<Vec<(usize, usize, f64)>>,
     stiff: StiffPart,
-    /// Steps of the differences that a Jacobian is taken by: in the coordinates, then in their momenta.
+    /// Steps of the finite differences of a Jacobian: in the coordinates, then in their momenta.
     differences: Vec<f64>,
 }
 
@@ -33,7 +37,7 @@ const DIFFERENCE: f64 = 1.5e-8;
 const POWER_ITERATIONS: usize = 40;
 
 impl<'a> FullSystem<'a> {
-    /// The equations of a body, whose state has components of these sizes; none if its mass matrix is not positive.
+    /// Equations of a body, whose state has components of these sizes; none if the mass matrix is not positive.
     pub fn new(system: Forced<'a>, sizes: &[f64]) -> Option<Self> {
         let body = system.body;
         let layout = Layout::of(body);
@@ -66,7 +70,7 @@ impl<'a> FullSystem<'a> {
         jacobian
     }
 
-    /// Adds what external forces do to the rates of a state. (F1), (F11)
+    /// Adds the external loads to the rates of a state. (F1), (F11)
     fn add_external(
         &self,
         t: f64,
@@ -90,7 +94,7 @@ impl<'a> FullSystem<'a> {
         slow[WORK] = loads.power(motion, [0.0; 3]);
     }
 
-    /// An upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
+    /// Upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
     pub fn fastest(&mut self) -> f64 {
         let body = self.system.body;
         let damping = self.largest(body.damping());
@@ -127,7 +131,7 @@ impl System<Vec<f64>> for FullSystem<'_> {
         let (slow, fast) = rate.split_at_mut(self.layout.slow());
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
         let wheels = self.system.body.wheels();
-        let own = add(K, scale(-1.0, wheels.momentum(t)));
+        let own = add(K, scale(-1.0, wheels.angular_momentum(t)));
         let velocities = self.kinetics.velocities(own, p, q, q_rate);
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
@@ -156,15 +160,15 @@ impl Trajectory for FullSystem<'_> {
     fn view(&mut self, t: f64, y: &[f64]) -> StateView {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let mut rate = vec![0.0; self.layout.n];
-        let momentum = triple(y, MOMENTUM);
-        let own = add(momentum, scale(-1.0, self.system.body.wheels().momentum(t)));
+        let angular_momentum = triple(y, MOMENTUM);
+        let own = add(angular_momentum, scale(-1.0, self.system.body.wheels().angular_momentum(t)));
         let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
         let kinetic = dot(omega, own) + product(p, &rate);
         let elastic = product(&self.system.body.stiffness().times(q), q);
         let (dissipated, work) = (y[DISSIPATED], y[WORK]);
         StateView {
             omega,
-            momentum,
+            angular_momentum,
             energy: 0.5 * (kinetic + elastic),
             q: q.to_vec(),
             rate,
@@ -176,7 +180,7 @@ impl Trajectory for FullSystem<'_> {
         }
     }
 
-    fn momentum(&mut self, _: f64, y: &[f64]) -> [f64; 3] {
+    fn angular_momentum(&mut self, _: f64, y: &[f64]) -> [f64; 3] {
         triple(y, MOMENTUM)
     }
 
@@ -190,7 +194,7 @@ impl Trajectory for FullSystem<'_> {
     }
 
     fn invariant(&self) -> Invariant {
-        if self.system.acts() { Invariant::Impulse } else { Invariant::Momentum }
+        if self.system.acts() { Invariant::Impulse } else { Invariant::AngularMomentum }
     }
 }
 

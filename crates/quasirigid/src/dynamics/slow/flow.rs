@@ -1,3 +1,8 @@
+//! Slow motion under forces at a state: internal coordinates slaved to the rigid motion, by Taylor series in time.
+//! Forces are no polynomials in the angular velocity, so derivatives come from series along the flow; each pass gains one order and costs
+//! two terms.
+//! Equations (E1) and (E2), docs/theory/09-forced-reduction.md; (C3), docs/theory/13-inside.md.
+
 use std::ops::Range;
 
 use crate::dynamics::external::{Forced, Pose};
@@ -9,21 +14,21 @@ use crate::math::vec3::{add, cross, scale};
 use crate::model::MotionState;
 use crate::model::force::Loads;
 
-/// The slow motion through a state: spin, internal coordinates that are slaved to it, and loads, at one moment.
+/// Slow motion at one moment: angular velocity, internal coordinates slaved to it, and loads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowPoint {
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Internal coordinates.
     pub q: Vec<f64>,
-    /// Their rates.
+    /// Rates of the internal coordinates.
     pub rate: Vec<f64>,
     /// External loads.
     pub loads: Loads<f64>,
 }
 
 impl SlowPoint {
-    /// Spin and coordinates.
+    /// Angular velocity and coordinates.
     #[must_use]
     pub fn motion(&self) -> MotionState<'_, f64> {
         MotionState { omega: self.omega, q: &self.q, rate: &self.rate }
@@ -33,7 +38,7 @@ impl SlowPoint {
 /// Highest order of the reduction of a forced body.
 pub const MAX_FORCED_ORDER: usize = 5;
 
-/// The slow motion of order `p` through a state. (E2)
+/// Slow motion of order `p` at a state. (E2)
 ///
 /// Each improvement of the coordinates along the flow costs two derivatives and gains an order: of elastic ones from `p = 1`, of
 /// cyclic rates, which begin a degree lower, from `p = 0`. (C3)
@@ -53,7 +58,7 @@ pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<
     }
 }
 
-/// Improves the coordinates so many times along the flow.
+/// Improves the coordinates `improved` times along the flow.
 fn point<const N: usize>(system: Forced, improved: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
     let n = system.body.coordinates().len();
     let mut q = vec![Taylor::<N>::from(0.0); n];
@@ -64,16 +69,16 @@ fn point<const N: usize>(system: Forced, improved: usize, K: [f64; 3], pose: &Po
     }
     let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
     let (q, rate) = (values(&q), values(&rate));
-    let own = add(K, scale(-1.0, system.body.wheels().momentum(pose.t)));
+    let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
     let omega = spin(system, own, &q, &rate);
     let loads = loads(system, pose, MotionState { omega, q: &q, rate: &rate });
     SlowPoint { omega, q, rate, loads }
 }
 
-/// Spin of a momentum, without that of wheels, at a displacement, `J(q)ω = K − h(q)q̇`. (S2)
+/// Angular velocity from an angular momentum without that of wheels, at a displacement: `J(q)ω = K − h(q)q̇`. (S2)
 fn spin<T: Smooth>(system: Forced, K: [T; 3], q: &[T], rate: &[T]) -> [T; 3] {
     let still = MotionState { omega: [T::from(0.0); 3], q, rate };
-    let internal = system.body.momentum(still);
+    let internal = system.body.angular_momentum(still);
     let rest = add(K, scale(T::from(-1.0), internal));
     smooth_times(smooth_inverse(system.body.inertia_at(q)), rest)
 }
@@ -99,7 +104,8 @@ impl<const N: usize> Flow<N> {
         };
         let inverse = smooth_inverse(system.body.inertia_at(q));
         let still = MotionState { omega: [Taylor::from(0.0); 3], q, rate };
-        let internal = add(system.body.momentum(still), system.body.wheels().momentum(pose.t));
+        let internal =
+            add(system.body.angular_momentum(still), system.body.wheels().angular_momentum(pose.t));
         let spin = |K: [Taylor<N>; 3]| smooth_times(inverse, add(K, scale(Taylor::from(-1.0), internal)));
         for _ in 1..N {
             let omega = spin(K);
@@ -118,8 +124,8 @@ impl<const N: usize> Flow<N> {
         Self { omega, loads: loads(system, &pose, MotionState { omega, q, rate }) }
     }
 
-    /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from
-    /// the coordinates of the order before. (E2), (C3)
+    /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from the
+    /// coordinates of the previous order. (E2), (C3)
     fn coordinates(
         &self,
         system: Forced,
@@ -129,8 +135,8 @@ impl<const N: usize> Flow<N> {
         let (body, cyclic) = (system.body, system.body.cyclic());
         let motion = MotionState { omega: self.omega, q, rate };
         let load = body.load(motion);
-        let momentum = body.generalized_momentum(motion);
-        let free = |j: usize| load[j] + self.loads.generalized[j] - momentum[j].derivative();
+        let angular_momentum = body.generalized_momentum(motion);
+        let free = |j: usize| load[j] + self.loads.generalized[j] - angular_momentum[j].derivative();
         let braked = |j: usize, by: &[Taylor<N>], but: Range<usize>| {
             let row = body.damping().row(j).filter(move |(k, _)| !but.contains(k));
             row.fold(free(j), |right, (k, damping)| right - Taylor::from(*damping) * by[k])

@@ -1,3 +1,7 @@
+//! Integration of the reduced equations under external forces, in either form.
+//! The angular-velocity form starts with the pole where its own displacements put it, or forces that depend on place cost an order or two.
+//! Equations (E1) to (E3), docs/theory/09-forced-reduction.md; (P7), docs/theory/05-propagation.md.
+
 use super::flow::{MAX_FORCED_ORDER, SlowPoint};
 use super::state::SlowState;
 use super::state::slow_state_point;
@@ -17,22 +21,23 @@ use crate::model::MotionState;
 /// Highest order of a form under forces.
 fn highest(form: Form) -> usize {
     match form {
-        Form::Momentum => MAX_FORCED_ORDER,
-        Form::Paper => 3,
+        Form::AngularMomentum => MAX_FORCED_ORDER,
+        Form::AngularVelocity => 3,
     }
 }
 
-/// Whether a form of the reduced equations of this order is written for a body: under forces the paper's knows elastic
+/// True if a form of the reduced equations of this order applies to a body: under forces the angular-velocity form covers elastic
 /// coordinates alone, to order 3. (E3)
 #[must_use]
 pub fn takes(system: Forced, form: Form, order: usize) -> bool {
     let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_empty();
-    !system.acts() || (order <= highest(form) && (form == Form::Momentum || elastic_only))
+    !system.acts() || (order <= highest(form) && (form == Form::AngularMomentum || elastic_only))
 }
 
-/// The start of the paper's form: the spin, and the pole where the displacements of (E3) have it beside the centre of mass. (P7)
+/// Start of the angular-velocity form: the angular velocity, and the pole displaced from the centre of mass by the displacements of (E3).
+/// (P7)
 fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
-    let slow = SlowSystem { system, order, form: Form::Paper };
+    let slow = SlowSystem { system, order, form: Form::AngularVelocity };
     let put = |motion: MotionState<f64>| {
         let [pole, pole_velocity] = seat::pole(system.body, motion, &center);
         let mut y = center;
@@ -45,13 +50,13 @@ fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SL
     put(MotionState { omega, q: &q, rate: &rate })
 }
 
-/// Follows the reduced equations of order `p` of a body under external forces from `t = 0` and observes it at the times
-/// asked for (s). (E1)–(E3)
+/// Integrates the reduced equations of order `p` of a body under external forces from `t = 0` and observes the body at the output times
+/// (s). (E1)–(E3)
 ///
-/// The momentum form takes orders to [`MAX_FORCED_ORDER`], the paper's form to 3.
+/// The angular-momentum form takes orders to [`MAX_FORCED_ORDER`], the angular-velocity form to 3.
 ///
 /// # Errors
-/// [`PropagateError`] before the first step. What goes wrong later is an [`Outcome`](crate::dynamics::Outcome).
+/// [`PropagateError`] before the first step. A later failure is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_forced(
     system: Forced,
     order: usize,
@@ -64,8 +69,8 @@ pub fn propagate_forced(
         return Err(PropagateError::Order { order });
     }
     let elastic_only = system.body.cyclic().is_empty() && system.body.wheels().is_empty();
-    if options.form == Form::Paper && !elastic_only {
-        return Err(PropagateError::PaperForm);
+    if options.form == Form::AngularVelocity && !elastic_only {
+        return Err(PropagateError::AngularVelocityForm);
     }
     if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
@@ -73,11 +78,11 @@ pub fn propagate_forced(
     let start = slow_state_point(system, order, initial)?;
     let omega = start.omega;
     let end = times.last().copied().unwrap_or_default();
-    let scales = Scales::of(system, omega, initial.momentum, initial.pose(0.0), end);
+    let scales = Scales::of(system, omega, initial.angular_momentum, initial.pose(0.0), end);
     check(scales.spin, initial.attitude, times, options)?;
     let mut y = initial.pack();
-    let mut first = scales.momentum;
-    if options.form == Form::Paper {
+    let mut first = scales.angular_momentum;
+    if options.form == Form::AngularVelocity {
         y = paper_start(system, order, &start, y);
         first = scales.spin;
     }
@@ -87,9 +92,9 @@ pub fn propagate_forced(
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
     let mut slow = SlowSystem { system, order, form: options.form };
-    let momentum = slow.view(0.0, &y).momentum;
-    let momentum = Conserved::of(momentum, initial.attitude, scales.inside);
-    let mut monitor = InvariantMonitor::new(slow, &y, momentum, options, observer);
+    let angular_momentum = slow.view(0.0, &y).angular_momentum;
+    let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
+    let mut monitor = InvariantMonitor::new(slow, &y, angular_momentum, options, observer);
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
     let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());

@@ -1,3 +1,7 @@
+//! State of the slow motion under forces, and the angular momentum that belongs to a given angular velocity.
+//! The iteration stops where it no longer gains, not at a fixed tolerance: near the limit of the series each step gains little.
+//! Equation (E2) and "Start", docs/theory/09-forced-reduction.md.
+
 use super::flow::{MAX_FORCED_ORDER, SlowPoint, slow_point};
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY, attitude, triple};
@@ -5,33 +9,33 @@ use crate::dynamics::run::PropagateError;
 use crate::math::sym3::times;
 use crate::math::vec3::{add, norm, scale};
 
-/// A state of the slow motion: the momentum decides everything that is internal.
+/// State of the slow motion: the angular momentum determines the internal coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowState {
-    /// Momentum (N·m·s), body axes: about the centre of mass of a free body, about the pole of a held one.
-    pub momentum: [f64; 3],
+    /// Angular momentum (N·m·s), body axes: about the centre of mass of a free body, about the pole of a constrained one.
+    pub angular_momentum: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
-    /// Its velocity (m/s).
+    /// Velocity of that point (m/s).
     pub velocity: [f64; 3],
 }
 
-/// Steps of the iteration for the momentum of a spin; each gains the ratio of elastic to rigid momentum.
+/// Limit of iterations for the angular momentum; each gains the ratio of elastic to rigid angular momentum.
 const ITERATIONS: usize = 60;
 
 impl SlowState {
-    /// The state whose spin is `omega` (rad/s, body axes) on the slow manifold of order `p` at `t = 0`; the rest is taken
-    /// from `self`.
+    /// State with the angular velocity `omega` (rad/s, body axes) on the slow manifold of order `p` at `t = 0`; attitude, place and
+    /// velocity are those of `self`.
     ///
     /// # Errors
-    /// [`PropagateError::Order`], [`PropagateError::NoForce`] if a force has no value there, or [`PropagateError::NoMomentum`] if
-    /// the slow manifold has no such spin.
+    /// [`PropagateError::Order`], [`PropagateError::NoForce`] if a force has no value there, or [`PropagateError::NoAngularMomentum`] if
+    /// the slow manifold has no such angular velocity.
     pub fn with_spin(self, system: Forced, order: usize, omega: [f64; 3]) -> Result<Self, PropagateError> {
         let J = system.body.invariants().J;
-        let momentum = add(times(J, omega), system.body.wheels().momentum(0.0));
-        let mut state = Self { momentum, ..self };
+        let angular_momentum = add(times(J, omega), system.body.wheels().angular_momentum(0.0));
+        let mut state = Self { angular_momentum, ..self };
         let mut best = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let point = slow_state_point(system, order, &state)?;
@@ -46,13 +50,13 @@ impl SlowState {
             if best <= 1e-15 * norm(omega) {
                 break;
             }
-            state.momentum = add(state.momentum, times(J, gap));
+            state.angular_momentum = add(state.angular_momentum, times(J, gap));
         }
         let near = best <= 1e-10 * norm(omega);
-        if near && state.momentum.iter().all(|K| K.is_finite()) {
+        if near && state.angular_momentum.iter().all(|K| K.is_finite()) {
             Ok(state)
         } else {
-            Err(PropagateError::NoMomentum)
+            Err(PropagateError::NoAngularMomentum)
         }
     }
 
@@ -62,7 +66,7 @@ impl SlowState {
 
     pub(super) fn pack(&self) -> [f64; SLOW] {
         let mut y = [0.0; SLOW];
-        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.momentum);
+        y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.angular_momentum);
         y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);
         y[PLACE..PLACE + 3].copy_from_slice(&self.place);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&self.velocity);
@@ -71,7 +75,7 @@ impl SlowState {
 
     pub(super) fn unpack(y: &[f64]) -> Self {
         Self {
-            momentum: triple(y, MOMENTUM),
+            angular_momentum: triple(y, MOMENTUM),
             attitude: attitude(y),
             place: triple(y, PLACE),
             velocity: triple(y, VELOCITY),
@@ -79,7 +83,7 @@ impl SlowState {
     }
 }
 
-/// The slow motion of order `p` through a state at `t = 0`. (E2)
+/// Slow motion of order `p` at a state, at `t = 0`. (E2)
 ///
 /// # Errors
 /// [`PropagateError::Order`] if the order is above [`MAX_FORCED_ORDER`].
@@ -91,5 +95,5 @@ pub fn slow_state_point(
     if order > MAX_FORCED_ORDER {
         return Err(PropagateError::Order { order });
     }
-    Ok(slow_point(system, order, state.momentum, &state.pose(0.0)))
+    Ok(slow_point(system, order, state.angular_momentum, &state.pose(0.0)))
 }

@@ -1,3 +1,8 @@
+//! Reduced equations under forces as a system for the integrator, in either form.
+//! One state vector serves both forms: its first three components are the angular momentum or the angular velocity, its place the centre of
+//! mass or the pole.
+//! Equations (E2) and (E3), docs/theory/09-forced-reduction.md.
+
 use super::flow::slow_point;
 use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
@@ -14,10 +19,11 @@ use crate::math::simd::Arithmetic;
 use crate::math::sym3::{inverse, times};
 use crate::math::vec3::{add, cross, dot, norm};
 use crate::model::MotionState;
-use crate::model::force::{Loads, Situation};
+use crate::model::force::{KinematicState, Loads};
 
-/// The reduced equations of a forced body. In the momentum form the state holds the momentum, `K̇ = K × ω + M`, with spin and
-/// loads of the slow motion (E2); in the paper's form the spin, `Jω̇ + ω × Jω = M* + μ`, and the place of the pole (E3).
+/// Reduced equations of a forced body. In the angular-momentum form the state has the angular momentum, `K̇ = K × ω + M`, with angular
+/// velocity and loads of the slow motion (E2); in the angular-velocity form the angular velocity, `Jω̇ + ω × Jω = M* + μ`, and the place
+/// of the pole (E3).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlowSystem<'a> {
     pub system: Forced<'a>,
@@ -25,7 +31,7 @@ pub(super) struct SlowSystem<'a> {
     pub form: Form,
 }
 
-/// What the equations need of a state.
+/// Rates and internal coordinates at a state.
 struct Rates {
     omega: [f64; 3],
     first: [f64; 3],
@@ -38,18 +44,18 @@ struct Rates {
 impl SlowSystem<'_> {
     fn rates(&self, t: f64, y: &[f64]) -> Rates {
         match self.form {
-            Form::Momentum => self.momentum_form(t, y),
-            Form::Paper => self.paper_form(t, y),
+            Form::AngularMomentum => self.angular_momentum_form(t, y),
+            Form::AngularVelocity => self.angular_velocity_form(t, y),
         }
     }
 
-    fn momentum_form(&self, t: f64, y: &[f64]) -> Rates {
+    fn angular_momentum_form(&self, t: f64, y: &[f64]) -> Rates {
         let state = SlowState::unpack(y);
         let pose = state.pose(t);
-        let point = slow_point(self.system, self.order, state.momentum, &pose);
+        let point = slow_point(self.system, self.order, state.angular_momentum, &pose);
         Rates {
             omega: point.omega,
-            first: add(cross(state.momentum, point.omega), point.loads.moment),
+            first: add(cross(state.angular_momentum, point.omega), point.loads.moment),
             acceleration: self.system.acceleration(&pose, point.loads.force),
             loads: point.loads,
             q: point.q,
@@ -57,9 +63,9 @@ impl SlowSystem<'_> {
         }
     }
 
-    fn paper_form(&self, t: f64, y: &[f64]) -> Rates {
+    fn angular_velocity_form(&self, t: f64, y: &[f64]) -> Rates {
         let state = SlowState::unpack(y);
-        let SlowState { momentum: omega, attitude, place, velocity } = state;
+        let SlowState { angular_momentum: omega, attitude, place, velocity } = state;
         let body = self.system.body;
         let at = RigidState { t, omega, attitude, pole: place, pole_velocity: velocity };
         let ForcedTorque { moment, mu, force, phi, q, rate, .. } =
@@ -67,8 +73,8 @@ impl SlowSystem<'_> {
         let J = body.invariants().J;
         let torque = add(add(moment, mu), cross(times(J, omega), omega));
         let motion = MotionState { omega, q: &q, rate: &rate };
-        let situation = Situation { t, attitude, pole: place, pole_velocity: velocity, motion };
-        let loads = body.loads(self.system.forces, &situation).about_center(body, &q);
+        let kinematics = KinematicState { t, attitude, pole: place, pole_velocity: velocity, motion };
+        let loads = body.loads(self.system.forces, &kinematics).about_center(body, &q);
         let acceleration = self.system.acceleration(&state.pose(t), add(force, phi));
         Rates { omega, first: times(inverse(J), torque), acceleration, loads, q, rate }
     }
@@ -102,12 +108,12 @@ impl Trajectory for SlowSystem<'_> {
         let Rates { omega, q, rate, .. } = self.rates(t, y);
         let motion = MotionState { omega, q: &q, rate: &rate };
         let body = self.system.body;
-        let momentum = add(body.momentum(motion), body.wheels().momentum(t));
+        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(t));
         let energy = body.energy(motion);
         let (dissipated, work) = (y[DISSIPATED], y[WORK]);
         StateView {
             omega,
-            momentum,
+            angular_momentum,
             energy,
             q,
             rate,
@@ -119,26 +125,26 @@ impl Trajectory for SlowSystem<'_> {
         }
     }
 
-    fn momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3] {
+    fn angular_momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3] {
         match self.form {
-            Form::Momentum => triple(y, MOMENTUM),
-            Form::Paper => self.view(t, y).momentum,
+            Form::AngularMomentum => triple(y, MOMENTUM),
+            Form::AngularVelocity => self.view(t, y).angular_momentum,
         }
     }
 
     fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
         let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
         match self.form {
-            Form::Momentum => Seat::of_center(self.system.body, motion, y),
-            Form::Paper => Seat::of_pole(self.system.body, motion, y),
+            Form::AngularMomentum => Seat::of_center(self.system.body, motion, y),
+            Form::AngularVelocity => Seat::of_pole(self.system.body, motion, y),
         }
     }
 
     fn invariant(&self) -> Invariant {
         match (self.system.acts(), self.form) {
             (true, _) => Invariant::Impulse,
-            (false, Form::Momentum) => Invariant::Momentum,
-            (false, Form::Paper) => Invariant::Direction,
+            (false, Form::AngularMomentum) => Invariant::AngularMomentum,
+            (false, Form::AngularVelocity) => Invariant::Direction,
         }
     }
 }

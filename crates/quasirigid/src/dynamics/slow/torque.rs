@@ -1,14 +1,19 @@
+//! Torque and force of the elastic and dissipative parts under external forces, in the angular-velocity form of the paper.
+//! Sums over points are written as invariants, first variations by series of two terms in the displacement; five terms in time reach the
+//! fourth derivative of `ω`.
+//! Equation (E3), docs/theory/09-forced-reduction.md; (3.1) to (3.4) of `[@chernousko1978]`.
+
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::rotation::{self, Turn};
 use crate::math::scalar::Smooth;
 use crate::math::sym3::{inverse, times};
 use crate::math::taylor::Taylor;
 use crate::math::vec3::{add, cross, dot, scale};
-use crate::model::force::{Loads, Situation};
+use crate::model::force::{KinematicState, Loads};
 use crate::model::{MotionState, Support};
 
-/// The reduced equations of a forced body as the paper writes them, `Jω̇ + ω × Jω = M* + μ`, `m* R̈₀ = F* + φ`, at one
-/// state: paper, (3.1)–(3.4). (E3)
+/// Angular-velocity form of the reduced equations of a forced body, `Jω̇ + ω × Jω = M* + μ`, `m* R̈₀ = F* + φ`, at one state: paper,
+/// (3.1)–(3.4). (E3)
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForcedTorque {
     /// Moment `M*` of the forces on the frozen body about the pole (N·m), body axes.
@@ -25,16 +30,16 @@ pub struct ForcedTorque {
     pub phi: [f64; 3],
     /// Internal coordinates.
     pub q: Vec<f64>,
-    /// Their rates.
+    /// Rates of the internal coordinates.
     pub rate: Vec<f64>,
 }
 
-/// A state of the frozen body.
+/// State of the frozen body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidState {
     /// Time (s).
     pub t: f64,
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
@@ -122,7 +127,7 @@ impl RigidFlow {
         };
         let loads = |pose: &Pose<Series>, spin: [Series; 3]| {
             let motion = MotionState { omega: spin, q: &still, rate: &still };
-            system.body.loads(system.forces, &situation(pose, motion))
+            system.body.loads(system.forces, &kinematics(pose, motion))
         };
         for _ in 1..TERMS {
             let now = loads(&pose, spin);
@@ -167,12 +172,11 @@ impl RigidFlow {
             velocity: state.pole_velocity.map(Taylor::from),
         };
         let motion = MotionState { omega: state.omega.map(Taylor::from), q: &displaced, rate: &moving };
-        let loads = system.body.loads(system.forces, &situation(&pose, motion));
+        let loads = system.body.loads(system.forces, &kinematics(&pose, motion));
         (loads.moment.map(|m| m.coefficient(1)), loads.force.map(|f| f.coefficient(1)))
     }
 
-    /// Inertial rate of the angular momentum of the displacement about the pole, and second inertial derivative of its
-    /// first moment.
+    /// Inertial rate of the angular momentum of the displacement about the pole, and second inertial derivative of the first moment.
     fn momenta(&self, system: Forced, q: &[Series]) -> ([Series; 3], [Series; 3]) {
         let invariants = system.body.invariants();
         let mut K = [Series::from(0.0); 3];
@@ -186,7 +190,7 @@ impl RigidFlow {
     }
 }
 
-fn situation<'a, T: Smooth>(pose: &Pose<T>, motion: MotionState<'a, T>) -> Situation<'a, T> {
+fn kinematics<'a, T: Smooth>(pose: &Pose<T>, motion: MotionState<'a, T>) -> KinematicState<'a, T> {
     let Pose { t, attitude, place, velocity } = *pose;
-    Situation { t, attitude, pole: place, pole_velocity: velocity, motion }
+    KinematicState { t, attitude, pole: place, pole_velocity: velocity, motion }
 }

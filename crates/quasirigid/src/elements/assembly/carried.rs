@@ -1,9 +1,13 @@
+//! Assembly with a carrier: builds its flexible body from rigid pieces, parts of finite elements, and internal rotors and liquids.
+//! The order of coordinates is fixed here (moving pieces, parts, cyclic coordinates); matrices, invariants and markers all rely on it.
+//! Equations (I1) to (I6), (I9), (I10), docs/theory/02-invariants.md.
+
 use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::net::Net;
-use super::{Assembly, Built, Mover};
+use super::part_graph::PartGraph;
+use super::{Assembly, Built, MovingBody};
 use crate::elements::affine::{Field as Shape, Piece};
 use crate::elements::attachment::{Attachment, Attachments};
 use crate::elements::element::{Grip, Preload, Role, Site};
@@ -25,26 +29,26 @@ use crate::structure::Component;
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of internal
 /// rotors and liquids.
 struct Carried {
-    /// The carrier and the liquids in it, at rest, each with its centre of mass (m), in the file's frame.
+    /// Carrier and mass that internal liquids add to it, each piece with its centre of mass (m), in the file's frame.
     rigid: Vec<(Piece, Vector3<f64>)>,
-    /// In the order of their elements.
-    movers: Vec<Moved>,
+    /// Moving pieces, in the order of their elements.
+    moving_bodies: Vec<Moved>,
     component: Option<Component>,
     /// First coordinate of the component.
     flexible: usize,
     inner: Internal,
 }
 
-/// A piece that moves, with the element that it is and its first coordinate.
+/// Piece that moves, with its element and its first coordinate.
 struct Moved {
     id: ElementId,
-    mover: Mover,
+    moving_body: MovingBody,
     start: usize,
 }
 
-/// Dense matrices of what turns inside that are held at once.
+/// Dense matrices over the cyclic coordinates that are in memory at once.
 const INSIDE_MATRICES: usize = 4;
-/// Tensions balance if what is left of them at rest is at most this share of their sum.
+/// Residual of the tensions at rest, as a share of their sum, up to which they balance.
 const BALANCED: f64 = 1e-6;
 
 impl Assembly {
@@ -52,16 +56,16 @@ impl Assembly {
     pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
         let carrier =
             self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::MASS)(Problem::NoBody))?;
-        let net = if self.parts.is_empty() { None } else { Some(Net::of_parts(self)?) };
-        let component = net.as_ref().map(|net| net.component(false)).transpose()?;
-        let (movers, flexible) = self.movers()?;
+        let graph = if self.parts.is_empty() { None } else { Some(PartGraph::of_parts(self)?) };
+        let component = graph.as_ref().map(|graph| graph.component(false)).transpose()?;
+        let (moving_bodies, flexible) = self.moving_bodies()?;
         let order = self.reduction.order;
         let inner = self.each().filter_map(|(id, element)| element.inner(id, order).transpose());
         let elastic = flexible + component.as_ref().map_or(0, Component::size);
         let inner = Internal::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
         rigid.extend(&inner.rigid);
-        let whole = Carried { rigid, movers, component, flexible, inner };
+        let whole = Carried { rigid, moving_bodies, component, flexible, inner };
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
@@ -69,11 +73,13 @@ impl Assembly {
         let start = whole.flexible;
         let paths =
             whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
-        let nodes = net.as_ref().zip(whole.component.as_ref());
-        let nodes = nodes.map_or_else(BTreeMap::new, |(net, component)| net.attachments(component, start));
-        let reaches = net.as_ref().map_or_else(Vec::new, |net| net.reaches(&nodes));
+        let nodes = graph.as_ref().zip(whole.component.as_ref());
+        let nodes =
+            nodes.map_or_else(BTreeMap::new, |(graph, component)| graph.attachments(component, start));
+        let reaches = graph.as_ref().map_or_else(Vec::new, |graph| graph.reaches(&nodes));
         let attachments = self.attachments(&whole, &nodes)?;
-        let Matrices { stiffness, damping, lossy, dissipators } = self.matrices(&whole, &attachments)?;
+        let Matrices { stiffness, damping, viscoelastic, dissipators } =
+            self.matrices(&whole, &attachments)?;
         let inside = whole.inner.coordinates.len();
         memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
             at(ElementId::CARRIER, Field::NAME)(Problem::Memory { unknowns: inside, cause })
@@ -87,7 +93,7 @@ impl Assembly {
             invariants,
             damping,
             stiffness,
-            lossy,
+            viscoelastic,
             dissipators,
             memories: whole.inner.memories.clone(),
             coordinates: whole.coordinates(),
@@ -141,7 +147,7 @@ impl Assembly {
             };
             match moving.map_or_else(|| self.at_rest(end), Ok) {
                 Ok(attachment) => attachments.note(end, attachment),
-                // a body without its forces does not ask where they act
+                // a body built without its forces needs no places for them
                 Err(_) if role == Role::External => {}
                 Err(problem) => return Err(at(id, field)(problem)),
             }
@@ -149,7 +155,7 @@ impl Assembly {
         Ok(attachments)
     }
 
-    /// Accepts a body that has inertia left about every axis when what turns inside is loose.
+    /// Accepts a body whose inertia stays positive about every axis when internal rotors and liquids are free.
     fn outweighs_the_inside(&self, body: &FlexibleBody) -> Result<(), ElementError> {
         let cyclic = body.cyclic();
         if cyclic.is_empty() {
@@ -164,19 +170,19 @@ impl Assembly {
     }
 
     /// Pieces that move, with the number of their coordinates.
-    fn movers(&self) -> Result<(Vec<Moved>, usize), ElementError> {
-        let (mut movers, mut next) = (Vec::new(), 0);
+    fn moving_bodies(&self) -> Result<(Vec<Moved>, usize), ElementError> {
+        let (mut moving_bodies, mut next) = (Vec::new(), 0);
         for (id, element) in self.each() {
-            if let Some(mover) = element.mover(id)? {
+            if let Some(moving_body) = element.moving_body(id)? {
                 let start = next;
-                next += mover.shapes.len();
-                movers.push(Moved { id, mover, start });
+                next += moving_body.shapes.len();
+                moving_bodies.push(Moved { id, moving_body, start });
             }
         }
-        Ok((movers, next))
+        Ok((moving_bodies, next))
     }
 
-    /// Accepts a body that resists a turn about every axis; `blamed` is the element to name otherwise.
+    /// Accepts a body with inertia about every axis; `blamed` is the element to name otherwise.
     pub(super) fn has_inertia(&self, blamed: ElementId, invariants: &Invariants) -> Result<(), ElementError> {
         let [xx, yy, zz, yz, zx, xy] = invariants.J;
         let mut moments: [f64; 3] =
@@ -203,7 +209,7 @@ impl Assembly {
         Matrices::sum(size, blocks.chain(preloads.into_iter().map(Ok)).chain(parts), &whole.inner.friction)
     }
 
-    /// Stiffness that loads at rest give, if they balance. (I10)
+    /// Stiffness of loads at rest, which must balance. (I10)
     fn preloads<'a>(
         &self,
         whole: &Carried,
@@ -249,8 +255,8 @@ impl Carried {
     }
 
     fn moved(&self, id: ElementId) -> Option<&Moved> {
-        let found = self.movers.binary_search_by_key(&id, |moved| moved.id).ok()?;
-        Some(&self.movers[found])
+        let found = self.moving_bodies.binary_search_by_key(&id, |moved| moved.id).ok()?;
+        Some(&self.moving_bodies[found])
     }
 
     /// First coordinate of an element; the first of all for one without coordinates.
@@ -260,8 +266,8 @@ impl Carried {
 
     /// A place on an element that moves: the watched one, then the others.
     fn attachment(&self, id: ElementId, place: usize) -> Option<Attachment> {
-        let Moved { mover, start, .. } = self.moved(id)?;
-        mover.attachments(*start).nth(place)
+        let Moved { moving_body, start, .. } = self.moved(id)?;
+        moving_body.attachments(*start).nth(place)
     }
 
     fn mass_center(&self) -> (f64, Vector3<f64>) {
@@ -270,9 +276,9 @@ impl Carried {
             mass += piece.mass;
             first += piece.mass * center;
         }
-        for Moved { mover, .. } in &self.movers {
-            mass += mover.piece.mass;
-            first += mover.piece.mass * mover.base + mover.piece.first;
+        for Moved { moving_body, .. } in &self.moving_bodies {
+            mass += moving_body.piece.mass;
+            first += moving_body.piece.mass * moving_body.base + moving_body.piece.first;
         }
         if let Some(component) = &self.component {
             mass += component.mass();
@@ -290,15 +296,15 @@ impl Carried {
         }
         let (mut S, mut h, mut J1) = (Vec::new(), Vec::new(), Vec::new());
         let mut pairs: Vec<(usize, usize, Pair)> = Vec::new();
-        for Moved { mover, start, .. } in &self.movers {
-            let rho = mover.position(pole);
-            add(&mut J, half(mover.piece.inertia(&rho, &rho)));
-            for H in &mover.shapes {
-                S.push(mover.piece.sum(H));
-                h.push(mover.piece.cross(&rho, H));
-                J1.push(mover.piece.inertia(&rho, H));
+        for Moved { moving_body, start, .. } in &self.moving_bodies {
+            let rho = moving_body.position(pole);
+            add(&mut J, half(moving_body.piece.inertia(&rho, &rho)));
+            for H in &moving_body.shapes {
+                S.push(moving_body.piece.sum(H));
+                h.push(moving_body.piece.cross(&rho, H));
+                J1.push(moving_body.piece.inertia(&rho, H));
             }
-            pairs.extend(mover.pairs(pole, *start));
+            pairs.extend(moving_body.pairs(pole, *start));
         }
         if let Some(component) = &self.component {
             add(&mut J, component.inertia(pole));
@@ -322,14 +328,18 @@ impl Carried {
 
     /// Places whose displacement is watched: points and appendages with the places on them, then nodes of parts.
     fn markers(&self, nodes: &BTreeMap<NodeRef, Attachment>, pole: Vector3<f64>) -> Vec<Marker> {
-        let movers = self.movers.iter().flat_map(|Moved { mover, start, .. }| mover.attachments(*start));
-        movers.chain(nodes.values().cloned()).map(|place| place.marker(pole)).collect()
+        let moving_bodies = self
+            .moving_bodies
+            .iter()
+            .flat_map(|Moved { moving_body, start, .. }| moving_body.attachments(*start));
+        moving_bodies.chain(nodes.values().cloned()).map(|place| place.marker(pole)).collect()
     }
 
     fn coordinates(&self) -> Vec<Coordinate> {
-        let movers = self.movers.iter().flat_map(|moved| moved.mover.coordinates.iter().cloned());
+        let moving_bodies =
+            self.moving_bodies.iter().flat_map(|moved| moved.moving_body.coordinates.iter().cloned());
         let parts = self.component.iter().flat_map(Component::coordinates);
-        movers.chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
+        moving_bodies.chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
     }
 }
 

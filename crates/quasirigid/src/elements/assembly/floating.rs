@@ -1,6 +1,10 @@
+//! Assembly without a carrier: builds its flexible body from parts, points and springs.
+//! Nothing rigid fixes the frame: it is the Tisserand frame, unless a part of modes brings a frame of its own.
+//! Equations (G2), docs/theory/11-materials.md, and (K7), docs/theory/12-structures.md.
+
 use nalgebra::Vector3;
 
-use super::net::Net;
+use super::part_graph::PartGraph;
 use super::{Assembly, Built};
 use crate::elements::attachment::Attachments;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
@@ -24,8 +28,8 @@ impl Assembly {
             return Err(at(ElementId::CARRIER, Field::MASS)(Problem::NoBody));
         }
         self.free()?;
-        let net = Net::of_everything(self)?;
-        let component = net.component(!self.parts.iter().any(Part::is_frame))?;
+        let graph = PartGraph::of_everything(self)?;
+        let component = graph.component(!self.parts.iter().any(Part::is_frame))?;
         let center = exact.as_ref().map_or(component.center(), |exact| exact.center.into());
         let mut invariants = invariants(&component, center);
         if let Some(exact) = &exact {
@@ -35,10 +39,10 @@ impl Assembly {
         self.has_inertia(whole, &invariants)?;
         let paths = component.curved_paths(center, 0, &invariants);
         let size = component.size();
-        let Matrices { stiffness, damping, lossy, dissipators } =
+        let Matrices { stiffness, damping, viscoelastic, dissipators } =
             Matrices::sum(size, component.blocks(0).map(Ok), &[])?;
-        let nodes = net.attachments(&component, 0);
-        let reaches = net.reaches(&nodes);
+        let nodes = graph.attachments(&component, 0);
+        let reaches = graph.reaches(&nodes);
         let parts = if exact.is_none() { component.part_masses(0, size) } else { Vec::new() };
         let mut attachments = Attachments::default();
         for (node, attachment) in &nodes {
@@ -55,7 +59,7 @@ impl Assembly {
             invariants,
             damping,
             stiffness,
-            lossy,
+            viscoelastic,
             dissipators,
             memories: Vec::new(),
             coordinates: exact.as_ref().map_or(component.coordinates(), |exact| exact.coordinates(size)),
@@ -80,12 +84,12 @@ impl Assembly {
     }
 }
 
-/// What a surface says of the solid inside it, where cells fill it nearly.
+/// Mass, centre and inertia of the solid inside a surface, known exactly where cells fill it only nearly.
 pub(in crate::elements) struct Exact<'a> {
     pub name: &'a str,
     pub mass: f64,
     pub center: [f64; 3],
-    /// About the centre of mass.
+    /// Inertia tensor about the centre of mass.
     pub inertia: Sym,
 }
 

@@ -3,7 +3,7 @@ use crate::elements::element::Role;
 use crate::elements::material::Material;
 
 impl Assembly {
-    /// Material of a body that is one ellipsoid, one closed surface or one solid throughout, with nothing beside it; none of any other.
+    /// Material of a body that is a single ellipsoid, closed surface or solid of one material; none of any other.
     #[must_use]
     pub fn homogeneous(&self) -> Option<&Material> {
         let mut elements = self.each().filter(|(_, element)| element.role() != Role::External);

@@ -1,12 +1,12 @@
 //! A body as the user describes it, and the flexible body made of it.
 
 mod carried;
+mod constraints;
 mod floating;
-mod held;
 mod homogeneous;
-mod mover;
+mod moving_body;
 mod names;
-mod net;
+mod part_graph;
 mod rheologies;
 #[cfg(test)]
 mod tests;
@@ -14,8 +14,8 @@ mod tests;
 use nalgebra::Vector3;
 
 pub(super) use floating::Exact;
-pub(super) use mover::Mover;
-pub(super) use net::Net;
+pub(super) use moving_body::MovingBody;
+pub(super) use part_graph::PartGraph;
 
 use super::attachment::Attachments;
 use super::element::{Element, Grip, Role};
@@ -26,13 +26,13 @@ use super::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Stati
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 
-/// How many coordinates parts of finite elements are given.
+/// Choice of the coordinates of parts of finite elements.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartReduction {
-    /// Order to which their slow manifold is kept, 3 or more.
+    /// Order to which their slow manifold is exact, 3 or more.
     pub order: usize,
-    /// Lowest modes of vibration that are kept beside it.
+    /// Number of lowest modes of vibration beside these coordinates.
     pub modes: usize,
 }
 
@@ -41,15 +41,15 @@ pub struct PartReduction {
 pub struct Built {
     /// The body.
     pub body: FlexibleBody,
-    /// External forces with the places they act at, from its pole.
+    /// External forces with their points of action, from its pole.
     pub forces: Vec<Force<Marker>>,
-    /// How its parts of finite elements got few coordinates; none if it has no such parts.
+    /// Condensation of its parts of finite elements; none if it has no such parts.
     pub condensation: Option<Condensation>,
     /// Rates of cyclic coordinates at the start (rad/s) where they are given, each with its coordinate.
     pub speeds: Vec<(usize, f64)>,
-    /// What each of its liquids does to a slow rotation.
+    /// Effect of each of its liquids on a slow rotation.
     pub liquids: Vec<SlowLiquid>,
-    /// How a solid inside a surface is approximated; none of other bodies.
+    /// Approximation of a solid inside a surface; none of other bodies.
     pub resolution: Option<Resolution>,
 }
 
@@ -60,7 +60,7 @@ impl Default for PartReduction {
 }
 
 impl Assembly {
-    /// Everything wrong with the elements, one by one; what only the whole body can show is left to [`Self::build`].
+    /// Errors of the elements, one by one; those that only the whole body can show are left to [`Self::build`].
     #[must_use]
     pub fn check(&self) -> Vec<ElementError> {
         let carrier = self.carrier.as_ref().and_then(|carrier| carrier.piece().err());
@@ -82,7 +82,7 @@ impl Assembly {
         Ok(self.under(&[], false)?.body)
     }
 
-    /// External forces with the places they act at, as seen from the pole of [`Self::body`].
+    /// External forces with their points of action, as seen from the pole of [`Self::body`].
     ///
     /// # Errors
     /// As [`build`](Self::build).
@@ -122,14 +122,14 @@ impl Assembly {
         })
     }
 
-    /// Whether there is such a node.
+    /// Accepts a node that is there.
     pub(super) fn has(&self, node: NodeRef) -> Result<(), Problem> {
         let part = self.parts.get(node.part).ok_or(Problem::NoSuchPart { index: node.part })?;
         let count = part.count();
         if node.node < count { Ok(()) } else { Err(Problem::NoSuchNode { index: node.node, count }) }
     }
 
-    /// Where a place on an appendage is at equilibrium (m), in the file's frame.
+    /// Equilibrium position of a place on an appendage (m), in the file's frame.
     pub(super) fn has_place(&self, PlaceRef { hinged, place }: PlaceRef) -> Result<[f64; 3], Problem> {
         let hinged = self.hinged.get(hinged).ok_or(Problem::NoSuchPart { index: hinged })?;
         let count = hinged.places.len();
@@ -167,7 +167,7 @@ impl Assembly {
         if self.parts.is_empty() && self.connections.is_empty() {
             Ok(())
         } else {
-            Net::of_parts(self).map(drop)
+            PartGraph::of_parts(self).map(drop)
         }
     }
 
@@ -189,7 +189,7 @@ impl Assembly {
         self.each().find(|(_, element)| element.role() == Role::Whole)
     }
 
-    /// Accepts elements that need a carrier where there is one; what stands on a whole body is refused as [`alone`](Self::alone) says.
+    /// Accepts elements that need a carrier where there is one; elements on a whole body are refused by [`alone`](Self::alone).
     fn without_carrier(&self) -> Result<(), ElementError> {
         if self.carrier.is_some() {
             return Ok(());
@@ -206,7 +206,7 @@ impl Assembly {
         }
     }
 
-    /// A body without a carrier has nothing that a support could hold.
+    /// Accepts a free body: without a carrier there is no point that a support could fix.
     fn free(&self) -> Result<(), ElementError> {
         if self.support == Support::Free {
             return Ok(());

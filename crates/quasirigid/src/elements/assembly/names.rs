@@ -1,16 +1,19 @@
+//! Names: elements, links and connections as messages and budgets of dissipation show them.
+//! Links may have no name, yet each dissipator needs one of its own: it is made of the ends, and numbered where it repeats.
+
 use std::collections::HashMap;
 
 use super::Assembly;
-use super::net::Net;
+use super::part_graph::PartGraph;
 use crate::elements::element::{Element, Role};
 use crate::elements::part::Anchor;
 use crate::elements::{ElementId, End};
 
-/// What the carrier is called.
+/// Name of the carrier.
 const CARRIER: &str = "carrier";
 
 impl Assembly {
-    /// The name that an element was given; none of one without a name, and of one that is not there.
+    /// Name given to an element; none of an element without a name, and of one that is not there.
     #[must_use]
     pub fn name(&self, element: ElementId) -> Option<&str> {
         self.element(element).map(Element::name).filter(|name| !name.is_empty())
@@ -65,7 +68,7 @@ impl Assembly {
     }
 }
 
-impl Net<'_> {
+impl PartGraph<'_> {
     /// Name of a connection as a dissipator, after what it joins: `connection boom-carrier`.
     pub(super) fn connection_name(&self, index: usize) -> String {
         let mut numbers = Numbers::default();
@@ -78,7 +81,7 @@ impl Net<'_> {
     }
 }
 
-/// How often each name was given.
+/// Number of uses of each name.
 #[derive(Default)]
 struct Numbers {
     given: HashMap<String, usize>,

@@ -1,3 +1,7 @@
+//! Condensation: reduced equations of a body of many points, from all its coordinates and from the few of a component.
+//! The body is the same for both, so a difference at an order up to the one asked for is a vector missing from the space.
+//! Equation (K8), docs/theory/12-structures.md.
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::elements::system_matrices::Matrices;
@@ -9,22 +13,22 @@ use crate::model::{
 };
 use crate::problems::ring_of_points;
 use crate::reduction::reduce;
-use crate::structure::{Component, Freedoms, Hold, Load, Node, Purpose, Structure};
+use crate::structure::{Component, Constraint, Dofs, Load, Node, Purpose, Structure};
 
-/// The points and springs of a body as a structure on its carrier.
+/// Structure of the points and springs of a body on its carrier.
 fn structure(assembly: &Assembly) -> Structure {
     let mut structure = Structure::default();
-    let matter = structure.matter(&Rheology::Elastic, [0.0; 2]);
+    let material = structure.material(&Rheology::Elastic, [0.0; 2]);
     for (node, point) in assembly.points.iter().enumerate() {
         let place = Vector3::from(point.position);
-        structure.nodes.push(Node { place, turns: false });
-        structure.holds.push(Hold::Free);
+        structure.nodes.push(Node { place, rotations: false });
+        structure.constraints.push(Constraint::Free);
         let points = vec![(point.mass, Vector3::zeros())];
-        structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
+        structure.elements.push(Box::new(Mass { node, dofs: 3, material, points, place }));
     }
     let carrier = structure.nodes.len();
-    structure.nodes.push(Node { place: Vector3::zeros(), turns: false });
-    structure.holds.push(Hold::On { base: None, axes: Vec::new() });
+    structure.nodes.push(Node { place: Vector3::zeros(), rotations: false });
+    structure.constraints.push(Constraint::On { base: None, axes: Vec::new() });
     let node = |end: End| if let End::Point(index) = end { index } else { carrier };
     for spring in &assembly.springs {
         let SpringLaw::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Full(c) } =
@@ -34,7 +38,7 @@ fn structure(assembly: &Assembly) -> Structure {
         };
         structure.elements.push(Box::new(Link::new(
             [node(spring.from), node(spring.to)],
-            matter,
+            material,
             [-Matrix3::identity(), Matrix3::identity()],
             [Matrix3::from(k), Matrix3::from(c)],
         )));
@@ -42,7 +46,7 @@ fn structure(assembly: &Assembly) -> Structure {
     structure
 }
 
-/// A free body of a carrier and a component.
+/// Free body of a carrier and a component.
 fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
     let whole = Assembly { points: Vec::new(), springs: Vec::new(), ..assembly.clone() }.body().unwrap();
     let (mass, center) = (whole.invariants().mass, Vector3::from(whole.center_of_mass()));
@@ -58,7 +62,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         .map(|entry| (entry / size, entry % size))
         .map(|(j, k)| (j, k, component.pair(j, k, pole)))
         .collect();
-    let Matrices { stiffness, damping, lossy, dissipators } =
+    let Matrices { stiffness, damping, viscoelastic, dissipators } =
         Matrices::sum(size, component.blocks(0).map(Ok), &[]).unwrap();
     FlexibleBody::new(BodyParts {
         support: Support::Free,
@@ -74,7 +78,7 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
         },
         damping,
         stiffness,
-        lossy,
+        viscoelastic,
         dissipators,
         memories: Vec::new(),
         coordinates: (0..size).map(|j| Coordinate { name: format!("{j}"), unit: "m" }).collect(),
@@ -85,17 +89,17 @@ fn body(assembly: &Assembly, component: &Component) -> FlexibleBody {
     .unwrap()
 }
 
-/// The few coordinates hold the reduced equations of the many to the order they are made for, and not above.
+/// Reduced equations of the few coordinates are those of the many to the order that the component is made for.
 #[test]
 fn few_coordinates_have_the_slow_motion_of_the_many() {
     let assembly = ring_of_points(40);
     let points = assembly.body().unwrap();
     for order in [3, 4, 5] {
         let structure = structure(&assembly);
-        let freedoms = Freedoms::new(&structure.nodes, &structure.holds).unwrap();
+        let dofs = Dofs::new(&structure.nodes, &structure.constraints).unwrap();
         let purpose =
             Purpose { order, modes: 0, floating: false, stations: &[3, 17], loads: &[Load::default(); 2] };
-        let component = structure.component(freedoms, &purpose).unwrap();
+        let component = structure.component(dofs, &purpose).unwrap();
         assert!(component.size() < points.coordinates().len(), "{} coordinates", component.size());
         let few = body(&assembly, &component);
         let (all, few) = (reduce(&points, order).unwrap(), reduce(&few, order).unwrap());

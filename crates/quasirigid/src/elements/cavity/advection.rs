@@ -2,11 +2,11 @@ use super::liquid::Liquid;
 use crate::flow::Velocity;
 use crate::math::vec3::dot;
 
-/// Terms below this share of the largest are rounding.
+/// Share of the largest term below which terms are rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// `∫u_a·(u_b·∇)u_c dV` of three among a few flows, the mean of both orders of the last two, those that are not zero. Solenoidal flows between
-/// walls take no power from each other: it is antisymmetric in the first and the last before that mean. (L21)
+/// Advection `∫u_a·(u_b·∇)u_c dV` of three among a few flows, the mean of both orders of the last two, without zeros. Solenoidal flows
+/// between walls take no power from each other: before that mean the integral is antisymmetric in the first and the last. (L21)
 pub(super) fn advection(liquid: &impl Liquid, flows: &[Vec<f64>]) -> Vec<([usize; 3], f64)> {
     let count = flows.len();
     let place = |a: usize, b: usize, c: usize| (a * count + b) * count + c;

@@ -8,9 +8,9 @@ use super::liquid::Relaxations;
 use crate::flow::potential_flow::Slip;
 use crate::math::quadrature::gauss_legendre;
 
-/// Gauss's points in each panel of the rates.
+/// Gauss points in each panel of the rates.
 const POINTS: usize = 4;
-/// A panel of `1/√rate` over the next.
+/// Ratio of a panel of `1/√rate` to the next.
 const PANEL: f64 = 4.0;
 
 /// An ideal liquid behind a boundary layer, as relaxations scaled to a value of their mass. (L14)
@@ -42,7 +42,7 @@ pub(super) fn relaxations(slip: &Slip, panels: usize, mass: f64) -> Option<Relax
 struct Axis {
     /// `λ`, volume over surface (m).
     depth: f64,
-    /// `x`: the turn of the body, with `x·Dx = 1` (m⁻²).
+    /// `x`: the rotation of the body, with `x·Dx = 1` (m⁻²).
     turn: Vector3<f64>,
     /// `Dx` (m²).
     pull: Vector3<f64>,

@@ -1,3 +1,7 @@
+//! Viscous flow in an ellipsoid: polynomials that are solenoidal and zero on the wall, from the null space of the divergence.
+//! A polynomial force drives a polynomial flow two degrees higher, so the response is exact and needs no mesh.
+//! Equations (L7) and (L8), docs/theory/13-inside.md.
+
 use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
@@ -7,8 +11,8 @@ use crate::flow::Velocity;
 use crate::math::polynomial::monomial::{exponents, place};
 use crate::math::quadrature::gauss_legendre;
 
-/// Polynomial flows in an ellipsoid, `u = (1 − ξ²) v(ξ)` with `ξ_i = x_i/a_i`. A force that is a polynomial drives a flow that is
-/// one two degrees higher, so every answer of the liquid is exact. (L7)
+/// Polynomial flows in an ellipsoid, `u = (1 − ξ²) v(ξ)` with `ξ_i = x_i/a_i`. A force that is a polynomial drives a flow that is one two
+/// degrees higher, so every response of the liquid is exact. (L7)
 pub(super) struct EllipsoidFlow {
     friction: DMatrix<f64>,
     mass: DMatrix<f64>,
@@ -19,10 +23,10 @@ pub(super) struct EllipsoidFlow {
     flows: Vec<Flow>,
 }
 
-/// Parities of the flows that the spin drives, and of those that it turns them into: a component is odd in the other coordinates
-/// where their class is 1, and in its own where it is 0.
+/// Parities of the flows that the spin drives, and of those into which it rotates them: a component is odd in the other coordinates where
+/// their class is 1, and in its own where that is 0.
 const CLASSES: [[usize; 3]; 4] = [[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]];
-/// Singular values of the divergence below this share of the largest are zero.
+/// Singular values of the divergence, as a share of the largest, below which they are zero.
 const ZERO: f64 = 1e-9;
 
 /// Points of quadrature along the radius of the ball, and along its axis.
@@ -32,8 +36,8 @@ const RADII: usize = 8;
 type Flow = [DVector<f64>; 3];
 
 impl EllipsoidFlow {
-    /// The flows up to a degree in an ellipsoid with these semi-axes: 3 holds the slow answer, and each step of a chain needs two
-    /// more. None if rounding does not leave them apart.
+    /// Flows up to a degree in an ellipsoid with these semi-axes: degree 3 holds the slow response, and each step of a chain needs two
+    /// more. None if they are linearly dependent up to rounding.
     pub fn new(semi_axes: [f64; 3], degree: usize) -> Option<Self> {
         let flows: Vec<Flow> =
             CLASSES.iter().flat_map(|class| solenoidal(semi_axes, degree - 2, *class)).collect();
@@ -174,12 +178,12 @@ fn solenoidal(semi_axes: [f64; 3], degree: usize, class: [usize; 3]) -> Vec<Flow
 /// Combinations of the columns that vanish, orthonormal.
 fn kernel(columns: &[DVector<f64>]) -> Vec<DVector<f64>> {
     let count = columns.len();
-    let alive: Vec<usize> = (0..columns.first().map_or(0, |column| column.len()))
+    let significant: Vec<usize> = (0..columns.first().map_or(0, |column| column.len()))
         .filter(|row| columns.iter().any(|column| column[*row] != 0.0))
         .collect();
     // Rows of zeros fill the matrix up, so that the decomposition has all of the null space.
-    let matrix = DMatrix::from_fn(count.max(alive.len()), count, |row, column| {
-        alive.get(row).map_or(0.0, |row| columns[column][*row])
+    let matrix = DMatrix::from_fn(count.max(significant.len()), count, |row, column| {
+        significant.get(row).map_or(0.0, |row| columns[column][*row])
     });
     let Some(svd) = matrix.try_svd(false, true, f64::EPSILON, 0) else { return Vec::new() };
     let Some(directions) = svd.v_t else { return Vec::new() };

@@ -1,3 +1,7 @@
+//! Choice of the method for the flows in a cavity: exact, polynomials of the meridian, finite elements, or a boundary layer.
+//! Exact flows lose digits at high degree, so fast changes of the spin go to polynomials in patches or to graded cells.
+//! Equations (L4), (L9), (L10), (L12) and (L14), docs/theory/13-inside.md.
+
 use std::borrow::Cow;
 
 use nalgebra::Matrix3;
@@ -14,11 +18,11 @@ use crate::flow::revolution::{self, Fineness, Outline};
 use crate::flow::stokes;
 use quasirigid_mesh::Mesh;
 
-/// The flows in a cavity, in its axes.
+/// Flows in a cavity, in its axes.
 pub(super) struct Flowing {
     pub extent: Extent,
     pub relaxations: Relaxations,
-    /// Estimate of the error in `P` about each axis, relative; none of exact and of ideal flows.
+    /// Estimate of the relative error in `P` about each axis; none of exact and of ideal flows.
     pub errors: Option<[f64; 3]>,
     /// Inertia tensor of the body that an ideal liquid is equivalent to, of unit density (m⁵).
     pub equivalent: Option<Matrix3<f64>>,
@@ -26,11 +30,11 @@ pub(super) struct Flowing {
 
 /// Lowest and highest degree of the polynomials in a cavity of revolution.
 const DEGREES: [usize; 2] = [4, 24];
-/// Rates of change that the exact flows resolve; polynomials of higher degree lose their digits.
+/// Rates of change that the exact flows resolve; polynomials of higher degree lose their digits to rounding.
 const KNOWN: usize = 2;
 /// Rates of change that one layer of patches along walls resolves.
 const FAST: usize = 3;
-/// Grading of the cells of a mesh: none, and that for the boundary layers of fast changes.
+/// Grading of the cells of a mesh: even, and finer towards the walls for the boundary layers of fast changes.
 const EVEN: f64 = 1.0;
 const LAYERS: f64 = 2.0;
 
@@ -54,7 +58,7 @@ impl Flowing {
         Ok(Self { extent, relaxations, errors: None, equivalent: Some(slip.equivalent(extent.inertia())) })
     }
 
-    /// The flows in a shape, exact where they are known, else of polynomials or finite elements.
+    /// Flows in a cavity: exact where they are known, else of polynomials or finite elements.
     pub fn new(shape: &CavityShape, resolution: usize, memory: Memory) -> Result<Self, (Field, Problem)> {
         let unresolved = (Field::SHAPE, Problem::LiquidUnresolved);
         if shape.is_known() && memory.modes <= KNOWN {

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::flow::potential_flow::Slip;
 use crate::math::quadrature::gauss_legendre;
 
-/// Points of quadrature from the middle of an ellipsoid to a pole, and round a quarter.
+/// Quadrature points from the middle of an ellipsoid to a pole, and round a quarter.
 const POINTS: usize = 48;
 
 /// An ideal liquid in an ellipsoid, whose flow is linear: `w_3 = 2/(a² + b²) (a² y, −b² x, 0)` and so on in the cycle. (L13)

@@ -1,3 +1,7 @@
+//! Liquid in a cavity: Krylov basis of its flows, and relaxations as cyclic coordinates of the body.
+//! The three slow flows alone give the reduced equations at low order; each step of a chain raises the order to which the angular
+//! momentum is exact, and responses at given rates make fast motions right. Equations (L3) to (L6), (L11), docs/theory/13-inside.md.
+
 use std::ops::Range;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -33,15 +37,14 @@ pub(super) trait Liquid {
     /// `∫ψ·(e × u) dV` for the unit vector of an axis.
     fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64>;
 
-    /// Visits points of quadrature, with the share of the volume (m³) and the velocity of each flow; none where flows carry nothing of
-    /// each other.
+    /// Visits quadrature points, with the share of the volume (m³) and the velocity of each flow; none where the flows have no advection.
     fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
         let _ = (flows, visit);
     }
 }
 
-/// What is kept of the motions of a liquid: relaxations `∇²u − ∇p = −u/τ` within a space that holds its answers to the spin,
-/// per unit of density and of kinematic viscosity; each has the same `∫u² dV`. (L6)
+/// Relaxations of a liquid, `∇²u − ∇p = −u/τ`, within a space that holds its responses to the spin, per unit of density and of kinematic
+/// viscosity; each has the same `∫u² dV`. (L6)
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Relaxations {
     /// `∫u² dV` of each.
@@ -52,35 +55,35 @@ pub(super) struct Relaxations {
     pub momentum: Vec<Vector3<f64>>,
     /// `∫u_j × u_k dV` by row and column.
     pub turning: Vec<(usize, usize, Vector3<f64>)>,
-    /// Share of each slow flow in each, a row for each flow, and `∫u_a·(u_b·∇)u_c dV` of the slow flows. (L21)
+    /// Share of each slow flow in each relaxation, a row for each flow, and `∫u_a·(u_b·∇)u_c dV` of the slow flows. (L21)
     pub shares: Vec<Vec<f64>>,
     pub advection: Vec<([usize; 3], f64)>,
 }
 
-/// How much is kept of the motions of a liquid.
+/// Size of the space of flows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Memory {
-    /// Length of the chains of slow answers: the degree to which its momentum is kept is one more than twice as high.
+    /// Length of the chains of slow responses: the degree to which the angular momentum is exact is one more than twice as high.
     pub depth: usize,
-    /// Number of the rates of change whose answers are kept: the more, the faster the motions that are still right.
+    /// Number of the rates of change whose responses are in the space: the more, the faster the motions that are still right.
     pub modes: usize,
 }
 
-/// The first rate of change over the slowest rate of relaxation.
+/// Ratio of the first rate of change to the slowest rate of relaxation. (L11)
 const FIRST: f64 = 5.0;
-/// Each rate of change over the one before.
+/// Ratio of each rate of change to the one before. (L11)
 const STEP: f64 = 8.0;
 
-/// Entries of the coupling below this share of the largest are rounding.
+/// Share of the largest entry of the coupling below which entries are rounding.
 const ROUNDING: f64 = 1e-12;
 
 impl Relaxations {
-    /// Of a liquid, scaled to a value of `∫u² dV`; none if flows or eigenvalues are not found.
+    /// Relaxations of a liquid, scaled to a value of `∫u² dV`; none if flows or eigenvalues are not found.
     ///
-    /// The chains begin with the three slow flows that a change of spin drives. Each step answers the inertia of the flow before
-    /// it, and its turning with the body about each axis. The answers to faster changes of the spin join them.
+    /// The chains begin with the three slow flows that a change of spin drives. Each step is the response to the inertia of the flow before
+    /// it, and to its rotation with the body about each axis. Responses to faster changes of the spin join them.
     pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
-        let (span, slow) = chains(liquid, memory)?;
+        let (span, slow) = krylov_basis(liquid, memory)?;
         let inertia = span.projected(|u| liquid.mass(u));
         let size = inertia.size();
         let mut unit = Dense::zero(size);
@@ -101,15 +104,15 @@ impl Relaxations {
         })
     }
 
-    /// `P = Σ h hᵀ/b`, the tensor of the slow answer, of which every choice of [`Memory`] holds the whole. (L5)
+    /// Tensor of the slow response, `P = Σ h hᵀ/b`; every choice of [`Memory`] holds the whole of it. (L5)
     pub fn slow_tensor(&self) -> Matrix3<f64> {
         let terms = self.momentum.iter().zip(&self.friction);
         terms.map(|(h, friction)| h * h.transpose() / *friction).sum()
     }
 }
 
-/// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`, and how many slow flows they begin with.
-fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<(Span, usize)> {
+/// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`, and the number of slow flows among the first.
+fn krylov_basis(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<(Span, usize)> {
     let mut kept = Vec::new();
     let slow = grown(liquid, &mut kept, liquid.slow()?);
     let mut last = slow.clone();
@@ -133,7 +136,7 @@ fn chains(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<(Span
     Some((Span::orthonormal(kept, |u| liquid.friction(u)), slow.len()))
 }
 
-/// Adds flows to orthonormal ones, without those that are combinations of the others; the places of the new ones.
+/// Adds flows to orthonormal ones, without linearly dependent ones, and returns the places of the new ones.
 fn grown(liquid: &impl Liquid, kept: &mut Vec<Vec<f64>>, flows: Vec<Vec<f64>>) -> Range<usize> {
     let start = kept.len();
     let unit = |mut u: Vec<f64>| {

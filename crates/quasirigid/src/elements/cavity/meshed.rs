@@ -10,14 +10,14 @@ use quasirigid_mesh::Mesh;
 pub(super) struct MeshedFlow {
     flow: StokesFlow,
     loads: [Vec<f64>; 3],
-    /// Answers to the loads.
+    /// Responses to the loads.
     slow: Vec<Vec<f64>>,
 }
 
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl MeshedFlow {
-    /// The flows in a mesh of tetrahedra.
+    /// Flows in a mesh of tetrahedra.
     pub fn new(mesh: &Mesh) -> Result<Self, StokesError> {
         let flow = StokesFlow::new(mesh)?;
         let center = scale(-1.0, flow.moments().center);
@@ -26,12 +26,12 @@ impl MeshedFlow {
         Ok(Self { flow, loads, slow })
     }
 
-    /// What the mesh fills.
+    /// Volume and moments of the mesh.
     pub fn extent(&self) -> Extent {
         self.flow.moments().into()
     }
 
-    /// Estimate of the error of the slow answers about each axis, relative to what they are.
+    /// Estimate of the relative error of the slow responses about each axis.
     pub fn errors(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis| {
             let (load, u) = (&self.loads[axis], &self.slow[axis]);

@@ -29,8 +29,8 @@ use shape::Turning;
 
 /// A cavity of the carrier, full of a viscous liquid. (L1)–(L6)
 ///
-/// Its mass joins that of the carrier. Its motion relative to the carrier is slow: the force of inertia and that of Coriolis act
-/// on it, the square of its own velocity is left out. (L2)
+/// Its mass joins that of the carrier. Its motion relative to the carrier is slow: the inertial and Coriolis forces act on it, the square
+/// of its own velocity is left out. (L2)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cavity {
@@ -40,23 +40,23 @@ pub struct Cavity {
     pub shape: CavityShape,
     /// Middle of the shape (m), in the file's frame.
     pub center: [f64; 3],
-    /// Unit quaternion, scalar first, that turns components along the axes of the shape into those along the file's.
+    /// Attitude: unit quaternion, scalar first, from components along the axes of the shape to those along the file's.
     pub attitude: [f64; 4],
     /// Density of the liquid (kg/m³).
     pub density: f64,
     /// Kinematic viscosity of the liquid (m²/s).
     pub viscosity: f64,
-    /// Degree of the polynomials in a cavity of revolution, 4 to 24, or the cells across the narrowest width of a box or a shell that
-    /// is none; other shapes do not ask for it.
+    /// Degree of the polynomials in a cavity of revolution, 4 to 24, or the cells across the narrowest width of a box or a shell that is
+    /// none; other shapes ignore it.
     pub resolution: usize,
-    /// How the liquid moves.
+    /// Regime of the flow.
     pub regime: Regime,
-    /// Rates of change, 0 to 6, of which the answers are kept beside the slow ones, each eight times as fast as the one before (L11); of a boundary
-    /// layer panels of rates, each sixteen times as fast, beside the first two (L14).
+    /// Number of rates of change, 0 to 6, whose responses are kept beside the slow ones, each eight times as fast as the one before (L11);
+    /// of a boundary layer panels of rates, each sixteen times as fast, beside the first two (L14).
     pub modes: usize,
 }
 
-/// How the motion of a liquid is found.
+/// Regime of the flow of a liquid.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Regime {
@@ -67,7 +67,7 @@ pub enum Regime {
     BoundaryLayer,
 }
 
-/// What a liquid does to a slow rotation.
+/// Effect of a liquid on a slow rotation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowLiquid {
     /// Mass (kg).
@@ -76,10 +76,10 @@ pub struct SlowLiquid {
     pub radius: f64,
     /// Tensor `P` (m⁷), in the file's axes. (L5)
     pub tensor: [[f64; 3]; 3],
-    /// Estimate of the error of finite elements in `P` about each axis of the shape, relative; none of exact flows.
+    /// Estimate of the relative error of finite elements in `P` about each axis of the shape; none of exact flows.
     pub errors: Option<[f64; 3]>,
-    /// Inertia tensor of the body that the liquid is equivalent to at high Reynolds numbers (kg m²), in the file's axes; none of a
-    /// liquid that is viscous throughout. (L12)
+    /// Inertia tensor of the body that the liquid is equivalent to at high Reynolds numbers (kg m²), in the file's axes; none of a liquid
+    /// that is viscous throughout. (L12)
     pub equivalent: Option<[[f64; 3]; 3]>,
     /// Kinematic viscosity (m²/s).
     pub viscosity: f64,
@@ -92,17 +92,17 @@ pub const MOST_OF_BALL: f64 = 2e6;
 pub const MOST_OF_SPHEROID: f64 = 5e5;
 /// As [`MOST_OF_BALL`].
 pub const MOST_OF_CYLINDER: f64 = 3e4;
-/// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its answer by a per cent at most, and Reynolds number of the spin
-/// across the axis that does so.
+/// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its response by a per cent at most, and Reynolds
+/// number of the spin across the axis that does so. (L18)
 const ALIGNED: f64 = 0.05;
 const WEAK: f64 = 2.0;
-/// Waves have frequencies below twice the spin, with a margin for what the layer moves.
+/// Margin over twice the spin, above which no wave has its frequency; the layer shifts them a little.
 const BEYOND_WAVES: f64 = 2.2;
-/// Reynolds number, per step of (L6), up to which slow flows hold the force of Coriolis.
+/// Reynolds number, per step of (L6), up to which slow flows hold the Coriolis force.
 const SLOW: f64 = 5.0;
-/// Most rates of change whose answers are kept.
+/// Most rates of change whose responses are kept.
 const MOST_MODES: usize = 6;
-/// The square of the norm of an attitude is one but for this.
+/// Deviation from one up to which the square of the norm of an attitude is one.
 const UNIT: f64 = 1e-9;
 
 impl Cavity {
@@ -123,11 +123,11 @@ impl Cavity {
         Ok(())
     }
 
-    /// Whether the linear answer of the liquid holds for a small motion at a frequency (rad/s, body axes) about a steady spin (rad/s, in the
-    /// file's frame), with coordinates for an order of the reduction.
+    /// Whether the linear response of the liquid holds for a small motion at a frequency (rad/s, body axes) about a steady spin (rad/s, in
+    /// the file's frame), with coordinates for an order of the reduction.
     ///
-    /// Liquid that spins has waves below twice the spin. Where its answer is not known at every frequency its coordinates hold
-    /// them at low Reynolds numbers only, and behind a boundary layer none. (L15), (L18)
+    /// Liquid that spins has waves below twice the spin. Where its response is not known at every frequency its coordinates hold them at
+    /// low Reynolds numbers only, and behind a boundary layer none. (L15), (L18)
     #[must_use]
     pub fn answers(&self, slow: &SlowLiquid, order: usize, spin: [f64; 3], frequency: f64) -> bool {
         let spin = Vector3::from(spin);
@@ -150,7 +150,7 @@ impl Cavity {
         }
     }
 
-    /// The liquid with its motions, to as many steps as an order of the reduction needs.
+    /// Liquid with its motions, to the depth that an order of the reduction needs.
     fn filled(&self, place: ElementId, order: usize) -> Result<Internal, ElementError> {
         self.check_values(place)?;
         let memory = Memory { depth: order.div_ceil(2).max(1), modes: self.modes };
@@ -215,7 +215,7 @@ impl Cavity {
         }
     }
 
-    /// The linear answer of a liquid where it is known at every frequency, whose coordinates are so many. (L15)
+    /// Linear response of the liquid where it is known at every frequency; `count` is the number of its coordinates. (L15)
     fn memory(&self, count: usize) -> Option<LiquidMemory> {
         let Turning { flow, radius, inertia, axes } = self.shape.turning()?;
         if self.regime == Regime::BoundaryLayer && flow == LiquidFlow::Tube {
@@ -240,7 +240,7 @@ impl Cavity {
         })
     }
 
-    /// Turns components along the axes of the shape into those along the file's.
+    /// Rotation from components along the axes of the shape to those along the file's.
     fn turn(&self) -> Matrix3<f64> {
         let columns =
             Matrix3::<f64>::identity().data.0.map(|axis| Vector3::from(to_inertial(self.attitude, axis)));

@@ -1,10 +1,14 @@
+//! Viscous flow along a slender ring: polynomials of the distance from the middle of the tube.
+//! A slender ring is a straight pipe without a gradient of pressure; across its axis its flow is left out.
+//! Equation (L9), docs/theory/13-inside.md.
+
 use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::liquid::Liquid;
 
-/// Flow along a slender ring, `u = R (1 − s²) s^{2k}` with the distance `s` from the middle of the tube in its radii: that in a
+/// Flow along a slender ring, `u = R (1 − s²) s^{2k}` with the distance `s` from the middle of the tube in its radii: the flow in a
 /// straight pipe without a gradient of pressure. (L9)
 pub(super) struct PipeFlow {
     mass: DMatrix<f64>,
@@ -13,8 +17,8 @@ pub(super) struct PipeFlow {
 }
 
 impl PipeFlow {
-    /// So many profiles in a ring of this radius with a tube of that radius (m): one holds the slow answer, each step of a chain
-    /// needs one more. None if rounding does not leave them apart.
+    /// Profiles in a ring of this radius with a tube of that radius (m): one holds the slow response, each step of a chain needs one more.
+    /// None if they are linearly dependent up to rounding.
     pub fn new(radius: f64, tube_radius: f64, profiles: usize) -> Option<Self> {
         let length = 2.0 * PI * radius;
         let area = PI * tube_radius * tube_radius;

@@ -9,14 +9,14 @@ pub(super) struct MeridianFlow {
     flow: RevolvedFlow,
     /// The axis of revolution.
     axis: usize,
-    /// About each axis of the cavity.
+    /// Loads about each axis of the cavity.
     loads: [Vec<f64>; 3],
-    /// Answers to the loads.
+    /// Responses to the loads.
     slow: Vec<Vec<f64>>,
 }
 
 impl MeridianFlow {
-    /// The flows in a cavity about an axis, as fine as asked for.
+    /// Flows in a cavity of revolution, of a given fineness.
     pub fn new(outline: &Outline, axis: usize, fineness: Fineness) -> Result<Self, StokesError> {
         let flow = RevolvedFlow::new(outline, fineness)?;
         let mut own = Self { flow, axis, loads: Default::default(), slow: Vec::new() };
@@ -25,12 +25,12 @@ impl MeridianFlow {
         Ok(own)
     }
 
-    /// The slow answer about each axis, `∫|∇u|² dV`.
+    /// Slow response about each axis, `∫|∇u|² dV`.
     pub fn answers(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis| dot(&self.loads[axis], &self.slow[axis]))
     }
 
-    /// The number of an axis where that of revolution is the last.
+    /// Number of an axis where that of revolution is the last.
     fn own(&self, axis: usize) -> usize {
         (axis + 2 - self.axis) % 3
     }

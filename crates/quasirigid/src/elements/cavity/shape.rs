@@ -1,3 +1,7 @@
+//! Shapes of cavities: their volumes and moments, their meshes or meridians, and responses known at every frequency.
+//! Which methods apply (exact flows, a meridian, cells) follows from the shape alone, so a new shape needs a line in each match here.
+//! Equations (C11), (L10), (L15) and (L20), docs/theory/13-inside.md.
+
 use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -28,7 +32,7 @@ pub enum CavityShape {
         /// Height (m).
         height: f64,
     },
-    /// What lies between two circular cylinders along z.
+    /// A space between two circular cylinders along z.
     Annulus {
         /// Radii of the inner and the outer one (m).
         radii: [f64; 2],
@@ -47,24 +51,24 @@ pub enum CavityShape {
         /// Sides along x, y, z (m).
         sides: [f64; 3],
     },
-    /// What lies between two ellipsoids.
+    /// A space between two ellipsoids.
     Shell {
         /// Semi-axes of the outer one along x, y, z (m).
         outer: [f64; 3],
         /// Semi-axes of the inner one (m).
         inner: [f64; 3],
     },
-    /// What tetrahedra fill; places from the middle of the shape (m).
+    /// A space filled by tetrahedra; places from the middle of the shape (m).
     Mesh(Box<Mesh>),
 }
 
-/// A liquid whose answer about some of the axes is known at every frequency.
+/// Liquid whose response about some of the axes is known at every frequency.
 pub(super) struct Turning {
-    /// How it flows, in axes of the shape.
+    /// Kind of its flow, in axes of the shape.
     pub flow: LiquidFlow,
     /// Distance from the wall to the middle of the flow, in a spheroid on its equator (m).
     pub radius: f64,
-    /// Moment of inertia of what turns, of unit density, in a spheroid or a cylinder about its axis (m⁵).
+    /// Moment of inertia of the liquid, of unit density, in a spheroid or a cylinder about its axis (m⁵).
     pub inertia: f64,
     /// Numbers of the axes.
     pub axes: Vec<usize>,
@@ -128,7 +132,7 @@ impl CavityShape {
         }
     }
 
-    /// Whether its flows are known exactly.
+    /// Whether the flows in this shape are known exactly.
     pub(super) fn is_known(&self) -> bool {
         match self {
             Self::Ellipsoid { .. } => true,
@@ -137,7 +141,7 @@ impl CavityShape {
         }
     }
 
-    /// Its meridian and the number of the axis it turns about, if it is a cavity of revolution.
+    /// Meridian and number of the axis of a cavity of revolution.
     pub(super) fn revolution(&self) -> Option<(Outline, usize)> {
         match *self {
             Self::Ellipsoid { semi_axes } => {
@@ -156,7 +160,7 @@ impl CavityShape {
         }
     }
 
-    /// How the liquid in it answers, where that is known at every frequency. (L15)
+    /// Response of the liquid in this shape, where it is known at every frequency. (L15)
     pub(super) fn turning(&self) -> Option<Turning> {
         match self {
             Self::Ellipsoid { semi_axes: [a, b, c] } if a == b && b == c => {
@@ -192,7 +196,7 @@ impl CavityShape {
         }
     }
 
-    /// Volume and moments in closed form; none of a mesh, which knows its own.
+    /// Volume and moments in closed form; none of a mesh, which has its own.
     pub(super) fn extent(&self) -> Option<Extent> {
         let (volume, squares) = match self {
             Self::Ellipsoid { semi_axes } => ball(*semi_axes),
@@ -215,7 +219,7 @@ impl CavityShape {
         Some(Extent { volume, center: Vector3::zeros(), second })
     }
 
-    /// Tetrahedra that fill it, so many across its narrowest width, with a grading towards the walls; none of a cavity that is of
+    /// Mesh of tetrahedra, `resolution` of them across the narrowest width, with a grading towards the walls; none of a cavity that is of
     /// revolution whatever its lengths.
     pub(super) fn mesh(
         &self,
@@ -233,7 +237,7 @@ impl CavityShape {
     }
 }
 
-/// An axis about which all these semi-axes are those of a body of revolution, and one across it.
+/// Axis about which all these semi-axes are those of a body of revolution, and one across it.
 fn round_about(all: &[[f64; 3]]) -> Option<[usize; 2]> {
     let across = |axis: usize| [(axis + 1) % 3, (axis + 2) % 3];
     let is_round = |axis: &usize| {
@@ -249,7 +253,7 @@ fn ball(semi_axes: [f64; 3]) -> (f64, [f64; 3]) {
     (volume, semi_axes.map(|axis| axis * axis / 5.0))
 }
 
-/// The same of a cylinder with a hole.
+/// Volume of a cylinder with a hole, and the mean squares of the coordinates in it.
 fn tube([inner, outer]: [f64; 2], height: f64) -> (f64, [f64; 3]) {
     let (near, far) = (inner * inner, outer * outer);
     let across = 0.25 * (near + far);

@@ -1,4 +1,4 @@
-//! Answers of liquids to changes of the spin at a frequency, and two roads to the same flows.
+//! Responses of liquids to changes of the spin at a frequency; flows of a cavity by two methods.
 
 use std::f64::consts::PI;
 
@@ -21,8 +21,8 @@ fn relaxations(shape: &CavityShape, depth: usize, modes: usize) -> Relaxations {
     Flowing::new(shape, 8, Memory { depth, modes }).unwrap().relaxations
 }
 
-/// Momentum about an axis that the liquid lacks beside what it would have if it were frozen, of unit density and viscosity, when the
-/// body turns about it with `e^{st}`.
+/// Angular momentum about an axis that the liquid lacks relative to a frozen one, of unit density and viscosity, when the body rotates
+/// about it with `e^{st}`.
 fn lacking(relaxations: &Relaxations, axis: usize, s: C) -> C {
     let pairs = relaxations.momentum.iter().zip(&relaxations.friction);
     pairs.map(|(h, friction)| s * h[axis] * h[axis] / (s * relaxations.mass + friction)).sum()
@@ -35,13 +35,13 @@ fn ratio(n: f64, z: C) -> C {
     (1..last).rev().fold(C::ZERO, next)
 }
 
-/// What a ball, a slender ring or an endless cylinder lacks, by the index of its Bessel functions. (C11)
+/// Angular momentum that a ball, a slender ring or an endless cylinder lacks, by the index of its Bessel functions. (C11)
 fn closed_form(index: f64, inertia: f64, radius: f64, s: C) -> C {
     let z = s.sqrt() * radius;
     inertia * ratio(index, z) * ratio(index + 1.0, z)
 }
 
-/// What a cylinder lacks about its axis: the series of sines along the axis.
+/// Angular momentum that a cylinder lacks about its axis: the series of sines along the axis.
 fn cylinder(radius: f64, height: f64, s: C) -> C {
     let term = |k: i32| {
         let n = f64::from(2 * k + 1);
@@ -95,7 +95,7 @@ fn answers_to_fast_changes_reach_as_far_as_their_rates() {
     }
 }
 
-/// Finite elements and polynomials of the meridian agree on a cylinder: momenta, inertia and turning of the slow flows and of
+/// Finite elements and polynomials of the meridian agree on a cylinder: angular momenta, inertia and rotation of the slow flows and of
 /// those that they drive.
 #[test]
 fn two_roads_to_the_flows_of_a_cylinder() {
@@ -134,7 +134,7 @@ fn products(liquid: &impl Liquid) -> Vec<nalgebra::DMatrix<f64>> {
     products
 }
 
-/// The equivalent body and the momenta behind a boundary layer of a shell of revolution about each of its axes.
+/// Equivalent body and angular momenta behind a boundary layer of a shell of revolution about each of its axes.
 #[test]
 fn layers_may_lie_along_any_axis() {
     let found = |outer: [f64; 3], inner: [f64; 3]| {
@@ -185,7 +185,7 @@ fn layers(shape: &CavityShape, modes: usize) -> Flowing {
     Flowing::layered(shape, 8, modes).unwrap()
 }
 
-/// Behind a boundary layer a liquid lacks the momentum that the exact answer does, but for the next power of its depth: a ball, a
+/// Behind a boundary layer a liquid lacks the angular momentum of the exact response, but for the next power of its depth: a ball, a
 /// cylinder about its axis. At rest it follows as a whole.
 #[test]
 fn a_boundary_layer_is_the_answer_at_high_frequency() {
@@ -233,7 +233,7 @@ fn three_roads_to_an_ideal_liquid() {
     assert!((equivalent[(2, 2)] / closed - 1.0).abs() < 1e-12, "{equivalent} {closed}");
 }
 
-/// What a box lacks about an axis is its length times the torsion constant of Saint-Venant, whose warping is the potential.
+/// A box lacks its length times the torsion constant of Saint-Venant about an axis: the warping is the potential.
 #[test]
 fn a_box_of_ideal_liquid_twists() {
     let [a, b, c] = [0.6, 0.4, 0.5];

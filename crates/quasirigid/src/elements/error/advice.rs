@@ -1,12 +1,12 @@
-//! What to tell a user of an element that no body can have, beside what is wrong with it: a few words for the place in the model file, and
-//! what to try there.
+//! Advice on an element that no body can have, beside the problem itself: a label for the place in the model file, and a remedy to try
+//! there.
 
 use super::{ElementKind, Problem};
 use crate::model::{InertiaError, RheologyError};
 use quasirigid_mesh::MeshNote;
 
 impl Problem {
-    /// A few words for the place in a model file at which it stands.
+    /// Label for the place in a model file at which the problem stands.
     #[must_use]
     pub fn label(&self) -> &'static str {
         match self {
@@ -32,7 +32,7 @@ impl Problem {
             Self::NoBody => "no body",
             Self::BesideWhole => "beside a whole body",
             Self::InsideNothing => "held by no carrier",
-            Self::HeavyInside => "less than what turns inside",
+            Self::HeavyInside => "less than that of the rotors and liquids inside",
             Self::Memory { .. } => "too large",
             Self::LiquidUnresolved => "not resolved",
             Self::FlowDegree { .. } => "not offered",
@@ -92,7 +92,7 @@ impl Problem {
         }
     }
 
-    /// What to try at an element of a kind, in the words of the model file; none where the problem says it.
+    /// Remedy for the problem at an element of a kind, in the words of the model file; none where the problem says it.
     #[must_use]
     pub fn advice(&self, kind: ElementKind) -> Option<&'static str> {
         Some(match self {
@@ -134,7 +134,7 @@ impl Problem {
             Self::BesideWhole => "leave it out, or make the body of a [carrier] and what hangs on it",
             Self::InsideNothing => "add a [carrier]: rotors, wheels and liquids turn in a rigid body",
             Self::HeavyInside => {
-                "add the inertia of what turns inside to that of the carrier, or check the units of both"
+                "add the inertia of the rotors and liquids inside to that of the carrier, or check the units of both"
             }
             Self::LiquidUnresolved => "choose a shape whose sides differ less, or fewer `modes`",
             Self::FlowDegree { .. } => "8 is enough for six digits; leave `resolution` out",

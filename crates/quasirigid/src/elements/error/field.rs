@@ -1,6 +1,9 @@
-/// Key of an element: which of its values an error speaks of, spelt as in the model file.
+//! Keys of elements: names of the values that validation errors point at, spelt as in the model file.
+//! Constants in one list keep the spelling of an error and of the model file together; a reader looks the place up by this key.
+
+/// Key of an element: names the value that an error is about, spelt as in the model file.
 ///
-/// Those that several kinds share, or that are checked apart from their kind, stand here; a kind may have keys of its own.
+/// Keys that several kinds share, or that are checked apart from their kind, stand here; a kind may have keys of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Field(&'static str);
 
@@ -36,7 +39,7 @@ fields! {
     ATTACH = "attach";
     /// File of a mesh or a matrix.
     FILE = "file";
-    /// What a part is made of.
+    /// Material of a part.
     MATERIAL = "material";
     /// Section of a beam.
     SECTION = "section";
@@ -102,7 +105,7 @@ fields! {
     ATTITUDE = "attitude";
     /// Speed of a rotor.
     SPEED = "speed";
-    /// Momentum of a wheel.
+    /// Angular momentum of a wheel.
     MOMENTUM = "momentum";
     /// Semi-axes of an ellipsoid.
     SEMI_AXES = "semi_axes";
@@ -118,7 +121,7 @@ fields! {
     YOUNG = "young";
     /// Poisson's ratio of a material.
     POISSON = "poisson";
-    /// How a material answers periodic strain.
+    /// Rheology of a material.
     RHEOLOGY = "rheology";
     /// The fixed or driven point of a support.
     FIXED_POINT = "point";
@@ -140,7 +143,7 @@ fields! {
     MOMENT = "moment";
     /// Uniform magnetic field.
     MAGNETIC_FIELD = "field";
-    /// Strength of the dipole whose magnetic field it is.
+    /// Strength of the dipole that makes the magnetic field.
     DIPOLE = "dipole";
     /// Frequency of a periodic force.
     FREQUENCY = "frequency";

@@ -1,4 +1,4 @@
-//! Validation errors: which element, which key, what is wrong.
+//! Validation errors: element, key and problem.
 
 mod advice;
 mod field;
@@ -10,7 +10,7 @@ pub(super) use super::{ElementId, ElementKind};
 pub use field::Field;
 pub use problem::Problem;
 
-/// An element that no body can have: which it is, which of its values is wrong, and what is wrong with it.
+/// Error of an element that no body can have: the element, the value and the problem with it.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("{element}: {field}: {problem}")]
 pub struct ElementError {
@@ -18,7 +18,7 @@ pub struct ElementError {
     pub element: ElementId,
     /// The value.
     pub field: Field,
-    /// What is wrong.
+    /// The problem.
     pub problem: Problem,
 }
 

@@ -1,3 +1,6 @@
+//! Problems: the reasons for which a value of an element makes no body, with the message of each.
+//! Each message tells the numbers that decide; what to try is advice by variant, so a new variant needs its line in `advice.rs`.
+
 use thiserror::Error;
 
 use crate::finite::beam::BeamError;
@@ -10,7 +13,7 @@ use crate::model::{InertiaError, RheologyError};
 use quasirigid_mesh::meshing::MeshingError;
 use quasirigid_mesh::{MeshFault, MeshNote};
 
-/// What can be wrong with a value of an element.
+/// Reasons for which a value of an element is refused.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Problem {
@@ -37,11 +40,11 @@ pub enum Problem {
         /// The ratio.
         value: f64,
     },
-    /// No material answers a strain like this.
+    /// No material has this rheology.
     #[error(transparent)]
     Rheology(#[from] RheologyError),
-    /// Polynomials that rounding, or the shape, cannot tell apart.
-    #[error("polynomials of degree {degree} cannot be told apart on this body")]
+    /// Polynomials that are linearly dependent up to rounding, or in this shape.
+    #[error("polynomials of degree {degree} are linearly dependent on this body, to rounding")]
     Unresolved {
         /// Their degree.
         degree: usize,
@@ -62,7 +65,7 @@ pub enum Problem {
         /// Highest one offered.
         most: usize,
     },
-    /// Polynomials and cells at once.
+    /// Degree and number of cells given at once.
     #[error("a solid is made of polynomials or of cells, not of both")]
     TwoRoads,
     /// Bodies that nothing joins.
@@ -74,7 +77,7 @@ pub enum Problem {
     /// A shape that polynomials do not follow and that cannot be meshed.
     #[error("polynomials do not follow this shape, and no mesh made here does: {cause}")]
     Unmeshed {
-        /// What is wrong with the mesh.
+        /// Problem with the mesh.
         cause: Box<Problem>,
     },
     /// A shape that the meshes made here do not resolve.
@@ -95,9 +98,9 @@ pub enum Problem {
     /// A rotor, a wheel or a liquid in a body that has no carrier to hold it.
     #[error("this needs a carrier that holds it; the body has none")]
     InsideNothing,
-    /// What turns inside has more inertia about some axis than the whole body with it locked.
+    /// Internal rotors and liquids have more inertia about some axis than the whole body with them locked.
     #[error(
-        "what turns inside has more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked"
+        "the rotors and liquids inside have more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked"
     )]
     HeavyInside,
     /// A cavity that cannot be meshed.
@@ -106,8 +109,8 @@ pub enum Problem {
     /// A cavity whose flows cannot be found.
     #[error(transparent)]
     Stokes(#[from] StokesError),
-    /// Flows in a cavity that rounding cannot tell apart.
-    #[error("the flows of the liquid cannot be told apart in a cavity of this shape")]
+    /// Flows in a cavity that are linearly dependent up to rounding.
+    #[error("the flows of the liquid are linearly dependent in a cavity of this shape, to rounding")]
     LiquidUnresolved,
     /// Polynomials of a degree that is not offered.
     #[error("the flow in this shape has polynomials of degree {least} to {most}, not {degree}")]
@@ -133,22 +136,22 @@ pub enum Problem {
         /// Norm of the quaternion.
         norm: f64,
     },
-    /// Something acts on the carrier of a body that has none, or hangs on it.
+    /// Something acts on or is mounted on the carrier of a body that has none.
     #[error("this body has no carrier")]
     NoCarrier,
-    /// A body that is elastic throughout has no point that a support could hold.
+    /// A body that is elastic throughout has no point that a support could fix.
     #[error("a body that is elastic throughout moves freely; no point of it can be held")]
     HeldWhole,
-    /// A part hangs in the air: the body has a carrier and nothing joins the part to it.
+    /// A part is loose: the body has a carrier and nothing joins the part to it.
     #[error("nothing joins this part to the carrier; attach some of its nodes, or connect it")]
     NotAttached,
-    /// Something names a part that there is not.
+    /// Something names a part that does not exist.
     #[error("there is no part number {index}")]
     NoSuchPart {
         /// Index of the part.
         index: usize,
     },
-    /// Something names a node that there is not.
+    /// Something names a node that does not exist.
     #[error("the part has no node number {index}; it has {count}")]
     NoSuchNode {
         /// Index of the node.
@@ -156,15 +159,15 @@ pub enum Problem {
         /// Number of nodes.
         count: usize,
     },
-    /// An entry of a matrix is about a row that there is not.
-    #[error("an entry is about row {index}, but there are {count} freedoms")]
+    /// An entry of a matrix is about a row that does not exist.
+    #[error("an entry is about row {index}, but there are {count} degrees of freedom")]
     NoSuchRow {
         /// Index of the row.
         index: usize,
         /// Number of rows.
         count: usize,
     },
-    /// A region names a cell that is not there.
+    /// A region names a cell that does not exist.
     #[error("there is no cell {index} among {count}")]
     NoSuchCell {
         /// Index of the cell.
@@ -174,13 +177,13 @@ pub enum Problem {
     },
     /// Shapes are not over the rows of the mass matrix.
     #[error(
-        "there are {rows} rows of shapes and {freedoms} rows of the mass; each row of one is a row of the other"
+        "there are {rows} rows of shapes and {dofs} rows of the mass; each row of one is a row of the other"
     )]
     ShapeRows {
         /// Rows of the shapes.
         rows: usize,
         /// Rows of the mass matrix.
-        freedoms: usize,
+        dofs: usize,
     },
     /// There are fewer shapes than displacements of the interface.
     #[error(
@@ -192,7 +195,7 @@ pub enum Problem {
         /// Displacements and rotations of the interface.
         interface: usize,
     },
-    /// A shape is not a unit displacement of the interface, or moves it where it should not.
+    /// A shape is not a unit displacement of the interface, or moves the interface where it should not.
     #[error(
         "shape {} moves component {} of node {node} by {share:.4}; the first shapes are unit displacements of the interface, \
          node by node, and the others leave it at rest",
@@ -206,7 +209,7 @@ pub enum Problem {
         component: usize,
         /// The shape, from 0.
         column: usize,
-        /// What it moves.
+        /// Component of the shape there.
         share: f64,
     },
     /// Not one value for each mode.
@@ -236,7 +239,7 @@ pub enum Problem {
         /// Their coupling over the geometric mean of their masses.
         share: f64,
     },
-    /// A node whose motion modes say is held.
+    /// A node is constrained or carried whose motion is given by modes.
     #[error(
         "the shapes of its modes say how {node} moves; only nodes of the `interface` can be held or carried"
     )]
@@ -247,7 +250,7 @@ pub enum Problem {
     /// A side of a connection or an attachment has no nodes.
     #[error("no nodes are named here")]
     NoNodes,
-    /// Both sides of a connection are held already.
+    /// Both sides of a connection are constrained already.
     #[error("{node} is held already, by a connection or the carrier; a node can be held once")]
     HeldTwice {
         /// The node, by name.
@@ -259,25 +262,25 @@ pub enum Problem {
         /// A node of the circle, by name.
         node: String,
     },
-    /// A joint is away from the node that carries it, which does not turn.
+    /// A joint is away from its base node, which has no rotations.
     #[error(
         "{base} has no rotations to carry {node}, {distance} m away; join nodes at the same place, or a whole face"
     )]
     NoArm {
-        /// The node that would carry.
+        /// The base node, by name.
         base: String,
-        /// The node that would be carried.
+        /// The node to be joined, by name.
         node: String,
         /// Distance between them (m).
         distance: f64,
     },
-    /// A moment acts on a node that does not turn.
+    /// A moment acts on a node without rotations.
     #[error("{node} has no rotations, so no moment acts there; name a face, or three nodes or more")]
     NoTurn {
         /// The node, by name.
         node: String,
     },
-    /// A rigid body with inertia at a node that does not turn.
+    /// A rigid body with inertia is at a node without rotations.
     #[error(
         "{node} has no rotations, so what is there can have no inertia; leave it out, or join a stiff beam"
     )]
@@ -293,10 +296,10 @@ pub enum Problem {
         /// Distance to the nearest node of the other side (m).
         distance: f64,
     },
-    /// A beam or its section cannot be.
+    /// A beam or its section is not possible.
     #[error(transparent)]
     Beam(#[from] BeamError),
-    /// A mesh cannot be calculated with.
+    /// A mesh is unfit for computation.
     #[error("{}", all(.0))]
     Mesh(Vec<MeshFault>),
     /// A mesh has no cells of the kind that the part is made of.
@@ -311,27 +314,27 @@ pub enum Problem {
     /// Nodes that no cell of the part holds, or that are at the same place as others.
     #[error(transparent)]
     LooseNodes(#[from] MeshNote),
-    /// The constants of a material are those of none.
+    /// The constants of a material are not those of an elastic solid.
     #[error(transparent)]
     Elasticity(#[from] ElasticityError),
-    /// A cell of a panel or its layers cannot be.
+    /// A cell of a panel or its layers are not possible.
     #[error("{}{cause}", cell.map(|cell| format!("cell {cell}: ")).unwrap_or_default())]
     Shell {
         /// Number of the cell in its file; none where the layers are wrong.
         cell: Option<u64>,
-        /// What is wrong.
+        /// The error of the shell element.
         cause: ShellError,
     },
     /// The lowest modes of the parts are not found.
     #[error("its lowest modes are not found: {cause}")]
     NoModes {
-        /// Why.
+        /// The cause.
         cause: NoConvergence,
     },
-    /// A part has no mass, or too little of it to turn.
+    /// A part has no mass, or too little of it to rotate.
     #[error("this has no mass")]
     NoMass,
-    /// A point on a line or in a plane, on a body without a carrier to hold the line or the plane.
+    /// A point is guided on a line or in a plane, in a body without a carrier to fix the line or the plane to.
     #[error("a body without a carrier has nothing that could hold a line or a plane")]
     NoGuide,
     /// A direction has no length.
@@ -354,29 +357,29 @@ pub enum Problem {
     /// A matrix of a part is not symmetric.
     #[error(
         "the matrix is not symmetric: it has {} at row {}, column {}, and {} at row {}, column {}",
-        values[0], freedoms[0], freedoms[1], values[1], freedoms[1], freedoms[0]
+        values[0], dofs[0], dofs[1], values[1], dofs[1], dofs[0]
     )]
     Lopsided {
-        /// Two freedoms, as node.component.
-        freedoms: [String; 2],
+        /// Two degrees of freedom, as node.component.
+        dofs: [String; 2],
         /// The entry in the row of the first, and that in the row of the second.
         values: [f64; 2],
     },
     /// A matrix of a part has a negative number on its diagonal.
-    #[error("the matrix has {value} on its diagonal at {freedom}; no motion has less than no energy")]
+    #[error("the matrix has {value} on its diagonal at {dof}; no motion has less than no energy")]
     NegativeDiagonal {
-        /// The freedom, as node.component.
-        freedom: String,
+        /// The degree of freedom, as node.component.
+        dof: String,
         /// The number.
         value: f64,
     },
-    /// Matrices hold nodes of a body that floats.
+    /// Matrices constrain nodes of a body without a carrier.
     #[error("node {node} has not all its rows, so it is held, and this body has no carrier to hold it")]
     HeldByMatrices {
         /// Number of the node.
         node: u64,
     },
-    /// A stiffness or damping gives energy instead of taking it.
+    /// A stiffness or damping releases energy instead of absorbing it.
     #[error("the smallest eigenvalue is {eigenvalue:e}; a spring or dashpot must not give energy")]
     Indefinite {
         /// Smallest eigenvalue of the matrix.
@@ -404,7 +407,7 @@ pub enum Problem {
         /// Generalised force (N, N·m).
         force: f64,
     },
-    /// A spring under tension is fixed to a part of finite elements.
+    /// A spring under tension is attached to a part of finite elements.
     #[error(
         "a spring under tension at rest is fixed to a part of finite elements, which would be under load, too"
     )]
@@ -412,7 +415,7 @@ pub enum Problem {
     /// A spring under tension on a body without a carrier.
     #[error("a spring under tension at rest needs a body with a carrier")]
     TensionAfloat,
-    /// An axial spring to the carrier does not say where its end is.
+    /// An axial spring to the carrier lacks the place of its end there.
     #[error("an axial spring to the carrier needs the place of its end on the carrier")]
     NoAnchor,
     /// A hinge has no axis, or more than three.
@@ -421,7 +424,7 @@ pub enum Problem {
         /// Number of axes given.
         count: usize,
     },
-    /// The axes of a hinge do not turn the appendage independently.
+    /// The axes of a hinge are linearly dependent.
     #[error("the axes are not independent, so two of them would be the same motion")]
     DependentAxes,
     /// A hinge coefficient does not have one value or row per axis.
@@ -432,19 +435,19 @@ pub enum Problem {
         /// Number of values or rows.
         values: usize,
     },
-    /// An axis turns the appendage without moving any of its mass.
+    /// An axis rotates the appendage without moving any of its mass.
     #[error("turning about axis {axis} moves no mass; leave that axis out")]
     MasslessAxis {
         /// Number of the axis, from 1.
         axis: usize,
     },
-    /// A force on the carrier does not say where it acts.
+    /// A force on the carrier lacks its place there.
     #[error("a force on the carrier needs the place where it acts")]
     NoStation,
-    /// A force on a point says where on the carrier it acts.
+    /// A force on a point has a place on the carrier.
     #[error("a force on a point acts at the point itself")]
     StationOnPoint,
-    /// A drag gives energy instead of taking it.
+    /// A drag releases energy instead of absorbing it.
     #[error("the coefficient {value} is negative; a drag must not give energy")]
     Driving {
         /// The coefficient.
@@ -462,10 +465,10 @@ pub enum Problem {
         /// The eccentricity.
         value: f64,
     },
-    /// A point is displaced where its constraints do not let it go.
+    /// A point is displaced in a direction that its constraints bar.
     #[error("its constraints leave only the part {left:?} of this motion")]
     Barred {
-        /// The part they leave (m or m/s), file's axes.
+        /// The part along the free directions (m or m/s), file's axes.
         left: [f64; 3],
     },
     /// Two elements share a name.
@@ -485,10 +488,10 @@ pub enum Problem {
     Memory {
         /// Unknowns of the parts, or coordinates of the body.
         unknowns: usize,
-        /// How much.
+        /// The memory needed and the memory there is.
         cause: TooMuchMemory,
     },
-    /// The frozen body has no inertia about some axis, so it cannot be told how it turns.
+    /// The frozen body has no inertia about some axis, so its rotation about that axis is undetermined.
     #[error("{}", no_inertia(*moments))]
     NoInertia {
         /// Principal moments of inertia about the pole (kg·m²), ascending.
@@ -498,7 +501,7 @@ pub enum Problem {
     },
 }
 
-/// A moment of inertia that is zero, or so small that it counts as such beside the others.
+/// Message for a moment of inertia that is zero, or negligible beside the others.
 fn no_inertia(moments: [f64; 3]) -> String {
     let [least, _, greatest] = moments;
     if least > 1e-13 * greatest {

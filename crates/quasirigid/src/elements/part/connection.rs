@@ -14,8 +14,7 @@ pub struct NodeRef {
 
 /// A joint between parts, or between a part and the carrier.
 ///
-/// What it joins moves as one rigid piece, but for rotations about its axes: none for a weld, one for a hinge, three for a
-/// ball.
+/// Both sides move as one rigid piece, but for rotations about the axes of the joint: none for a weld, one for a hinge, three for a ball.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Connection {
@@ -29,7 +28,7 @@ pub struct Connection {
     pub stiffness: Vec<f64>,
     /// Damping about each axis (N·m·s/rad).
     pub damping: Vec<f64>,
-    /// How its springs answer periodic strain, beside the damping.
+    /// Rheology of its springs: response to periodic strain, beside the damping.
     pub rheology: Rheology,
 }
 

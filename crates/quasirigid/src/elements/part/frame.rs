@@ -1,9 +1,13 @@
+//! Frame: straight members between nodes, each divided into beam elements.
+//! Nodes inside a member follow the named ones, so that the numbers of named nodes do not depend on the division.
+//! Beam elements with shear and rotary inertia: `finite::beam`.
+
 use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
 use crate::elements::Material;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::beam::{self, Beam, BeamError, SectionShape};
-use crate::finite::{Element, Grain};
+use crate::finite::{Element, LumpedMass};
 use crate::structure::Structure;
 
 /// Straight beams between nodes.
@@ -22,7 +26,7 @@ pub struct Frame {
 pub struct FrameNode {
     /// Its name.
     pub name: String,
-    /// Where it is (m), in the file's frame.
+    /// Place of the node (m), in the file's frame.
     pub position: [f64; 3],
 }
 
@@ -34,10 +38,10 @@ pub struct Member {
     pub ends: [usize; 2],
     /// Its section.
     pub section: SectionShape,
-    /// Direction of the `y` axis of the section, of which the part across the beam counts; none for the axis of the file's
-    /// frame that is the least parallel to the beam.
+    /// Direction of the `y` axis of the section, projected across the beam; none for the axis of the file's frame that is the least
+    /// parallel to the beam.
     pub up: Option<[f64; 3]>,
-    /// What it is made of.
+    /// Material of the member.
     pub material: Material,
     /// Number of elements, one or more.
     pub elements: usize,
@@ -47,7 +51,7 @@ pub struct Member {
 #[derive(Debug)]
 struct BeamElement {
     nodes: [usize; 2],
-    matter: usize,
+    material: usize,
     beam: Beam,
 }
 
@@ -83,7 +87,7 @@ impl Frame {
     }
 
     /// Adds its elements to a structure that has its nodes.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
@@ -100,11 +104,11 @@ impl Frame {
             let chain: Vec<usize> =
                 std::iter::once(start).chain(inner..inner + steps - 1).chain([end]).collect();
             inner += steps - 1;
-            let matter = structure.matter(&member.material.rheology, rayleigh);
+            let material = structure.material(&member.material.rheology, rayleigh);
             for pair in chain.windows(2) {
                 let nodes = [pair[0], pair[1]];
                 let beam = member.beam(place, nodes.map(|node| places[node - first]))?;
-                structure.elements.push(Box::new(BeamElement { nodes, matter, beam }));
+                structure.elements.push(Box::new(BeamElement { nodes, material, beam }));
             }
         }
         Ok(())
@@ -128,8 +132,8 @@ impl Member {
         let section = self.section.section(self.material.poisson);
         let section = section.map_err(|error| at(place, Field::SECTION)(error.into()))?;
         let Material { young, density, .. } = self.material;
-        let matter = beam::Matter { young, shear: self.material.shear(), density };
-        Beam::new(ends, self.up, section, matter).map_err(|error| {
+        let material = beam::BeamMaterial { young, shear: self.material.shear(), density };
+        Beam::new(ends, self.up, section, material).map_err(|error| {
             let field = match error {
                 BeamError::NoDirection { .. } => Field::UP,
                 BeamError::NoLength { .. } => Field::LINES,
@@ -145,12 +149,12 @@ impl Element for BeamElement {
         &self.nodes
     }
 
-    fn freedoms(&self) -> usize {
+    fn dofs(&self) -> usize {
         6
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
@@ -161,8 +165,8 @@ impl Element for BeamElement {
         DMatrix::from_column_slice(12, 12, self.beam.mass().as_slice())
     }
 
-    fn grains(&self) -> Vec<Grain> {
-        self.beam.grains()
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        self.beam.lumped_masses()
     }
 
     fn geometric(

@@ -1,11 +1,11 @@
 use super::nodal::{NodalMass, times};
 use crate::elements::error::{ElementError, ElementKind, Field, at};
 use crate::model::Rheology;
-use crate::structure::{Hold, Structure};
+use crate::structure::{Constraint, Structure};
 
 /// Matrices over displacements and rotations of nodes, from another program. (K9)
 ///
-/// What the program held is taken as held on the carrier; its mass there is the carrier's.
+/// Nodes that the program constrained are taken as constrained to the carrier; their mass is the carrier's.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrices {
@@ -15,16 +15,16 @@ pub struct Matrices {
     pub stiffness: Vec<(usize, usize, f64)>,
     /// Damping matrix.
     pub damping: Vec<(usize, usize, f64)>,
-    /// How what has this stiffness answers periodic strain.
+    /// Rheology of this stiffness: response to periodic strain.
     pub rheology: Rheology,
 }
 
-/// Energies below this share of those that cancel are rounding of the numbers in a file.
+/// Energy of a rigid motion, as a share of the terms that cancel in it, below which it is rounding of the numbers in a file.
 const ROUNDING: f64 = 1e-12;
 
 impl Matrices {
     /// Adds its blocks to a structure that has its nodes.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
@@ -41,20 +41,20 @@ impl Matrices {
         let blocks = self.mass.blocks(place, matrices)?;
         let masses = blocks.iter().map(|(pair, [mass, ..])| (*pair, mass));
         let lumps = self.mass.lumps(masses).map_err(at(place, Field::MASS))?;
-        let matter = structure.matter(&self.rheology, rayleigh);
+        let material = structure.material(&self.rheology, rayleigh);
         for (pair, matrices) in &blocks {
-            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, matrices, &lumps)));
+            structure.elements.push(Box::new(self.mass.element(*pair, first, material, matrices, &lumps)));
         }
         Ok(())
     }
 
-    /// Number of a node without a row for some displacement: the other program held it.
+    /// Number of a node without a row for some displacement: the other program constrained it.
     pub(super) fn held(&self) -> Option<u64> {
         let held = self.mass.moves().iter().position(|moves| moves[..3].contains(&false))?;
         Some(self.mass.node_labels[held])
     }
 
-    /// Whether it resists every motion of the whole as a rigid body: the other program held nodes that it does not name.
+    /// Whether the stiffness resists every rigid motion of the whole: the other program constrained nodes that it does not name.
     pub(super) fn stands(&self) -> bool {
         let rigid = self.mass.rigid();
         let size = |row: usize| rigid.row(row).norm();
@@ -63,9 +63,9 @@ impl Matrices {
         !energies.is_empty() && energies.min() > ROUNDING * scale
     }
 
-    /// How each node is held where its components have no row.
-    pub(super) fn holds(&self) -> Vec<Hold> {
-        self.mass.moves().into_iter().map(Hold::Partly).collect()
+    /// Constraints of the nodes whose components have no row.
+    pub(super) fn constraints(&self) -> Vec<Constraint> {
+        self.mass.moves().into_iter().map(Constraint::Partly).collect()
     }
 }
 

@@ -2,31 +2,31 @@
 
 mod connection;
 mod frame;
+mod material;
 mod matrices;
 mod modes;
 mod nodal;
 mod nodal_body;
 mod panel;
 mod solid;
-mod substance;
 
 use nalgebra::Vector3;
 
 pub use connection::{Anchor, Connection, NodeRef};
 pub use frame::{Frame, FrameNode, Member};
+pub use material::{ElasticMaterial, Orthotropic};
 pub use matrices::Matrices;
 pub use modes::{GivenModes, Spectrum};
 pub use nodal::NodalMass;
 pub use nodal_body::TipMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
-pub use substance::{Orthotropic, Substance};
 
 use super::element::{Element, Role};
 use super::error::{ElementError, ElementKind, Problem};
 use super::{Incomplete, Material};
 use crate::model::Rheology;
-use crate::structure::{Hold, Node, Structure};
+use crate::structure::{Constraint, Node, Structure};
 use quasirigid_mesh::{Mesh, MeshNote};
 
 /// A part of a body that is elastic throughout.
@@ -35,7 +35,7 @@ use quasirigid_mesh::{Mesh, MeshNote};
 pub struct Part {
     /// Unique name.
     pub name: String,
-    /// What it is.
+    /// Kind of the part, with its description.
     pub kind: PartKind,
     /// Rigid bodies at its nodes.
     pub masses: Vec<TipMass>,
@@ -63,7 +63,7 @@ pub enum PartKind {
 }
 
 impl PartKind {
-    /// What a part of the kind is called.
+    /// Words for a part of this kind.
     #[must_use]
     pub fn words(&self) -> &'static str {
         match self {
@@ -82,10 +82,10 @@ impl PartKind {
                 frame.members.iter_mut().map(|member| &mut member.material.rheology).collect()
             }
             Self::Panel(panel) => {
-                panel.layers.iter_mut().map(|layer| layer.substance.rheology_mut()).collect()
+                panel.layers.iter_mut().map(|layer| layer.material.rheology_mut()).collect()
             }
             Self::Solid(solid) => {
-                solid.regions.iter_mut().map(|region| region.substance.rheology_mut()).collect()
+                solid.regions.iter_mut().map(|region| region.material.rheology_mut()).collect()
             }
             Self::Matrices(given) => vec![&mut given.rheology],
             Self::Modes(modes) => vec![&mut modes.rheology],
@@ -142,12 +142,12 @@ impl Part {
         }
     }
 
-    /// Whether it moves as seen from a frame that is rigid in the body.
+    /// Whether the part carries a frame of its own, rigid in the body.
     pub(super) fn is_frame(&self) -> bool {
         matches!(&self.kind, PartKind::Modes(modes) if modes.interface.is_empty())
     }
 
-    /// Whether it needs no attachment on a carrier: the program that it comes from held it.
+    /// Whether the part needs no attachment to a carrier: the program that it comes from constrained it.
     pub(super) fn stands(&self) -> bool {
         match &self.kind {
             PartKind::Matrices(given) => given.held().is_some() || given.stands(),
@@ -159,36 +159,36 @@ impl Part {
     ///
     /// # Errors
     /// [`ElementError`] for a value that no part can have.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         match &self.kind {
-            PartKind::Solid(solid) => solid.furnish(index, first, self.rayleigh, structure),
-            PartKind::Frame(frame) => frame.furnish(index, first, self.rayleigh, structure),
-            PartKind::Panel(panel) => panel.furnish(index, first, self.rayleigh, structure),
-            PartKind::Matrices(given) => given.furnish(index, first, self.rayleigh, structure),
-            PartKind::Modes(modes) => modes.furnish(index, first, self.rayleigh, structure),
+            PartKind::Solid(solid) => solid.assemble_into(index, first, self.rayleigh, structure),
+            PartKind::Frame(frame) => frame.assemble_into(index, first, self.rayleigh, structure),
+            PartKind::Panel(panel) => panel.assemble_into(index, first, self.rayleigh, structure),
+            PartKind::Matrices(given) => given.assemble_into(index, first, self.rayleigh, structure),
+            PartKind::Modes(modes) => modes.assemble_into(index, first, self.rayleigh, structure),
         }?;
         let nodes = (first, self.count());
         let name = |node| move || format!("{:?} {}", self.name, self.node_name(node));
-        self.masses
-            .iter()
-            .try_for_each(|mass| mass.furnish(ElementKind::Part.at(index), nodes, name(mass.node), structure))
+        self.masses.iter().try_for_each(|mass| {
+            mass.assemble_into(ElementKind::Part.at(index), nodes, name(mass.node), structure)
+        })
     }
 
-    /// How its nodes are held before anything is attached or connected; the first of them is `first` in the structure.
-    pub(super) fn holds(&self, first: usize) -> Vec<Hold> {
+    /// Constraints of its nodes before anything is attached or connected; the first of them is `first` in the structure.
+    pub(super) fn constraints(&self, first: usize) -> Vec<Constraint> {
         match &self.kind {
-            PartKind::Matrices(given) => given.holds(),
-            PartKind::Modes(modes) => modes.holds(first),
-            _ => vec![Hold::Free; self.count()],
+            PartKind::Matrices(given) => given.constraints(),
+            PartKind::Modes(modes) => modes.constraints(first),
+            _ => vec![Constraint::Free; self.count()],
         }
     }
 
-    /// Number of a node that its own matrices hold on the carrier.
+    /// Number of a node that its own matrices constrain to the carrier.
     pub(super) fn held(&self) -> Option<u64> {
         match &self.kind {
             PartKind::Matrices(given) => given.held(),
@@ -197,8 +197,8 @@ impl Part {
     }
 }
 
-fn node(place: [f64; 3], turns: bool) -> Node {
-    Node { place: Vector3::from(place), turns }
+fn node(place: [f64; 3], rotations: bool) -> Node {
+    Node { place: Vector3::from(place), rotations }
 }
 
 /// Accepts a mesh whose cells of a dimension describe a part and hold every node of it.
@@ -242,8 +242,8 @@ impl Element for Part {
     fn homogeneous(&self) -> Option<&Material> {
         let PartKind::Solid(solid) = &self.kind else { return None };
         let [region] = &solid.regions[..] else { return None };
-        match &region.substance {
-            Substance::Isotropic(material) if self.masses.is_empty() => Some(material),
+        match &region.material {
+            ElasticMaterial::Isotropic(material) if self.masses.is_empty() => Some(material),
             _ => None,
         }
     }

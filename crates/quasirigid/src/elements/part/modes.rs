@@ -1,3 +1,7 @@
+//! Part of given modes: shapes of another program over the nodes of its model, as generalized coordinates.
+//! The nodes keep their mass, so inertia and loads follow from the shapes; stiffness and damping come from the spectrum alone.
+//! Equations (K10) and (K11), docs/theory/12-structures.md; interface modes of Craig and Bampton `[@craig1968]`.
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix6};
@@ -7,7 +11,7 @@ use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::Block;
 use crate::model::Rheology;
-use crate::structure::{Hold, Node, Structure};
+use crate::structure::{Constraint, Node, Structure};
 
 /// Shapes of generalised coordinates over the nodes of another program's model: its modes of vibration, or those of Craig and
 /// Bampton. (K10)
@@ -18,22 +22,22 @@ use crate::structure::{Hold, Node, Structure};
 pub struct GivenModes {
     /// The nodes, and where their mass is.
     pub mass: NodalMass,
-    /// What a unit of each coordinate (columns) is to each row of the mass matrix: m/m, rad/m for displacements of the
-    /// interface, m/rad, rad/rad for rotations of it, m and rad for the others.
+    /// Shapes: motion of each row of the mass matrix per unit of each coordinate (columns): m/m, rad/m for displacements of the interface,
+    /// m/rad, rad/rad for rotations of it, m and rad for the others.
     pub shapes: Vec<Vec<f64>>,
     /// Nodes whose displacements and rotations are the first coordinates, node by node.
     pub interface: Vec<usize>,
-    /// What resists the coordinates.
+    /// Stiffness and damping of the coordinates.
     pub spectrum: Spectrum,
-    /// How what has this stiffness answers periodic strain.
+    /// Rheology of this stiffness: response to periodic strain.
     pub rheology: Rheology,
 }
 
-/// What resists generalised coordinates.
+/// Stiffness and damping of generalised coordinates.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spectrum {
-    /// They are modes of vibration.
+    /// Modes of vibration.
     Modes {
         /// Natural frequency of each (rad/s).
         frequencies: Vec<f64>,
@@ -49,14 +53,14 @@ pub enum Spectrum {
     },
 }
 
-/// Shapes of an interface may differ from unit displacements by this much.
+/// Deviation from a unit displacement up to which a shape of the interface is one.
 const UNIT: f64 = 1e-6;
-/// The mass may couple modes by this share of their own.
+/// Coupling of two modes by the mass, as a share of their own masses, up to which they count as modes of this mass.
 const COUPLED: f64 = 0.1;
 
 impl GivenModes {
-    /// What modes beyond the last can add to the answers to a spin about a pole, at most, as a share of the largest answer
-    /// in energy; none for coordinates that are no modes, or no part of a body. (K11)
+    /// Bound on the response to a spin about a pole that modes beyond the last can add, as a share of the largest response in energy; none
+    /// for coordinates that are no modes, or no part of a body. (K11)
     #[must_use]
     pub fn missing(&self, pole: [f64; 3]) -> Option<f64> {
         let Spectrum::Modes { frequencies, .. } = &self.spectrum else { return None };
@@ -67,7 +71,7 @@ impl GivenModes {
         let (mut rest, mut largest) = (0.0_f64, 0.0_f64);
         for (a, b) in (0..9).map(|load| (load % 3, load / 3)) {
             let (mut whole, mut forces) = (0.0, DVector::<f64>::zeros(masses.len()));
-            let rows = self.mass.freedoms.iter().zip(&self.shapes);
+            let rows = self.mass.dofs.iter().zip(&self.shapes);
             for ((node, _), row) in rows.filter(|((_, component), _)| *component == a) {
                 if row.iter().all(|share| *share == 0.0) {
                     continue;
@@ -84,7 +88,7 @@ impl GivenModes {
         Some(rest / largest)
     }
 
-    /// The nodes, and then as many as it takes to keep the coordinates beyond the interface as components.
+    /// Nodes of the model, and extra ones that hold the coordinates beyond the interface as components.
     pub(super) fn structure_nodes(&self) -> Vec<Node> {
         let mut nodes: Vec<Node> = self.mass.structure_nodes().collect();
         let keeper = nodes.first().copied();
@@ -92,38 +96,38 @@ impl GivenModes {
         nodes
     }
 
-    /// How its nodes are held, the first of them being `first` in the structure.
-    pub(super) fn holds(&self, first: usize) -> Vec<Hold> {
+    /// Constraints of its nodes, the first of them being `first` in the structure.
+    pub(super) fn constraints(&self, first: usize) -> Vec<Constraint> {
         let columns: Arc<[(usize, usize)]> =
             self.columns().into_iter().map(|(node, component)| (first + node, component)).collect();
         let per_node = self.mass.per_node();
         let mut shares = vec![DMatrix::zeros(per_node, columns.len()); self.mass.nodes.len()];
-        for ((node, component), row) in self.mass.freedoms.iter().zip(&self.shapes) {
+        for ((node, component), row) in self.mass.dofs.iter().zip(&self.shapes) {
             for (entry, share) in shares[*node].row_mut(*component).iter_mut().zip(row) {
                 *entry = *share;
             }
         }
         let moves = self.mass.moves();
-        let hold = |(node, shares)| {
+        let constrain = |(node, shares)| {
             if self.interface.contains(&node) {
-                Hold::Partly(moves[node])
+                Constraint::Partly(moves[node])
             } else {
-                Hold::Shaped { columns: columns.clone(), shares }
+                Constraint::Shaped { columns: columns.clone(), shares }
             }
         };
         let kept = self.size().saturating_sub(self.interface_columns().len());
-        let keeper = |number: usize| Hold::Coordinates((kept - number * per_node).min(per_node));
-        shares.into_iter().enumerate().map(hold).chain((0..self.keepers()).map(keeper)).collect()
+        let keeper = |number: usize| Constraint::Coordinates((kept - number * per_node).min(per_node));
+        shares.into_iter().enumerate().map(constrain).chain((0..self.keepers()).map(keeper)).collect()
     }
 
-    /// Name of a generalised coordinate that a node keeps as a component.
+    /// Name of a generalised coordinate that a node holds as a component.
     pub(in crate::elements) fn coordinate_name(&self, node: usize, component: usize) -> String {
         let before = (node - self.mass.nodes.len()) * self.mass.per_node();
         format!("coordinate {}", self.interface_columns().len() + before + component + 1)
     }
 
     /// Adds its elements to a structure that has its nodes.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
@@ -135,13 +139,13 @@ impl GivenModes {
         self.check_shapes().map_err(at(place, Field::SHAPES))?;
         let blocks = self.mass.blocks(place, [(Field::MASS, self.mass.entries.as_slice())])?;
         let resistance = self.spectrum.matrices(self.size(), place, || self.couplings())?;
-        let matter = structure.matter(&self.rheology, rayleigh);
-        structure.elements.push(Box::new(self.resistance(first, matter, &resistance)));
+        let material = structure.material(&self.rheology, rayleigh);
+        structure.elements.push(Box::new(self.resistance(first, material, &resistance)));
         let lumps = self.mass.lumps(blocks.iter().map(|(pair, [mass])| (*pair, mass)));
         let lumps = lumps.map_err(at(place, Field::MASS))?;
         for (pair, [mass]) in &blocks {
             let inertia = [*mass, Matrix6::zeros(), Matrix6::zeros()];
-            structure.elements.push(Box::new(self.mass.element(*pair, first, matter, &inertia, &lumps)));
+            structure.elements.push(Box::new(self.mass.element(*pair, first, material, &inertia, &lumps)));
         }
         Ok(())
     }
@@ -151,7 +155,7 @@ impl GivenModes {
         self.shapes.first().map_or(0, Vec::len)
     }
 
-    /// Nodes that keep the coordinates beyond the interface.
+    /// Number of nodes that hold the coordinates beyond the interface.
     fn keepers(&self) -> usize {
         self.size().saturating_sub(self.interface_columns().len()).div_ceil(self.mass.per_node())
     }
@@ -161,7 +165,7 @@ impl GivenModes {
         self.mass.rows_of(&self.interface)
     }
 
-    /// Node and component that keep each coordinate.
+    /// Node and component that hold each coordinate.
     fn columns(&self) -> Vec<(usize, usize)> {
         let (nodes, per_node) = (self.mass.nodes.len(), self.mass.per_node());
         let mut columns = self.interface_columns();
@@ -172,15 +176,15 @@ impl GivenModes {
 
     /// Accepts shapes of the right size that are finite and, at the interface, unit displacements.
     fn check_shapes(&self) -> Result<(), Problem> {
-        let (size, rows) = (self.size(), self.mass.freedoms.len());
+        let (size, rows) = (self.size(), self.mass.dofs.len());
         let interface = self.interface_columns();
         if self.shapes.len() != rows || self.shapes.iter().any(|row| row.len() != size) {
-            return Err(Problem::ShapeRows { rows: self.shapes.len(), freedoms: rows });
+            return Err(Problem::ShapeRows { rows: self.shapes.len(), dofs: rows });
         }
         if size == 0 || size < interface.len() {
             return Err(Problem::ShapeColumns { columns: size, interface: interface.len() });
         }
-        for ((node, component), row) in self.mass.freedoms.iter().zip(&self.shapes) {
+        for ((node, component), row) in self.mass.dofs.iter().zip(&self.shapes) {
             coefficient::finite(row)?;
             if !self.interface.contains(node) {
                 continue;
@@ -204,16 +208,16 @@ impl GivenModes {
     }
 
     /// Stiffness and damping between the coordinates as an element.
-    fn resistance(&self, first: usize, matter: usize, [stiffness, damping]: &[DMatrix<f64>; 2]) -> Block {
-        let (freedoms, columns) = (self.mass.per_node(), self.columns());
+    fn resistance(&self, first: usize, material: usize, [stiffness, damping]: &[DMatrix<f64>; 2]) -> Block {
+        let (dofs, columns) = (self.mass.per_node(), self.columns());
         let mut nodes: Vec<usize> = columns.iter().map(|(node, _)| *node).collect();
         nodes.dedup();
         let place = |(node, component): &(usize, usize)| {
             let number = nodes.iter().position(|known| known == node).unwrap_or_default();
-            freedoms * number + component
+            dofs * number + component
         };
         let places: Vec<usize> = columns.iter().map(place).collect();
-        let size = nodes.len() * freedoms;
+        let size = nodes.len() * dofs;
         let spread = |matrix: &DMatrix<f64>| {
             let mut spread = DMatrix::zeros(size, size);
             for (j, row) in places.iter().enumerate() {
@@ -224,12 +228,12 @@ impl GivenModes {
             spread
         };
         Block {
-            freedoms,
-            matter,
+            dofs,
+            material,
             stiffness: spread(stiffness),
             damping: spread(damping),
             mass: DMatrix::zeros(size, size),
-            grains: Vec::new(),
+            lumped_masses: Vec::new(),
             nodes: nodes.into_iter().map(|node| first + node).collect(),
         }
     }

@@ -1,10 +1,14 @@
+//! Nodal mass: the mass matrix of another program as lumped masses at nodes and negative ones between pairs of nodes.
+//! Quadrature masses inside the cells are not known; these sums have the same moments, also where a lumped mass is negative.
+//! Equation (K9), docs/theory/12-structures.md.
+
 use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
-use crate::finite::{Block, Element, Grain, Mass, Site, rigid_points};
+use crate::finite::{Block, Element, LumpedMass, Mass, Site, rigid_points};
 use crate::model::Inertia;
 use crate::structure::Node;
 
@@ -16,8 +20,8 @@ pub struct NodalMass {
     pub nodes: Vec<[f64; 3]>,
     /// Number of each node in its file.
     pub node_labels: Vec<u64>,
-    /// What each row is about: the index of a node, and a component from 0 to 5.
-    pub freedoms: Vec<(usize, usize)>,
+    /// Node and component, from 0 to 5, of each row.
+    pub dofs: Vec<(usize, usize)>,
     /// Mass matrix: rows, columns and entries, both triangles.
     pub entries: Vec<(usize, usize, f64)>,
 }
@@ -28,31 +32,31 @@ pub(super) type Blocks<const N: usize> = BTreeMap<(usize, usize), [Matrix6<f64>;
 /// Rows, columns and entries of a matrix, both triangles.
 pub(super) type Entries<'e> = &'e [(usize, usize, f64)];
 
-/// Entries that should agree may differ by this much relative to the larger diagonal.
+/// Difference, relative to the larger diagonal, up to which entries that should be equal agree.
 const SYMMETRIC: f64 = 1e-9;
-/// A motion with less than this share of the largest moves nothing.
+/// Share of the largest motion below which a motion moves nothing.
 const STILL: f64 = 1e-9;
-/// Entries below this share of the largest are rounding: what is left of a stiffness that resists nothing.
+/// Share of the largest entry below which entries are rounding: the residue of a stiffness that resists nothing.
 const ROUNDING: f64 = 1e-13;
 
 impl NodalMass {
-    /// Freedoms of each node: 3, or 6 if some node turns.
+    /// Degrees of freedom of each node: 3, or 6 if some node has rotations.
     pub(super) fn per_node(&self) -> usize {
-        if self.freedoms.iter().any(|(_, component)| *component >= 3) { 6 } else { 3 }
+        if self.dofs.iter().any(|(_, component)| *component >= 3) { 6 } else { 3 }
     }
 
     /// The nodes, in their order.
     pub(super) fn structure_nodes(&self) -> impl Iterator<Item = Node> + '_ {
-        let turns = self.per_node() == 6;
-        self.nodes.iter().map(move |place| Node { place: Vector3::from(*place), turns })
+        let rotations = self.per_node() == 6;
+        self.nodes.iter().map(move |place| Node { place: Vector3::from(*place), rotations })
     }
 
-    /// The motions as a rigid body that move some row, an orthonormal column each: six, or five of nodes in a line.
+    /// Rigid motions that move some row, an orthonormal column each: six, or five of nodes in a line.
     pub(super) fn rigid(&self) -> DMatrix<f64> {
         let place = |node: usize| Vector3::from(self.nodes[node]);
         let middle = (0..self.nodes.len()).map(place).sum::<Vector3<f64>>() / self.nodes.len().max(1) as f64;
         let motion = |row: usize, motion: usize| {
-            let (node, component) = self.freedoms[row];
+            let (node, component) = self.dofs[row];
             let axis = Vector3::ith(motion % 3, 1.0);
             match (component < 3, motion < 3) {
                 (true, true) => axis[component],
@@ -61,7 +65,7 @@ impl NodalMass {
                 (false, false) => axis[component - 3],
             }
         };
-        let motions = DMatrix::from_fn(self.freedoms.len(), 6, motion);
+        let motions = DMatrix::from_fn(self.dofs.len(), 6, motion);
         let moved = motions.svd(true, false);
         let least = STILL * moved.singular_values.max();
         let columns: Vec<usize> = (0..moved.singular_values.len())
@@ -84,7 +88,7 @@ impl NodalMass {
     /// Components of each node that have a row.
     pub(super) fn moves(&self) -> Vec<[bool; 6]> {
         let mut moves = vec![[false; 6]; self.nodes.len()];
-        for (node, component) in &self.freedoms {
+        for (node, component) in &self.dofs {
             moves[*node][*component] = true;
         }
         moves
@@ -102,9 +106,9 @@ impl NodalMass {
         let zero = [Matrix6::zeros(); N];
         let mut blocks = Blocks::new();
         for (which, (field, entries)) in matrices.into_iter().enumerate() {
-            symmetric(entries, self.freedoms.len(), |row| self.name(row)).map_err(at(place, field))?;
+            symmetric(entries, self.dofs.len(), |row| self.name(row)).map_err(at(place, field))?;
             for (row, column, value) in entries {
-                let ((i, a), (j, b)) = (self.freedoms[*row], self.freedoms[*column]);
+                let ((i, a), (j, b)) = (self.dofs[*row], self.dofs[*column]);
                 if i <= j {
                     blocks.entry((i, j)).or_insert(zero)[which][(a, b)] += value;
                 }
@@ -113,13 +117,13 @@ impl NodalMass {
         Ok(blocks)
     }
 
-    /// A freedom as other programs name it.
+    /// A degree of freedom as other programs name it.
     fn name(&self, row: usize) -> String {
-        let (node, component) = self.freedoms[row];
+        let (node, component) = self.dofs[row];
         format!("{}.{}", self.node_labels[node], component + 1)
     }
 
-    /// The mass of each node to all nodes together.
+    /// Lumped mass of each node: its mass to all nodes together.
     ///
     /// # Errors
     /// [`Problem`] if they have none.
@@ -147,47 +151,47 @@ impl NodalMass {
         &self,
         (i, j): (usize, usize),
         first: usize,
-        matter: usize,
+        material: usize,
         [mass, damping, stiffness]: &[Matrix6<f64>; 3],
         lumps: &[Lump],
     ) -> Block {
-        let (own, freedoms) = (i == j, self.per_node());
-        let grains = if own {
+        let (own, dofs) = (i == j, self.per_node());
+        let lumped_masses = if own {
             self.lumped(i, &lumps[i])
         } else {
             self.between([i, j], scalar(mass, [&lumps[i], &lumps[j]]))
         };
         Block {
             nodes: if own { vec![first + i] } else { vec![first + i, first + j] },
-            freedoms,
-            matter,
-            stiffness: Block::spread(stiffness, freedoms, own),
-            damping: Block::spread(damping, freedoms, own),
-            mass: Block::spread(mass, freedoms, own),
-            grains,
+            dofs,
+            material,
+            stiffness: Block::spread(stiffness, dofs, own),
+            damping: Block::spread(damping, dofs, own),
+            mass: Block::spread(mass, dofs, own),
+            lumped_masses,
         }
     }
 
     /// The lumped mass of a node with its rotary inertia, where it is that of a rigid piece.
-    fn lumped(&self, node: usize, lump: &Lump) -> Vec<Grain> {
-        let (Lump { mass, rotary, .. }, freedoms) = (lump, self.per_node());
+    fn lumped(&self, node: usize, lump: &Lump) -> Vec<LumpedMass> {
+        let (Lump { mass, rotary, .. }, dofs) = (lump, self.per_node());
         let inertia = Inertia::new(std::array::from_fn(|i| std::array::from_fn(|j| rotary[(i, j)])));
         let points = match inertia {
-            Ok(inertia) if freedoms == 6 && *mass > 0.0 => rigid_points(*mass, &inertia),
+            Ok(inertia) if dofs == 6 && *mass > 0.0 => rigid_points(*mass, &inertia),
             _ => vec![(*mass, Vector3::zeros())],
         };
         let place = Vector3::from(self.nodes[node]);
-        Mass { node, freedoms, matter: 0, points, place }.grains()
+        Mass { node, dofs, material: 0, points, place }.lumped_masses()
     }
 
     /// The mass between two nodes: `M_ij (u_i v_j + u_j v_i)` is the lumped mass less `M_ij (u_i − u_j)(v_i − v_j)`.
-    fn between(&self, [i, j]: [usize; 2], mass: f64) -> Vec<Grain> {
-        let freedoms = self.per_node();
-        let mut shapes = Matrix3xX::zeros(2 * freedoms);
+    fn between(&self, [i, j]: [usize; 2], mass: f64) -> Vec<LumpedMass> {
+        let dofs = self.per_node();
+        let mut shapes = Matrix3xX::zeros(2 * dofs);
         shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
-        shapes.columns_mut(freedoms, 3).copy_from(&-Matrix3::identity());
+        shapes.columns_mut(dofs, 3).copy_from(&-Matrix3::identity());
         let distance = Vector3::from(self.nodes[i]) - Vector3::from(self.nodes[j]);
-        vec![Grain { mass: -mass, site: Site::Between(distance), shapes, turn: None }]
+        vec![LumpedMass { mass: -mass, site: Site::Between(distance), shapes, turn: None }]
     }
 }
 
@@ -196,13 +200,13 @@ impl NodalMass {
 pub(super) struct Lump {
     /// Mass (kg).
     pub mass: f64,
-    /// What its rotations have (kg·m²).
+    /// Rotary inertia (kg·m²).
     rotary: Matrix3<f64>,
     /// Components of the node that have a row.
     moves: [bool; 6],
 }
 
-/// The mass between two nodes for one component of the displacement, the mean of those for which both have rows.
+/// Mass between two nodes for one component of the displacement, the mean of those for which both have rows.
 fn scalar(mass: &Matrix6<f64>, lumps: [&Lump; 2]) -> f64 {
     let common: Vec<usize> = (0..3).filter(|axis| lumps.iter().all(|lump| lump.moves[*axis])).collect();
     if common.is_empty() {
@@ -222,7 +226,7 @@ pub(super) fn times(entries: Entries<'_>, columns: &DMatrix<f64>) -> DMatrix<f64
     product
 }
 
-/// Accepts the entries of a symmetric matrix that gives no motion of a single freedom energy; `name` is that of a row.
+/// Accepts the entries of a symmetric matrix that gives no motion of a single degree of freedom negative energy; `name` is that of a row.
 pub(super) fn symmetric(
     entries: Entries<'_>,
     count: usize,
@@ -239,13 +243,13 @@ pub(super) fn symmetric(
     let rounding = ROUNDING * found.values().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default();
     if let Some(row) = (0..count).find(|row| diagonal(*row) < -rounding) {
-        return Err(Problem::NegativeDiagonal { freedom: name(row), value: diagonal(row) });
+        return Err(Problem::NegativeDiagonal { dof: name(row), value: diagonal(row) });
     }
     for ((row, column), value) in &found {
         let other = found.get(&(*column, *row)).copied().unwrap_or_default();
         let scale = (diagonal(*row) * diagonal(*column)).sqrt().max(value.abs());
         if !((value - other).abs() <= SYMMETRIC * scale + rounding) {
-            return Err(Problem::Lopsided { freedoms: [name(*row), name(*column)], values: [*value, other] });
+            return Err(Problem::Lopsided { dofs: [name(*row), name(*column)], values: [*value, other] });
         }
     }
     Ok(())

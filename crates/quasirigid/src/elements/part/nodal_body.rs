@@ -14,14 +14,13 @@ pub struct TipMass {
     pub node: usize,
     /// Mass (kg).
     pub mass: f64,
-    /// Inertia tensor (kg·m²) about its centre of mass, which is at the node, in the file's axes; none at a node that does
-    /// not turn.
+    /// Inertia tensor (kg·m²) about its centre of mass, which is at the node, in the file's axes; none at a node without rotations.
     pub inertia: [[f64; 3]; 3],
 }
 
 impl TipMass {
     /// Adds it to a structure that has the nodes of its part, so many from `first` on; `name` is that of its node.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         place: ElementId,
         (first, count): (usize, usize),
@@ -35,18 +34,18 @@ impl TipMass {
             return Err(refuse(Problem::NoSuchNode { index: self.node, count }));
         }
         let node = structure.nodes[first + self.node];
-        let points = if node.turns {
+        let points = if node.rotations {
             rigid_points(self.mass, &inertia)
         } else if self.inertia == [[0.0; 3]; 3] {
             vec![(self.mass, Vector3::zeros())]
         } else {
             return Err(refuse(Problem::NoTurnForInertia { node: name() }));
         };
-        let matter = structure.matter(&Rheology::Elastic, [0.0; 2]);
+        let material = structure.material(&Rheology::Elastic, [0.0; 2]);
         structure.elements.push(Box::new(Mass {
             node: first + self.node,
-            freedoms: if node.turns { 6 } else { 3 },
-            matter,
+            dofs: if node.rotations { 6 } else { 3 },
+            material,
             points,
             place: node.place,
         }));

@@ -1,12 +1,16 @@
+//! Panel: a thin plate or shell of layered cells.
+//! Layers of the same material are summed to one section, and a cell has an element for each, so that every material keeps its own loss.
+//! Shell elements: `finite::shell`.
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::{Substance, sound};
+use super::{ElasticMaterial, sound};
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::shell::{self, Ply, ShellError, ShellSection};
-use crate::finite::{Element, Grain};
+use crate::finite::{Element, LumpedMass};
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
@@ -28,28 +32,28 @@ pub struct Panel {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// What it is made of; its axis 3 is the normal.
-    pub substance: Substance,
+    /// Material of the layer; its axis 3 is the normal.
+    pub material: ElasticMaterial,
     /// Thickness (m).
     pub thickness: f64,
     /// Angle (rad) from the reference direction to its axis 1, counter-clockwise seen from above.
     pub angle: f64,
 }
 
-/// A cell with the layers of one matter.
+/// Cell with the layers of one material.
 #[derive(Debug)]
 struct ShellCell {
     shape: Shape,
     nodes: Vec<usize>,
     places: Vec<Vector3<f64>>,
-    matter: usize,
+    material: usize,
     reference: Vector3<f64>,
     section: ShellSection,
 }
 
 impl Panel {
-    /// Adds its elements to a structure that has its nodes: for each cell one of every matter in its layers.
-    pub(super) fn furnish(
+    /// Adds its elements to a structure that has its nodes: for each cell one of every material in its layers.
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
@@ -61,8 +65,8 @@ impl Panel {
         coefficient::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
         let sections = self.sections(place, rayleigh, structure)?;
         for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
-            for (matter, section) in &sections {
-                let element = self.cell(cell, first, *matter, *section);
+            for (material, section) in &sections {
+                let element = self.cell(cell, first, *material, *section);
                 element.matrix().map_err(|cause| {
                     let field = match cause {
                         ShellError::Reference { .. } => Field::REFERENCE,
@@ -76,7 +80,7 @@ impl Panel {
         Ok(())
     }
 
-    /// The section of the layers of each matter.
+    /// Section of the layers of each material.
     fn sections(
         &self,
         place: ElementId,
@@ -84,27 +88,27 @@ impl Panel {
         structure: &mut Structure,
     ) -> Result<Vec<(usize, ShellSection)>, ElementError> {
         let refuse = at(place, Field::LAYERS);
-        self.layers.iter().try_for_each(|layer| layer.substance.check(place))?;
+        self.layers.iter().try_for_each(|layer| layer.material.check(place))?;
         let plies: Vec<Ply> = self.layers.iter().map(Layer::ply).collect();
         let layers = ShellSection::layers(&plies, self.offset)
             .map_err(|cause| refuse(Problem::Shell { cell: None, cause }))?;
         let mut sections: Vec<(usize, ShellSection)> = Vec::new();
         for (layer, section) in self.layers.iter().zip(layers) {
-            let matter = structure.matter(layer.substance.rheology(), rayleigh);
-            match sections.iter_mut().find(|(known, _)| *known == matter) {
+            let material = structure.material(layer.material.rheology(), rayleigh);
+            match sections.iter_mut().find(|(known, _)| *known == material) {
                 Some((_, sum)) => *sum = *sum + section,
-                None => sections.push((matter, section)),
+                None => sections.push((material, section)),
             }
         }
         if sections.is_empty() { Err(refuse(Problem::NoMass)) } else { Ok(sections) }
     }
 
-    fn cell(&self, cell: &Cell, first: usize, matter: usize, section: ShellSection) -> ShellCell {
+    fn cell(&self, cell: &Cell, first: usize, material: usize, section: ShellSection) -> ShellCell {
         ShellCell {
             shape: cell.shape,
             nodes: cell.nodes.iter().map(|node| first + node).collect(),
             places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-            matter,
+            material,
             reference: self.reference.into(),
             section,
         }
@@ -114,8 +118,8 @@ impl Panel {
 impl Layer {
     fn ply(&self) -> Ply {
         let (thickness, angle) = (self.thickness, self.angle);
-        match &self.substance {
-            Substance::Isotropic(material) => Ply {
+        match &self.material {
+            ElasticMaterial::Isotropic(material) => Ply {
                 young: [material.young; 2],
                 poisson: material.poisson,
                 shear: [material.shear(); 3],
@@ -123,7 +127,7 @@ impl Layer {
                 thickness,
                 angle,
             },
-            Substance::Orthotropic(material) => Ply {
+            ElasticMaterial::Orthotropic(material) => Ply {
                 young: [material.young[0], material.young[1]],
                 poisson: material.poisson[0],
                 shear: material.shear,
@@ -146,12 +150,12 @@ impl Element for ShellCell {
         &self.nodes
     }
 
-    fn freedoms(&self) -> usize {
+    fn dofs(&self) -> usize {
         6
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
@@ -162,8 +166,8 @@ impl Element for ShellCell {
         shell::mass(self.shape, &self.places, &self.section).expect("the panel has tried the cell")
     }
 
-    fn grains(&self) -> Vec<Grain> {
-        shell::grains(self.shape, &self.places, &self.section)
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        shell::lumped_masses(self.shape, &self.places, &self.section)
     }
 
     fn geometric(

@@ -1,10 +1,14 @@
+//! Solid part: tetrahedra, wedges and hexahedra in regions of one material each.
+//! Every solid cell belongs to exactly one region; the axes of an orthotropic material belong to the region, not to the cell.
+//! Solid elements: `finite::solid`.
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 
-use super::{Substance, sound};
+use super::{ElasticMaterial, sound};
 use crate::elements::error::{ElementError, ElementKind, Field, Problem, at};
-use crate::finite::{Element, Grain, elasticity, solid};
+use crate::finite::{Element, LumpedMass, elasticity, solid};
 use crate::structure::Structure;
 use quasirigid_mesh::{Mesh, Shape};
 
@@ -14,36 +18,36 @@ use quasirigid_mesh::{Mesh, Shape};
 pub struct Solid {
     /// Nodes and cells; faces and lines among the cells bear nothing.
     pub mesh: Arc<Mesh>,
-    /// What its cells are made of; each solid cell is in one region.
+    /// Regions of one material; each solid cell is in one of them.
     pub regions: Vec<Region>,
 }
 
-/// Cells of one substance.
+/// Cells of one material.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// Indices of the cells; those that are not solid are passed over.
+    /// Indices of the cells; cells of other dimensions are skipped.
     pub cells: Vec<usize>,
-    /// What they are made of.
-    pub substance: Substance,
-    /// Axes 1, 2, 3 of the substance, a unit vector each, in the file's frame.
+    /// Material of the cells.
+    pub material: ElasticMaterial,
+    /// Axes 1, 2, 3 of the material, a unit vector each, in the file's frame.
     pub axes: [[f64; 3]; 3],
 }
 
-/// A cell with what its matrices need.
+/// Solid cell with the data of its matrices.
 #[derive(Debug)]
 struct SolidCell {
     shape: Shape,
     nodes: Vec<usize>,
     places: Vec<Vector3<f64>>,
-    matter: usize,
+    material: usize,
     density: f64,
     elasticity: Arc<Matrix6<f64>>,
 }
 
 impl Solid {
     /// Adds its elements to a structure that has its nodes.
-    pub(super) fn furnish(
+    pub(super) fn assemble_into(
         &self,
         index: usize,
         first: usize,
@@ -53,9 +57,9 @@ impl Solid {
         let place = ElementKind::Part.at(index);
         sound(&self.mesh, 3).map_err(at(place, Field::FILE))?;
         for region in &self.regions {
-            region.substance.check(place)?;
+            region.material.check(place)?;
             let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::MATERIAL))?);
-            let matter = structure.matter(region.substance.rheology(), rayleigh);
+            let material = structure.material(region.material.rheology(), rayleigh);
             let count = self.mesh.cells.len();
             if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
                 return Err(at(place, Field::MATERIAL)(Problem::NoSuchCell { index, count }));
@@ -66,8 +70,8 @@ impl Solid {
                     shape: cell.shape,
                     nodes: cell.nodes.iter().map(|node| first + node).collect(),
                     places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-                    matter,
-                    density: region.substance.density(),
+                    material,
+                    density: region.material.density(),
                     elasticity: Arc::clone(&elasticity),
                 }));
             }
@@ -78,9 +82,9 @@ impl Solid {
 
 impl Region {
     fn elasticity(&self) -> Result<Matrix6<f64>, Problem> {
-        let elasticity = match &self.substance {
-            Substance::Isotropic(material) => elasticity::isotropic(material.young, material.poisson),
-            Substance::Orthotropic(material) => {
+        let elasticity = match &self.material {
+            ElasticMaterial::Isotropic(material) => elasticity::isotropic(material.young, material.poisson),
+            ElasticMaterial::Orthotropic(material) => {
                 let [young, poisson, shear] = [material.young, material.poisson, material.shear];
                 let columns = self.axes.map(Vector3::from);
                 let constants = elasticity::Orthotropic { young, poisson, shear };
@@ -96,12 +100,12 @@ impl Element for SolidCell {
         &self.nodes
     }
 
-    fn freedoms(&self) -> usize {
+    fn dofs(&self) -> usize {
         3
     }
 
-    fn matter(&self) -> usize {
-        self.matter
+    fn material(&self) -> usize {
+        self.material
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
@@ -112,8 +116,8 @@ impl Element for SolidCell {
         solid::mass(self.shape, &self.places, self.density).kronecker(&Matrix3::identity())
     }
 
-    fn grains(&self) -> Vec<Grain> {
-        solid::grains(self.shape, &self.places, self.density)
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        solid::lumped_masses(self.shape, &self.places, self.density)
     }
 
     fn geometric(

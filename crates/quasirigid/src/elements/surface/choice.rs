@@ -1,4 +1,4 @@
-//! Which functions a solid is approximated by.
+//! Choice of the approximation of a solid: polynomials or finite elements, and of which size.
 
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
@@ -10,20 +10,20 @@ use quasirigid_mesh::meshing::{Neck, graded, necks};
 
 /// Degrees tried one after the other; the last one of convex bodies only.
 const DEGREES: [usize; 5] = [4, 6, 8, 10, 12];
-/// About how many cells a mesh has at first, and those with which more is tried while the error is larger than wanted.
+/// Number of cells of the first mesh, approximately, and of the second while the error is larger than wanted.
 const CELLS: [usize; 2] = [6_000, 16_000];
-/// Parts of the cells in the coarser mesh that a mesh is judged by; the next if the neck is too thin for the first.
+/// Shares of the cells in the coarser mesh against which a mesh is judged; the second where the neck is too thin for the first.
 const COARSER: [f64; 2] = [0.25, 0.5];
-/// Error at which no finer mesh is tried, and from which there is no answer unless it was asked for.
+/// Error at which no finer mesh is tried, and above which an approximation is refused unless it was asked for.
 const WANTED: f64 = 0.05;
 const REFUSED: f64 = 0.5;
 
 impl Surface {
-    /// The body; `told` says whether its error is wanted where the approximation is given.
+    /// The body; `told` asks for the error of a given approximation too.
     ///
     /// # Errors
-    /// [`ElementError`] for a value that no solid has, polynomials that rounding cannot tell apart, and a shape that no mesh made
-    /// here resolves.
+    /// [`ElementError`] for a value that no solid has, polynomials that are linearly dependent up to rounding, and a shape that no mesh
+    /// made here resolves.
     pub(super) fn built(
         &self,
         place: ElementId,
@@ -40,7 +40,7 @@ impl Surface {
     }
 }
 
-/// The ways to a body.
+/// Methods of approximation of a solid.
 struct Road<'a> {
     surface: &'a Surface,
     place: ElementId,
@@ -58,7 +58,7 @@ impl Road<'_> {
         Ok(Found { body, condensation: None, resolution })
     }
 
-    /// Polynomials that were asked for, judged by finite elements unless the body is convex.
+    /// Polynomials of a given degree, judged by finite elements unless the body is convex.
     fn of_degree(&self, degree: usize, told: bool) -> Result<Found, ElementError> {
         let ritz = self.polynomials(degree)?;
         let own = (TAIL * ritz.growth).max(LEAST);
@@ -106,7 +106,7 @@ impl Road<'_> {
         self.by_cells(&necks)
     }
 
-    /// Cells in the one mesh or the other. What necks hide is known before anything is solved.
+    /// Cells in one mesh or the other. The error that necks hide is known before anything is solved.
     fn by_cells(&self, necks: &[Neck]) -> Result<Found, ElementError> {
         let hidden = CELLS.map(|cells| {
             let mesh = graded(&self.surface.surface, necks.first(), cells);
@@ -161,7 +161,7 @@ impl Road<'_> {
         necks(&self.surface.surface).map_err(|error| self.unmeshed(error.into()))
     }
 
-    /// The body of so many cells, with its error beside a coarser mesh. (G12)
+    /// Body of a mesh of about so many cells, with its error estimated from a coarser mesh. (G12)
     fn judged(&self, cells: usize, necks: &[Neck]) -> Result<Found, ElementError> {
         let fine = self.mesh(cells, necks)?;
         let coarser = COARSER.into_iter().find_map(|part| {

@@ -7,13 +7,13 @@ use crate::elements::Assembly;
 use crate::elements::assembly::Exact;
 use crate::elements::error::Problem;
 use crate::elements::material::Material;
-use crate::elements::part::{Part, PartKind, Region, Solid, Substance};
+use crate::elements::part::{ElasticMaterial, Part, PartKind, Region, Solid};
 use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use crate::structure::Condensation;
 use quasirigid_mesh::meshing::{GradedMesh, Neck, graded};
 
-/// A body made of cells.
+/// Body made of cells.
 pub(super) struct Meshed {
     pub body: FlexibleBody,
     pub mesh: GradedMesh,
@@ -23,7 +23,7 @@ pub(super) struct Meshed {
 }
 
 impl Meshed {
-    /// The solid in about so many cells, finest in a neck. Mass, centre and inertia are those of the surface itself. (G11)
+    /// Solid in about so many cells, finest in a neck. Mass, centre and inertia are those of the surface itself. (G11)
     pub fn new(
         solid: &Surface,
         asked: usize,
@@ -37,7 +37,7 @@ impl Meshed {
         let density = exact.mass / mesh.mesh.volume(&all);
         let material = Material { density, ..solid.material.clone() };
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let region = Region { cells: all, substance: Substance::Isotropic(material), axes };
+        let region = Region { cells: all, material: ElasticMaterial::Isotropic(material), axes };
         let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh.mesh.clone()), regions: vec![region] });
         let (name, masses, attached) = (solid.name.clone(), Vec::new(), Vec::new());
         let part = Part { name, kind, masses, attached, rayleigh: [0.0; 2] };
@@ -54,7 +54,7 @@ impl Meshed {
     }
 }
 
-/// What the surface says of the solid, by its moments. (G9)
+/// Mass, centre and inertia of the solid, from the moments of the surface. (G9)
 fn exact(solid: &Surface) -> Exact<'_> {
     let [low, high] = solid.surface.bounds();
     let scale = [0, 1, 2].map(|axis| 0.5 * (high[axis] - low[axis]));

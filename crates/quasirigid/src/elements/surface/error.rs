@@ -1,4 +1,4 @@
-//! Estimates of what an approximation leaves out.
+//! Estimates of the error of an approximation.
 
 use std::f64::consts::PI;
 
@@ -10,29 +10,29 @@ use quasirigid_mesh::surface::ClosedSurface;
 
 /// Growth of the compliance by the last two degrees at which polynomials have converged.
 pub(super) const CONVERGED: f64 = 1e-3;
-/// What all further degrees may bring, beside that growth.
+/// Bound on the contribution of all further degrees, over that growth. (G10)
 pub(super) const TAIL: f64 = 3.0;
 /// Difference between polynomials and cells at which they agree.
 pub(super) const AGREED: f64 = 0.03;
-/// Least error that is claimed: that of rounding and of facets as they are.
+/// Least error that is claimed: that of rounding and of the facets.
 pub(super) const LEAST: f64 = 2e-3;
 
-/// Margin for meshes of which neither is a refinement of the other.
+/// Margin for meshes of which neither is a refinement of the other. (G12)
 const UNEVEN: f64 = 1.5;
-/// Part of a cell's width to which the cells of a mesh fill a notch.
+/// Share of a cell's width to which the cells of a mesh fill a notch; measured. (G12)
 const FILLED: f64 = 0.2;
-/// Triangles around a neck that are looked at, at most.
+/// Most triangles around a neck that are examined.
 const MOST_TRIANGLES: usize = 1_000;
 
-/// Error of a mesh beside a coarser one: what cells of no width would bring if it fell with no more than their width, as it does at
-/// a crack, and what a neck of few cells hides. (G12)
+/// Error of a mesh from its difference to a coarser one: the rest if the error falls with no more than the width of the cells, as it does
+/// at a crack, and the error hidden in a neck of few cells. (G12)
 pub(super) fn between_meshes(surface: &ClosedSurface, fine: &Meshed, coarse: &Meshed, necks: &[Neck]) -> f64 {
     let apart = compliance::gap(&compliance::of(&fine.body), &compliance::of(&coarse.body));
     let ratio = (fine.cells as f64 / coarse.cells as f64).cbrt();
     (UNEVEN * apart / (ratio - 1.0)).max(hidden(surface, &fine.mesh, necks)).max(LEAST)
 }
 
-/// What the cells of a mesh hide of necks, whatever its solution. (G12)
+/// Error of the cells in necks, whatever the solution. (G12)
 pub(super) fn hidden(surface: &ClosedSurface, mesh: &GradedMesh, necks: &[Neck]) -> f64 {
     let of = |neck: &Neck| {
         let width = mesh.width(neck.center);
@@ -69,7 +69,7 @@ fn notch(surface: &ClosedSurface, neck: &Neck, width: f64) -> f64 {
     least
 }
 
-/// Heights over a triangle, beside the distance, that are rounding.
+/// Height over a triangle, as a share of the distance, that is rounding.
 const FLAT: f64 = 1e-6;
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

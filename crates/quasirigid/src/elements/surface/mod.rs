@@ -1,4 +1,4 @@
-//! A solid inside a closed surface: polynomials where they do, finite elements where they do not.
+//! A solid inside a closed surface: polynomials where they converge, finite elements where they do not.
 
 mod choice;
 mod elements;
@@ -18,8 +18,8 @@ use quasirigid_mesh::surface::ClosedSurface;
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.
 ///
-/// Its displacement is a polynomial of the place (G9), or that of finite elements in a mesh made here where polynomials cannot
-/// follow the shape (G11). The coordinates are its answers to the loads of a rotation, and theirs.
+/// The displacement is a polynomial of the place (G9), or that of finite elements in a mesh made here where polynomials cannot follow the
+/// shape (G11). The coordinates are the responses to the loads of a rotation, and the responses to the inertia of those.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
@@ -27,7 +27,7 @@ pub struct Surface {
     pub name: String,
     /// The surface (m), in the file's frame.
     pub surface: ClosedSurface,
-    /// What it is made of.
+    /// Material of the solid.
     pub material: Material,
     /// Degree of the polynomials; none to choose it, or to take finite elements.
     pub degree: Option<usize>,
@@ -35,17 +35,17 @@ pub struct Surface {
     pub cells: Option<usize>,
 }
 
-/// How the displacement of a solid inside a surface is approximated, and how far that can be trusted.
+/// Approximation of the displacement of a solid inside a surface, with an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
-    /// By what.
+    /// Kind of functions.
     pub approximation: Approximation,
-    /// Estimate of the relative error of the compliance, and so of the power that the solid dissipates: no product of the spin
-    /// that matters makes it larger. Infinite where nothing is known. (G12)
+    /// Estimate of the relative error of the compliance, and so of the power that the solid dissipates: the maximum over the significant
+    /// products of the spin. Infinite where nothing is known. (G12)
     pub error: f64,
 }
 
-/// Functions that a displacement is made of.
+/// Functions that represent a displacement.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Approximation {
@@ -56,14 +56,14 @@ pub enum Approximation {
     },
     /// Quadratic tetrahedra, finest in the narrowest neck.
     Elements {
-        /// How many there are.
+        /// Number of cells.
         cells: usize,
-        /// About how many there were to be.
+        /// Number of cells asked for, approximately.
         asked: usize,
     },
 }
 
-/// A body with what it took to find it.
+/// Body with its condensation and the approximation used.
 pub(super) struct Found {
     pub body: FlexibleBody,
     pub condensation: Option<Condensation>,
@@ -76,7 +76,7 @@ impl Surface {
     /// Most tetrahedra offered.
     pub const MOST_CELLS: usize = 200_000;
 
-    /// The same with the approximation that was found for it, which is not judged again.
+    /// The element with the approximation that was found for it, which is not judged again.
     #[must_use]
     pub fn settled(&self, resolution: &Resolution) -> Self {
         let (degree, cells) = match resolution.approximation {
@@ -86,7 +86,7 @@ impl Surface {
         Self { degree, cells, ..self.clone() }
     }
 
-    /// Everything wrong with its values, the first of it.
+    /// First error among its values.
     fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.material.check(place)?;
         let bodies = self.surface.bodies();
@@ -105,7 +105,8 @@ impl Surface {
         }
     }
 
-    /// The polynomials up to a degree, of places along the principal axes: in a thin body that lies aslant, rounding tells no others apart.
+    /// Polynomials up to a degree, of places along the principal axes: in a thin body that lies aslant, others are linearly dependent up to
+    /// rounding.
     fn ritz(&self, degree: usize) -> Result<Ritz, Problem> {
         let axes = self.axes();
         let own = self

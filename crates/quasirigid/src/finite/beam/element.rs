@@ -1,14 +1,17 @@
+//! Timoshenko beam element: geometry, axes of the section and material.
+//! Ends nearer than rounding and a direction along the beam are refused here, so that every matrix may divide by the length.
+//! Interpolation exact under end loads `[@przemieniecki1968]`, `[@friedman1993]`; matrices in the sibling files.
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::error::{BeamError, Quantity, positive};
 use super::section::Section;
 
-/// A straight beam of one section between two nodes, after Timoshenko; Euler–Bernoulli where its shear areas are
-/// infinite.
+/// Straight beam of one section between two nodes, after Timoshenko; Euler–Bernoulli where its shear areas are infinite.
 ///
-/// A section moves as a rigid one: it does not warp, and its shear centre is its centroid. Loads at the nodes are
-/// answered exactly. With elements of length `h`, frequencies of bending converge with `h⁴`, what shear adds to them
-/// with `h²`, as do stretch and twist and all that couples them to bending.
+/// A section moves as a rigid one: it does not warp, and its shear centre is its centroid. The response to loads at the nodes is exact.
+/// With elements of length `h`, frequencies of bending converge with `h⁴`, the contribution of shear with `h²`, as do stretch and twist and
+/// all that couples them to bending.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Beam {
     /// Places (m) of the nodes.
@@ -26,9 +29,9 @@ pub(crate) struct Beam {
     pub(super) density: f64,
 }
 
-/// What a beam is made of.
+/// Material of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Matter {
+pub(crate) struct BeamMaterial {
     /// Young's modulus (Pa).
     pub young: f64,
     /// Shear modulus (Pa).
@@ -37,14 +40,14 @@ pub(crate) struct Matter {
     pub density: f64,
 }
 
-/// Sine of the angle between a beam and the direction of its `y` axis below which the rounding of the direction
-/// shows.
+/// Sine of the angle between a beam and the direction of its `y` axis below which the direction is refused: the rounding of its digits
+/// would show.
 const PARALLEL: f64 = 1e-6;
 
 impl Beam {
-    /// A beam between two places (m), its section turned so that `y` is towards a direction, of which the part across
-    /// the beam counts; the beam, `y` and `z` are right-handed. Without a direction, `y` is towards that axis of the
-    /// body which is the least parallel to the beam, the first of them where several are.
+    /// A beam between two places (m), its section rotated so that `y` is along the projection of a direction across the beam; the beam, `y`
+    /// and `z` are right-handed. Without a direction, `y` is towards the axis of the body that is the least parallel to the beam, the first
+    /// of them where several are.
     ///
     /// # Errors
     /// [`BeamError`]: ends at one place, a direction along the beam, a modulus or a density that is not positive.
@@ -52,7 +55,7 @@ impl Beam {
         ends: [[f64; 3]; 2],
         direction: Option<[f64; 3]>,
         section: Section,
-        Matter { young, shear, density }: Matter,
+        BeamMaterial { young, shear, density }: BeamMaterial,
     ) -> Result<Self, BeamError> {
         positive(Quantity::Young, young)?;
         positive(Quantity::ShearModulus, shear)?;
@@ -61,7 +64,7 @@ impl Beam {
         let along = places[1] - places[0];
         let length = along.norm();
         let size = places[0].amax().max(places[1].amax());
-        // Nearer than this the ends are one place that was written in two ways.
+        // Ends nearer than this are one place, written in two ways.
         if !(length > 64.0 * f64::EPSILON * size && length.is_finite()) {
             return Err(BeamError::NoLength { ends });
         }
@@ -77,7 +80,7 @@ impl Beam {
     }
 }
 
-/// The axis of the body that is the least parallel to a unit vector.
+/// Axis of the body that is the least parallel to a unit vector.
 fn across(axis: &Vector3<f64>) -> Vector3<f64> {
     Vector3::ith(axis.iamin(), 1.0)
 }

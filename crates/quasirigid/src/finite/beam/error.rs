@@ -1,13 +1,16 @@
+//! Errors of beams: sections, ends and materials that are not possible.
+//! Each message names the quantity and the bound it breaks, in the words of the model file.
+
 use thiserror::Error;
 
-/// A section or a beam that cannot be.
+/// Error of a section or of a beam.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum BeamError {
     /// A quantity that must be above zero.
     #[error("the {quantity} of a beam is {value}; it must be finite and above zero")]
     NotPositive {
-        /// Which.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
@@ -15,11 +18,11 @@ pub enum BeamError {
     /// A wall for which the section has no room.
     #[error("the {quantity} of a section is {value}, but there is room for less than {room}")]
     NoRoom {
-        /// Which thickness.
+        /// The thickness.
         quantity: Quantity,
         /// Its value (m).
         value: f64,
-        /// What it must stay below (m).
+        /// Upper bound of the thickness (m).
         room: f64,
     },
     /// Plates of an I-beam that differ too much in thickness for the formula of its torsion constant.
@@ -45,7 +48,7 @@ pub enum BeamError {
         /// The ends (m).
         ends: [[f64; 3]; 2],
     },
-    /// A direction that does not tell how the section is turned about the beam.
+    /// A direction that does not fix the rotation of the section about the beam.
     #[error(
         "the direction {} of a beam's section is no direction across the beam, which runs along {}; give one that is",
         place(direction),

@@ -1,10 +1,14 @@
+//! Internal forces of a beam element under end loads and loads between its nodes.
+//! They are the stress of the geometric stiffness: loads between the nodes must be in them, or centrifugal stiffening converges slowly.
+//! Equation (K6), docs/theory/12-structures.md.
+
 use nalgebra::Vector3;
 
 use super::Vector12;
 use super::element::Beam;
 use super::interpolation::Plane;
 
-/// Internal forces of a beam: what the part beyond a section does to the part before it, in the axes of the body.
+/// Internal forces of a beam: action of the part beyond a section on the part before it, in the axes of the body.
 pub(super) struct Forces<'a> {
     beam: &'a Beam,
     planes: [Plane; 2],
@@ -19,9 +23,9 @@ pub(super) struct Forces<'a> {
 /// A load per length of a beam.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Load {
-    /// Force (N/m) at the first node and the second; it runs evenly from one to the other.
+    /// Force (N/m) at the first node and the second, linear between them.
     pub force: [Vector3<f64>; 2],
-    /// Moment (N·m/m), the same everywhere.
+    /// Moment (N·m/m), uniform.
     pub moment: Vector3<f64>,
 }
 
@@ -49,9 +53,8 @@ impl Beam {
 impl Forces<'_> {
     /// Force and moment at `x = (½ + t) L`.
     ///
-    /// The springs give those of forces at the nodes, `M = S + 2tA` and `V = −M′`. A load `p + t δ` with a moment
-    /// `μ`, along the beam and about an axis across it, adds those of a beam held at both nodes, which do no work on
-    /// the strains of the springs:
+    /// The springs give the internal forces of forces at the nodes, `M = S + 2tA` and `V = −M′`. A load `p + t δ` with a moment `μ`, along
+    /// the beam and about an axis across it, adds those of a beam fixed at both nodes, which do no work on the strains of the springs:
     ///
     /// ```text
     /// N = −L [p t + δ (½ t² − 1/24)],     T = −L μ t

@@ -1,8 +1,12 @@
+//! Interpolation in a beam element: displacement and rotation of a section from the coordinates of both nodes.
+//! It is the exact deflection under end loads, shear included, so that a beam neither locks nor depends on how it is cut.
+//! Shape functions of `[@przemieniecki1968]`, `[@friedman1993]`.
+
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::element::Beam;
 
-/// One number as a combination of the coordinates of both nodes.
+/// A number as a combination of the coordinates of both nodes.
 pub(super) type Row = RowSVector<f64, 12>;
 /// A vector as a combination of the coordinates of both nodes.
 pub(super) type Rows = SMatrix<f64, 3, 12>;
@@ -29,7 +33,7 @@ pub(super) struct Plane {
     pub odd: Row,
     /// `EI` (N·m²).
     pub stiffness: f64,
-    /// `φ`: how much softer shear makes the odd bending.
+    /// `φ`: the additional flexibility of odd bending by shear.
     pub phi: f64,
 }
 

@@ -5,10 +5,10 @@ use super::element::Beam;
 use super::interpolation::Fields;
 use crate::math::quadrature::gauss_legendre;
 
-/// Points of Gauss's rule: exact to degree 7, the integrands are of degree 6.
+/// Points of the Gauss rule: exact to degree 7, the integrands are of degree 6.
 const POINTS: usize = 4;
 
-/// A point of Gauss's rule along the beam.
+/// Point of the Gauss rule along the beam.
 pub(super) struct Slice {
     /// Place, from −½ to ½ of the length.
     pub t: f64,
@@ -43,7 +43,7 @@ impl Beam {
         self.slices().iter().map(|slice| f(&slice.fields, slice.t) * slice.length).sum()
     }
 
-    /// Points of Gauss's rule along the beam.
+    /// Points of the Gauss rule along the beam.
     pub(super) fn slices(&self) -> Vec<Slice> {
         let slice = |[x, weight]: [f64; 2]| Slice {
             t: 0.5 * x,

@@ -1,19 +1,19 @@
-//! Straight beams in space: two nodes with six coordinates each, a translation (m) and a rotation vector (rad), both
-//! in the axes of the body; first those of the first node.
+//! Beam element: straight, in space, two nodes with six degrees of freedom each, a translation (m) and a rotation vector (rad), both in the
+//! axes of the body; first those of the first node.
 
 mod element;
 mod error;
 mod forces;
 mod geometric;
-mod grains;
 mod interpolation;
+mod lumped_masses;
 mod mass;
 mod section;
 mod stiffness;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use element::{Beam, Matter};
+pub(crate) use element::{Beam, BeamMaterial};
 pub use error::{BeamError, Quantity};
 pub use section::{Section, SectionShape};
 

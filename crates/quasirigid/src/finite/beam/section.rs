@@ -1,3 +1,7 @@
+//! Cross-sections of beams: area, second moments, torsion constant and effective shear areas from shapes.
+//! Only shapes whose shear centre is the centroid are here: the element couples no bending with twist. Accuracy stands with each.
+//! Shear areas after Cowper `[@cowper1966]`, torsion of I-beams after El Darwish and Johnston `[@eldarwish1965]`.
+
 use std::f64::consts::PI;
 
 use super::error::{BeamError, Quantity, positive};
@@ -23,8 +27,8 @@ pub struct Section {
 
 /// Form of a cross-section: heights are along `z`, widths along `y`, all lengths in metres and outer ones.
 ///
-/// In all of them the shear centre is the centroid. Channels and angles are not among them: a force through their
-/// centroid twists them, which the element does not know.
+/// In all of them the shear centre is the centroid. Channels and angles are not among them: a force through their centroid twists them, and
+/// the element has no such coupling.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SectionShape {
@@ -49,9 +53,9 @@ pub enum SectionShape {
     },
     /// A rectangular tube with a wall of one thickness.
     ///
-    /// Torsion by Bredt's formula with the walls' own, `2 t b²h²/(b + h) + ⅔ t³ (b + h)` between the middles of the
-    /// walls: 2 % below the exact constant where the wall is 1/20 of the side, 6 % at 1/5, at most 6.1 % in squares
-    /// of any wall (finite elements on the section).
+    /// Torsion by Bredt's formula and the torsion of the walls themselves, `2 t b²h²/(b + h) + ⅔ t³ (b + h)` between the middles of the
+    /// walls: 2 % below the exact constant where the wall is 1/20 of the side, 6 % at 1/5, at most 6.1 % in squares of any wall (finite
+    /// elements on the section).
     Box {
         /// Size along `z`.
         height: f64,
@@ -62,10 +66,10 @@ pub enum SectionShape {
     },
     /// A doubly symmetric I: flanges along `y`, the web along `z`.
     ///
-    /// Torsion by the sum over the plates `⅓ Σ b t³` with corrections at the junctions and the ends
-    /// `[@eldarwish1965]`, for webs of 0.25 to 1.5 times the thickness of the flanges; others are refused. It is
-    /// within 2 % of finite elements on the section where the flanges are at least four times as wide as thick. That
-    /// flanges resist warping is left out. So is the web from the shear along the flanges.
+    /// Torsion by the sum over the plates `⅓ Σ b t³` with corrections at the junctions and the ends `[@eldarwish1965]`, for webs of 0.25 to
+    /// 1.5 times the thickness of the flanges; others are refused. The constant is within 2 % of finite elements on the section where the
+    /// flanges are at least four times as wide as thick. The resistance of the flanges to warping is left out. So is the web from the shear
+    /// along the flanges.
     IBeam {
         /// Size along `z`.
         height: f64,
@@ -173,8 +177,7 @@ fn plate(poisson: f64) -> f64 {
 
 /// `⅓ a b³ [1 − 192 b/(π⁵ a) Σ tanh(nπa/2b)/n⁵]` over odd `n`, for sides `a ≥ b`.
 fn rectangle_torsion(long: f64, short: f64) -> f64 {
-    // The terms after n = 801 add up to less than 1e-15 of the sum, which is itself at most half of what it is taken
-    // from.
+    // The terms after n = 801 add up to less than 1e-15 of the sum, which is itself at most half of the number it is subtracted from.
     let term = |n: f64| (0.5 * n * PI * long / short).tanh() / n.powi(5);
     let sum: f64 = (0..=400).rev().map(|i| term(f64::from(2 * i + 1))).sum();
     long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * sum)

@@ -3,8 +3,8 @@ use super::element::Beam;
 use super::interpolation::Row;
 
 impl Beam {
-    /// Stiffness matrix `K`, in the axes of the body: the six motions of a rigid beam cost nothing, and each of its
-    /// six strains is a spring of its own,
+    /// Stiffness matrix `K`, in the axes of the body: the six motions of a rigid beam cost no energy, and each of its six strains is a
+    /// spring of its own,
     ///
     /// ```text
     /// K = EA/L eᵀe + GJ/L wᵀw + Σ [EI/L sᵀs + 3EI/(L(1 + φ)) aᵀa]

@@ -1,8 +1,11 @@
+//! Errors of shells: cells and layers from which no element can be made.
+//! Checked before any matrix is made: a cell of no area or a concave corner would give a singular Jacobian, not a message.
+
 use thiserror::Error;
 
 use quasirigid_mesh::Shape;
 
-/// A shell that no structure can have.
+/// Error of a shell that no structure can have.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ShellError {
@@ -11,15 +14,15 @@ pub enum ShellError {
         "a shell is a triangle of 3 or a quadrilateral of 4 nodes, not a {shape}; refine or split the cell"
     )]
     Shape {
-        /// What it is.
+        /// Shape of the cell.
         shape: Shape,
     },
     /// The cell has another number of nodes than its shape.
     #[error("a {shape} was given {found} nodes")]
     Nodes {
-        /// What it is.
+        /// Shape of the cell.
         shape: Shape,
-        /// How many nodes it was given.
+        /// Number of nodes given.
         found: usize,
     },
     /// The corners enclose no area, or are not finite.
@@ -47,9 +50,9 @@ pub enum ShellError {
     /// The displacement does not have six numbers per node.
     #[error("the displacement has {found} numbers where the nodes have {expected}")]
     Displacement {
-        /// Numbers it should have.
+        /// Expected length.
         expected: usize,
-        /// Numbers it has.
+        /// Length found.
         found: usize,
     },
     /// A constant of a layer that must be positive is not.
@@ -57,7 +60,7 @@ pub enum ShellError {
     Positive {
         /// Index of the layer.
         ply: usize,
-        /// Which constant.
+        /// The constant.
         name: Constant,
         /// Its value.
         value: f64,
@@ -75,7 +78,7 @@ pub enum ShellError {
     /// An angle or offset is not finite.
     #[error("{name} = {value}; it must be finite")]
     NotFinite {
-        /// Which number.
+        /// The number.
         name: Constant,
         /// Its value.
         value: f64,

@@ -15,7 +15,7 @@ use quasirigid_mesh::Shape;
 /// on the surface through the nodes, warped as it is. A rotation about the normal has no mass.
 ///
 /// # Errors
-/// A shape that is no shell, or nodes between which no element can be.
+/// A shape that is no shell, or nodes between which no element is possible.
 pub(crate) fn mass(
     shape: Shape,
     nodes: &[Vector3<f64>],
@@ -51,8 +51,7 @@ pub(super) struct Point {
     pub shares: Vec<f64>,
 }
 
-/// Middles of the sides of a triangle, Gauss's four points of a quadrilateral: exact for products of two shape
-/// functions.
+/// Quadrature points: middles of the sides of a triangle, four Gauss points of a quadrilateral; exact for products of two shape functions.
 pub(super) fn points(shape: Shape, nodes: &[Vector3<f64>]) -> Vec<Point> {
     let point = |tangents: [Vector3<f64>; 2], part: f64, shares: Vec<f64>| {
         let area = tangents[0].cross(&tangents[1]);

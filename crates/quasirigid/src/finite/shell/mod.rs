@@ -1,14 +1,13 @@
-//! Thin plates and curved shells of layers: triangles and quadrilaterals with six freedoms at every node.
+//! Thin plates and curved shells of layers: triangles and quadrilaterals with six degrees of freedom at every node.
 //!
-//! A displacement is three translations (m), then three rotations (rad) per node, all along the axes of the body. At
-//! the height `z` over the nodes matter moves by `u + θ × z n`; `n` is the normal about which the nodes run
-//! counter-clockwise.
+//! A displacement is three translations (m), then three rotations (rad) per node, all along the axes of the body. At the height `z` over
+//! the nodes the material moves by `u + θ × z n`; `n` is the normal about which the nodes run counter-clockwise.
 //!
-//! Every strain is a fixed function of the displacement that does not know the material, so that stiffness and mass
-//! are linear in the section: the matrices of the layers of one material add to those of the others.
+//! Every strain is a fixed function of the displacement that does not depend on the material, so that stiffness and mass are linear in the
+//! section: the matrices of the layers of one material add to those of the others.
 
 mod error;
-mod grains;
+mod lumped_masses;
 mod mass;
 mod plane;
 mod quad;
@@ -22,7 +21,7 @@ mod tests;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 pub use self::error::{Constant, ShellError};
-pub(crate) use self::grains::grains;
+pub(crate) use self::lumped_masses::lumped_masses;
 pub(crate) use self::mass::mass;
 pub(crate) use self::section::{Ply, ShellSection};
 
@@ -37,11 +36,11 @@ use quasirigid_mesh::Shape;
 /// Symmetric, positive semi-definite, linear in the section; it vanishes for the six motions of a rigid body and for
 /// nothing else. The section is in the axes that the projection of `reference` begins.
 ///
-/// A quadrilateral resists a rotation of *one* node about the normal only weakly, as thin as it is: carry such a
-/// moment over several nodes. A triangle has no flexibility in transverse shear: thick cores need quadrilaterals.
+/// A quadrilateral resists a rotation of *one* node about the normal only weakly, as thin as the shell is: distribute such a moment over
+/// several nodes. A triangle has no flexibility in transverse shear: thick cores need quadrilaterals.
 ///
 /// # Errors
-/// A shape that is no shell, or nodes and a reference between which no element can be.
+/// A shape that is no shell, or nodes and a reference between which no element is possible.
 pub(crate) fn stiffness(
     shape: Shape,
     nodes: &[Vector3<f64>],
@@ -65,9 +64,8 @@ pub(crate) fn stiffness(
 /// ½ qᵀ K q = ½ ∫ N_αβ  ∂q/∂x_α · ∂q/∂x_β  dA,     N = A ε(u) + B κ(u)
 /// ```
 ///
-/// with all three components of the translation `q`, so that a rotation of the whole element turns its forces with
-/// it. The dead stress is positive in tension; the buckling load is the `λ` at which `stiffness + λ geometric` is
-/// singular.
+/// with all three components of the translation `q`, so that a rotation of the whole element rotates its forces too. The dead stress is
+/// positive in tension; the buckling load is the `λ` at which `stiffness + λ geometric` is singular.
 ///
 /// # Errors
 /// As for [`stiffness`].

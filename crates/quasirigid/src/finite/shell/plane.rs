@@ -3,11 +3,11 @@ use nalgebra::{DMatrix, Matrix3, Vector2, Vector3};
 use super::error::ShellError;
 use quasirigid_mesh::Shape;
 
-/// The plane of an element: that of a triangle, or the one midway between the diagonals of a quadrilateral.
+/// Plane of an element: that of a triangle, or the one midway between the diagonals of a quadrilateral.
 ///
 /// Its origin is the mean of the nodes, its first axis the projection of the reference direction.
 pub(super) struct Plane {
-    /// Rows are the axes: turns components along the body's axes into those along the element's.
+    /// Axes as rows: from components along the body's axes to those along the element's.
     axes: Matrix3<f64>,
     /// Places of the nodes in the plane (m).
     pub places: Vec<Vector2<f64>>,
@@ -15,7 +15,7 @@ pub(super) struct Plane {
     pub heights: Vec<f64>,
 }
 
-/// Shares of a length or area below which it is nothing.
+/// Share of a length or area below which it is zero.
 const NOTHING: f64 = 1e-9;
 
 impl Plane {
@@ -38,7 +38,7 @@ impl Plane {
         })
     }
 
-    /// Turns the displacements of the nodes into the axes of the element.
+    /// Rotation of the displacements of the nodes into the axes of the element.
     pub fn turn(&self) -> DMatrix<f64> {
         let mut turn = DMatrix::zeros(6 * self.places.len(), 6 * self.places.len());
         for at in (0..turn.nrows()).step_by(3) {

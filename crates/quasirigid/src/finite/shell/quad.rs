@@ -1,3 +1,7 @@
+//! Quadrilateral shell element: membrane, bending, transverse shear and drilling without locking.
+//! Strains do not depend on the section, so that layers of different materials add; every factor below is chosen under this constraint.
+//! Transverse shear `[@dvorkin1984]`, hourglass modes `[@flanagan1981]`, `[@belytschko1991]`, drilling `[@hughes1989]`.
+
 use nalgebra::{DMatrix, Matrix2, Matrix2xX, Matrix3, Matrix3xX, RowDVector, Vector2, Vector3};
 
 use super::error::ShellError;
@@ -7,13 +11,13 @@ use super::section::ShellSection;
 
 /// A quadrilateral, flat or warped, that locks neither in shear nor in its membrane.
 ///
-/// - Membrane: five strains, none of which knows the rotations. Three are constant; those along the sides are the
+/// - Membrane: five strains, none of which depends on the rotations. Three are constant; those along the sides are the
 ///   mean stretches of opposite sides, whose warped parts a flat element would lose. Two are bending in the plane,
 ///   after the hourglass modes of `[@belytschko1991]`, here for warped elements too; they are linear, of
 ///   mean zero, and vanish for a linear displacement (patch test).
 /// - Bending: bilinear rotations. Transverse shear from the middles of the sides `[@dvorkin1984]`.
 /// - Drilling: the mean rotation about the normal follows that of the membrane (`[@hughes1989]`, at one point);
-///   what varies is held as weakly as a curvature, since a stronger hold stiffens thin warped shells.
+///   the varying part is constrained as weakly as a curvature, since more would stiffen thin warped shells.
 pub(super) struct Quad {
     /// Half the lines between middles of opposite sides: `∂x/∂r` and `∂x/∂s` at the centre (m).
     sides: [Vector2<f64>; 2],
@@ -26,11 +30,10 @@ pub(super) struct Quad {
 /// Natural coordinates of the nodes.
 pub(super) const R: [f64; 4] = [-1.0, 1.0, 1.0, -1.0];
 pub(super) const S: [f64; 4] = [-1.0, -1.0, 1.0, 1.0];
-/// Contraction across a strain of bending in the plane. Exact for isotropic matter with this Poisson's ratio, 0.3 %
-/// too stiff at 0.3 and 6 % at zero for a single element; it cannot follow the section and leave the stiffness
-/// linear in it.
+/// Contraction across a strain of bending in the plane. Exact for an isotropic material with this Poisson's ratio, 0.3 % too stiff at 0.3
+/// and 6 % at zero for a single element; a contraction that followed the section would not leave the stiffness linear in it.
 const CONTRACTION: f64 = 0.25;
-/// Hold of the varying rotation about the normal, in units of the stiffness in twist.
+/// Stiffness that constrains the varying rotation about the normal, in units of the stiffness in twist.
 const DRILLING: f64 = 0.01;
 
 impl Quad {
@@ -47,7 +50,7 @@ impl Quad {
         }
     }
 
-    /// Gauss's four points.
+    /// Four Gauss points.
     pub fn samples(&self) -> Vec<Sample> {
         let constant = self.constant();
         let [along_r, along_s] = [self.flexure(0), self.flexure(1)];
@@ -67,7 +70,7 @@ impl Quad {
         gauss().map(point).into()
     }
 
-    /// The stiffness that holds the rotations about the normal.
+    /// Stiffness that constrains the rotations about the normal.
     pub fn drilling(&self, section: &ShellSection) -> DMatrix<f64> {
         let slopes = self.slopes(0.0, 0.0);
         let mut tie = RowDVector::zeros(24);
@@ -114,7 +117,7 @@ impl Quad {
         self.gradients(r, s) * natural
     }
 
-    /// What of a displacement of the nodes is neither constant nor linear in the plane, `γ` of `[@flanagan1981]`: one for the
+    /// Part of a displacement of the nodes that is neither constant nor linear in the plane, `γ` of `[@flanagan1981]`: one for the
     /// displacement `rs`.
     fn hourglass(&self) -> [f64; 4] {
         let slopes = self.slopes(0.0, 0.0);
@@ -171,12 +174,12 @@ impl Quad {
     }
 }
 
-/// Natural coordinates of Gauss's four points, each of weight one.
+/// Natural coordinates of the four Gauss points, each of weight one.
 pub(super) fn gauss() -> [[f64; 2]; 4] {
     std::array::from_fn(|i| [R[i], S[i]].map(|sign| sign / 3.0_f64.sqrt()))
 }
 
-/// Curvature of rotations that are interpolated as `slopes` say.
+/// Curvature of rotations that are interpolated with these `slopes`.
 fn bending(slopes: &Matrix2xX<f64>) -> Matrix3xX<f64> {
     let mut curvature = Matrix3xX::zeros(6 * slopes.ncols());
     for (i, slope) in slopes.column_iter().enumerate() {

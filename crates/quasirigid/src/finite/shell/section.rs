@@ -1,10 +1,14 @@
+//! Section of a layered shell: membrane, coupling, bending and transverse shear stiffness, and mass per area.
+//! Sections are sums over layers, so that the layers of one material make a section of their own and keep their own loss.
+//! Classical lamination theory `[@jones1999]`.
+
 use std::ops::Add;
 
 use nalgebra::{Matrix2, Matrix3, Rotation2};
 
 use super::error::{Constant, ShellError};
 
-/// What a shell is made of across its thickness, in the axes of the element, per unit of area:
+/// Section of a shell: stiffness and mass across its thickness, in the axes of the element, per unit of area:
 ///
 /// ```text
 /// N = A ε + B κ,     M = B ε + D κ,     Q = S γ
@@ -29,7 +33,7 @@ pub(crate) struct ShellSection {
     pub second: f64,
 }
 
-/// A layer of matter with two directions of its own, as unidirectional fibres have.
+/// Layer of a material with two directions of its own, as unidirectional fibres have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ply {
     /// Young's moduli along and across the fibres (Pa).
@@ -46,8 +50,8 @@ pub(crate) struct Ply {
     pub angle: f64,
 }
 
-/// Reissner's factor of a homogeneous section. It is used for every laminate, because a factor from the equilibrium
-/// of the layers is not a sum over them.
+/// Reissner's factor of a homogeneous section, used for every laminate, because a factor from the equilibrium of the layers is not a sum
+/// over them.
 const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl ShellSection {
@@ -56,7 +60,7 @@ impl ShellSection {
     /// their sum.
     ///
     /// # Errors
-    /// A layer that no matter can be.
+    /// A layer that no material can be.
     pub fn layers(plies: &[Ply], offset: f64) -> Result<Vec<Self>, ShellError> {
         if !offset.is_finite() {
             return Err(ShellError::NotFinite { name: Constant::Offset, value: offset });

@@ -1,10 +1,13 @@
+//! Triangular shell element: optimal membrane with drilling rotations, and discrete Kirchhoff plate.
+//! Flat and without flexibility in transverse shear; the factor of the higher strains is chosen against locking in thin curved shells.
+//! Membrane `[@felippa2003]`, plate `[@batoz1980]`.
+
 use nalgebra::{Matrix2xX, Matrix3, Matrix3xX, Vector2, Vector3};
 
 use super::plane::Plane;
 use super::sample::Sample;
 
-/// A flat triangle: the optimal membrane with drilling rotations `[@felippa2003]` and the discrete Kirchhoff plate
-/// `[@batoz1980]`.
+/// Flat triangle: the optimal membrane with drilling rotations `[@felippa2003]` and the discrete Kirchhoff plate `[@batoz1980]`.
 pub(super) struct Triangle<'a> {
     places: &'a [Vector2<f64>],
     area: f64,
@@ -14,10 +17,9 @@ pub(super) struct Triangle<'a> {
 const SIDE: f64 = 1.5;
 /// Stiffness `β₀` of the higher strains, one value for all so that the stiffness is linear in the section.
 ///
-/// Felippa's `½ (1 − 4ν²)`, 0.32 for aluminium, makes bending in the plane exact for a beam one square deep, but
-/// locks thin curved shells: the hemisphere of 16 × 16 has 94 % of its deflection and the twisted strip of 48 × 8 92
-/// %, against 99 % and 98 % with this value. A beam four squares deep is 0.6 % too soft in its plane. Below 0.05,
-/// triangles in corners are so loose that they have the lowest frequency.
+/// Felippa's `½ (1 − 4ν²)`, 0.32 for aluminium, makes bending in the plane exact for a beam one square deep, but locks thin curved shells:
+/// the hemisphere of 16 × 16 has 94 % of its deflection and the twisted strip of 48 × 8 92 %, against 99 % and 98 % with this value. A beam
+/// four squares deep is 0.6 % too soft in its plane. Below 0.05, triangles in corners are so loose that they have the lowest frequency.
 const HIGHER: f64 = 0.06;
 /// Natural strains along the sides 12, 23, 31 at the first node, per unit of the three drilling rotations.
 const NATURAL: [[f64; 3]; 3] = [[1.0, 2.0, 1.0], [0.0, 1.0, -1.0], [-1.0, -1.0, -2.0]];
@@ -67,7 +69,7 @@ impl<'a> Triangle<'a> {
             let (x, y) = (slopes[(0, i)], slopes[(1, i)]);
             strain.set_column(6 * i, &Vector3::new(x, 0.0, y));
             strain.set_column(6 * i + 1, &Vector3::new(0.0, y, x));
-            // The rotation of a node moves the matter of its two sides outwards on one and inwards on the other.
+            // The rotation of a node moves the material of its two sides outwards on one and inwards on the other.
             let (before, after) = (self.side((i + 2) % 3, i), self.side(i, (i + 1) % 3));
             let outwards =
                 |side: Vector2<f64>| Vector3::new(side.y * side.y, side.x * side.x, -2.0 * side.x * side.y);
@@ -77,8 +79,7 @@ impl<'a> Triangle<'a> {
         strain
     }
 
-    /// The higher membrane strain at the middle of a side, of mean zero: from the rotations of the nodes less that
-    /// of the whole.
+    /// Higher membrane strain at the middle of a side, of mean zero: from the rotations of the nodes less that of the whole.
     fn higher(&self, k: usize) -> Matrix3xX<f64> {
         let (here, next) = (self.natural(k), self.natural((k + 1) % 3));
         let factor = 1.5 * HIGHER.sqrt();
@@ -115,32 +116,32 @@ impl<'a> Triangle<'a> {
         Matrix3::from_columns(&[column(a, b, c), column(b, c, a), column(c, a, b)])
     }
 
-    /// Curvature at the place with these `shares` of the nodes. Rotations are quadratic; at the middle of a side,
-    /// that along it is of the cubic beam between the two nodes, and that across it is linear.
+    /// Curvature at the place with these `shares` of the nodes. Rotations are quadratic; at the middle of a side, the one along the side is
+    /// that of the cubic beam between the two nodes, and the one across is linear.
     fn bending(&self, share: [f64; 3]) -> Matrix3xX<f64> {
         let slopes = self.slopes();
         let mut curvature = Matrix3xX::zeros(18);
-        // β = (θ₂, −θ₁) moves matter above the plane; its gradient along `slope` of a β along `beta`:
+        // β = (θ₂, −θ₁) moves the material above the plane; its gradient along `slope` of a β along `beta`:
         let strain = |slope: Vector2<f64>, beta: Vector2<f64>| {
             Vector3::new(slope.x * beta.x, slope.y * beta.y, slope.x * beta.y + slope.y * beta.x)
         };
         let slope = |i: usize| Vector2::new(slopes[(0, i)], slopes[(1, i)]);
         let rotations = [(3, -Vector2::y()), (4, Vector2::x())];
         for i in 0..3 {
-            for (freedom, beta) in rotations {
-                curvature.set_column(6 * i + freedom, &strain(slope(i), beta));
+            for (dof, beta) in rotations {
+                curvature.set_column(6 * i + dof, &strain(slope(i), beta));
             }
         }
         for (i, j) in [(0, 1), (1, 2), (2, 0)] {
             let side = self.side(i, j);
             let bubble = 4.0 * (share[i] * slope(j) + share[j] * slope(i));
-            // −3/2 of the shear along the side, which the quadratic part takes away
+            // −3/2 of the shear along the side, which the quadratic part cancels
             let along = strain(bubble, side) * (-1.5 / side.norm_squared());
             for (node, sign) in [(i, -1.0), (j, 1.0)] {
                 let mut deflection = curvature.column_mut(6 * node + 2);
                 deflection += sign * along;
-                for (freedom, beta) in rotations {
-                    let mut rotation = curvature.column_mut(6 * node + freedom);
+                for (dof, beta) in rotations {
+                    let mut rotation = curvature.column_mut(6 * node + dof);
                     rotation += 0.5 * side.dot(&beta) * along;
                 }
             }

@@ -36,7 +36,7 @@ impl Middle {
 pub(super) struct Enriched(pub DMatrix<f64>);
 
 impl Enriched {
-    /// The cell's own displacements per displacement of the nodes, which leave no force on them: `−K_aa⁻¹ K_au`.
+    /// Displacements of the cell itself per displacement of the nodes, in balance without a force: `−K_aa⁻¹ K_au`.
     pub fn own(&self) -> DMatrix<f64> {
         let nodes = self.0.nrows() - 3 * OWN;
         let own: SMatrix<f64, 9, 9> = self.0.fixed_view::<9, 9>(nodes, nodes).into_owned();

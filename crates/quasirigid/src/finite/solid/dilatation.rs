@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, Matrix4, Matrix4xX, Vector4};
 use super::slopes::weighted;
 use quasirigid_mesh::CellSample;
 
-/// What the dilatation of each displacement changes in its strain: a third of `d̄_ai − ∂N_a/∂x_i` in each direction,
-/// where `d̄` is the linear function of the reference coordinates that comes nearest to the dilatation in the mean
-/// square over the cell `[@hughes1980]`. Rows `3a + i`, a column per point.
+/// Correction of the strain by the smoothed dilatation of each displacement: a third of `d̄_ai − ∂N_a/∂x_i` in each direction, where `d̄`
+/// is the linear function of the reference coordinates nearest to the dilatation in the mean square over the cell `[@hughes1980]`. Rows `3a
+/// + i`, a column per point.
 ///
 /// The mean over the cell does not change, so that a constant stress still needs no force inside a body.
 pub(super) fn correction(gradients: &DMatrix<f64>, volumes: &[f64], samples: &[CellSample]) -> DMatrix<f64> {
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
     use quasirigid_mesh::{Rule, Shape};
 
-    /// Once the dilatation is linear there is nothing left to change, and its mean never changes.
+    /// A linear dilatation needs no correction, and the mean of the correction vanishes.
     #[test]
     fn the_correction_is_that_of_a_projection() {
         for shape in [Shape::Hex20, Shape::Hex27] {

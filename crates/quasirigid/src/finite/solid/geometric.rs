@@ -6,8 +6,8 @@ use super::stiffness::full;
 use crate::finite::elasticity::VOIGT;
 use quasirigid_mesh::{Rule, Shape};
 
-/// Geometric stiffness (N/m) of a solid cell for one component of the displacement, node by node: how the stress `σ`
-/// of a displacement `u` (m, node by node x y z) stiffens the cell against further motion.
+/// Geometric stiffness (N/m) of a solid cell for one component of the displacement, node by node: stiffening by the stress `σ` of a
+/// displacement `u` (m, node by node x y z) against further motion.
 ///
 /// ```text
 /// S_ab = ∫ ∂N_a/∂x_k σ_kl ∂N_b/∂x_l dV,     σ = D ε(u)

@@ -9,8 +9,7 @@ pub(super) struct Slopes {
     pub gradients: DMatrix<f64>,
     /// Volume (m³) of each point.
     pub volumes: Vec<f64>,
-    /// What the dilatation of a displacement changes in its strain in each direction, where it changes any: rows and
-    /// columns as of `gradients`.
+    /// Correction of the strain in each direction by the smoothed dilatation, where there is one: rows and columns as of `gradients`.
     pub dilatation: Option<DMatrix<f64>>,
 }
 
@@ -61,7 +60,7 @@ pub(super) fn jacobian(nodes: &[Vector3<f64>], sample: &CellSample) -> Matrix3<f
     jacobian
 }
 
-/// `J⁻ᵀ`, which turns derivatives on the reference cell into those in space; NaN of a flat cell.
+/// `J⁻ᵀ`, from derivatives on the reference cell to those in space; NaN of a flat cell.
 pub(super) fn inverse(jacobian: &Matrix3<f64>) -> Matrix3<f64> {
     jacobian.try_inverse().map_or_else(|| Matrix3::repeat(f64::NAN), |inverse| inverse.transpose())
 }

@@ -44,8 +44,8 @@ pub(super) fn full(slopes: &Slopes, D: &Matrix6<f64>) -> DMatrix<f64> {
     stiffness
 }
 
-/// What a change `c` of the strain in each direction adds, with the stress `S` and the pressure sum `p` of a unit
-/// strain in all directions: `K_ai,bj += S_ik ∫ ∂N_a/∂x_k c_bj dV + S_jl ∫ c_ai ∂N_b/∂x_l dV + p ∫ c_ai c_bj dV`.
+/// Stiffness that a correction `c` of the strain in each direction adds, with the stress `S` and the pressure sum `p` of a unit strain in
+/// all directions: `K_ai,bj += S_ik ∫ ∂N_a/∂x_k c_bj dV + S_jl ∫ c_ai ∂N_b/∂x_l dV + p ∫ c_ai c_bj dV`.
 fn of_dilatation(slopes: &Slopes, dilatation: &DMatrix<f64>, D: &Matrix6<f64>) -> DMatrix<f64> {
     let pressure = D * Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
     let stress = Matrix3::from_fn(|i, k| pressure[VOIGT[i][k]]);

@@ -1,8 +1,12 @@
+//! Meridian grid of a cavity of revolution: patches with polynomials of high degree, nodes and quadrature points.
+//! Sides of the square may be one line, one place or the axis; nodes there are numbered once, so that flows are continuous.
+//! Equation (L10), docs/theory/13-inside.md; spectral elements `[@bernardi1999]`.
+
 use super::lagrange::lagrange;
 use super::outline::{Outline, Side};
 use crate::math::quadrature::{gauss_legendre, gauss_lobatto};
 
-/// A meridian cut into patches, with the nodes of polynomials in each.
+/// Meridian divided into patches, with the nodes of polynomials in each.
 pub(super) struct Grid {
     /// Distance from the axis, and height, of each node (m).
     pub places: Vec<[f64; 2]>,
@@ -11,7 +15,7 @@ pub(super) struct Grid {
     /// Whether each node is on the axis.
     pub axis: Vec<bool>,
     pub patches: Vec<Patch>,
-    /// The patches along walls, with points of quadrature there.
+    /// Patches along walls, with quadrature points there.
     pub edges: Vec<Patch>,
 }
 
@@ -19,11 +23,11 @@ pub(super) struct Grid {
 pub(super) struct Patch {
     /// Its nodes.
     pub nodes: Vec<usize>,
-    /// Points of quadrature.
+    /// Quadrature points.
     pub points: Vec<Point>,
 }
 
-/// A point of quadrature.
+/// Quadrature point.
 pub(super) struct Point {
     /// Its share of the area of the meridian (m²), or of the length of a wall (m).
     pub share: f64,
@@ -35,7 +39,7 @@ pub(super) struct Point {
     pub pressures: Vec<f64>,
 }
 
-/// Points of quadrature along a side beyond the degree, so that round outlines and the divisor `r` cost no digits.
+/// Quadrature points along a side beyond the degree, so that round outlines and the divisor `r` cost no digits.
 const BEYOND: usize = 4;
 
 impl Grid {
@@ -86,13 +90,13 @@ impl Grid {
 }
 
 impl Patch {
-    /// Volume of its turn round the axis (m³).
+    /// Volume swept by the patch round the axis (m³).
     pub fn volume(&self) -> f64 {
         2.0 * std::f64::consts::PI * self.points.iter().map(|point| point.share * point.at[0]).sum::<f64>()
     }
 }
 
-/// The nodes of a square, numbered; those that are one place have one number.
+/// Numbers of the nodes of a square; nodes at one place have one number.
 struct Numbers {
     sides: [[Side; 2]; 2],
     size: [usize; 2],
@@ -155,7 +159,7 @@ struct Line {
     weight: f64,
     /// Values and slopes of the polynomials of the nodes.
     functions: Vec<[f64; 2]>,
-    /// Values of those of the pressure.
+    /// Values of the polynomials of the pressure.
     pressures: Vec<f64>,
 }
 

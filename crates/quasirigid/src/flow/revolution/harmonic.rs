@@ -1,3 +1,7 @@
+//! Equations of one harmonic of the flow in a cavity of revolution: three scalar operators coupled by the pressure.
+//! The combinations `u_r ± u_θ` and `u_z` have Laplacians of their own, so each part is factored by itself.
+//! Equations (L4) and (L10), docs/theory/13-inside.md.
+
 use nalgebra::DMatrix;
 
 use super::grid::Grid;
@@ -6,20 +10,20 @@ use super::matrices::{Dense, Scalar};
 use crate::flow::incompressible::Incompressible;
 use crate::math::factor::Factor;
 
-/// The equations of the flows of one harmonic; numbers stand row by row, part after part.
+/// Equations of the flows of one harmonic; numbers stand row by row, part after part.
 pub(super) struct Harmonic<'a> {
     pub m: usize,
     pub grid: &'a Grid,
     pub blocks: &'a [Dense],
-    /// Of what does not turn round the axis, and of what does.
+    /// Scalars of order zero round the axis, and of higher orders, which vanish on the axis.
     pub scalars: &'a [Scalar; 2],
-    /// Of the operator of each part.
+    /// Factors of the operator of each part.
     pub factors: [&'a Factor; 3],
 }
 
 impl Harmonic<'_> {
     fn scalars(&self) -> [&Scalar; 3] {
-        Layout::turns(self.m).map(|k| &self.scalars[usize::from(k > 0)])
+        Layout::orders(self.m).map(|k| &self.scalars[usize::from(k > 0)])
     }
 
     /// The rows of the parts among those of `width` numbers.

@@ -1,3 +1,7 @@
+//! Matrices of a cavity of revolution: scalar Laplacians and masses over the meridian, divergence and pressure in patches.
+//! A component of order `k` round the axis has `k²/r²` in its Laplacian; the two integrals are kept apart and summed for each order.
+//! Equation (L10), docs/theory/13-inside.md.
+
 use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
@@ -20,7 +24,7 @@ pub(super) struct Scalar {
 }
 
 impl Scalar {
-    /// Over the nodes of a grid that are counted.
+    /// Matrices over the nodes of a grid that are counted.
     pub fn new(grid: &Grid, blocks: &[Dense], counts: impl Fn(usize) -> bool) -> Self {
         let nodes: Vec<usize> = (0..grid.places.len()).filter(|node| counts(*node)).collect();
         let mut unknowns = vec![None; grid.places.len()];
@@ -43,7 +47,7 @@ impl Scalar {
         Self { nodes, unknowns, gradient, turn, mass }
     }
 
-    /// `∫ (∇N_a·∇N_b + k² N_a N_b/r²) r dr dz`, the Laplacian of what turns `k` times round the axis.
+    /// Laplacian of order `k` round the axis, `∫ (∇N_a·∇N_b + k² N_a N_b/r²) r dr dz`.
     pub fn stiffness(&self, k: usize) -> Symmetric {
         self.gradient.plus((k * k) as f64, &self.turn).expect("both stand on one pattern")
     }
@@ -61,7 +65,7 @@ pub(super) struct Dense {
 }
 
 impl Dense {
-    /// None if rounding leaves the pressures no apart.
+    /// Matrices of a patch; none if rounding leaves the pressures linearly dependent.
     pub fn new(patch: &Patch) -> Option<Self> {
         let points = &patch.points;
         let (nodes, pressures) = (patch.nodes.len(), points.first()?.pressures.len());
@@ -88,7 +92,7 @@ impl Dense {
         })
     }
 
-    /// Polynomials of the pressure.
+    /// Number of polynomials of the pressure.
     pub fn pressures(&self) -> usize {
         self.divergence[0].nrows()
     }

@@ -31,7 +31,7 @@ use crate::math::symmetric::Symmetric;
 /// A part of a load by distance from the axis and height.
 type Profile = fn([f64; 2]) -> f64;
 
-/// How finely the flow in a cavity of revolution is resolved.
+/// Resolution of the flow in a cavity of revolution.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fineness {
     /// Degree of the polynomials along each side of a patch, 4 at least.
@@ -46,11 +46,11 @@ pub(crate) struct Fineness {
 pub(crate) struct RevolvedFlow {
     grid: Grid,
     blocks: Vec<Dense>,
-    /// Of what does not turn round the axis, and of what does.
+    /// Scalars of order zero round the axis, and of higher orders.
     scalars: [Scalar; 2],
-    /// Of what turns 0, 1, 2, … times.
+    /// Laplacians of orders 0, 1, 2, ….
     stiffness: Vec<Symmetric>,
-    /// Of the same.
+    /// Factors of these Laplacians.
     factors: Vec<Factor>,
     layout: Layout,
     /// Volume (m³).
@@ -58,7 +58,7 @@ pub(crate) struct RevolvedFlow {
 }
 
 impl RevolvedFlow {
-    /// A cavity, as fine as asked for.
+    /// Cavity with a given fineness.
     ///
     /// # Errors
     /// [`StokesError::OutOfRange`] if floating point cannot tell its places apart.
@@ -81,14 +81,14 @@ impl RevolvedFlow {
 
     /// `∫ ψ·(e × r) dV` for the unit vector of an axis.
     pub fn load(&self, axis: usize) -> Vec<f64> {
-        // e_z × r turns round the axis; e_x × r = −z e_y + y e_z and e_y × r = z e_x − x e_z are of the first harmonic.
+        // e_z × r runs round the axis; e_x × r = −z e_y + y e_z and e_y × r = z e_x − x e_z are of the first harmonic.
         let (m, kind, parts): (_, _, [Profile; 3]) = match axis {
             0 => (1, 1, [|_| 0.0, |[_, z]| -2.0 * z, |[r, _]| r]),
             1 => (1, 0, [|_| 0.0, |[_, z]| 2.0 * z, |[r, _]| -r]),
             _ => (0, 0, [|[r, _]| r, |[r, _]| -r, |_| 0.0]),
         };
         let mut load = vec![0.0; self.layout.size()];
-        let families = self.layout.parts(m, kind).into_iter().zip(Layout::turns(m)).zip(Layout::weights(m));
+        let families = self.layout.parts(m, kind).into_iter().zip(Layout::orders(m)).zip(Layout::weights(m));
         for (((own, k), weight), value) in families.zip(parts) {
             let (scalar, load) = (self.scalar(k), &mut load[own]);
             for patch in &self.grid.patches {
@@ -105,7 +105,7 @@ impl RevolvedFlow {
         load
     }
 
-    /// The flows under loads, with a rate of inertia in 1/m². (L4)
+    /// Flows under loads, with a rate of inertia in 1/m². (L4)
     ///
     /// # Errors
     /// [`StokesError::NoConvergence`] if the pressure is not found, [`StokesError::OutOfRange`] if the range of numbers is left.
@@ -132,7 +132,7 @@ impl RevolvedFlow {
                 grid: &self.grid,
                 blocks: &self.blocks,
                 scalars: &self.scalars,
-                factors: Layout::turns(m).map(|k| &factors[k]),
+                factors: Layout::orders(m).map(|k| &factors[k]),
             };
             incompressible::solve(&harmonic, &mut forces, acting.len())?;
             rows.zip(&forces).for_each(|((row, load), value)| flows[load][row] = *value);
@@ -140,7 +140,7 @@ impl RevolvedFlow {
         Ok(flows)
     }
 
-    /// Factors of what turns 0, 1, 2, … times, with a rate of inertia.
+    /// Factors of the Laplacians of orders 0, 1, 2, …, with a rate of inertia.
     fn inert(&self, rate: f64) -> Result<Vec<Factor>, StokesError> {
         let sum = |(k, stiffness): (usize, &Symmetric)| {
             let sum = stiffness.plus(rate, &self.scalar(k).mass).expect("both stand on one pattern");
@@ -152,33 +152,33 @@ impl RevolvedFlow {
     /// `∫ ∇ψ:∇u dV`.
     pub fn stiffness_times(&self, u: &[f64]) -> Vec<f64> {
         self.by_families(|m, kind| {
-            let (turns, parts) = (Layout::turns(m), self.layout.parts(m, kind));
-            [0, 1, 2].map(|place| self.stiffness[turns[place]].times(&u[parts[place].clone()]))
+            let (orders, parts) = (Layout::orders(m), self.layout.parts(m, kind));
+            [0, 1, 2].map(|place| self.stiffness[orders[place]].times(&u[parts[place].clone()]))
         })
     }
 
     /// `∫ ψ·u dV`.
     pub fn mass_times(&self, u: &[f64]) -> Vec<f64> {
         self.by_families(|m, kind| {
-            let (turns, parts) = (Layout::turns(m), self.layout.parts(m, kind));
-            [0, 1, 2].map(|place| self.scalar(turns[place]).mass.times(&u[parts[place].clone()]))
+            let (orders, parts) = (Layout::orders(m), self.layout.parts(m, kind));
+            [0, 1, 2].map(|place| self.scalar(orders[place]).mass.times(&u[parts[place].clone()]))
         })
     }
 
-    /// `∫ ψ·(e × u) dV` for the unit vector of an axis, without what leaves the harmonics.
+    /// `∫ ψ·(e × u) dV` for the unit vector of an axis, without parts beyond the highest harmonic.
     pub fn turned(&self, axis: usize, u: &[f64]) -> Vec<f64> {
         let turned = self.nodal(u).turned(axis);
         self.by_families(|m, kind| {
-            let (turns, values) = (Layout::turns(m), turned.parts(m, kind));
+            let (orders, values) = (Layout::orders(m), turned.parts(m, kind));
             [0, 1, 2].map(|place| {
-                let scalar = self.scalar(turns[place]);
+                let scalar = self.scalar(orders[place]);
                 scalar.mass.times(&scalar.nodes.iter().map(|node| values[place][*node]).collect::<Vec<_>>())
             })
         })
     }
 
-    /// Visits points of quadrature, with the share of the volume and the velocity of each flow in space; products of three flows are
-    /// integrated.
+    /// Visits quadrature points, with the share of the volume and the velocity of each flow in space; the rule is exact for products of
+    /// three flows.
     pub fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
         let nodal: Vec<Nodal> = flows.iter().map(|u| self.nodal(u)).collect();
         let angles = 6 * self.layout.most + 8;
@@ -198,7 +198,7 @@ impl RevolvedFlow {
     fn nodal(&self, u: &[f64]) -> Nodal {
         let spread = |m: usize, kind: usize, place: usize| {
             let mut values = vec![0.0; self.grid.places.len()];
-            let nodes = &self.scalar(Layout::turns(m)[place]).nodes;
+            let nodes = &self.scalar(Layout::orders(m)[place]).nodes;
             let own = &u[self.layout.parts(m, kind)[place].clone()];
             nodes.iter().zip(own).for_each(|(node, value)| values[*node] = *value);
             values

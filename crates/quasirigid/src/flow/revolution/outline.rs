@@ -1,3 +1,7 @@
+//! Outlines of cavities of revolution: maps from a square to the meridian, and its cuts into patches.
+//! Patches are thin along walls and grow with the distance from the ends: corners and boundary layers are there, and nothing else is sharp.
+//! Shapes of (L10), docs/theory/13-inside.md.
+
 use std::f64::consts::PI;
 
 /// Meridian of a cavity of revolution about z: the image of a square of parameters `s` and `t`, 0 to 1.
@@ -10,7 +14,7 @@ pub(crate) enum Outline {
         /// Height (m).
         height: f64,
     },
-    /// What lies between two circular cylinders.
+    /// A space between two circular cylinders.
     Annulus {
         /// Radii of the inner and the outer one (m).
         radii: [f64; 2],
@@ -28,19 +32,19 @@ pub(crate) enum Outline {
     Spheroid {
         /// Semi-axis across the axis (m).
         across: f64,
-        /// That along it (m).
+        /// Semi-axis along it (m).
         along: f64,
     },
-    /// What lies between two ellipsoids of revolution.
+    /// A space between two ellipsoids of revolution.
     Shell {
         /// Semi-axes of the inner and the outer one across the axis (m).
         across: [f64; 2],
-        /// Those along the axis (m).
+        /// Semi-axes along the axis (m).
         along: [f64; 2],
     },
 }
 
-/// What a side of the square is in the meridian.
+/// Role of a side of the square in the meridian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// A wall.
@@ -64,13 +68,13 @@ pub(super) struct Place {
 /// Depth of the patches along walls, as a share of the narrowest width, and of each further layer: corners and boundary layers need
 /// them.
 const LAYER: f64 = 0.1;
-/// Patches grow by this factor with their distance from the ends of a long meridian.
+/// Factor by which patches grow with their distance from the ends of a long meridian.
 const GROWTH: f64 = 3.0;
 /// Patches round a closed curve, or from pole to pole.
 const ROUND: usize = 4;
 
 impl Outline {
-    /// Where a point of the square lies.
+    /// Place of a point of the square.
     pub(super) fn place(&self, [s, t]: [f64; 2]) -> Place {
         match *self {
             Self::Cylinder { radius, height } => straight([0.0, radius], height, [s, t]),
@@ -101,7 +105,7 @@ impl Outline {
         }
     }
 
-    /// Where lines of `s`, then of `t`, cut the square into patches, with 0 and 1; `layers` (at least 1) along each wall.
+    /// Lines of `s`, then of `t`, that cut the square into patches, with 0 and 1; `layers` (at least 1) along each wall.
     pub(super) fn cuts(&self, layers: usize) -> [Vec<f64>; 2] {
         let even = || (0..=ROUND).map(|cut| cut as f64 / ROUND as f64).collect();
         match *self {

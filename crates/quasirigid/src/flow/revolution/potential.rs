@@ -6,10 +6,10 @@ use super::outline::Outline;
 use crate::flow::potential_flow::Slip;
 use crate::math::factor::{Factor, Method};
 
-/// An ideal liquid in a cavity of revolution about z, with polynomials of a degree: about the axis nothing moves it, about x its
-/// potential is `φ(r, z) sin θ`, about y the same a quarter of a turn on. (L12)
+/// Slip of an ideal liquid in a cavity of revolution about z, with polynomials of a degree: about the axis nothing moves the liquid, about
+/// x its potential is `φ(r, z) sin θ`, about y the same a quarter of a revolution on. (L12)
 ///
-/// None if floating point cannot tell the places of the cavity apart.
+/// None if floating point does not resolve the places of the cavity.
 pub(crate) fn slip(outline: &Outline, degree: usize) -> Option<Slip> {
     let grid = Grid::new(outline, degree, 1);
     let blocks = grid.patches.iter().map(Dense::new).collect::<Option<Vec<Dense>>>()?;
@@ -44,7 +44,7 @@ pub(crate) fn slip(outline: &Outline, degree: usize) -> Option<Slip> {
     Some(slip)
 }
 
-/// Places round the axis that integrate products of two flows.
+/// Places round the axis that integrate products of two flows exactly.
 const ROUND: usize = 4;
 
 /// Visits places round the axis with their shares and the flows past the body.

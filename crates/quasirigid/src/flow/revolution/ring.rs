@@ -7,7 +7,7 @@ type C = Complex<f64>;
 /// A flow on a circle round the axis: harmonics of `u_x + i u_y` and of `u_z`, each with its slopes along the radius and the axis.
 pub(super) struct Ring {
     pub across: Vec<(i32, [C; 3])>,
-    /// From 0 on; the others are the conjugates of these.
+    /// Harmonics from 0 on; the others are the conjugates of these.
     pub along: Vec<(i32, [C; 3])>,
 }
 

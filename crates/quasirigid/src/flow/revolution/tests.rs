@@ -1,3 +1,7 @@
+//! Tests of flows in cavities of revolution: closed forms, symmetries and incompressibility.
+//! Balls, cylinders and slender rings have exact tensors; the laws of the rest hold in every shape, on every patch layout.
+//! Equations (L5), (L8) and (L9), docs/theory/13-inside.md.
+
 use std::f64::consts::PI;
 
 use super::*;
@@ -5,7 +9,7 @@ use crate::math::krylov::dot;
 
 const AXES: [usize; 3] = [0, 1, 2];
 
-/// `I₂(x)/I₁(x)` by the continued fraction of the ratios of Bessel's functions.
+/// Ratio `I₂(x)/I₁(x)` by the continued fraction of Bessel functions.
 fn ratio(x: f64) -> f64 {
     (2..200).rev().fold(0.0, |tail, n| 1.0 / (2.0 * f64::from(n) / x + tail))
 }
@@ -22,7 +26,7 @@ fn axial(radius: f64, height: f64, rate: f64) -> f64 {
     (0..last).map(term).sum::<f64>() + term(last) * f64::from(2 * last + 1) / 6.0
 }
 
-/// The same between concentric balls, for any axis: `u = f(r) e × r` with `f = −r²/10 + A + B/r³`.
+/// Angular momentum `∫r × u dV` between concentric balls, for any axis: `u = f(r) e × r` with `f = −r²/10 + A + B/r³`.
 fn between_balls(inner: f64, outer: f64) -> f64 {
     let moment = |power: i32| (outer.powi(power) - inner.powi(power)) / f64::from(power);
     let b = 0.1 * (outer * outer - inner * inner) / (outer.powi(-3) - inner.powi(-3));
@@ -41,7 +45,7 @@ fn answers(outline: &Outline, degree: usize, rate: f64) -> [f64; 3] {
     AXES.map(|axis| dot(&loads[axis], &flows[axis]))
 }
 
-/// From a disc to a long tube, slow and fast.
+/// Cylinders from a disc to a long tube, slow and fast.
 #[test]
 fn cylinders_answer_as_the_series() {
     for (height, rate) in [(0.2, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 4e3), (20.0, 0.0), (20.0, 300.0)] {
@@ -104,7 +108,7 @@ fn outlines() -> [Outline; 5] {
     ]
 }
 
-/// No flow loses volume, to the degree of the pressure; the flow of a load is that of least action among them.
+/// Flows conserve the volume, to the degree of the pressure; the flow of a load is that of least action among them.
 #[test]
 fn flows_keep_their_volume_and_are_symmetric() {
     for outline in outlines() {
@@ -126,7 +130,7 @@ fn flows_keep_their_volume_and_are_symmetric() {
     }
 }
 
-/// `u·(e × v) = −v·(e × u)`, so that turning takes no power.
+/// Rotation takes no power: `u·(e × v) = −v·(e × u)`.
 #[test]
 fn turning_takes_no_power() {
     for outline in outlines() {
@@ -165,7 +169,7 @@ fn turning_between_concentric_balls_is_the_same_about_all_axes() {
     // ½ of the mass: ∫(e_l × r)×(e_m × r) is half of ∫|e × r|² along the third axis.
     let half = 0.5 * dot(&slow[0], &flow.mass_times(&slow[0]));
     assert!((exact.abs() / half - 1.0).abs() < 1e-8, "{exact} {half}");
-    // The flows that turning drives about the first axis from the second, and so on round.
+    // Flows that the rotation drives about the first axis from the second, and so on round.
     let pairs = [[0, 1], [1, 2], [2, 0], [1, 0], [2, 1], [0, 2]];
     let turned: Vec<Vec<f64>> = pairs.iter().map(|[axis, of]| flow.turned(*axis, &slow[*of])).collect();
     let next = flow.solve(&turned, 0.0).unwrap();

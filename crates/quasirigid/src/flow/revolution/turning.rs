@@ -1,3 +1,7 @@
+//! Rotation of a flow about any axis: its components in space, by harmonics round the axis of the cavity.
+//! In space the product `e × u` mixes harmonics without derivatives or divisions by `r`; the parts of a family are recovered afterwards.
+//! Equations (L3) and (L10), docs/theory/13-inside.md.
+
 use std::collections::BTreeMap;
 
 use nalgebra::Complex;
@@ -7,17 +11,17 @@ use super::ring::Ring;
 
 type C = Complex<f64>;
 
-/// A flow at the nodes, `u_x + i u_y = Σ w_n e^{inθ}` and `u_z = Σ ζ_n e^{inθ}`: its components in space, which a turn mixes
-/// without derivatives.
+/// A flow at the nodes, `u_x + i u_y = Σ w_n e^{inθ}` and `u_z = Σ ζ_n e^{inθ}`: its components in space, which a rotation mixes without
+/// derivatives.
 pub(super) struct Nodal {
     w: BTreeMap<i32, Vec<C>>,
-    /// From `n = 0` on; the others are the conjugates of these.
+    /// Harmonics from `n = 0` on; the others are the conjugates of these.
     zeta: BTreeMap<i32, Vec<C>>,
     nodes: usize,
 }
 
 impl Nodal {
-    /// From the parts of each family at all nodes.
+    /// Flow from the parts of each family at all nodes.
     pub fn new(layout: &Layout, nodes: usize, part: impl Fn(usize, usize, usize) -> Vec<f64>) -> Self {
         let mut own = Self { w: BTreeMap::new(), zeta: BTreeMap::new(), nodes };
         let joined = |real: Vec<f64>, imaginary: Vec<f64>, factor: f64| -> Vec<C> {

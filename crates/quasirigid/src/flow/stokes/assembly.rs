@@ -1,3 +1,7 @@
+//! Assembly of the Stokes problem in a mesh: Laplacian, mass, divergence and pressure matrices over the moving nodes.
+//! The walls fix all three components, so one scalar Laplacian serves each; a small mass makes the pressure's Laplacian regular.
+//! Equation (L4), docs/theory/13-inside.md; elements of `[@taylor1973]`.
+
 use std::sync::Arc;
 
 use super::StokesError;
@@ -9,7 +13,7 @@ use crate::flow::incompressible;
 use crate::math::factor::{Factor, Method, NotPositive};
 use crate::math::symmetric::{Pattern, Symmetric};
 
-/// The matrices of a cavity for one component of the velocity, over the nodes that move.
+/// Matrices of a cavity for one component of the velocity, over the nodes that move.
 pub(super) struct Assembly {
     /// Number of each node among those that move.
     pub unknowns: Vec<Option<u32>>,
@@ -26,11 +30,11 @@ pub(super) struct Assembly {
     middle: [f64; 3],
 }
 
-/// Share of the pressure's mass in its Laplacian.
+/// Share of the pressure's mass in its Laplacian, which is singular without it.
 const ANCHOR: f64 = 1e-6;
 
 impl Assembly {
-    /// Adds up the cells and factors what is to be solved.
+    /// Sums the cells and factors the matrices.
     ///
     /// # Errors
     /// [`StokesError::NoInterior`], [`StokesError::Singular`].
@@ -93,7 +97,7 @@ impl Assembly {
     }
 }
 
-/// The rate of inertia that is a share of a Laplacian, which alone would leave the constant free.
+/// Rate of inertia that is a share of a Laplacian, which alone would leave the constant free.
 pub(super) fn anchor(share: f64, stiffness: &Symmetric, mass: &Symmetric) -> f64 {
     share * stiffness.norm() / mass.norm()
 }
@@ -119,7 +123,7 @@ impl Numbering {
         self.nodes.len()
     }
 
-    /// The places that the matrices of cells over their first nodes fill.
+    /// Pattern of the matrices of cells over their first nodes.
     pub fn pattern(&self, grid: &Grid, first: usize) -> Arc<Pattern> {
         let joined = |cell: &[usize; NODES]| cell[..first].iter().filter_map(|node| self.of[*node]).collect();
         let lists: Vec<Vec<u32>> = grid.cells.iter().map(joined).collect();
@@ -128,7 +132,7 @@ impl Numbering {
         Arc::new(pattern.expect("numbers ascend and each list holds some of them"))
     }
 
-    /// Where a matrix over these nodes is not positive.
+    /// Error for a matrix over these nodes that is not positive.
     pub fn singular(&self, grid: &Grid, soft: &NotPositive) -> StokesError {
         let direction = soft.direction.iter().zip(&self.nodes);
         let most = direction.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));

@@ -1,16 +1,20 @@
+//! Quadratic tetrahedron of the Stokes problem: its points and its matrices.
+//! Curved cells keep their own Jacobian at every point; only the pressure's Laplacian takes them as straight, since it preconditions.
+//! Elements of `[@taylor1973]`.
+
 use crate::math::vec3::{add, cross, dot, scale};
 use quasirigid_mesh::{CellSample, Rule, Shape};
 
 /// Nodes of a quadratic tetrahedron.
 pub(super) const NODES: usize = 10;
-/// Its corners, to which the pressure belongs.
+/// Corners, to which the pressure belongs.
 pub(super) const CORNERS: usize = 4;
 
 /// A place within a cell.
 pub(super) struct Point {
-    /// Its share of the volume (m³); zero where it is none of a quadrature.
+    /// Share of the volume (m³); zero of a point that is none of a quadrature.
     pub volume: f64,
-    /// Where it is (m).
+    /// Place (m).
     pub place: [f64; 3],
     /// Shape functions.
     pub functions: [f64; NODES],
@@ -54,7 +58,7 @@ impl Point {
     }
 }
 
-/// The points of a cell at which products of two shape functions are integrated.
+/// Points of a cell at which products of two shape functions are integrated.
 pub(super) fn points(nodes: &[[f64; 3]; NODES]) -> impl Iterator<Item = Point> {
     points_at(nodes, Shape::Tet10.samples(Rule::Products))
 }

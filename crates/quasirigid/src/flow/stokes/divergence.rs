@@ -9,7 +9,7 @@ pub(super) struct Divergence {
     cells: Vec<Part>,
 }
 
-/// The part of a cell.
+/// Part of a cell.
 struct Part {
     nodes: [Option<u32>; NODES],
     vertices: [u32; CORNERS],
@@ -17,7 +17,7 @@ struct Part {
 }
 
 impl Divergence {
-    /// Zero, for so many nodes that move and so many vertices.
+    /// Zero divergence, for so many nodes that move and so many vertices.
     pub fn new(unknowns: usize, vertices: usize) -> Self {
         Self { unknowns, vertices, cells: Vec::new() }
     }

@@ -1,12 +1,15 @@
+//! Errors of flows in cavities: meshes without a flow, and flows that are not found.
+//! Nodes and cells go by the numbers of the user's file, since only there can a mesh be mended.
+
 use thiserror::Error;
 
 use quasirigid_mesh::{MeshFault, Shape};
 
-/// Why the flow in a cavity cannot be found. Nodes and cells go by the numbers of their file.
+/// Error of the flow in a cavity. Nodes and cells go by the numbers of their file.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StokesError {
-    /// No cell can hold liquid.
+    /// No cell can contain liquid.
     #[error("the mesh of the cavity has no tetrahedra; mesh the volume of the liquid, not its surface alone")]
     NoTetrahedra,
     /// Solid cells that are no tetrahedra.
@@ -19,7 +22,7 @@ pub enum StokesError {
         cell: u64,
         /// Its shape.
         shape: Shape,
-        /// How many there are.
+        /// Number of such cells.
         count: usize,
     },
     /// The tetrahedra describe no body.
@@ -50,16 +53,16 @@ pub enum StokesError {
     CrowdedFace {
         /// Its corners.
         corners: [u64; 3],
-        /// How many cells it belongs to.
+        /// Number of cells that it belongs to.
         count: usize,
     },
     /// Cells between which no liquid passes.
     #[error("the liquid is in {count} pieces that share no face; give each cavity a mesh of its own")]
     Pieces {
-        /// How many.
+        /// Number of pieces.
         count: usize,
     },
-    /// Walls hold the liquid everywhere.
+    /// All nodes are on walls.
     #[error("every node of the cavity is on a wall, so that nothing can flow; use smaller cells")]
     NoInterior,
     /// Moments too small or too large for floating point.
@@ -86,7 +89,7 @@ pub enum StokesError {
     NoConvergence {
         /// Iterations.
         iterations: usize,
-        /// Divergence beside the gradient of the flow without pressure, in the mean square.
+        /// Divergence relative to the gradient of the flow without pressure, in the mean square.
         divergence: f64,
     },
 }

@@ -1,3 +1,7 @@
+//! Grid of a cavity: ten-node tetrahedra from a mesh, with its walls.
+//! A mesh that is not one cavity is refused here with the nodes at fault; later it would only show as a singular matrix.
+//! Equation (L4), docs/theory/13-inside.md.
+
 use std::collections::HashMap;
 
 use super::StokesError;
@@ -25,7 +29,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The tetrahedra of a mesh, once they are known to be one cavity.
+    /// Grid of the tetrahedra of a mesh, once they are known to be one cavity.
     ///
     /// # Errors
     /// [`StokesError`], all but those of the equations.
@@ -109,9 +113,9 @@ fn tetrahedra(mesh: &Mesh) -> Result<Mesh, StokesError> {
     Ok(Mesh { nodes, node_labels: mesh.node_labels.clone(), cells, sets: Vec::new() })
 }
 
-/// The nodes that the mesh has in the middles of edges.
+/// Nodes that the mesh has in the middles of edges.
 fn middles(mesh: &Mesh) -> Result<HashMap<[usize; 2], usize>, StokesError> {
-    // What each node lies between; a corner between itself.
+    // Ends between which each node lies; a corner between itself.
     let mut between: Vec<Option<[usize; 2]>> = vec![None; mesh.nodes.len()];
     let mut middles = HashMap::new();
     let label = |node: usize| mesh.node_labels[node];

@@ -1,7 +1,7 @@
 //! Slow viscous flow of a liquid that fills a closed cavity: quadratic velocity, linear continuous pressure
 //! `[@taylor1973]`.
 //!
-//! The walls hold the liquid, so that the Laplacian is the same for each component of the velocity: one factor of it
+//! The walls fix the liquid in all three components, so that the Laplacian is the same for each component of the velocity: one factor of it
 //! serves all, and the pressure follows by conjugate gradients.
 
 mod assembly;
@@ -54,12 +54,12 @@ impl StokesFlow {
         Ok(Self { assembly: Assembly::new(&grid)?, grid, moments })
     }
 
-    /// Number of components of the velocity: three for each node that no wall holds.
+    /// Number of components of the velocity: three for each node that is not on a wall.
     pub fn unknowns(&self) -> usize {
         3 * self.assembly.mass.size()
     }
 
-    /// What the mesh fills.
+    /// Volume and moments of the mesh.
     pub fn moments(&self) -> &Moments {
         &self.moments
     }
@@ -81,8 +81,8 @@ impl StokesFlow {
         load
     }
 
-    /// The flows under loads: each is that of least `½∫|∇u|² + rate |u|² dV − load·u` among those without discrete divergence, with
-    /// a rate of inertia in 1/m². (L4)
+    /// Flows under loads: each is that of least `½∫|∇u|² + rate |u|² dV − load·u` among those without discrete divergence, with a rate of
+    /// inertia in 1/m². (L4)
     ///
     /// # Errors
     /// [`StokesError::NoConvergence`] if cells are so thin that the pressure is not found.
@@ -113,7 +113,7 @@ impl StokesFlow {
         self.mass_times(&turned.collect::<Vec<_>>())
     }
 
-    /// Visits points of quadrature, with the share of the volume and the velocity of each flow.
+    /// Visits quadrature points, with the share of the volume and the velocity of each flow.
     pub fn sample(&self, flows: &[Vec<f64>], visit: &mut dyn FnMut(f64, &[Velocity])) {
         let at = |u: &Vec<f64>, node: usize| match self.assembly.unknowns[node] {
             Some(unknown) => [0, 1, 2].map(|axis| u[3 * unknown as usize + axis]),
@@ -132,7 +132,7 @@ impl StokesFlow {
         }
     }
 
-    /// Discrete divergence beside the gradient, in the mean square; zero where nothing flows.
+    /// Discrete divergence relative to the gradient, in the mean square; zero where nothing flows.
     #[cfg(test)]
     pub fn divergence(&self, u: &[f64]) -> f64 {
         let gradient = u.iter().zip(self.stiffness_times(u)).map(|(u, force)| u * force).sum::<f64>().sqrt();
@@ -141,8 +141,8 @@ impl StokesFlow {
 
     /// Estimate of `∫ |∇(v − u)|² dV`, where `v` is the exact flow in this cavity and `u` the one found.
     ///
-    /// What the work `load·u` lacks is of this size too, but of either sign, for `u` has a divergence between the
-    /// nodes. What the cells miss of a round wall comes on top.
+    /// The work `load·u` is off by an amount of this size too, but of either sign, for `u` has a divergence between the nodes. The volume
+    /// that cells miss at a round wall comes on top.
     pub fn error_energy(&self, u: &[f64]) -> f64 {
         recovery::error_energy(&self.grid, |node| match self.assembly.unknowns[node] {
             Some(unknown) => [0, 1, 2].map(|axis| u[3 * unknown as usize + axis]),

@@ -2,7 +2,7 @@ use super::cell::points;
 use super::grid::Grid;
 use crate::math::vec3::{add, scale};
 
-/// Volume of a cavity and what follows from it.
+/// Volume of a cavity and its moments.
 pub(crate) struct Moments {
     /// Volume (m³).
     pub volume: f64,
@@ -34,7 +34,7 @@ impl Moments {
         Self { volume, center, second }
     }
 
-    /// Whether floating point holds them.
+    /// Whether floating point can represent them.
     pub(super) fn in_range(&self) -> bool {
         let squares = [0, 1, 2].map(|axis| self.second[axis][axis]);
         self.volume.is_normal() && squares.iter().all(|square| square.is_normal())

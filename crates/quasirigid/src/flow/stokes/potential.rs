@@ -1,3 +1,7 @@
+//! Potential flow in a mesh: slip of an ideal liquid past a rotating cavity, by quadratic elements.
+//! A Laplacian with given normal derivative leaves a constant free; a small mass fixes it, and no gradient sees it.
+//! Equation (L12), docs/theory/13-inside.md.
+
 use nalgebra::Vector3;
 
 use super::StokesError;
@@ -14,10 +18,10 @@ use quasirigid_mesh::{CellSample, Mesh, Rule, Shape};
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Corners of the reference cell.
 const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-/// Share of the mass in the Laplacian.
+/// Share of the mass in the Laplacian, which fixes the constant of the potential.
 const ANCHOR: f64 = 1e-9;
 
-/// An ideal liquid in the cavity that the tetrahedra of a mesh fill, by quadratic potentials, and what they fill. (L12)
+/// Slip of an ideal liquid in the cavity of a mesh, by quadratic potentials, with the moments of the mesh. (L12)
 ///
 /// # Errors
 /// [`StokesError`] if the tetrahedra are no single cavity.

@@ -1,3 +1,7 @@
+//! Error estimate of a flow: distance of its gradient from one recovered by local polynomial fits.
+//! Fits over patches of cells, not means at nodes: means of a quadratic velocity carry the same error on both sides of a node.
+//! Superconvergent patch recovery `[@zienkiewicz1992]`.
+
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use super::cell::{CORNERS, NODES, Point, points, points_at};
@@ -6,20 +10,19 @@ use quasirigid_mesh::{Rule, Shape};
 
 /// Monomials up to the second degree in three coordinates.
 const MONOMIALS: usize = 10;
-/// Cells that a patch has at least, if the cavity has so many.
+/// Least number of cells of a patch, if the cavity has so many.
 const ENOUGH: usize = 12;
-/// Directions of the normal equations below this share of the largest are not told by the samples.
+/// Share of the largest direction of the normal equations below which the samples do not determine a direction.
 const UNTOLD: f64 = 1e-6;
 
 /// Entries of a gradient, row by row.
 type Entries = SVector<f64, 9>;
 
-/// `∫ |G − ∇u|² dV` with the recovered gradient `G`: around each vertex a quadratic polynomial for each entry, fitted
-/// to the gradients at points of the cells there `[@zienkiewicz1992]`; in a cell those of its corners, by their shares.
-/// `field` is the velocity of each node.
+/// Error energy `∫ |G − ∇u|² dV` with the recovered gradient `G`: around each vertex a quadratic polynomial for each entry, fitted to the
+/// gradients at points of the cells there `[@zienkiewicz1992]`; in a cell those of its corners, by their shares. `field` is the velocity of
+/// each node.
 ///
-/// Means of the gradients at each node would not do: what those of a quadratic velocity lack is much the same on both
-/// sides of a node.
+/// Means of the gradients at each node would not do: the errors of those of a quadratic velocity are much the same on both sides of a node.
 pub(super) fn error_energy(grid: &Grid, field: impl Fn(usize) -> [f64; 3]) -> f64 {
     let patches = patches(grid, &field);
     let mut energy = 0.0;
@@ -41,13 +44,13 @@ pub(super) fn error_energy(grid: &Grid, field: impl Fn(usize) -> [f64; 3]) -> f6
 /// Polynomials for a gradient near a vertex.
 struct Patch {
     middle: Vector3<f64>,
-    /// Makes coordinates whose mean squares are one, so that a patch may be thin.
+    /// Scaling to coordinates whose mean squares are one, so that a patch may be thin.
     scale: Matrix3<f64>,
     coefficients: SMatrix<f64, 9, MONOMIALS>,
 }
 
 impl Patch {
-    /// The polynomials that are nearest to samples, places with gradients.
+    /// Polynomials that are nearest to samples, places with gradients.
     fn new(middle: [f64; 3], samples: &[([f64; 3], Entries)]) -> Self {
         let middle = Vector3::from(middle);
         let squares = samples.iter().map(|(place, _)| Vector3::from(*place) - middle);
@@ -82,7 +85,7 @@ impl Patch {
     }
 }
 
-/// The patch of each node that is a vertex.
+/// Patch of each node that is a vertex.
 fn patches(grid: &Grid, field: impl Fn(usize) -> [f64; 3]) -> Vec<Option<Patch>> {
     let sampled = |cell: &[usize; NODES]| -> Vec<([f64; 3], Entries)> {
         let (u, places) = (cell.map(&field), cell.map(|node| grid.places[node]));
@@ -102,7 +105,7 @@ fn patches(grid: &Grid, field: impl Fn(usize) -> [f64; 3]) -> Vec<Option<Patch>>
     (0..around.len()).map(|node| (!around[node].is_empty()).then(|| patch(node))).collect()
 }
 
-/// The cells around a vertex, and around their corners while they are too few.
+/// Cells around a vertex, and around their corners while they are too few.
 fn grown(grid: &Grid, around: &[Vec<usize>], vertex: usize) -> Vec<usize> {
     let mut cells = around[vertex].clone();
     while cells.len() < ENOUGH.min(grid.cells.len()) {

@@ -2,16 +2,16 @@ use super::divergence::Divergence;
 use crate::flow::incompressible::Incompressible;
 use crate::math::factor::Factor;
 
-/// The equations of the flow. (L4)
+/// Equations of the flow. (L4)
 ///
-/// With walls that hold all three components, `A` is the same scalar operator for each of them.
+/// With walls that fix all three components, `A` is the same scalar operator for each of them.
 pub(super) struct Saddle<'a> {
-    /// Of `∫ ∇N_a·∇N_b dV` over the nodes that move, with inertia if the flow has any.
+    /// Factor of `∫ ∇N_a·∇N_b dV` over the nodes that move, with inertia if the flow has any.
     pub laplacian: &'a Factor,
     pub divergence: &'a Divergence,
-    /// Of the pressure's mass matrix, which `B A⁻¹ Bᵀ` is close to.
+    /// Factor of the pressure's mass matrix, which `B A⁻¹ Bᵀ` is close to.
     pub pressure: &'a Factor,
-    /// The rate of inertia, and the pressure's Laplacian, which `B A⁻¹ Bᵀ` is close to where inertia rules `[@cahouet1988]`.
+    /// Rate of inertia, and the factor of the pressure's Laplacian, which `B A⁻¹ Bᵀ` is close to where inertia dominates `[@cahouet1988]`.
     pub inertia: Option<(f64, &'a Factor)>,
 }
 

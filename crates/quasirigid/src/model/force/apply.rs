@@ -7,7 +7,7 @@ use crate::model::{FlexibleBody, Marker, MotionState, Support};
 
 /// Where the body is and how it moves, as external forces see it.
 #[derive(Clone, Copy, Debug)]
-pub struct Situation<'a, T> {
+pub struct KinematicState<'a, T> {
     /// Time (s).
     pub t: T,
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
@@ -36,15 +36,15 @@ impl FlexibleBody {
     ///
     /// The pole of a driven body accelerates as its support says, whatever the situation says of its velocity.
     #[must_use]
-    pub fn loads<T: Smooth>(&self, forces: &[Force<Marker>], situation: &Situation<T>) -> Loads<T> {
+    pub fn loads<T: Smooth>(&self, forces: &[Force<Marker>], kinematics: &KinematicState<T>) -> Loads<T> {
         let mut loads = Loads::none(self.coordinates().len());
-        let scene = Scene { body: self, situation, turn: Turn::of(situation.attitude) };
+        let context = LoadContext { body: self, kinematics, turn: Turn::of(kinematics.attitude) };
         if let Support::Prescribed { acceleration, .. } = self.support() {
-            let inertial = acceleration.each_ref().map(|component| -component.value(&[situation.t]));
-            loads.add_uniform(self, situation.motion.q, scene.turn.to_body(inertial));
+            let inertial = acceleration.each_ref().map(|component| -component.value(&[kinematics.t]));
+            loads.add_uniform(self, kinematics.motion.q, context.turn.to_body(inertial));
         }
         for force in forces {
-            scene.add(&force.law, &mut loads);
+            context.add(&force.law, &mut loads);
         }
         loads
     }
@@ -101,15 +101,15 @@ impl<T: Smooth> Loads<T> {
 }
 
 /// A body in a situation.
-struct Scene<'a, T> {
+struct LoadContext<'a, T> {
     body: &'a FlexibleBody,
-    situation: &'a Situation<'a, T>,
+    kinematics: &'a KinematicState<'a, T>,
     turn: Turn<T>,
 }
 
-impl<T: Smooth> Scene<'_, T> {
+impl<T: Smooth> LoadContext<'_, T> {
     fn add(&self, law: &ForceLaw<Marker>, loads: &mut Loads<T>) {
-        let Situation { t, motion, .. } = *self.situation;
+        let KinematicState { t, motion, .. } = *self.kinematics;
         match law {
             ForceLaw::UniformGravity { acceleration } => {
                 loads.add_uniform(self.body, motion.q, self.turn.to_body(acceleration.map(T::from)));
@@ -118,7 +118,7 @@ impl<T: Smooth> Scene<'_, T> {
                 let passage = orbit.at(t);
                 let per_radius = T::from(1.0) / passage.radius;
                 let n = self.turn.to_body(scale(per_radius, passage.place));
-                let kappa = T::from(orbit.parameter) * per_radius * per_radius * per_radius;
+                let kappa = T::from(orbit.mu) * per_radius * per_radius * per_radius;
                 loads.add_gradient(self.body, motion.q, n, kappa);
             }
             ForceLaw::Drag { at, coefficient } => {
@@ -137,13 +137,13 @@ impl<T: Smooth> Scene<'_, T> {
             }
             ForceLaw::Expression { at, force } => {
                 let (u, velocity) = self.passing(at);
-                let place = add(self.situation.pole, self.turn.to_inertial(u));
+                let place = add(self.kinematics.pole, self.turn.to_inertial(u));
                 let felt = self.felt(place, self.turn.to_inertial(velocity));
                 let force = force.each_ref().map(|component| component.value(&felt));
                 loads.add_force(at, motion.q, u, self.turn.to_body(force));
             }
             ForceLaw::TorqueExpression { torque, axes } => {
-                let felt = self.felt(self.situation.pole, self.situation.pole_velocity);
+                let felt = self.felt(self.kinematics.pole, self.kinematics.pole_velocity);
                 let torque = torque.each_ref().map(|component| component.value(&felt));
                 loads.add_torque(match axes {
                     Axes::Body => torque,
@@ -155,14 +155,14 @@ impl<T: Smooth> Scene<'_, T> {
 
     /// What a formula sees, in the order of its variables. (F9)
     fn felt(&self, [x, y, z]: [T; 3], [vx, vy, vz]: [T; 3]) -> [T; 14] {
-        let Situation { t, attitude: [qw, qx, qy, qz], motion, .. } = *self.situation;
+        let KinematicState { t, attitude: [qw, qx, qy, qz], motion, .. } = *self.kinematics;
         let [wx, wy, wz] = motion.omega;
         [x, y, z, vx, vy, vz, t, wx, wy, wz, qw, qx, qy, qz]
     }
 
     /// Displaced place from the pole (m), body axes, `u = ρ + H_j q_j + ½ G_jk q_j q_k`. (S1)
     fn place(&self, at: &Marker) -> [T; 3] {
-        let q = self.situation.motion.q;
+        let q = self.kinematics.motion.q;
         let half = T::from(0.5);
         let straight = moved(at, at.position.map(T::from), q);
         at.curvature.iter().fold(straight, |u, (j, k, G)| add(u, scale(half * q[*j] * q[*k], G.map(T::from))))
@@ -170,7 +170,7 @@ impl<T: Smooth> Scene<'_, T> {
 
     /// Displaced place from the pole (m) and its inertial velocity (m/s), body axes. (F5)
     fn passing(&self, at: &Marker) -> ([T; 3], [T; 3]) {
-        let Situation { pole_velocity, motion: MotionState { omega, q, rate }, .. } = *self.situation;
+        let KinematicState { pole_velocity, motion: MotionState { omega, q, rate }, .. } = *self.kinematics;
         let u = self.place(at);
         let carried = add(self.turn.to_body(pole_velocity), cross(omega, u));
         let straight = moved(at, carried, rate);
@@ -180,7 +180,7 @@ impl<T: Smooth> Scene<'_, T> {
 
     /// An amplitude in body axes at the time. (F6)
     fn varying(&self, amplitude: [f64; 3], axes: Axes, wave: Wave) -> [T; 3] {
-        let phase = T::from(wave.frequency) * self.situation.t + T::from(wave.phase);
+        let phase = T::from(wave.frequency) * self.kinematics.t + T::from(wave.phase);
         let now = scale(phase.cos(), amplitude.map(T::from));
         match axes {
             Axes::Body => now,

@@ -7,7 +7,7 @@ mod law;
 mod orbit;
 mod pose;
 
-pub use apply::{Loads, Situation};
+pub use apply::{KinematicState, Loads};
 pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 pub use orbit::{Orbit, OrbitPoint};

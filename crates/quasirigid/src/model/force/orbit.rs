@@ -7,18 +7,18 @@ use crate::math::vec3::{add, scale};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
-    /// Gravitational parameter of the centre (m³/s²).
-    pub parameter: f64,
+    /// Gravitational parameter `μ₀` of the centre (m³/s²).
+    pub mu: f64,
     /// Semi-major axis (m).
     pub semi_major_axis: f64,
     /// Eccentricity, 0 to below 1.
     pub eccentricity: f64,
     /// Inclination (rad).
     pub inclination: f64,
-    /// Longitude of the ascending node (rad).
-    pub node: f64,
+    /// Right ascension of the ascending node (rad).
+    pub raan: f64,
     /// Argument of the periapsis (rad).
-    pub periapsis: f64,
+    pub argument_of_periapsis: f64,
     /// Mean anomaly at time zero (rad).
     pub mean_anomaly: f64,
 }
@@ -38,7 +38,7 @@ impl Orbit {
     /// Mean motion (rad/s).
     #[must_use]
     pub fn mean_motion(&self) -> f64 {
-        (self.parameter / self.semi_major_axis).sqrt() / self.semi_major_axis
+        (self.mu / self.semi_major_axis).sqrt() / self.semi_major_axis
     }
 
     /// Period (s).
@@ -69,7 +69,7 @@ impl Orbit {
     /// Unit vectors towards the periapsis and, a quarter of a turn ahead, along the motion there.
     fn axes(&self) -> [[f64; 3]; 2] {
         let [(si, ci), (sn, cn), (sp, cp)] =
-            [self.inclination, self.node, self.periapsis].map(|angle| angle.sin_cos());
+            [self.inclination, self.raan, self.argument_of_periapsis].map(|angle| angle.sin_cos());
         [
             [cn * cp - sn * sp * ci, sn * cp + cn * sp * ci, sp * si],
             [-cn * sp - sn * cp * ci, -sn * sp + cn * cp * ci, cp * si],

@@ -1,5 +1,5 @@
 use super::gravity::FirstMoment;
-use super::{Force, Loads, Situation};
+use super::{Force, KinematicState, Loads};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, scale};
@@ -49,7 +49,7 @@ impl FlexibleBody {
             pole = add(pole, scale(back, turn.to_inertial(s)));
             pole_velocity = add(pole_velocity, scale(back, turn.to_inertial(u)));
         }
-        let situation = Situation { t, attitude, pole, pole_velocity, motion };
-        self.loads(forces, &situation).about_center(self, motion.q)
+        let kinematics = KinematicState { t, attitude, pole, pole_velocity, motion };
+        self.loads(forces, &kinematics).about_center(self, motion.q)
     }
 }

@@ -1,18 +1,22 @@
+//! Errors of steady states under forces: reasons why there is none, or why none was found.
+//! Each variant is a distinct cause that a user can act on; the texts say which force or support it is.
+//! The causes are those of the table and the text after (M6), docs/theory/15-modes.md.
+
 use thiserror::Error;
 
 use crate::math::eigen::NoConvergence;
 
-/// No steady state, or none that is found.
+/// Error of a steady state that does not exist or was not found.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SteadyError {
-    /// A force that is not constant in axes that turn with the body.
+    /// A force is not constant in axes that rotate with the body.
     #[error("{what} changes with time in axes that turn with the body: no steady state")]
     Changes {
-        /// The force or the support, in words.
+        /// Force or support, in words.
         what: String,
     },
-    /// An orbit whose rate changes along it.
+    /// The rate of an orbit changes along its path.
     #[error(
         "the orbit of the force {name:?} is eccentric ({eccentricity}): its rate changes along it, and there is no steady state"
     )]
@@ -22,18 +26,18 @@ pub enum SteadyError {
         /// Eccentricity.
         eccentricity: f64,
     },
-    /// A momentum wheel whose speed changes.
+    /// The speed of a momentum wheel changes.
     #[error("a momentum wheel changes its speed: no steady state")]
     Wheel,
-    /// Forces that turn about different axes or at different rates.
+    /// Forces rotate about different axes or at different rates.
     #[error("{one} and {other} turn differently: no steady state")]
     Apart {
-        /// One of them, in words.
+        /// First force, in words.
         one: String,
-        /// The other.
+        /// Second force, in words.
         other: String,
     },
-    /// A force that depends on where a free body is.
+    /// A force depends on the place of a free body.
     #[error(
         "the force {name:?} depends on where the free body is, and its path is not followed here: no steady state"
     )]
@@ -41,46 +45,46 @@ pub enum SteadyError {
         /// Name of the force.
         name: String,
     },
-    /// A formula that has no value or no derivative.
+    /// A formula has no value or no derivative.
     #[error("the force {name:?} has no value, or no derivative, at the state that is tried")]
     NotANumber {
         /// Name of the force.
         name: String,
     },
-    /// Moments about the axis that nothing balances.
+    /// The moment about the axis is not balanced.
     #[error(
         "the forces have a moment of {moment:.4e} N·m about the axis that the body turns about, at {rate:.4e} rad/s: its rate changes, and no rate was found where it does not"
     )]
     Driven {
-        /// The moment (N·m).
+        /// Moment (N·m).
         moment: f64,
-        /// The rate (rad/s).
+        /// Rate (rad/s).
         rate: f64,
     },
-    /// No force knows the attitude, and the moments balance nowhere.
+    /// No force depends on the attitude, and the moments balance at no angular velocity.
     #[error(
         "no angular velocity was found at which the moments on the body balance: they spin it up or down, or turn its axis away"
     )]
     Unbalanced,
-    /// The iteration leads nowhere.
+    /// The iteration does not converge.
     #[error(
         "no steady state was found near the attitude and the angular velocity of the start: a body that spins about an axis of its own while the vertical turns in it has none in its axes, unless the spin is that of a momentum wheel"
     )]
     NotFound,
-    /// A spin is asked for where the forces set it.
+    /// An angular velocity is asked for where the forces set it.
     #[error("{what} sets the rate and the axis: an angular velocity cannot be asked for")]
     Set {
-        /// The force or the support, in words.
+        /// Force or support, in words.
         what: String,
     },
-    /// More coordinates than are followed.
+    /// The body has too many coordinates.
     #[error(
         "{coordinates} coordinates are too many for the modes of a body under forces, which take up to {most}"
     )]
     TooMany {
         /// Coordinates of the body.
         coordinates: usize,
-        /// The most that is taken.
+        /// Limit of their number.
         most: usize,
     },
     /// The parts are displaced so far that their equations have no positive mass matrix there.

@@ -1,4 +1,4 @@
-//! Bodies under moments and on held or driven supports: their steady states, and the modes about them. (M6)–(M8)
+//! Bodies under moments and on fixed or driven supports: steady states, and the modes about them. (M6)–(M8)
 
 mod error;
 mod mode;

@@ -1,7 +1,12 @@
+//! Modes about a steady state under forces: eigenvalues, energy balance, names and shares.
+//! Light decay is taken from the energy balance where all forces but drag have a potential, because the eigenvalue has lost those digits;
+//! materials and liquids are refined by inverse iteration.
+//! Equations (M3), (M5), (M7) and (M8), docs/theory/15-modes.md.
+
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::error::SteadyError;
-use super::names::{Mover, named};
+use super::names::{NamedMotion, named};
 use super::pencil::{Pencil, form};
 use super::slopes::{DISPLACED, OMEGA, Slopes, THETA};
 use super::spectrum::{Eigenmotion, spectrum};
@@ -23,18 +28,18 @@ pub struct SteadyModes {
     pub state: SteadyState,
     /// The modes by ascending frequency and decay rate.
     pub modes: Vec<SpinMode>,
-    /// Small motions that stay, or drift at a constant rate, beyond those that every such state has: the turn about its axis and the
-    /// change of its rate where that is free.
+    /// Number of neutral motions: constant, or with constant rate, beyond those of every such state, which are the rotation about its
+    /// axis and the change of a free rate.
     pub neutral: usize,
-    /// Whether materials or liquids enter with the answer at the frequency of each mode.
+    /// True if materials or liquids enter with their response at the frequency of each mode.
     pub refined: bool,
 }
 
-/// Eigenvalues of a liquid nearer than this, relative to themselves, are the same.
+/// Relative difference below which eigenvalues of a liquid are the same.
 const SAME: f64 = 1e-6;
-/// Decay rates below this share of the eigenvalue follow from the energy balance where there is one.
+/// Share of the eigenvalue below which a decay rate follows from the energy balance, where one exists.
 const LIGHT: f64 = 1e-5;
-/// A denominator of the balance below this share of its terms is lost in rounding.
+/// Share of its terms below which the denominator of the balance is rounding.
 const CANCELLED: f64 = 1e-7;
 
 impl SteadyModes {
@@ -88,13 +93,13 @@ impl SteadyModes {
         Ok(Self { state, modes, neutral: zeros.saturating_sub(usual), refined: pencil.is_nonlinear() })
     }
 
-    /// Whether no mode grows.
+    /// True if no mode grows.
     #[must_use]
     pub fn stable(&self) -> bool {
         !self.modes.iter().any(SpinMode::grows)
     }
 
-    /// Frequencies (rad/s) at which a mode is seen from outside: `λ − |ω|` and `λ + |ω|`.
+    /// Frequencies (rad/s) of a mode in inertial axes: `λ − |ω|` and `λ + |ω|`.
     #[must_use]
     pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
         let spin = crate::math::vec3::norm(self.state.omega);
@@ -102,12 +107,12 @@ impl SteadyModes {
     }
 }
 
-/// Slopes of what the support does, which come with those of every force.
+/// Slopes of the loads of the support, which those of every force contain.
 fn support(body: &FlexibleBody, instant: &super::slopes::Instant) -> DMatrix<f64> {
     Slopes::of(body, &[], instant).by
 }
 
-/// Whether the loads of a law, but for drag, come from a potential in axes that turn with the body.
+/// True if the loads of a law, but for drag, have a potential in axes that rotate with the body.
 fn has_potential(law: &ForceLaw<Marker>) -> bool {
     use crate::model::force::Axes;
     match law {
@@ -121,7 +126,7 @@ fn has_potential(law: &ForceLaw<Marker>) -> bool {
     }
 }
 
-/// What the modes of a state have in common.
+/// Common data of the modes of a state.
 struct About<'a> {
     body: &'a FlexibleBody,
     state: &'a SteadyState,
@@ -134,8 +139,8 @@ struct About<'a> {
 }
 
 impl About<'_> {
-    fn modes(&self, found: &[Eigenmotion]) -> Vec<Mover> {
-        let mut modes: Vec<Mover> = Vec::with_capacity(found.len());
+    fn modes(&self, found: &[Eigenmotion]) -> Vec<NamedMotion> {
+        let mut modes: Vec<NamedMotion> = Vec::with_capacity(found.len());
         let mut kept: Vec<C> = Vec::new();
         for (i, motion) in found.iter().enumerate() {
             let start = (motion.lambda, self.pencil.unknowns(motion.turn, &motion.q, &motion.velocity));
@@ -151,7 +156,7 @@ impl About<'_> {
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
                 continue;
             }
-            // Two motions that the iteration leads to one are those that were found.
+            // Where the iteration leads two motions to one, the eigenvalues before the iteration are kept.
             let (lambda, x) = refined.filter(|(lambda, _)| !apart(*lambda)).unwrap_or(start);
             kept.push(lambda);
             modes.push(self.mode(motion.lambda, lambda, &x));
@@ -159,7 +164,7 @@ impl About<'_> {
         modes
     }
 
-    fn mode(&self, of_motion: C, lambda: C, x: &[C]) -> Mover {
+    fn mode(&self, of_motion: C, lambda: C, x: &[C]) -> NamedMotion {
         let delta = self.pencil.spin(lambda, x);
         let q = self.pencil.coordinates(x);
         let rate: Vec<C> = q.iter().map(|q| lambda * q).collect();
@@ -199,7 +204,7 @@ impl About<'_> {
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
         let turn = self.attitude.then(|| [x[0], x[1], x[2]]);
-        Mover { mode, turn, carried }
+        NamedMotion { mode, turn, carried }
     }
 
     fn energy(&self, j: usize, rate: &[C]) -> f64 {
@@ -224,7 +229,7 @@ impl About<'_> {
         })
     }
 
-    /// Decay rate: of a light loss from the balance of what is lost, where the other forces have a potential. (M8)
+    /// Decay rate: from the energy balance where the loss is light and the other forces have a potential. (M8)
     fn decay(&self, lambda: C, x: &[C], q: &[C], inside: f64, rounding: f64) -> f64 {
         let found = if lambda.re.abs() > rounding.max(1e-12 * lambda.norm()) { -lambda.re } else { 0.0 };
         let light = lambda.re.abs() < LIGHT * lambda.norm();

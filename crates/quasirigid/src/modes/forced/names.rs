@@ -1,4 +1,4 @@
-//! What the motions of the whole body are called.
+//! Names of the motions of the whole body: pitch and roll-yaw, nutation and precession.
 
 use nalgebra::{Complex, Vector3};
 
@@ -7,36 +7,40 @@ use super::turning::Turning;
 use crate::math::vec3::norm;
 use crate::modes::mode::SpinMode;
 
-/// A mode with what its name follows from.
-pub(super) struct Mover {
+/// Mode with the data that its name follows from.
+pub(super) struct NamedMotion {
     pub mode: SpinMode,
-    /// Rotation `θ` of the body, where a force knows its attitude.
+    /// Rotation `θ` of the body, where a force depends on the attitude.
     pub turn: Option<[Complex<f64>; 3]>,
-    /// Whether the body that carries moves most.
+    /// True if the carrier moves most.
     pub carried: bool,
 }
 
-/// A share of the rotation about an axis that makes it a rotation about it, or leaves none.
+/// Share of the rotation about an axis from which a motion counts as about the axis, and below one minus which as across it.
 const CLEAR: f64 = 0.9;
-/// Rates seen from outside that differ by this factor belong to a fast and a slow motion of the axis.
+/// Ratio of rates in inertial axes from which they count as a fast and a slow motion of the axis.
 const APART: f64 = 2.0;
 
-/// The modes with names of their own where there is no doubt: `pitch` and `roll-yaw` on an orbit, `nutation` and `precession` of a top.
-pub(super) fn named(mut movers: Vec<Mover>, state: &SteadyState, axis: Option<[f64; 3]>) -> Vec<SpinMode> {
+/// Modes, with names of their own where there is no doubt: `pitch` and `roll-yaw` on an orbit, `nutation` and `precession` of a top.
+pub(super) fn named(
+    mut motions: Vec<NamedMotion>,
+    state: &SteadyState,
+    axis: Option<[f64; 3]>,
+) -> Vec<SpinMode> {
     if let (Some(axis), Turning::Set { orbit: true, .. }) = (axis, &state.turning) {
-        for mover in movers.iter_mut().filter(|mover| mover.carried) {
-            let Some(share) = mover.turn.map(|turn| about(turn, axis)) else { continue };
+        for motion in motions.iter_mut().filter(|motion| motion.carried) {
+            let Some(share) = motion.turn.map(|turn| about(turn, axis)) else { continue };
             if share >= CLEAR {
-                mover.mode.name = "pitch".into();
+                motion.mode.name = "pitch".into();
             } else if share <= 1.0 - CLEAR {
-                mover.mode.name = "roll-yaw".into();
+                motion.mode.name = "roll-yaw".into();
             }
         }
     }
     if let (Some(axis), Turning::About(_)) = (axis, &state.turning) {
-        top(&mut movers, axis, norm(state.omega));
+        top(&mut motions, axis, norm(state.omega));
     }
-    movers.into_iter().map(|mover| mover.mode).collect()
+    motions.into_iter().map(|motion| motion.mode).collect()
 }
 
 /// Share of a rotation that is about an axis.
@@ -45,16 +49,16 @@ fn about(turn: [Complex<f64>; 3], axis: [f64; 3]) -> f64 {
     along.norm_sqr() / turn.iter().map(Complex::norm_sqr).sum::<f64>()
 }
 
-/// Two motions of the axis of a top of which one is seen to be fast.
-fn top(movers: &mut [Mover], axis: [f64; 3], spin: f64) {
-    let across = |mover: &&mut Mover| {
-        mover.carried
-            && mover.mode.frequency > 0.0
-            && mover.turn.is_some_and(|turn| about(turn, axis) <= 1.0 - CLEAR)
+/// Names the two motions of the axis of a top, of which one is fast in inertial axes.
+fn top(motions: &mut [NamedMotion], axis: [f64; 3], spin: f64) {
+    let across = |motion: &&mut NamedMotion| {
+        motion.carried
+            && motion.mode.frequency > 0.0
+            && motion.turn.is_some_and(|turn| about(turn, axis) <= 1.0 - CLEAR)
     };
-    let mut pair: Vec<&mut Mover> = movers.iter_mut().filter(across).collect();
+    let mut pair: Vec<&mut NamedMotion> = motions.iter_mut().filter(across).collect();
     if let [first, second] = pair.as_mut_slice() {
-        let [a, b] = [&*first, &*second].map(|mover| seen(mover, axis, spin));
+        let [a, b] = [&*first, &*second].map(|motion| seen(motion, axis, spin));
         if let (Some(a), Some(b)) = (a, b) {
             let (fast, slow) = if a > b { (first, second) } else { (second, first) };
             if a.max(b) >= APART * a.min(b) {
@@ -65,12 +69,12 @@ fn top(movers: &mut [Mover], axis: [f64; 3], spin: f64) {
     }
 }
 
-/// Rate at which the axis is seen to circle from outside, if it does so in one sense.
-fn seen(mover: &Mover, axis: [f64; 3], spin: f64) -> Option<f64> {
+/// Rate at which the axis circles in inertial axes, if in one sense.
+fn seen(motion: &NamedMotion, axis: [f64; 3], spin: f64) -> Option<f64> {
     let axis = Vector3::from(axis);
     let first = axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize();
     let second = axis.cross(&first);
-    let turn = Vector3::from(mover.turn?);
+    let turn = Vector3::from(motion.turn?);
     let part = |unit: Vector3<f64>| unit.x * turn.x + unit.y * turn.y + unit.z * turn.z;
     let (x, y) = (part(first), part(second));
     let i = Complex::new(0.0, 1.0);
@@ -83,5 +87,5 @@ fn seen(mover: &Mover, axis: [f64; 3], spin: f64) -> Option<f64> {
     } else {
         return None;
     };
-    Some((spin + sense * mover.mode.frequency).abs())
+    Some((spin + sense * motion.mode.frequency).abs())
 }

@@ -14,39 +14,39 @@ use crate::model::{FlexibleBody, Marker};
 
 type V = Vector3<f64>;
 
-/// Newton steps.
+/// Limit of Newton steps.
 const STEPS: usize = 60;
 /// Longest step (rad).
 const LONGEST: f64 = 0.3;
-/// Step that is rounding, relative.
+/// Relative step that is rounding.
 const SETTLED: f64 = 1e-13;
-/// Step that is good enough where rounding ends the progress.
+/// Relative step accepted where rounding ends the progress.
 const ACCEPTED: f64 = 1e-9;
-/// Loads that balance to this share of their terms are in balance.
+/// Share of their terms below which the sum of loads counts as balanced.
 const BALANCED: f64 = 1e-9;
 /// Share of `|ω||K|`, and of all moments about the axis, that rounding may leave.
 const ROUNDED: f64 = 1e-13;
-/// A component of the angular velocity below this share is none.
+/// Share of the angular velocity below which a component counts as zero.
 const NONE: f64 = 1e-9;
-/// Terms below this share of those of the start are none.
+/// Share of the terms of the start below which terms count as zero.
 const FLOOR: f64 = 1e-3;
-/// Share of the strain energy of loads as large as the moments.
+/// Share of the strain energy of loads as large as the moments below which a strain energy is negligible.
 const SLIGHT: f64 = 1e-6;
-/// A rate below this share of that of the start may be none.
+/// Share of the rate of the start below which a state of rest is tried.
 const SLOW: f64 = 1e-4;
 
-/// What Newton's method may change beside the displacements.
+/// Unknowns of Newton's method beside the displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Unknowns {
-    /// The attitude; the axis and the rate are given.
+    /// Attitude; the axis and the rate are given.
     Attitude,
-    /// The attitude across the axis: a turn about it changes nothing.
+    /// Attitude across the axis: a rotation about the axis changes nothing.
     Across,
-    /// The attitude across the axis, and the rate.
+    /// Attitude across the axis, and the rate.
     AcrossAndRate,
-    /// The angular velocity.
+    /// Angular velocity.
     Spin,
-    /// Its direction.
+    /// Direction of the angular velocity, at this rate (rad/s).
     SpinOfRate(f64),
 }
 
@@ -56,7 +56,7 @@ impl Unknowns {
     }
 }
 
-/// A body with its forces, and where to look.
+/// Body with its forces, and the start of the search.
 #[derive(Clone, Copy)]
 pub(super) struct Problem<'a> {
     pub body: &'a FlexibleBody,
@@ -65,7 +65,7 @@ pub(super) struct Problem<'a> {
     pub near: Near,
 }
 
-/// A state on the way, with the axis (inertial axes) and the rate at which the axes of the forces turn.
+/// Guess of a state, with the axis (inertial axes) and the rate at which the axes of the forces rotate.
 #[derive(Clone)]
 struct Guess {
     at: Instant,
@@ -83,12 +83,13 @@ struct Step {
 }
 
 impl Problem<'_> {
-    /// With axes that turn about an axis (inertial axes) at a given rate.
+    /// Steady state in axes that rotate about an axis (inertial axes) at a given rate.
     pub fn turned(&self, axis: V, rate: f64) -> Result<Instant, SteadyError> {
         self.newton(self.start(self.near.attitude, axis, rate), Unknowns::Attitude).map(|(found, _)| found.at)
     }
 
-    /// About an axis (inertial axes), at the rate of the start, or where that changes at the rate where it does not.
+    /// Steady state about an axis (inertial axes), at the rate of the start; where a moment would change that rate, at a rate without
+    /// such a moment.
     pub fn about(&self, axis: V, omega_N: V) -> Result<Instant, SteadyError> {
         let Near { attitude, omega, asked, .. } = self.near;
         let along = omega_N.dot(&axis);
@@ -108,7 +109,7 @@ impl Problem<'_> {
             .map_err(|_| SteadyError::Driven { moment, rate })
     }
 
-    /// Where no force knows the attitude: at the rate of the start if that is free, otherwise where the moments balance.
+    /// Steady state where no force depends on the attitude: at the rate of the start if free, otherwise where the moments balance.
     pub fn own(&self) -> Result<Instant, SteadyError> {
         let rate = norm(self.near.omega);
         let mut start = self.start(self.near.attitude, V::zeros(), 0.0);
@@ -120,7 +121,7 @@ impl Problem<'_> {
         }
         let mut rest = start.clone();
         let (found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
-        // Where the moments grow with the square of the rate the way to rest has no end.
+        // Where the moments grow with the square of the rate, Newton's method approaches rest but never reaches it.
         if norm(found.at.omega) <= SLOW * rate {
             (rest.at.omega, rest.at.velocity) = ([0.0; 3], found.at.velocity);
             if norm(found.at.velocity) <= SLOW * (length(self.body) * rate + norm(self.near.velocity)) {
@@ -168,13 +169,13 @@ impl Problem<'_> {
         norm(moment) + length(self.body) * norm(force)
     }
 
-    /// Newton's method; the system where it ends.
+    /// Newton's method; returns the solution and the system there.
     fn newton(&self, mut guess: Guess, unknowns: Unknowns) -> Result<(Guess, System), SteadyError> {
         let mut best = f64::INFINITY;
         let mut floor = 0.0;
         for _ in 0..STEPS {
             let mut system = self.system(&guess.at)?;
-            // At rest every term vanishes: what is left is small beside those of the start.
+            // At rest every term vanishes: the residual is measured by the terms of the start.
             floor = if floor > 0.0 { floor } else { FLOOR * (system.terms - system.turned) };
             system.terms = system.terms.max(floor + system.turned);
             let step = self.step(&guess, &system, unknowns).ok_or(SteadyError::NotFound)?;
@@ -195,7 +196,7 @@ impl Problem<'_> {
         Err(SteadyError::NotFound)
     }
 
-    /// Size of a step, relative to what it changes.
+    /// Size of a step, relative to the quantities that it changes.
     fn size(&self, guess: &Guess, step: &Step, terms: f64) -> f64 {
         let energy =
             |q: &[f64]| self.body.stiffness().times(q).iter().zip(q).map(|(f, q)| f * q).sum::<f64>();
@@ -209,7 +210,7 @@ impl Problem<'_> {
             .max(share(step.velocity.norm(), speed))
     }
 
-    /// A strain energy (J) that is slight beside that of loads as large as the moments that balance.
+    /// Strain energy (J) that is negligible beside that of loads as large as the moments that balance.
     fn slight(&self, terms: f64) -> f64 {
         let J = self.body.invariants().J;
         let square = |j: usize| {
@@ -222,7 +223,7 @@ impl Problem<'_> {
         SLIGHT * terms * terms * softest / (J[0] + J[1] + J[2])
     }
 
-    /// Whether the loads balance, but for a moment about the axis where the rate is given.
+    /// True if the loads balance, but for a moment about the axis where the rate is given.
     fn balanced(&self, guess: &Guess, system: &System, unknowns: Unknowns) -> bool {
         let n = guess.at.q.len();
         let mut left = moments(system);
@@ -247,7 +248,7 @@ impl Problem<'_> {
             && rate <= BALANCED
     }
 
-    /// The step from a state: the displacements are eliminated, what is left is solved in the sense of least squares.
+    /// Step from a state: displacements are eliminated, the rest is solved in the sense of least squares.
     fn step(&self, guess: &Guess, system: &System, unknowns: Unknowns) -> Option<Step> {
         let n = guess.at.q.len();
         let axis = body_axis(guess);
@@ -311,12 +312,12 @@ impl Guess {
     }
 }
 
-/// Moments that are left (N·m).
+/// Unbalanced moments (N·m).
 fn moments(system: &System) -> V {
     V::new(system.residual[0], system.residual[1], system.residual[2])
 }
 
-/// The axis of the forces in body axes.
+/// Axis of the forces in body axes.
 fn body_axis(guess: &Guess) -> V {
     Turn::of(guess.at.attitude).to_body(guess.axis.into()).into()
 }
@@ -329,7 +330,7 @@ fn across(axis: V) -> Matrix3x2<f64> {
     Matrix3x2::from_columns(&[first, axis.cross(&first)])
 }
 
-/// Columns of the unknowns. With the axis fixed in space a turn `θ` changes the angular velocity in body axes by `ω × θ`.
+/// Columns of the unknowns. With the axis fixed in space a rotation `θ` changes the angular velocity in body axes by `ω × θ`.
 fn columns(system: &System, axis: V, basis: &Matrix3x2<f64>, unknowns: Unknowns) -> DMatrix<f64> {
     let spins = system.rate.columns(0, 3);
     let turns = system.stiffness.columns(0, 3) + spins * system.turning();

@@ -1,4 +1,4 @@
-//! The eigenproblem of small motions about a steady state, `P(λ)x = 0`. (M7)
+//! Nonlinear eigenproblem of small motions about a steady state, `P(λ)x = 0`. (M7)
 
 use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
 
@@ -12,16 +12,16 @@ use crate::modes::iteration::Nonlinear;
 
 type C = Complex<f64>;
 
-/// Unknowns: the rotation `θ`, or the angular velocity where no force knows the attitude; the coordinates, less those of liquids whose
-/// impedance is known; the angles of these; the velocity of a free body where that is followed.
+/// Unknowns: the rotation `θ`, or the angular velocity where no force depends on the attitude; the coordinates, without those of liquids
+/// whose impedance is known; the angles of these liquids; the velocity of a free body where that is followed.
 pub(super) struct Pencil<'a> {
     body: &'a FlexibleBody,
     system: &'a System,
     attitude: bool,
     kept: Vec<usize>,
     memories: Vec<(usize, &'a LiquidMemory)>,
-    lossy: Vec<Dense>,
-    /// Place of the velocity, and the number of unknowns.
+    viscoelastic: Vec<Dense>,
+    /// Index of the velocity, and the number of unknowns.
     velocity: usize,
     size: usize,
 }
@@ -36,22 +36,23 @@ impl<'a> Pencil<'a> {
             memories.push((next, memory));
             next += memory.axes.len();
         }
-        let lossy = body.lossy().iter().map(|lossy| Dense::of(&lossy.stiffness)).collect();
+        let viscoelastic =
+            body.viscoelastic().iter().map(|viscoelastic| Dense::of(&viscoelastic.stiffness)).collect();
         let size = if followed { next + 3 } else { next };
-        Self { body, system, attitude, kept, memories, lossy, velocity: next, size }
+        Self { body, system, attitude, kept, memories, viscoelastic, velocity: next, size }
     }
 
-    /// Whether a material or a liquid makes the eigenproblem nonlinear.
+    /// True if a material or a liquid makes the eigenproblem nonlinear.
     pub fn is_nonlinear(&self) -> bool {
-        !(self.lossy.is_empty() && self.memories.is_empty())
+        !(self.viscoelastic.is_empty() && self.memories.is_empty())
     }
 
-    /// Whether a liquid has its impedance in the place of coordinates.
+    /// True if a liquid enters by its impedance in place of coordinates.
     pub fn has_liquids(&self) -> bool {
         !self.memories.is_empty()
     }
 
-    /// `[λ + ω×]`, which takes `θ` to the angular velocity; the identity where that is the unknown.
+    /// `[λ + ω×]`, which takes `θ` to the angular velocity; the identity where the angular velocity is the unknown.
     fn turning(&self, lambda: C) -> Matrix3<C> {
         if !self.attitude {
             return Matrix3::identity();
@@ -59,7 +60,7 @@ impl<'a> Pencil<'a> {
         Matrix3::from_diagonal_element(lambda) + self.system.turning().map(Complex::from)
     }
 
-    /// The unknowns that belong to a motion.
+    /// Unknowns of a motion.
     pub fn unknowns(&self, turn: [C; 3], q: &[C], velocity: &[C]) -> Vec<C> {
         let mut x = turn.to_vec();
         x.extend(self.kept.iter().map(|j| q[*j]));
@@ -68,7 +69,7 @@ impl<'a> Pencil<'a> {
         x
     }
 
-    /// Angular velocity that belongs to the unknowns.
+    /// Angular velocity from the unknowns.
     pub fn spin(&self, lambda: C, x: &[C]) -> [C; 3] {
         let spin = self.turning(lambda) * Vector3::new(x[0], x[1], x[2]);
         spin.into()
@@ -86,7 +87,7 @@ impl<'a> Pencil<'a> {
         self.memories.iter().map(|(start, memory)| (*memory, &x[*start..*start + memory.axes.len()]))
     }
 
-    /// Rows of the system with the places of their unknowns.
+    /// Rows of the system with the indices of their unknowns.
     fn rows(&self) -> Vec<(usize, usize)> {
         let n = self.body.coordinates().len();
         let coordinates = self.kept.iter().enumerate().map(|(place, j)| (3 + j, 3 + place));
@@ -94,7 +95,7 @@ impl<'a> Pencil<'a> {
         (0..3).map(|i| (i, i)).chain(coordinates).chain(velocity).collect()
     }
 
-    /// How far rounding may move an eigenvalue.
+    /// Bound on the change of an eigenvalue by rounding.
     pub fn rounding(&self, lambda: C, x: &[C]) -> f64 {
         let P = self.at(lambda);
         let entry = |i: usize, k: usize| {
@@ -141,8 +142,8 @@ impl Nonlinear for Pencil<'_> {
                 add(*at, *to, whole + if displaced { stiffness[(*row, *column)] } else { 0.0 });
             }
         }
-        for (lossy, stiffness) in self.body.lossy().iter().zip(&self.lossy) {
-            let [re, im] = lossy.rheology.continued([lambda.re, lambda.im]);
+        for (viscoelastic, stiffness) in self.body.viscoelastic().iter().zip(&self.viscoelastic) {
+            let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
             let factor = C::new(re - 1.0, im);
             for (j, row) in self.kept.iter().enumerate() {
                 for (k, column) in self.kept.iter().enumerate() {
@@ -192,7 +193,7 @@ impl Nonlinear for Pencil<'_> {
     }
 }
 
-/// `xᴴ X x` of a matrix of real numbers.
+/// `xᴴ X y` of a real matrix.
 pub(super) fn form(X: &DMatrix<f64>, x: &[C], y: &[C]) -> C {
     let row = |i: usize| (0..y.len()).map(|k| X[(i, k)] * y[k]).sum::<C>();
     (0..x.len()).map(|i| x[i].conj() * row(i)).sum()

@@ -1,4 +1,4 @@
-//! The linear equations of a step of Newton's method.
+//! Linear equations of a Newton step for a steady state, with the displacements eliminated. (M6)
 
 use nalgebra::{DMatrix, DVector};
 
@@ -6,14 +6,14 @@ use super::system::System;
 use crate::math::eigen::Dense;
 use crate::math::lu::Lu;
 
-/// Singular values below this share of the largest are zero.
+/// Share of the largest singular value below which others count as zero.
 const SINGULAR: f64 = 1e-11;
 
 /// Equations of moments and of the translation with the displacements eliminated.
 pub(super) struct Reduced {
     pub left: DMatrix<f64>,
     pub right: DVector<f64>,
-    /// `E⁻¹` of what is left of the loads on the displacements, and of their columns.
+    /// `E⁻¹` of the unbalanced loads on the displacements, and of their columns.
     pub load: DVector<f64>,
     pub answers: DMatrix<f64>,
 }
@@ -50,8 +50,7 @@ impl Reduced {
     }
 }
 
-/// The shortest solution in the sense of least squares; columns after the first `own` and rows after the third come in units that make
-/// them as large as those.
+/// Shortest solution in the sense of least squares; columns after the first `own` are scaled to the size of those.
 pub(super) fn least_squares(
     mut left: DMatrix<f64>,
     right: &DVector<f64>,

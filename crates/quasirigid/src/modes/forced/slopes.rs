@@ -1,4 +1,4 @@
-//! External loads with their exact derivatives, by series of two terms.
+//! External loads with their exact derivatives, by Taylor series of two terms. (M6)
 
 use nalgebra::DMatrix;
 
@@ -7,7 +7,7 @@ use crate::math::taylor::Taylor;
 use crate::model::force::{Force, Loads, Pose};
 use crate::model::{FlexibleBody, Marker, MotionState};
 
-/// A body at an instant of a steady motion: its coordinates rest relative to it.
+/// Body at an instant of a steady motion: its coordinates rest relative to the carrier.
 #[derive(Clone, Debug)]
 pub(super) struct Instant {
     pub t: f64,
@@ -15,14 +15,14 @@ pub(super) struct Instant {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     pub q: Vec<f64>,
-    /// Place of a held pole (m), inertial axes.
+    /// Place of a constrained pole (m), inertial axes.
     pub place: [f64; 3],
-    /// Velocity (m/s): of the centre of mass of a free body in body axes, of a held pole in inertial axes.
+    /// Velocity (m/s): of the centre of mass of a free body in body axes, of a constrained pole in inertial axes.
     pub velocity: [f64; 3],
 }
 
 impl Instant {
-    /// The loads.
+    /// External loads.
     pub fn loads(&self, body: &FlexibleBody, forces: &[Force<Marker>]) -> Loads<f64> {
         let free = body.translation().is_some();
         let velocity = if free { rotation::to_inertial(self.attitude, self.velocity) } else { self.velocity };
@@ -39,7 +39,7 @@ pub(super) const OMEGA: usize = 3;
 pub(super) const VELOCITY: usize = 6;
 pub(super) const DISPLACED: usize = 9;
 
-/// Loads at an instant, and how they change. (M6)
+/// Loads at an instant with their derivatives. (M6)
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
     pub value: Loads<f64>,

@@ -1,4 +1,4 @@
-//! Eigenvalues of the equations in first order, those that are zero taken out. (M7)
+//! Eigenvalues of the first-order equations, zeros removed exactly. (M7)
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -9,17 +9,17 @@ use crate::model::FlexibleBody;
 
 type C = Complex<f64>;
 
-/// A small motion `e^{λt}`.
+/// Small motion `e^{λt}`.
 #[derive(Clone, Debug)]
 pub(super) struct Eigenmotion {
     pub lambda: C,
-    /// `θ`, or the angular velocity where no force knows the attitude.
+    /// `θ`, or the angular velocity where no force depends on the attitude.
     pub turn: [C; 3],
     pub q: Vec<C>,
     pub velocity: Vec<C>,
 }
 
-/// Motions with `Im λ ≥ 0`, and how many eigenvalues are zero.
+/// Motions with `Im λ ≥ 0`, and the number of zero eigenvalues.
 pub(super) fn spectrum(
     body: &FlexibleBody,
     system: &System,
@@ -66,7 +66,7 @@ pub(super) fn spectrum(
     Ok((found.into_iter().filter(|(lambda, _)| lambda.im >= 0.0).map(motion).collect(), zeros))
 }
 
-/// Units of the displacements in which they count as much as the velocities: the root of what holds them.
+/// Units of the displacements that make them as large as the velocities: the root of their stiffness.
 fn units(body: &FlexibleBody, system: &System, attitude: bool) -> Vec<f64> {
     let mut units = Vec::new();
     if attitude {
@@ -80,16 +80,16 @@ fn units(body: &FlexibleBody, system: &System, attitude: bool) -> Vec<f64> {
     units
 }
 
-/// An eigenvalue with its vector.
+/// Eigenvalue with its vector.
 type Pair = (C, DVector<C>);
 
-/// A singular value below this share of the largest is zero.
+/// Share of the largest singular value, per row, below which a singular value is zero.
 const ZERO: f64 = 1e-14;
 
-/// Eigenvalues that are not zero, with their vectors, and the number of those that are.
+/// Nonzero eigenvalues with their vectors, and the number of zeros.
 ///
-/// A matrix with `Av = 0` has, in a basis of `v` and what is across it, the zero and the eigenvalues of the block across; the same
-/// again while that block is singular, so that a chain of vectors with the eigenvalue zero goes one by one.
+/// A matrix with `Av = 0` has, in a basis of `v` and its complement, the eigenvalue zero and those of the block on the complement. The
+/// reduction is repeated while that block is singular, so that a Jordan chain of the eigenvalue zero goes one by one.
 fn without_zeros(A: DMatrix<f64>) -> Result<(Vec<Pair>, usize), NoConvergence> {
     let size = A.nrows();
     let mut levels: Vec<(DMatrix<f64>, DVector<f64>, DVector<f64>)> = Vec::new();
@@ -105,7 +105,7 @@ fn without_zeros(A: DMatrix<f64>) -> Result<(Vec<Pair>, usize), NoConvergence> {
         let vectors = factors.v_t.ok_or(NoConvergence { size })?;
         let null: DVector<f64> = vectors.row(least).transpose();
         let across = vectors.remove_row(least).transpose();
-        // The row of the block that leads to the null vector.
+        // Row of the block that leads to the null vector.
         let feeds = (null.transpose() * &left * &across).transpose();
         left = across.transpose() * &left * &across;
         levels.push((across, null, feeds));

@@ -1,3 +1,7 @@
+//! Steady state of a body under forces: search from a start, and test for steadiness.
+//! The reference of the forces decides the unknowns: the attitude, the attitude across an axis, the rate, or the angular velocity.
+//! Equation (M6) and the table after it, docs/theory/15-modes.md.
+
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
@@ -12,51 +16,50 @@ use crate::model::{FlexibleBody, Marker, MotionState};
 
 type V = Vector3<f64>;
 
-/// Where a steady state is looked for.
+/// Start of the search for a steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
-    /// Place of the pole of a held body (m), inertial axes.
+    /// Place of the pole of a constrained body (m), inertial axes.
     pub place: [f64; 3],
-    /// Its velocity (m/s); where the steady velocity of a free body is looked for near.
+    /// Velocity of the pole (m/s); of a free body the start of the search for its steady velocity.
     pub velocity: [f64; 3],
-    /// Whether the angular velocity is asked for, with the attitude to follow it, or that of the start, of which the part about the axis
-    /// of the forces counts.
+    /// True if this angular velocity is asked for, and the attitude follows it; false if it is that of the start, of which only the part
+    /// about the axis of the forces matters.
     pub asked: bool,
 }
 
-/// Steady state of a body under moments: in axes that turn at a constant rate about an axis fixed in space everything rests. (M6)
+/// Steady state of a body under moments: at rest in axes that rotate at a constant rate about an axis fixed in space. (M6)
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteadyState {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude at `t = 0`, unit quaternion, scalar first, from body to inertial axes.
     pub attitude: [f64; 4],
-    /// Unit vector of the axis that it turns about, inertial axes; none of a body that rests.
+    /// Unit vector of the axis of rotation, inertial axes; none for a body at rest.
     pub axis: Option<[f64; 3]>,
     /// Displacements of the internal coordinates; zero of cyclic ones.
     pub q: Vec<f64>,
     /// Angular momentum with that of wheels (N·m·s), body axes.
-    pub momentum: [f64; 3],
+    pub angular_momentum: [f64; 3],
     /// Energy of rotation and deformation (J), without that of wheels and of position.
     pub energy: f64,
-    /// Velocity (m/s): of the centre of mass of a free body that drag holds back, body axes; of a held pole, inertial axes.
+    /// Velocity (m/s): of the centre of mass of a free body under drag, body axes; of a constrained pole, inertial axes.
     pub velocity: [f64; 3],
-    /// Angle (rad) between the attitude where it was looked for and its own; between the angular velocities, where one was asked for or no
-    /// force knows the attitude.
+    /// Angle (rad) between the attitude of the start and that of the state; between the angular velocities, where one was asked for or no
+    /// force depends on the attitude.
     pub away: f64,
     pub(super) place: [f64; 3],
     pub(super) turning: Turning,
     pub(super) followed: bool,
 }
 
-/// Coordinates of the largest body.
+/// Limit of the number of coordinates.
 pub(super) const MOST: usize = 250;
-/// Whether anything moves a body that is not its own, or a motor changes the speed of a wheel: if not, its steady states are those of
-/// (M1).
+/// True if an external action moves a body, or a motor changes the speed of a wheel: if not, its steady states are those of (M1).
 #[must_use]
 pub fn acts(body: &FlexibleBody, forces: &[Force<Marker>]) -> bool {
     let changing = body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0));
@@ -64,7 +67,7 @@ pub fn acts(body: &FlexibleBody, forces: &[Force<Marker>]) -> bool {
 }
 
 impl SteadyState {
-    /// The steady state next to a start. (M6)
+    /// Steady state next to a start. (M6)
     ///
     /// # Errors
     /// [`SteadyError`] says why there is none, or that none was found.
@@ -94,7 +97,7 @@ impl SteadyState {
         Ok(state)
     }
 
-    /// What the state is at a time, as the forces see it; a held pole at its place at `t = 0`.
+    /// State at a time, for the evaluation of forces; a constrained pole at its place at `t = 0`.
     pub(super) fn at(&self, t: f64) -> Instant {
         let spin = V::from(rotation::to_inertial(self.attitude, self.omega));
         let attitude = rotation::turned(self.attitude, (t * spin).into());
@@ -112,7 +115,8 @@ impl SteadyState {
         let Problem { body, followed, near, .. } = *problem;
         let still = vec![0.0; at.q.len()];
         let motion = MotionState { omega: at.omega, q: &at.q, rate: &still };
-        let momentum = V::from(body.momentum(motion)) + V::from(body.wheels().momentum(0.0));
+        let angular_momentum =
+            V::from(body.angular_momentum(motion)) + V::from(body.wheels().angular_momentum(0.0));
         let spin = norm(at.omega);
         let spins = near.asked || turning == Turning::Own;
         let away = if spins {
@@ -126,7 +130,7 @@ impl SteadyState {
             attitude: at.attitude,
             axis: (spin > 0.0).then_some(axis),
             q: at.q.clone(),
-            momentum: momentum.into(),
+            angular_momentum: angular_momentum.into(),
             energy: body.energy(motion),
             velocity: at.velocity,
             away,

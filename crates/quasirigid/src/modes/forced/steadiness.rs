@@ -1,4 +1,4 @@
-//! Whether a state is steady: the loads and their slopes stay what they are in axes that turn with the body.
+//! Test of steadiness: the loads and their slopes are constant in axes that rotate with the body. (M6)
 
 use nalgebra::{DMatrix, Vector3};
 
@@ -12,12 +12,12 @@ use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
 
-/// Later times, in turns.
+/// Later times of the test, in revolutions: no simple fractions alone, which waves could meet at equal phases.
 const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1237];
-/// Change that is rounding, relative to the largest load or slope.
+/// Change below which a load or slope counts as constant, relative to the largest one.
 const SAME: f64 = 1e-8;
 
-/// Looks at each force at some later times, and at what the support does.
+/// Tests each force and the support at some later times.
 pub(super) fn check(
     body: &FlexibleBody,
     forces: &[Force<Marker>],
@@ -35,7 +35,7 @@ pub(super) fn check(
     };
     let loads =
         |forces: &[Force<Marker>], at: &Instant| weighted(body, &Slopes::of(body, forces, at), period);
-    // What the support does is the same for each force.
+    // The loads of the support are the same for each force.
     let driven = matches!(body.support(), Support::Prescribed { .. });
     let support = driven.then(|| (&[][..], "the acceleration of the support".to_owned()));
     let each =
@@ -54,7 +54,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// The state at a later time, a driven pole where its path has taken it.
+/// State at a later time, a driven pole moved along its path.
 fn later(body: &FlexibleBody, state: &SteadyState, t: f64) -> Instant {
     let mut later = state.at(t);
     if let Support::Prescribed { acceleration, .. } = body.support() {
@@ -80,7 +80,7 @@ fn later(body: &FlexibleBody, state: &SteadyState, t: f64) -> Instant {
     later
 }
 
-/// Whether loads or their slopes differ from those at `t = 0`.
+/// True if loads or their slopes differ from those at `t = 0`.
 fn changed(now: &DMatrix<f64>, then: &DMatrix<f64>) -> bool {
     let gap = (then - now).amax();
     !(gap <= SAME * now.amax().max(then.amax()))
@@ -109,7 +109,7 @@ fn weighted(body: &FlexibleBody, slopes: &Slopes, period: f64) -> DMatrix<f64> {
     let column = |k: usize| match k {
         THETA..OMEGA => 1.0,
         OMEGA..VELOCITY => period.recip(),
-        // The velocity of a held pole is given in inertial axes, and no unknown.
+        // The velocity of a constrained pole is given in inertial axes, and no unknown.
         VELOCITY..DISPLACED => {
             if free {
                 length / period

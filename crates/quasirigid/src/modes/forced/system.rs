@@ -1,4 +1,4 @@
-//! The linear equations about a state, and what is left unbalanced there.
+//! Linear equations about a state, and its residual. (M6), (M7)
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -16,28 +16,28 @@ pub(super) struct System {
     pub rate: DMatrix<f64>,
     /// Columns: `θ`, then the elastic displacements.
     pub stiffness: DMatrix<f64>,
-    /// What is left unbalanced of `M ẇ = 0`, and the sizes of the terms about each axis.
+    /// Residual of `M ẇ = 0`, and the size of the terms of the moments (N·m).
     pub residual: Vec<f64>,
     pub terms: f64,
-    /// Of these `|ω||K|`, whose rounding alone may be left.
+    /// Part `|ω||K|` of `terms`, whose rounding alone may remain.
     pub turned: f64,
-    /// Of the loads alone.
+    /// Slopes of the loads alone.
     pub slopes: Slopes,
 }
 
 impl System {
-    /// About an instant, with the velocity of a free body if that is followed.
+    /// System about an instant, with the velocity of a free body if that is followed.
     pub fn about(body: &FlexibleBody, slopes: Slopes, instant: &Instant, followed: bool) -> Self {
         let Instant { omega, q, velocity, .. } = instant;
         let (n, elastic) = (q.len(), body.elastic());
         let coefficients = body.about_spin(*omega, q);
         let still = vec![0.0; n];
         let motion = MotionState { omega: *omega, q, rate: &still };
-        let momentum = add(body.momentum(motion), body.wheels().momentum(0.0));
+        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(0.0));
         let size = if followed { 6 + n } else { 3 + n };
         let mut mass_matrix = DMatrix::zeros(size, size);
         mass_matrix.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&mass(body, &coefficients));
-        let (velocities, displacements) = forces(body, *omega, momentum, &coefficients);
+        let (velocities, displacements) = forces(body, *omega, angular_momentum, &coefficients);
         let mut rate = DMatrix::zeros(size, size);
         rate.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&velocities);
         let mut stiffness = DMatrix::zeros(size, 3 + elastic);
@@ -51,7 +51,7 @@ impl System {
         less(&mut rate, 3, DISPLACED + elastic, n);
         less(&mut stiffness, 0, THETA, 3);
         less(&mut stiffness, 3, DISPLACED, elastic);
-        let gyroscopic = cross(*omega, momentum);
+        let gyroscopic = cross(*omega, angular_momentum);
         let mut residual: Vec<f64> = (0..3).map(|i| gyroscopic[i] - slopes.value.moment[i]).collect();
         let (held, pulled) = (body.stiffness().times(q), body.load(motion));
         residual.extend((0..n).map(|j| held[j] - pulled[j] - slopes.value.generalized[j]));
@@ -67,7 +67,7 @@ impl System {
             let carried = scale(m, cross(*omega, *velocity));
             residual.extend((0..3).map(|i| carried[i] - slopes.value.force[i]));
         }
-        let turned = norm(*omega) * norm(momentum);
+        let turned = norm(*omega) * norm(angular_momentum);
         let terms = turned + loads(body, &slopes);
         Self {
             omega: *omega,
@@ -88,7 +88,7 @@ impl System {
     }
 }
 
-/// A length of the body (m): the root of its inertia over its mass.
+/// Length scale of the body (m): the root of its inertia over its mass.
 pub(super) fn length(body: &FlexibleBody) -> f64 {
     let [xx, yy, zz, ..] = body.invariants().J;
     ((xx + yy + zz) / (3.0 * body.invariants().mass)).sqrt()

@@ -1,4 +1,4 @@
-//! In which axes the forces on a body are constant: what sets the rate, and what the axis.
+//! Axes in which the forces on a body are constant: their rotation, set or free. (M6)
 
 use std::ops::Range;
 
@@ -11,22 +11,23 @@ use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
 
-/// The axes in which the forces can be constant.
+/// Rotation of the axes in which the forces can be constant.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Turning {
-    /// They turn at this angular velocity (rad/s, inertial axes), which something sets.
+    /// Rotation at this angular velocity (rad/s, inertial axes), set by a force or the support.
     Set { rate: V, what: String, orbit: bool },
-    /// They turn about this unit vector (inertial axes) at any rate.
+    /// Rotation about this unit vector (inertial axes) at any rate.
     About(V),
-    /// Directions that differ are fixed in space: the body rests.
+    /// No rotation: different directions are fixed in space, and the body rests.
     Still,
-    /// Some formula: about an axis that is not known.
+    /// Rotation about an unknown axis, because of a formula.
     Unknown,
-    /// No force knows the attitude.
+    /// Rotation of the body itself: no force depends on the attitude.
     Own,
 }
 
-/// A free body does not feel the same acceleration everywhere; where no force feels its velocity, nothing else does.
+/// Forces that act on the state, and whether the velocity is followed. Uniform gravity does not affect a free body unless a force depends
+/// on the velocity.
 pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<Force<Marker>>, bool) {
     let free = body.translation().is_some();
     let at_rest = |law: &ForceLaw<Marker>| match law {
@@ -43,7 +44,7 @@ pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<F
     (acting.into_iter().filter(|force| felt(&force.law)).collect(), followed)
 }
 
-/// Whether a law feels the velocity of the place it acts at.
+/// True if a law depends on the velocity of its point of action.
 fn feels_velocity(law: &ForceLaw<Marker>) -> bool {
     match law {
         ForceLaw::Drag { .. } => true,
@@ -51,17 +52,17 @@ fn feels_velocity(law: &ForceLaw<Marker>) -> bool {
     }
 }
 
-/// Whether a formula of a law uses one of its variables.
+/// True if a formula of a law uses one of these variables.
 fn uses(law: &ForceLaw<Marker>, mut variables: Range<usize>) -> bool {
     law.formulas().is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
 }
 
-/// Whether a law feels where the place it acts at is, or its velocity.
+/// True if a law depends on the place or the velocity of its point of action.
 fn feels_path(law: &ForceLaw<Marker>) -> bool {
     feels_velocity(law) || uses(law, 0..3)
 }
 
-/// Whether the acceleration of the support vanishes, if it has one.
+/// True if the support has no acceleration.
 pub(super) fn rests(body: &FlexibleBody) -> bool {
     match body.support() {
         Support::Prescribed { acceleration, .. } => {
@@ -71,11 +72,11 @@ pub(super) fn rests(body: &FlexibleBody) -> bool {
     }
 }
 
-/// What a turn was set by, so far.
+/// Rotations and directions found in the forces examined so far.
 #[derive(Default)]
 struct Found {
     set: Option<(V, String, bool)>,
-    /// With what they are of.
+    /// Directions fixed in space, each with its force or support in words.
     directions: Vec<(V, String)>,
     unknown: bool,
 }
@@ -84,7 +85,7 @@ struct Found {
 const SAME: f64 = 1e-9;
 
 impl Turning {
-    /// From the laws of the forces that act and the support.
+    /// From the laws of the acting forces and the support.
     pub fn of(
         body: &FlexibleBody,
         forces: &[Force<Marker>],
@@ -119,7 +120,7 @@ impl Turning {
 }
 
 impl Found {
-    /// The acceleration of the support (m/s²) where it is constant; otherwise how it turns.
+    /// Acceleration of the support (m/s²) where constant; otherwise zero, with its rotation noted.
     fn support(&mut self, body: &FlexibleBody) -> Result<V, SteadyError> {
         let Support::Prescribed { acceleration, .. } = body.support() else { return Ok(V::zeros()) };
         let series = acceleration

@@ -1,9 +1,12 @@
+//! Data lines of an Abaqus file, read as the keyword before them demands: nodes, cells, sets or nothing.
+//! A cell may continue over several lines, so a half-read cell is kept here and refused where the block ends.
+
 use super::kinds::Kind;
 use super::sets::Filling;
 use super::{Draft, MeshProblem, Row, VolumeProblem};
 use crate::text_file::{number, whole};
 
-/// What data lines are for.
+/// Meaning of data lines.
 pub(super) enum Block {
     /// Nothing of the mesh.
     Skipped,
@@ -16,7 +19,7 @@ pub(super) enum Block {
     Instance,
 }
 
-/// Cells of a kind, and what was read of the next.
+/// Cells of a kind, with the label and nodes read so far of the next.
 pub(super) struct Cells {
     kind: Kind,
     set: Option<Filling>,

@@ -1,3 +1,6 @@
+//! Cell types of Abaqus: from a name such as `C3D10M` to a shape and the order of its nodes.
+//! Letters of the formulation (`R`, `H`, `T`, ...) leave the geometry as it is and are accepted only where Abaqus has them.
+
 use quasirigid_mesh::Shape;
 
 use super::VolumeProblem;
@@ -19,7 +22,7 @@ const HEX27: &[u8] =
     &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 26, 24, 23, 25, 21, 22, 20];
 
 impl Kind {
-    /// Which node of Abaqus is this node of [`Shape`].
+    /// Index in the order of Abaqus of a node in the order of [`Shape`].
     pub(super) fn place(self, node: usize) -> usize {
         self.order.get(node).map_or(node, |place| usize::from(*place))
     }

@@ -37,10 +37,10 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
 
 /// A file while it is read.
 struct Reader {
-    /// Where files lie that are included.
+    /// Folder of the files that are included.
     folder: PathBuf,
     draft: Draft,
-    /// What data lines are for.
+    /// Meaning of the data lines that follow.
     block: Block,
     parts: usize,
     instances: usize,

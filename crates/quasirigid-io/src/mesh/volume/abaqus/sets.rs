@@ -1,12 +1,15 @@
+//! Node and element sets of an Abaqus file: lists, ranges, and sets within sets.
+//! A range has the members that exist, as in Abaqus; its labels are not counted out where they outnumber the nodes or cells.
+
 use super::{Draft, MeshProblem, Part, Row, VolumeProblem};
 use crate::text_file::whole;
 
 /// A set that is being filled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Filling {
-    /// Place among the sets.
+    /// Index among the sets.
     place: usize,
-    /// Whether it takes cells instead of nodes.
+    /// Whether the set takes cells instead of nodes.
     of_cells: bool,
     /// Whether lines are ranges.
     ranges: bool,
@@ -81,7 +84,7 @@ impl Filling {
         self.add(draft, &nodes)
     }
 
-    /// First, last and step, which is one where it is left out: what exists of them.
+    /// Adds the members of a range that exist; the fields are first, last and step, which is one where left out.
     fn read_range(self, draft: &mut Draft, fields: &[&str]) -> Result<(), MeshProblem> {
         let (first, last, step) = match *fields {
             [first, last] => (first, last, "1"),

@@ -7,7 +7,7 @@ use super::{Draft, Fault, MeshProblem, Part, Row, VolumeProblem};
 #[derive(Default)]
 pub(super) struct Groups {
     names: HashMap<(i64, i64), String>,
-    /// By dimension and number of the entity, once the file has said it.
+    /// Groups by dimension and number of the entity, once the file has listed its entities.
     pub(super) of_entity: Option<HashMap<(i64, i64), Vec<i64>>>,
 }
 

@@ -13,13 +13,13 @@ pub(super) struct Kind {
 }
 
 impl Kind {
-    /// Which node of gmsh is this node of [`Shape`].
+    /// Index in the order of gmsh of a node in the order of [`Shape`].
     pub(super) fn place(self, node: usize) -> usize {
         self.order.get(node).map_or(node, |place| usize::from(*place))
     }
 }
 
-/// For each node in the order of [`Shape`], its place in the order of gmsh; empty where the two agree.
+/// Permutation: the index in the order of gmsh of each node in the order of [`Shape`]; empty where the two agree.
 type Order = &'static [u8];
 
 const SAME: Order = &[];
@@ -29,7 +29,7 @@ const HEX20: Order = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10,
 const HEX27: Order =
     &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26];
 
-/// What a type of gmsh is.
+/// Kind of cell of a type of gmsh.
 pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
     let (shape, order) = match code {
         1 => (Shape::Line2, SAME),

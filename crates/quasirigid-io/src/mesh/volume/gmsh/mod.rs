@@ -103,7 +103,7 @@ fn add_cell(draft: &mut Draft, label: u64, code: u64, nodes: &[u64]) -> Result<O
     draft.add_cell(label, kind.shape, ordered).map(Some)
 }
 
-/// How many nodes a type of gmsh has.
+/// Number of nodes of a type of gmsh.
 fn nodes_of(code: u64) -> Result<usize, MeshProblem> {
     if code == kinds::POINT { Ok(1) } else { kinds::kind(code).map(|kind| kind.shape.nodes()) }
 }

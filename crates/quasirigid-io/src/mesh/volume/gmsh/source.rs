@@ -1,3 +1,6 @@
+//! Reading position in a gmsh file: lines of sections, and records of numbers in text or binary.
+//! A binary file mixes lines of text with raw bytes, so both are read from one position; it also counts, to report files cut off.
+
 use super::{Fault, MeshProblem, Part, Place, Row, VolumeProblem};
 use crate::mesh::file::Encoding;
 
@@ -21,9 +24,9 @@ pub(super) struct Source<'a> {
     pub(super) encoding: Encoding,
     /// Number of the last line of a text.
     line: usize,
-    /// Where the last number of a binary file starts.
+    /// First byte of the last number of a binary file.
     last: usize,
-    /// The line of the record, and what is left of it.
+    /// The line of the record, and the part of the line not yet read.
     record: &'a [u8],
     rest: &'a [u8],
     row: Row,
@@ -79,7 +82,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Where the last line or number was.
+    /// Place of the last line or number.
     pub(super) fn place(&self) -> Place {
         match self.encoding {
             Encoding::Text => Place::Line(self.line.max(1)),
@@ -87,12 +90,12 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Says what the next records hold, and how many things the file announces.
+    /// Announces the next records: the part, and how many of them the file has.
     pub(super) fn announce(&mut self, part: Part, announced: u64) {
         (self.part, self.announced, self.found) = (part, announced, 0);
     }
 
-    /// One thing more was found.
+    /// Counts one more of the announced part.
     pub(super) fn count(&mut self) {
         self.found += 1;
     }
@@ -131,7 +134,7 @@ impl<'a> Source<'a> {
         self.text(word)
     }
 
-    /// What is left of the record.
+    /// Rest of the record.
     pub(super) fn remainder(&mut self) -> Result<&'a str, Fault> {
         let rest = std::mem::take(&mut self.rest);
         self.text(rest.trim_ascii())

@@ -46,9 +46,9 @@ pub(super) fn read_cells(source: &mut Source, draft: &mut Draft, groups: &Groups
     source.close("Elements")
 }
 
-/// What elements of a kind have in common; in a text, each stands for itself.
+/// Properties that elements of a kind share; in a text, each element has its own.
 struct Element {
-    /// Its number, which a binary file gives later.
+    /// Number of the element, which a binary file gives later.
     label: Option<u64>,
     code: u64,
     tags: u64,
@@ -127,7 +127,7 @@ impl Element {
         set.map_or(Ok(()), |set| draft.sets.add_cells(set, &[cell]))
     }
 
-    /// Whether a cell is this element again, in another group.
+    /// Whether a cell repeats this element, for another group.
     fn repeats(&self, draft: &Draft, cell: usize, nodes: &[u64]) -> bool {
         let (cell, labels) = (&draft.cells()[cell], draft.node_labels());
         kinds::kind(self.code).is_ok_and(|kind| {

@@ -74,7 +74,7 @@ impl Block {
     }
 }
 
-/// Number of blocks and of what is in them.
+/// Numbers of blocks, and of nodes or elements in them.
 fn read_counts(source: &mut Source, part: Part, version: Version) -> Result<(u64, u64), Fault> {
     source.announce(part.clone(), 1);
     source.start(Row::GmshCount)?;

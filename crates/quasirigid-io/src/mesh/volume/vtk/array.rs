@@ -1,3 +1,6 @@
+//! Arrays of VTK files: types of numbers, values as whole or real numbers, and the place of each value in the file.
+//! Places are computed on demand, by reading the words again: keeping one per value would double the memory of a large grid.
+
 use super::{Fault, MeshProblem, Part, Place, Row, VolumeProblem};
 
 /// Characters of a word that are shown.
@@ -20,7 +23,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// By its name in legacy and XML files, where capitals do not matter.
+    /// Type by the name that legacy and XML files use, where capitals do not matter.
     pub(super) fn named(name: &str) -> Result<Self, MeshProblem> {
         let lower = name.to_ascii_lowercase();
         Ok(match lower.strip_prefix("vtktype").unwrap_or(&lower) {
@@ -178,19 +181,19 @@ fn is_keyword(word: &[u8]) -> bool {
     word.len() > 3 && word.iter().all(|byte| byte.is_ascii_uppercase() || *byte == b'_')
 }
 
-/// Where the values of an array stand.
+/// Origin of an array: the place of its values.
 #[derive(Clone, Debug)]
 pub(super) enum Origin<'a> {
     /// Words of a text from this byte on, and the line of its first byte.
     Words { bytes: &'a [u8], start: usize, first_line: usize },
     /// Bytes from this one on, so many for each.
     Bytes { start: usize, width: usize },
-    /// Somewhere here.
+    /// Somewhere at this place.
     Somewhere(Place),
 }
 
 impl Origin<'_> {
-    /// Where a value stands.
+    /// Place of a value.
     pub(super) fn place(&self, value: usize) -> Place {
         match self {
             &Self::Words { bytes, start, first_line } => {
@@ -234,7 +237,7 @@ impl Array<'_> {
     }
 }
 
-/// What is missing where a file ends within an array.
+/// Problem of a file that ends within an array.
 pub(super) fn cut(name: &str, announced: u64, found: u64) -> MeshProblem {
     MeshProblem::Cut { part: Part::Values(name.to_owned()), announced, found }
 }

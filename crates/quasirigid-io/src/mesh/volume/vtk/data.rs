@@ -8,7 +8,7 @@ use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
 use super::{MeshProblem, VolumeProblem};
 
-/// How the bytes of the arrays of a file are written.
+/// Layout of the bytes of the arrays of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
     pub(super) big_endian: bool,

@@ -1,3 +1,6 @@
+//! Unstructured grid of VTK made into nodes, cells and sets, piece after piece.
+//! Arrays of whole numbers become sets of cells; an array with more than a thousand values numbers the cells and becomes none.
+
 use std::collections::BTreeMap;
 
 use quasirigid_mesh::{Cell, Mesh, Shape};
@@ -16,9 +19,9 @@ pub(super) struct Grid<'a> {
     pub(super) points: Array<'a>,
     /// Points of the cells, one cell after the other.
     pub(super) corners: Array<'a>,
-    /// Where the corners of each cell end.
+    /// Ends of the corners of each cell.
     pub(super) ends: Array<'a>,
-    /// Whether the number of its corners stood before those of each cell.
+    /// Whether the corners of each cell stand after their number.
     pub(super) counted: bool,
     pub(super) types: Array<'a>,
     /// One whole number for each cell.
@@ -69,7 +72,7 @@ impl Grid<'_> {
         })
     }
 
-    /// Where a cell stands whose corners start there.
+    /// Place of a cell whose corners start at this index.
     fn place(&self, cell: usize, start: usize) -> Place {
         self.corners.origin.place(if self.counted { start + cell } else { start })
     }

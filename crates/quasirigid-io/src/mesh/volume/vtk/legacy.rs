@@ -1,3 +1,6 @@
+//! Legacy VTK files, text or binary, versions 1 to 5: a line that announces values, then the values.
+//! Values that make no sets are read too: in a binary file only their size tells where the next line starts.
+
 use quasirigid_mesh::Mesh;
 
 use super::array::{Array, Origin, Scalar, Values, Words, cut};
@@ -32,11 +35,11 @@ pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
     Ok(mesh)
 }
 
-/// What a file has shown so far.
+/// Arrays read so far.
 #[derive(Default)]
 struct Parts<'a> {
     points: Option<Array<'a>>,
-    /// Corners of the cells and where those of each end.
+    /// Corners of the cells, and ends of the corners of each.
     cells: Option<(Array<'a>, Array<'a>)>,
     types: Option<Array<'a>>,
     groups: Vec<Array<'a>>,
@@ -48,7 +51,7 @@ struct Parts<'a> {
 struct File<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Where the last line starts.
+    /// First byte of the last line.
     start: usize,
     binary: bool,
 }
@@ -93,7 +96,7 @@ impl<'a> File<'a> {
         Ok(None)
     }
 
-    /// Where the last line was.
+    /// Place of the last line.
     fn place(&self) -> Place {
         if self.binary { Place::Byte(self.start) } else { self.words().line(self.start) }
     }
@@ -184,7 +187,7 @@ impl<'a> File<'a> {
         })
     }
 
-    /// One array of a field, if it has one whole number for each thing.
+    /// One array of a field, if the array has one whole number for each cell or point.
     fn field_array(&mut self) -> Result<Option<Array<'a>>, Fault> {
         let line = self.line()?.ok_or_else(|| (self.end(), cut("FIELD", 1, 0)))?;
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -209,7 +212,7 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// Number of corners before those of each cell.
+    /// Cells of versions before 5: the number of corners, then the corners.
     fn counted_cells(&mut self, cells: u64, size: u64) -> Result<(Array<'a>, Array<'a>), Fault> {
         let array = self.array("CELLS", Scalar::Int32, size)?;
         let (mut corners, mut ends) = (Vec::new(), Vec::new());
@@ -243,7 +246,7 @@ impl<'a> File<'a> {
         Ok((Array { name, values: Values::Whole(corners), origin }, ends))
     }
 
-    /// Offsets, one more than cells, then corners.
+    /// Cells of version 5: offsets, one more than cells, then corners.
     fn cells_by_offsets(&mut self, offsets: u64, size: u64) -> Result<(Array<'a>, Array<'a>), Fault> {
         let mut ends = self.announced("OFFSETS", offsets)?;
         if let Values::Whole(ends) = &mut ends.values

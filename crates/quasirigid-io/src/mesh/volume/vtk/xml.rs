@@ -1,3 +1,6 @@
+//! XML files of VTK (`.vtu`): arrays as text, as base64, or as bytes appended after the XML.
+//! Appended raw bytes are no XML, so the file is split before it is parsed; decompression is limited by what the grid can need.
+
 use std::borrow::Cow;
 
 use quasirigid_math::memory;
@@ -53,7 +56,7 @@ fn split(bytes: &[u8]) -> (Cow<'_, [u8]>, &[u8]) {
     (Cow::Owned(header), &data[start..])
 }
 
-/// What holds for all arrays of a file.
+/// Layout that all arrays of a file share.
 struct File<'a, 'input> {
     document: &'a Document<'input>,
     layout: Layout,
@@ -99,7 +102,7 @@ impl<'a, 'input> File<'a, 'input> {
         Ok(file)
     }
 
-    /// Where an element starts.
+    /// Place of the start of an element.
     fn place(&self, node: Node) -> Place {
         Place::Line(self.document.text_pos_at(node.range().start).row as usize)
     }

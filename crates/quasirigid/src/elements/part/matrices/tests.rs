@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use super::Matrices;
 use crate::elements::error::{Field, Problem};
 use crate::elements::material::Material;
-use crate::elements::part::{NodalMass, Part, PartKind, Region, Solid, Substance};
+use crate::elements::part::{ElasticMaterial, NodalMass, Part, PartKind, Region, Solid};
 use crate::model::Rheology;
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
@@ -39,24 +39,25 @@ fn solid() -> PartKind {
     mesh.node_labels = (1..=mesh.nodes.len() as u64).collect();
     let material = Material { density: 2.5, young: 3.0, poisson: 0.3, rheology: Rheology::Elastic };
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let region = Region { cells: vec![0, 1], substance: Substance::Isotropic(material), axes };
+    let region = Region { cells: vec![0, 1], material: ElasticMaterial::Isotropic(material), axes };
     PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
 }
 
 fn structure(kind: PartKind) -> Structure {
     let part =
         Part { name: "part".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
-    let mut structure = Structure { nodes: part.nodes(), holds: part.holds(0), ..Structure::default() };
-    part.furnish(0, 0, &mut structure).expect("a part");
+    let mut structure =
+        Structure { nodes: part.nodes(), constraints: part.constraints(0), ..Structure::default() };
+    part.assemble_into(0, 0, &mut structure).expect("a part");
     structure
 }
 
-/// What a program would write of a structure whose nodes do not turn.
+/// Matrices that a program would write of a structure whose nodes have no rotations.
 fn exported(structure: &Structure) -> Matrices {
     let count = structure.nodes.len();
     let (mut mass, mut stiffness) = (Vec::new(), Vec::new());
     for element in &structure.elements {
-        let row = |freedom: usize| 3 * element.nodes()[freedom / 3] + freedom % 3;
+        let row = |dof: usize| 3 * element.nodes()[dof / 3] + dof % 3;
         let entries = |matrix: DMatrix<f64>| {
             let size = matrix.nrows();
             let places = (0..size * size).map(move |place| (place % size, place / size));
@@ -69,7 +70,7 @@ fn exported(structure: &Structure) -> Matrices {
         mass: NodalMass {
             nodes: structure.nodes.iter().map(|node| node.place.into()).collect(),
             node_labels: (1..=count as u64).collect(),
-            freedoms: (0..3 * count).map(|row| (row / 3, row % 3)).collect(),
+            dofs: (0..3 * count).map(|row| (row / 3, row % 3)).collect(),
             entries: mass,
         },
         stiffness,
@@ -78,27 +79,27 @@ fn exported(structure: &Structure) -> Matrices {
     }
 }
 
-/// Sums over the grains of a structure: mass and moments of the places, and with two fields over the freedoms of its
+/// Sums over the lumped masses of a structure: mass and moments of the places, and with two fields over the degrees of freedom of its
 /// nodes the sums, moments and products that inertia is made of. (K4)
-fn sums(structure: &Structure, freedoms: usize, u: &[f64], v: &[f64]) -> Vec<f64> {
+fn sums(structure: &Structure, dofs: usize, u: &[f64], v: &[f64]) -> Vec<f64> {
     let reference = Vector3::new(1.0, 0.5, -2.0);
     let (mut mass, mut first, mut sum) = (0.0, Vector3::zeros(), Vector3::zeros());
     let (mut second, mut moment, mut product) = (Matrix3::zeros(), Matrix3::zeros(), Matrix3::zeros());
     for element in &structure.elements {
         let of = |field: &[f64]| {
-            let own = element.nodes().iter().flat_map(|node| &field[freedoms * node..freedoms * (node + 1)]);
-            DVector::from_iterator(freedoms * element.nodes().len(), own.copied())
+            let own = element.nodes().iter().flat_map(|node| &field[dofs * node..dofs * (node + 1)]);
+            DVector::from_iterator(dofs * element.nodes().len(), own.copied())
         };
         let (u, v) = (of(u), of(v));
-        for grain in element.grains() {
-            let (s, one) = (grain.place_from(reference), grain.one());
-            let (u, v) = (&grain.shapes * &u, &grain.shapes * &v);
-            mass += grain.mass * one;
-            first += grain.mass * one * s;
-            second += grain.mass * s * s.transpose();
-            sum += grain.mass * one * v;
-            moment += grain.mass * s * v.transpose();
-            product += grain.mass * u * v.transpose();
+        for lumped_mass in element.lumped_masses() {
+            let (s, one) = (lumped_mass.place_from(reference), lumped_mass.one());
+            let (u, v) = (&lumped_mass.shapes * &u, &lumped_mass.shapes * &v);
+            mass += lumped_mass.mass * one;
+            first += lumped_mass.mass * one * s;
+            second += lumped_mass.mass * s * s.transpose();
+            sum += lumped_mass.mass * one * v;
+            moment += lumped_mass.mass * s * v.transpose();
+            product += lumped_mass.mass * u * v.transpose();
         }
     }
     let vectors = [first, sum].into_iter().flat_map(|vector| vector.data.0.concat());
@@ -112,7 +113,7 @@ fn field(size: usize, phase: f64) -> Vec<f64> {
 
 /// The mass matrix alone tells every moment that quadrature over the cells does. (K9)
 #[test]
-fn grains_between_nodes_have_the_moments_of_the_cells() {
+fn masses_between_nodes_have_the_moments_of_the_cells() {
     let cells = structure(solid());
     let given = structure(PartKind::Matrices(exported(&cells)));
     let (u, v) = (field(3 * cells.nodes.len(), 0.4), field(3 * cells.nodes.len(), 2.0));
@@ -124,14 +125,14 @@ fn grains_between_nodes_have_the_moments_of_the_cells() {
     assert!(exported(&cells).mass.entries.iter().any(|(row, column, mass)| row == column && *mass > 0.0));
 }
 
-/// A node on a rail: CalculiX leaves out the rows of displacements that it holds.
+/// A node on a rail: CalculiX leaves out the rows of displacements that it constrains.
 #[test]
 fn a_node_has_its_mass_whatever_rows_it_has() {
     let given = Matrices {
         mass: NodalMass {
             nodes: vec![[1.0, 2.0, 3.0], [2.0, 0.0, 1.0]],
             node_labels: vec![4, 7],
-            freedoms: vec![(0, 0), (1, 0), (1, 2)],
+            dofs: vec![(0, 0), (1, 0), (1, 2)],
             entries: vec![(0, 0, 2.0), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 3.0), (2, 2, 3.0)],
         },
         stiffness: vec![(0, 0, 1.0), (1, 1, 1.0), (2, 2, 1.0)],
@@ -156,7 +157,7 @@ fn a_turning_node_has_its_rotary_inertia() {
         mass: NodalMass {
             nodes: vec![[1.0, 0.5, -2.0]],
             node_labels: vec![1],
-            freedoms: (0..6).map(|component| (0, component)).collect(),
+            dofs: (0..6).map(|component| (0, component)).collect(),
             entries: mass,
         },
         stiffness: Vec::new(),
@@ -172,8 +173,8 @@ fn a_turning_node_has_its_rotary_inertia() {
     }
 }
 
-/// Cells that nothing holds have no stiffness against the whole; springs to the ground at three nodes are enough, at two
-/// they leave a turn about the line between them. Nodes in a line cannot turn about it.
+/// Free cells have no stiffness against rigid motions of the whole; springs to the ground at three nodes give enough, at two they leave a
+/// rotation about the line between them. Nodes in a line cannot rotate about it.
 #[test]
 fn matrices_stand_by_their_own_stiffness() {
     let mut given = exported(&structure(solid()));
@@ -188,7 +189,7 @@ fn matrices_stand_by_their_own_stiffness() {
         mass: NodalMass {
             nodes: vec![[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]],
             node_labels: vec![1, 2],
-            freedoms: (0..6).map(|row| (row / 3, row % 3)).collect(),
+            dofs: (0..6).map(|row| (row / 3, row % 3)).collect(),
             entries: Vec::new(),
         },
         stiffness: (0..6).map(|row| (row, row, 5.0)).collect(),
@@ -208,7 +209,7 @@ fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
         attached: Vec::new(),
         rayleigh: [0.0; 2],
     };
-    let error = part.furnish(0, 0, &mut Structure::default()).expect_err("a refusal");
+    let error = part.assemble_into(0, 0, &mut Structure::default()).expect_err("a refusal");
     (error.field, error.problem)
 }
 
@@ -216,13 +217,10 @@ fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
 fn matrices_of_no_body_are_refused() {
     let (field, problem) = refusal(|given| given.stiffness.push((1, 5, 1e-3)));
     assert_eq!(field, Field::STIFFNESS);
-    assert!(matches!(problem, Problem::Lopsided { freedoms: [ref row, _], .. } if row == "1.2"), "{problem}");
+    assert!(matches!(problem, Problem::Lopsided { dofs: [ref row, _], .. } if row == "1.2"), "{problem}");
     let (field, problem) = refusal(|given| given.mass.entries.push((4, 4, -10.0)));
     assert_eq!(field, Field::MASS);
-    assert!(
-        matches!(problem, Problem::NegativeDiagonal { ref freedom, .. } if freedom == "2.2"),
-        "{problem}"
-    );
+    assert!(matches!(problem, Problem::NegativeDiagonal { ref dof, .. } if dof == "2.2"), "{problem}");
     let (field, problem) = refusal(|given| given.mass.entries.clear());
     assert_eq!((field, problem), (Field::MASS, Problem::NotAMass { value: 0.0 }));
     let (field, problem) = refusal(|given| given.damping.push((0, 0, f64::NAN)));

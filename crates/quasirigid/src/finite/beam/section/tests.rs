@@ -1,3 +1,7 @@
+//! Tests of cross-sections: constants against small squares, tables, and finite elements on the section.
+//! Torsion and shear areas have no elementary reference: numbers are from printed tables, or from Prandtl's membrane solved once.
+//! Cowper's table `[@cowper1966]`; Timoshenko and Goodier, Theory of Elasticity, art. 109.
+
 use super::*;
 use crate::math::quadrature::gauss_legendre;
 
@@ -9,7 +13,7 @@ struct Grid {
 
 const CELLS: usize = 400;
 
-/// Squares of a region within `±half` along `y` and `z`.
+/// Region within `±half` along `y` and `z`, as squares.
 fn grid(half: f64, inside: impl Fn(f64, f64) -> bool) -> Grid {
     let cell = 2.0 * half / CELLS as f64;
     let place = |i: usize| (i as f64 + 0.5) * cell - half;
@@ -21,7 +25,7 @@ fn section(shape: SectionShape) -> Section {
     shape.section(0.3).unwrap()
 }
 
-/// Shapes of which the edges are on the squares, or that have many squares along their edges.
+/// Shapes whose edges are on the squares, or that have many squares along their edges.
 fn shapes() -> Vec<(SectionShape, Grid, f64)> {
     let (radius, thickness) = (1.0, 0.3);
     vec![
@@ -131,7 +135,7 @@ struct Walls {
     t: f64,
     web: f64,
     place: f64,
-    /// Where the flow in half a flange is zero.
+    /// End at which the flow in half a flange is zero.
     end: f64,
 }
 

@@ -1,4 +1,4 @@
-//! A clamped antenna (Euler–Bernoulli) under inertial loads: its energy, and how the modes share it.
+//! Clamped antenna (Euler–Bernoulli) under inertial loads: its energy, and the share of each mode in it.
 
 use super::*;
 
@@ -95,7 +95,7 @@ fn energy_of_the_loaded_antenna_converges_with_the_fourth_power() {
         let errors = [1, 2, 4, 8].map(|count| antenna(count).energy(alpha, beta) - 1.0);
         assert!(orders(&errors)[1..].iter().all(|order| (order - 4.0).abs() < 0.1), "{errors:?}");
         if beta == 0.0 {
-            // What elements held at their nodes store under an even load is left out: h⁴/36 of all.
+            // The energy of elements fixed at their nodes under an even load is left out: h⁴/36 of all.
             assert!((errors[0] + 1.0 / 36.0).abs() < 1e-8, "{errors:?}");
         }
     }
@@ -133,8 +133,7 @@ fn shares_of_modes_converge_with_the_fourth_power_at_least() {
             if kind >= 2 {
                 assert!((3.85..4.15).contains(&order), "{mode} {kind}: {errors:?}");
             } else {
-                // Of mass and inertia the sixth power is left; below 1e-9 rounding and the section's rotary inertia
-                // show.
+                // Mass and inertia converge with the sixth power; below 1e-9 rounding and the section's rotary inertia show.
                 assert!(order > 5.5 && errors[2].abs() < 5e-8, "{mode} {kind}: {errors:?}");
             }
         }

@@ -10,8 +10,8 @@ fn length() -> f64 {
     (Vector3::from(ENDS[1]) - Vector3::from(ENDS[0])).norm()
 }
 
-/// The least multiple of a load on the last node (in axes along the beam, `y` and `z`) at which a clamped beam
-/// buckles, with these coordinates of its last node held.
+/// Least multiple of a load on the last node (in axes along the beam, `y` and `z`) at which a clamped beam buckles, with these coordinates
+/// of its last node fixed.
 fn critical(section: Section, count: usize, load: [f64; 6], held: usize) -> f64 {
     let chain = Chain::even(ENDS, [0.2, -0.9, 0.4], section, ALLOY, count);
     let (axes, size) = (chain.beams[0].axes, chain.size());

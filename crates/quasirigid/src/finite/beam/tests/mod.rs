@@ -11,7 +11,7 @@ mod whole;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::forces::Load;
-use super::{Beam, Matrix12, Matter, Section, SectionShape, Vector12};
+use super::{Beam, BeamMaterial, Matrix12, Section, SectionShape, Vector12};
 
 impl Beam {
     /// Geometric stiffness under loads at the nodes alone, so that the axial force is constant.
@@ -31,19 +31,25 @@ impl Chain {
         ends: [[f64; 3]; 2],
         direction: [f64; 3],
         section: Section,
-        matter: Matter,
+        material: BeamMaterial,
         count: usize,
     ) -> Self {
         let cuts: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64).collect();
-        Self::cut(ends, direction, section, matter, &cuts)
+        Self::cut(ends, direction, section, material, &cuts)
     }
 
     /// Elements between these fractions of the length.
-    fn cut(ends: [[f64; 3]; 2], direction: [f64; 3], section: Section, matter: Matter, cuts: &[f64]) -> Self {
+    fn cut(
+        ends: [[f64; 3]; 2],
+        direction: [f64; 3],
+        section: Section,
+        material: BeamMaterial,
+        cuts: &[f64],
+    ) -> Self {
         let [from, to] = ends.map(Vector3::from);
         let at = |cut: f64| (from + cut * (to - from)).into();
         let beam =
-            |pair: &[f64]| Beam::new([at(pair[0]), at(pair[1])], Some(direction), section, matter).unwrap();
+            |pair: &[f64]| Beam::new([at(pair[0]), at(pair[1])], Some(direction), section, material).unwrap();
         Self { beams: cuts.windows(2).map(beam).collect() }
     }
 
@@ -70,7 +76,7 @@ impl Chain {
         first.chain(self.beams.iter().map(|beam| beam.ends[1])).collect()
     }
 
-    /// Displacements under a load with the first node held.
+    /// Displacements under a load with the first node clamped.
     fn clamped(&self, load: &DVector<f64>) -> DVector<f64> {
         let size = self.size();
         let kept: Vec<usize> = (6..size).collect();
@@ -85,7 +91,7 @@ fn own(u: &DVector<f64>, element: usize) -> Vector12 {
     u.fixed_rows::<12>(6 * element).into_owned()
 }
 
-/// The same motion of all nodes: this translation and a turn about the origin.
+/// Rigid motion of all nodes: this translation and a rotation about the origin.
 fn rigid(nodes: &[Vector3<f64>], velocity: Vector3<f64>, turn: Vector3<f64>) -> DVector<f64> {
     let of = |node: &Vector3<f64>| {
         (velocity + turn.cross(node)).iter().chain(turn.iter()).copied().collect::<Vec<_>>()
@@ -110,7 +116,7 @@ fn eigen(A: &DMatrix<f64>, B: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     (order.iter().map(|i| system.eigenvalues[*i]).collect(), vectors)
 }
 
-/// A section without shear whose radii of gyration are so small that its rotary inertia does not show.
+/// Section without shear whose radii of gyration are so small that its rotary inertia is negligible.
 fn thin(area: f64, radius_y: f64, radius_z: f64) -> Section {
     let [second_y, second_z] = [radius_y, radius_z].map(|radius| area * radius * radius);
     let torsion = 4.0 * second_y * second_z / (second_y + second_z);
@@ -122,4 +128,4 @@ fn orders(errors: &[f64]) -> Vec<f64> {
     errors.windows(2).map(|pair| (pair[0] / pair[1]).abs().log2()).collect()
 }
 
-const ALLOY: Matter = Matter { young: 71e9, shear: 27e9, density: 2800.0 };
+const ALLOY: BeamMaterial = BeamMaterial { young: 71e9, shear: 27e9, density: 2800.0 };

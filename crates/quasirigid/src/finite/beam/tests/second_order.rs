@@ -63,8 +63,8 @@ fn internal_forces_balance_the_load_at_every_section() {
     }
 }
 
-/// Work of the internal forces on the exact strains `Rᵀ(e + u′) − e` and `RᵀR′` of nodes moved by `q`, and on the
-/// fibres that a twist makes longer.
+/// Work of the internal forces on the exact strains `Rᵀ(e + u′) − e` and `RᵀR′` of nodes moved by `q`, and on the fibres that a twist
+/// lengthens.
 fn work(beam: &Beam, u: &Vector12, load: Load, q: &Vector12) -> f64 {
     let [axis, y, z] = beam.directions();
     let forces = beam.forces(u, load);
@@ -122,7 +122,7 @@ fn a_twisted_beam_is_shorter_by_its_fibres() {
 
 #[test]
 fn a_beam_that_turns_keeps_its_length() {
-    // A turn moves each node by θ × r + ½ θ × (θ × r); the second part does the work −½ qᵀGq.
+    // A rotation moves each node by θ × r + ½ θ × (θ × r); the second part does the work −½ qᵀGq.
     let cuts = [0.0, 0.2, 1.0];
     let chain = chain(&cuts);
     let force = DVector::from_fn(chain.size(), |i, _| 1e6 * (2.9 * i as f64).cos());
@@ -141,7 +141,7 @@ fn a_beam_that_turns_keeps_its_length() {
 
 #[test]
 fn a_beam_that_turns_under_a_load_along_it_keeps_its_length() {
-    // The same for a load between the nodes: every point of the beam moves by ½ θ × (θ × r).
+    // Load between the nodes: every point of the beam moves by ½ θ × (θ × r).
     let cuts = [0.0, 0.4, 1.0];
     let chain = chain(&cuts);
     let force = nodal(&chain, &cuts);
@@ -151,7 +151,7 @@ fn a_beam_that_turns_under_a_load_along_it_keeps_its_length() {
     let theta = Vector3::new(0.4, -0.7, 1.1);
     let q = rigid(&chain.nodes(), Vector3::zeros(), theta);
     let along = Vector3::from(ENDS[1]) - root;
-    // ∫ p·½ θ × (θ × (r − root)): the root is held and does no work against itself.
+    // ∫ p·½ θ × (θ × (r − root)): the root is fixed and does no work against itself.
     let second = 0.5 * theta.cross(&theta.cross(&along));
     let expected = along.norm() * (load(0.0) / 6.0 + load(1.0) / 3.0).dot(&second);
     let found = -0.5 * q.dot(&(geometric * &q));

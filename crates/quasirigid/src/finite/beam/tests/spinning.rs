@@ -1,11 +1,11 @@
-//! A cantilever that turns about its root: what its centrifugal tension adds to its stiffness.
+//! Cantilever that rotates about its root: stiffening by its centrifugal tension.
 
 use super::*;
 use crate::math::quadrature::gauss_legendre;
 
 const LENGTH: f64 = 1.7;
 
-/// Frequencies over `√(EI/ρA)/L²` at this spin over the same, across the plane of the turn and in it.
+/// Frequencies over `√(EI/ρA)/L²` at this spin over the same unit, across the plane of the rotation and in it.
 fn frequencies(count: usize, spin: f64, sharp: bool) -> [Vec<f64>; 2] {
     let section = thin(2e-4, 1e-5, 1e-5);
     let chain = Chain::even([[0.0; 3], [0.0, LENGTH, 0.0]], [1.0, 0.0, 0.0], section, ALLOY, count);
@@ -28,7 +28,7 @@ fn frequencies(count: usize, spin: f64, sharp: bool) -> [Vec<f64>; 2] {
     [of(2, 3, 0.0), of(0, 5, square)]
 }
 
-/// The same across the plane by Ritz's method with the polynomials `x² P_k(2x − 1)`.
+/// Frequencies across the plane by Ritz's method with the polynomials `x² P_k(2x − 1)`.
 fn ritz(spin: f64) -> Vec<f64> {
     const SIZE: usize = 14;
     let mut matrices = [DMatrix::zeros(SIZE, SIZE), DMatrix::zeros(SIZE, SIZE)];

@@ -1,3 +1,6 @@
+//! Statics of beam elements: closed forms of a cantilever, rigid motions, rotations and units.
+//! A cut changes nothing and six motions cost nothing: the two properties on which exact joints and the Tisserand frame rely.
+
 use nalgebra::{Matrix3, Matrix6, Rotation3};
 use proptest::prelude::*;
 
@@ -12,7 +15,7 @@ fn thick() -> Section {
 
 /// Tip displacement and rotation by tip force and moment, in axes along the beam, `y` and `z`.
 fn closed_form(section: &Section, L: f64) -> Matrix6<f64> {
-    let Matter { young: E, shear: G, .. } = ALLOY;
+    let BeamMaterial { young: E, shear: G, .. } = ALLOY;
     let (Iy, Iz) = (E * section.second_y, E * section.second_z);
     let mut f = Matrix6::zeros();
     f[(0, 0)] = L / (E * section.area);
@@ -50,7 +53,7 @@ fn a_cantilever_bends_as_the_closed_form_says_whatever_its_cuts() {
                 for answer in 0..6 {
                     let (found, wanted) = (tip[answer / 3][answer % 3], expected[(answer, load)]);
                     let scale = (expected[(answer, answer)] * expected[(load, load)]).sqrt();
-                    // The condition number of K, some 1e3, times the rounding.
+                    // The rounding times the condition number of K, some 1e3.
                     assert!((found - wanted).abs() < 1e-12 * scale, "{answer} {load}: {found} {wanted}");
                 }
             }
@@ -116,26 +119,25 @@ fn the_section_stands_as_it_is_told() {
         assert!(matches!(beam(along(to), None), Err(super::super::BeamError::NoLength { .. })));
     }
     assert!(beam([[1e6, 0.0, 0.0], [1e6 + 1e-9, 0.0, 0.0]], None).is_err(), "a distance of eight roundings");
-    for matter in [
-        Matter { young: 0.0, ..ALLOY },
-        Matter { shear: f64::NAN, ..ALLOY },
-        Matter { density: -1.0, ..ALLOY },
+    for material in [
+        BeamMaterial { young: 0.0, ..ALLOY },
+        BeamMaterial { shear: f64::NAN, ..ALLOY },
+        BeamMaterial { density: -1.0, ..ALLOY },
     ] {
-        assert!(Beam::new(ENDS, None, thick(), matter).is_err());
+        assert!(Beam::new(ENDS, None, thick(), material).is_err());
     }
 }
 
 proptest! {
-    /// Lengths in a unit of 10⁻⁹ to 10⁹ m, moduli and densities in theirs: each entry of a matrix changes by its own
-    /// power.
+    /// Units of 10⁻⁹ to 10⁹ for length, moduli and densities: each entry of a matrix changes by its own power.
     #[test]
     fn matrices_do_not_know_the_units(length in -9..=9i32, pressure in -9..=9i32, density in -9..=9i32) {
         let [a, p, d] = [length, pressure, density].map(|power| 10f64.powi(power));
         let shape = |a: f64| SectionShape::IBeam { height: 0.4 * a, width: 0.3 * a, web: 0.02 * a, flange: 0.03 * a };
         let beam = |a: f64, p: f64, d: f64| {
-            let matter = Matter { young: ALLOY.young * p, shear: ALLOY.shear * p, density: ALLOY.density * d };
+            let material = BeamMaterial { young: ALLOY.young * p, shear: ALLOY.shear * p, density: ALLOY.density * d };
             let ends = ENDS.map(|end| end.map(|x| x * a));
-            Beam::new(ends, Some(ACROSS), shape(a).section(0.3).unwrap(), matter).unwrap()
+            Beam::new(ends, Some(ACROSS), shape(a).section(0.3).unwrap(), material).unwrap()
         };
         let rotation = |i: usize| i32::from(i % 6 >= 3);
         let u = Vector12::from_fn(|i, _| (2.3 * i as f64).cos() * 1e-4);

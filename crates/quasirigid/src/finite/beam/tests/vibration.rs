@@ -19,7 +19,7 @@ fn section() -> Section {
 /// v′ = ψ + V/GA_s,   ψ′ = M/EI,   M′ = −V − ρI ω² ψ,   V′ = −ρA ω² v
 /// ```
 fn determinant(omega: f64, second: f64, shear_area: f64) -> f64 {
-    let Matter { young, shear, density } = ALLOY;
+    let BeamMaterial { young, shear, density } = ALLOY;
     let load = density * omega * omega;
     let mut system = Matrix4::zeros();
     system[(0, 1)] = 1.0;
@@ -81,7 +81,7 @@ fn a_thick_cantilever_has_the_frequencies_of_timoshenko() {
             for mode in 0..3 {
                 let errors = [0, 1, 2, 3].map(|i| found[i][mode] / exact[mode] - 1.0);
                 assert!(errors.iter().all(|error| *error > 0.0), "from above, as Rayleigh says");
-                // What a load inside an element shears it is left out: (kh)²/24 for the wave number k of shear.
+                // The shear of loads inside an element is left out: (kh)²/24 for the wave number k of shear.
                 let square = ALLOY.density * section.area / (ALLOY.shear * area) * exact[mode].powi(2);
                 let bound = 1.1 * square * (LENGTH / 16.0).powi(2) / 24.0 + 5e-5;
                 assert!(errors[2] < bound, "{errors:?} {bound}");
@@ -95,7 +95,7 @@ fn a_thick_cantilever_has_the_frequencies_of_timoshenko() {
 fn a_rod_has_the_frequencies_of_its_waves() {
     let section = section();
     let polar = section.second_y + section.second_z;
-    let Matter { young, shear, density } = ALLOY;
+    let BeamMaterial { young, shear, density } = ALLOY;
     for (coordinate, speed) in
         [(2, (young / density).sqrt()), (5, (shear * section.torsion / (density * polar)).sqrt())]
     {

@@ -1,7 +1,11 @@
+//! Mass of beam elements: rigid motions give mass, centre and inertia of the prism, and slender beams the classical matrix.
+//! The lumped masses are checked against the prism too: all invariants of a body are sums over them.
+//! Equation (K3), docs/theory/12-structures.md.
+
 use nalgebra::Matrix3;
 
 use super::*;
-use crate::finite::Grain;
+use crate::finite::LumpedMass;
 
 const ENDS: [[f64; 3]; 2] = [[0.4, -0.9, 1.3], [2.1, 0.5, 0.2]];
 const SIDES: [f64; 2] = [0.7, 0.4];
@@ -57,8 +61,8 @@ fn rigid_motions_find_mass_centre_and_inertia_of_the_prism() {
 fn a_slender_beam_has_the_classical_mass_matrix() {
     // Archer 1963: ρAL/420 of 156, 22L, 54, −13L, 4L², −3L² for the cubic functions; ⅓ and ⅙ for the linear ones.
     let (length, area) = (1.7, 0.01);
-    let matter = Matter { density: 420.0 / (area * length), ..ALLOY };
-    let beam = Beam::new([[0.0; 3], [length, 0.0, 0.0]], None, thin(area, 1e-9, 1e-9), matter).unwrap();
+    let material = BeamMaterial { density: 420.0 / (area * length), ..ALLOY };
+    let beam = Beam::new([[0.0; 3], [length, 0.0, 0.0]], None, thin(area, 1e-9, 1e-9), material).unwrap();
     let (M, L) = (beam.mass(), length);
     let cubic = [
         [156.0, 22.0 * L, 54.0, -13.0 * L],
@@ -81,7 +85,7 @@ fn a_slender_beam_has_the_classical_mass_matrix() {
 }
 
 #[test]
-fn grains_add_up_to_the_prism() {
+fn lumped_masses_add_up_to_the_prism() {
     let chain = chain();
     let nodes = chain.nodes();
     let W = second_moment(&chain.beams[0]);
@@ -93,8 +97,9 @@ fn grains_add_up_to_the_prism() {
     for (i, beam) in chain.beams.iter().enumerate() {
         let [u, v] = [own(&fields[0], i), own(&fields[1], i)];
         let mut mass = Matrix12::zeros();
-        for grain in beam.grains() {
-            let (r, Grain { mass: m, shapes, .. }) = (grain.place_from(Vector3::zeros()), grain);
+        for lumped_mass in beam.lumped_masses() {
+            let (r, LumpedMass { mass: m, shapes, .. }) =
+                (lumped_mass.place_from(Vector3::zeros()), lumped_mass);
             let (moved, other) = (&shapes * u, &shapes * v);
             sum += m * moved;
             place += m * r * moved.transpose();

@@ -6,10 +6,10 @@ use super::grid::{Grid, SHAPES, name};
 use super::structure::{Structure, section};
 use quasirigid_mesh::Shape;
 
-/// A beam held at its first column, with a unit force spread over the last: its displacement along the force there.
+/// Displacement of a beam clamped at its first column along a unit force that is spread over its last.
 fn cantilever(mut beam: Structure, counts: [usize; 2], force: [f64; 3]) -> f64 {
     for row in 0..=counts[1] {
-        (0..6).for_each(|freedom| beam.held[6 * beam.grid.node(0, row) + freedom] = true);
+        (0..6).for_each(|dof| beam.held[6 * beam.grid.node(0, row) + dof] = true);
         let end = if row == 0 || row == counts[1] { 0.5 } else { 1.0 };
         for axis in 0..3 {
             beam.load[6 * beam.grid.node(counts[0], row) + axis] = force[axis] * end / counts[1] as f64;

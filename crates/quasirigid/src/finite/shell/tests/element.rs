@@ -82,7 +82,7 @@ proptest! {
         }
     }
 
-    /// The axes of the body, and the node with which the list begins, are the user's choice.
+    /// Axes of the body, and the node with which the list begins, are the user's choice.
     #[test]
     fn stiffness_and_mass_turn_with_the_body(
         turn in prop::array::uniform3(-2.0..2.0), shifts in prop::array::uniform4(shift()), start in 0usize..4,
@@ -201,7 +201,7 @@ fn rigid_motions_have_the_inertia_of_the_layers() {
         let found = motions.tr_mul(&M) * &motions;
         let mut expected = DMatrix::zeros(6, 6);
         expected.fixed_view_mut::<3, 3>(0, 0).copy_from(&(section.mass * area * Matrix3::identity()));
-        // momentum of a rotation: ω × c, columns by axis of ω
+        // angular momentum of a rotation: ω × c, columns by axis of ω
         expected.fixed_view_mut::<3, 3>(0, 3).copy_from(&-centre.cross_matrix());
         expected.fixed_view_mut::<3, 3>(3, 0).copy_from(&centre.cross_matrix());
         expected.fixed_view_mut::<3, 3>(3, 3).copy_from(&inertia);
@@ -209,7 +209,7 @@ fn rigid_motions_have_the_inertia_of_the_layers() {
     }
 }
 
-/// Turned with the body, the forces of a dead stress stay in balance: `K_G (ω × x) = ω × f`.
+/// Rotated with the body, the forces of a dead stress stay in balance: `K_G (ω × x) = ω × f`.
 #[test]
 fn geometric_stiffness_turns_the_forces() {
     // Without coupling: moments have corner forces of their own.

@@ -1,4 +1,4 @@
-//! Meshes that a map of a rectangle makes.
+//! Meshes from maps of a rectangle.
 
 use nalgebra::Vector3;
 

@@ -54,7 +54,7 @@ fn navier(section: &ShellSection, cross: bool) -> Vector3<f64> {
     operator.lu().solve(&Vector3::z()).unwrap()
 }
 
-/// The same amplitudes by elements.
+/// Amplitudes of the displacement under a unit pressure in the middle, by elements.
 fn found(section: ShellSection, cross: bool, shape: Shape, n: usize) -> Vector3<f64> {
     let grid = Grid::new(shape, [n, n], |x, y| [SIDES[0] * x, SIDES[1] * y, 0.0]);
     let mut plate = Structure::new(grid, section, [1.0, 0.0, 0.0]);

@@ -1,4 +1,4 @@
-//! The tables that are printed are those of convergence.
+//! Tests of shells; the printed tables are those of convergence.
 #![allow(clippy::print_stdout)]
 
 mod beam;

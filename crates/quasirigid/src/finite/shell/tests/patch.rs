@@ -28,7 +28,7 @@ fn cells(shape: Shape) -> Vec<Vec<usize>> {
     CELLS.into_iter().flat_map(split).collect()
 }
 
-/// The patch in a skew plane of space, and the displacement of its nodes that a field in the plane says.
+/// Patch in a skew plane of space, and the displacements of its nodes by a field in the plane.
 fn patch(field: impl Fn(Vector2<f64>) -> [f64; 6]) -> (Vec<Vector3<f64>>, DVector<f64>) {
     let rotation = Rotation3::new(Vector3::new(0.9, -0.4, 1.7));
     let nodes =
@@ -41,7 +41,7 @@ fn patch(field: impl Fn(Vector2<f64>) -> [f64; 6]) -> (Vec<Vector3<f64>>, DVecto
     (nodes, DVector::from_iterator(48, values))
 }
 
-/// Errors of the inner nodes when the outer ones are moved, and the energy of the whole per area.
+/// Errors of the inner nodes when the outer ones are displaced, and the energy of the whole per area.
 fn solved(shape: Shape, thickness: f64, field: impl Fn(Vector2<f64>) -> [f64; 6]) -> (f64, f64) {
     let (nodes, exact) = patch(field);
     let mut K = DMatrix::zeros(48, 48);

@@ -26,7 +26,7 @@ fn middle(shape: Shape, n: usize, thickness: f64, clamped: bool) -> f64 {
     plate.answer()[2] * 7e10 * thickness.powi(3) / (12.0 * (1.0 - 0.09))
 }
 
-/// Without locking: the same at every thickness, down to where rounding begins (1e-5 of the side).
+/// No locking: equal deflection at every thickness, down to where rounding begins (1e-5 of the side).
 #[test]
 fn thin_plates_bend_as_kirchhoff_says() {
     for shape in SHAPES {

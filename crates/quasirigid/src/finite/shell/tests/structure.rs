@@ -15,7 +15,7 @@ pub fn section(young: f64, poisson: f64, thickness: f64) -> ShellSection {
     ShellSection::laminate(&[isotropic(young, poisson, thickness)], 0.0).unwrap()
 }
 
-/// Nodes with six freedoms each; some are held, the others loaded.
+/// Nodes with six degrees of freedom each; some are constrained, others loaded.
 pub struct Structure {
     pub grid: Grid,
     pub section: ShellSection,
@@ -36,11 +36,11 @@ impl Structure {
         }
     }
 
-    /// Holds freedoms of the nodes at which `here` is true.
-    pub fn hold(&mut self, freedoms: &[usize], here: impl Fn(Vector3<f64>) -> bool) {
+    /// Constrains degrees of freedom of the nodes at which `here` is true.
+    pub fn hold(&mut self, dofs: &[usize], here: impl Fn(Vector3<f64>) -> bool) {
         for (index, place) in self.grid.nodes.iter().enumerate().filter(|(_, place)| here(**place)) {
             assert!(place.norm().is_finite());
-            freedoms.iter().for_each(|freedom| self.held[6 * index + freedom] = true);
+            dofs.iter().for_each(|dof| self.held[6 * index + dof] = true);
         }
     }
 
@@ -139,7 +139,7 @@ impl Banded {
         y
     }
 
-    /// Cholesky's factor; rows of held freedoms become those of the unit matrix.
+    /// Cholesky factor; rows of constrained degrees of freedom become those of the unit matrix.
     fn factor(mut self, held: &[bool]) -> Self {
         let (band, size) = (self.band, held.len());
         for row in 0..size {

@@ -8,9 +8,9 @@ use super::grid::{Grid, SHAPES, name};
 use super::structure::section;
 use quasirigid_mesh::Shape;
 
-/// The entries between some freedoms of all nodes.
+/// The entries between some degrees of freedom of all nodes.
 fn between(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
-    let place = |i: usize, freedoms: &[usize]| 6 * (i / freedoms.len()) + freedoms[i % freedoms.len()];
+    let place = |i: usize, dofs: &[usize]| 6 * (i / dofs.len()) + dofs[i % dofs.len()];
     let nodes = matrix.nrows() / 6;
     DMatrix::from_fn(nodes * rows.len(), nodes * columns.len(), |i, j| {
         matrix[(place(i, rows), place(j, columns))]
@@ -39,7 +39,7 @@ fn frequencies(shape: Shape, n: usize) -> Vec<f64> {
             }
         }
     }
-    // Drilling has no mass: it follows.
+    // Drilling has no mass: the rotation follows statically.
     let tie = between(&K, &[5], &[0, 1]);
     let follow = between(&K, &[5], &[5]).cholesky().unwrap().solve(&tie);
     let K = between(&K, &[0, 1], &[0, 1]) - tie.tr_mul(&follow);

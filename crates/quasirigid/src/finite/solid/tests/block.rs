@@ -1,4 +1,4 @@
-//! Blocks of cells and their matrices, dense and plain.
+//! Blocks of cells and their matrices, dense.
 
 use std::collections::HashMap;
 
@@ -9,7 +9,7 @@ use quasirigid_mesh::Shape;
 pub const SHAPES: [Shape; 7] =
     [Shape::Tet4, Shape::Tet10, Shape::Wedge6, Shape::Wedge15, Shape::Hex8, Shape::Hex20, Shape::Hex27];
 
-/// A unit cube cut into cells, and moved.
+/// Unit cube divided into cells, with displaced nodes.
 pub struct Block {
     pub shape: Shape,
     /// Places of the nodes.
@@ -20,8 +20,8 @@ pub struct Block {
 }
 
 impl Block {
-    /// A cube of so many bricks along each axis, each one hexahedron, two wedges or six tetrahedra. Corners inside
-    /// the cube are shifted by up to a share of a brick; edges stay straight.
+    /// Cube of so many bricks along each axis, each one hexahedron, two wedges or six tetrahedra. Corners inside the cube are shifted by up
+    /// to a share of a brick; edges stay straight.
     pub fn new(shape: Shape, counts: [usize; 3], shift: f64) -> Self {
         let size = counts.map(|count| count + 1);
         let index = |at: [usize; 3]| at[0] + size[0] * (at[1] + size[1] * at[2]);
@@ -132,7 +132,7 @@ fn pieces(shape: Shape) -> &'static [&'static [usize]] {
     }
 }
 
-/// Unknowns in balance with a load where those that `held` gives a value keep it.
+/// Solution of a balance in which the unknowns that `held` gives a value keep it.
 pub fn solved(
     stiffness: &DMatrix<f64>,
     load: &DVector<f64>,
@@ -147,7 +147,7 @@ pub fn solved(
     solution
 }
 
-/// A cell far from its reference form: turned, sheared, off the origin, edges curved if it has nodes on them.
+/// Cell far from its reference form: rotated, sheared, off the origin, edges curved if there are nodes on them.
 pub fn distorted(shape: Shape) -> Vec<Vector3<f64>> {
     let turn = Rotation3::from_scaled_axis(Vector3::new(0.3, -0.9, 0.5));
     let place = |(node, at): (usize, [f64; 3])| {

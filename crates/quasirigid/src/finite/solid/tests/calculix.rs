@@ -1,10 +1,9 @@
 //! Matrices of single distorted cells beside those of CalculiX 2.20.
 //!
-//! Its input has the nodes of [`nodes`] with six decimals, `*ELASTIC` 3, 0.3 and `*DENSITY` 2.5;
-//! `*FREQUENCY, SOLVER=MATRIXSTORAGE` writes the matrices with 14 digits. Here stand their products with the vectors of
-//! [`pattern`], which every entry takes part in. It integrates the mass by the points of the stiffness, which is not
-//! exact; ours is, so the rule is named. Its C3D8 has no displacements of its own, its C3D20 no smoothed dilatation,
-//! and its C3D6 two points, which leave one motion more than the rigid ones free of strain.
+//! The input has the nodes of [`nodes`] with six decimals, `*ELASTIC` 3, 0.3 and `*DENSITY` 2.5; `*FREQUENCY, SOLVER=MATRIXSTORAGE` writes
+//! the matrices with 14 digits. Here stand their products with the vectors of [`pattern`], in which every entry takes part. CalculiX
+//! integrates the mass by the points of the stiffness, which is not exact; ours is, so the rule is named. Its C3D8 has no displacements of
+//! its own, its C3D20 no smoothed dilatation, and its C3D6 two points, which leave one motion more than the rigid ones free of strain.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -19,7 +18,7 @@ struct Case {
     /// Stiffness times the pattern from −3.
     force: &'static [f64],
     /// Mass of one component times the pattern from −2.
-    momentum: &'static [f64],
+    angular_momentum: &'static [f64],
 }
 
 /// The reference cell sheared, off the origin, every node moved a little.
@@ -47,7 +46,7 @@ fn plain(shape: Shape, rule: Rule) -> DMatrix<f64> {
 
 #[test]
 fn stiffness_and_mass_are_those_of_calculix() {
-    for Case { name, shape, force, momentum } in CASES {
+    for Case { name, shape, force, angular_momentum } in CASES {
         let rule = if matches!(*name, "C3D20R" | "C3D6") { Rule::Reduced } else { Rule::Slopes };
         let close = |found: DVector<f64>, expected: &[f64]| {
             let error = (&found - DVector::from_column_slice(expected)).amax() / found.amax();
@@ -55,11 +54,11 @@ fn stiffness_and_mass_are_those_of_calculix() {
         };
         close(plain(*shape, rule) * pattern(3 * shape.nodes(), -3.0), force);
         let mass = mass::by_rule(*shape, &nodes(*shape), 2.5, rule);
-        close(mass * pattern(shape.nodes(), -2.0), momentum);
+        close(mass * pattern(shape.nodes(), -2.0), angular_momentum);
     }
 }
 
-/// Where nothing is added to the strains, the stiffness in use is CalculiX's own.
+/// Cells without additional strains: the stiffness in use is CalculiX's own.
 #[test]
 fn plain_cells_are_used_as_they_are() {
     let D = isotropic(3.0, 0.3).unwrap();
@@ -87,7 +86,7 @@ const CASES: &[Case] = &[
             -0.5874361907795,
             1.125786133154,
         ],
-        momentum: &[0.01732185944779, 0.01732185944779, 0.01732185944779, 0.01732185944779],
+        angular_momentum: &[0.01732185944779, 0.01732185944779, 0.01732185944779, 0.01732185944779],
     },
     Case {
         name: "C3D10",
@@ -124,7 +123,7 @@ const CASES: &[Case] = &[
             -2.053060285056,
             5.755639167932,
         ],
-        momentum: &[
+        angular_momentum: &[
             -0.03730115213287,
             0.01213398905053,
             -0.02745491127152,
@@ -160,7 +159,7 @@ const CASES: &[Case] = &[
             -1.232877271492,
             -2.763284797316,
         ],
-        momentum: &[
+        angular_momentum: &[
             0.2694144978055,
             0.2694144978055,
             0.2694144978055,
@@ -219,7 +218,7 @@ const CASES: &[Case] = &[
             11.95131851691,
             -7.363231141574,
         ],
-        momentum: &[
+        angular_momentum: &[
             0.01809184414136,
             0.05193304207045,
             0.05455854916521,
@@ -266,7 +265,7 @@ const CASES: &[Case] = &[
             1.106967511711,
             -9.08510331482,
         ],
-        momentum: &[
+        angular_momentum: &[
             0.5653143457068,
             1.804318573522,
             0.9454198316387,
@@ -342,7 +341,7 @@ const CASES: &[Case] = &[
             2.724144318555,
             -28.86048317006,
         ],
-        momentum: &[
+        angular_momentum: &[
             -3.93545742688,
             -3.11489969289,
             -3.271960297842,
@@ -430,7 +429,7 @@ const CASES: &[Case] = &[
             1.021543248745,
             -27.73974338095,
         ],
-        momentum: &[
+        angular_momentum: &[
             -3.463138872214,
             -2.995209884293,
             -3.010715107555,

@@ -7,7 +7,7 @@ use crate::finite::elasticity::{Orthotropic, isotropic, orthotropic};
 use crate::finite::solid::{geometric, mass, stiffness};
 use quasirigid_mesh::Shape;
 
-/// An orthotropic material in turned axes.
+/// Orthotropic material in rotated axes.
 pub fn wood() -> Matrix6<f64> {
     let constants =
         Orthotropic { young: [11.0, 0.9, 0.5], poisson: [0.37, 0.42, 0.45], shear: [0.8, 0.7, 0.1] };

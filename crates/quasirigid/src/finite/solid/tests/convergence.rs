@@ -1,4 +1,4 @@
-//! How fast finer cells approach closed forms, and how far from locking they are.
+//! Convergence of refined cells to closed forms, and the absence of locking.
 
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2, Vector3};
 
@@ -54,7 +54,7 @@ fn the_energy_of_the_error_falls_with_twice_the_degree_of_the_cell() {
     }
 }
 
-/// Deflection of the end of a cantilever under a force there, beside beam theory.
+/// Deflection of the end of a cantilever under a force there, relative to beam theory.
 fn cantilever(shape: Shape, counts: [usize; 3], size: [f64; 3], poisson: f64) -> f64 {
     let D = isotropic(1.0, poisson).unwrap();
     let block = Block::new(shape, counts, 0.0).mapped(|x| x.component_mul(&Vector3::from(size)));
@@ -84,8 +84,8 @@ fn a_thin_cantilever_bends_as_a_beam() {
     assert!((share - 1.0).abs() < 0.001, "{share}");
 }
 
-/// Radial displacement of a long hollow cylinder of radii 1 and 2 that turns about its axis and keeps its length:
-/// `u = A r + B/r − ρω² r³ / 8(λ + 2μ)`, with `A` and `B` from free surfaces; `E = ρω² = 1`.
+/// Radial displacement of a long hollow cylinder of radii 1 and 2 that rotates about its axis and keeps its length: `u = A r + B/r − ρω² r³
+/// / 8(λ + 2μ)`, with `A` and `B` from free surfaces; `E = ρω² = 1`.
 fn radial(poisson: f64) -> impl Fn(f64) -> f64 {
     let shear = 0.5 / (1.0 + poisson);
     let lame = 2.0 * shear * poisson / (1.0 - 2.0 * poisson);
@@ -98,7 +98,7 @@ fn radial(poisson: f64) -> impl Fn(f64) -> f64 {
     move |r: f64| share[0] * r + share[1] / r - r.powi(3) / (8.0 * bulk)
 }
 
-/// Largest error of the radial displacement at the inner and outer surface, beside the exact one.
+/// Largest error of the radial displacement at the inner and outer surface, relative to the exact one.
 fn spinning(shape: Shape, counts: [usize; 3], poisson: f64) -> f64 {
     let D = isotropic(1.0, poisson).unwrap();
     let block = Block::new(shape, counts, 0.0).mapped(|x| {

@@ -1,4 +1,4 @@
-//! How fast finer cells approach closed forms.
+//! Convergence of refined cells to closed forms.
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ fn curved_cells_converge_in_a_ball() {
     assert!(order > 3.7 && errors[1] < 1.7e-3, "{errors:?}, order {order}");
 }
 
-/// Off the origin, on turned axes and in odd units: all six components.
+/// Ellipsoid off the origin, on rotated axes and in odd units: all six components.
 #[test]
 fn curved_cells_converge_in_an_ellipsoid() {
     let unit = 1e-3;
@@ -49,8 +49,8 @@ fn curved_cells_converge_in_a_cylinder() {
     assert!(order > 3.3 && errors[1] < 3e-3, "{errors:?}, order {order}");
 }
 
-/// Two families of meshes, extrapolated with the fourth power of the size of their cells, agree to 1e-5. The error of
-/// the tensor has parts of either sign here, so that it is small before it falls as it must.
+/// Two families of meshes, extrapolated with the fourth power of the size of their cells, agree to 1e-5. The error of the tensor has parts
+/// of either sign here, so that it is small before its asymptotic fall.
 #[test]
 fn straight_cells_converge_in_a_box() {
     let exact = diagonal([9.8571e-4, 1.612_82e-3, 7.9914e-4]);

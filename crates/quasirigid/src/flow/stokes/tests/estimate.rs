@@ -1,4 +1,4 @@
-//! The estimate of the error beside the error.
+//! Estimate of the error against the error.
 
 use super::super::StokesFlow;
 use super::lattice::{ball, block, cylinder};
@@ -25,7 +25,7 @@ fn the_estimate_is_that_of_the_gradient_in_a_ball() {
     }
 }
 
-/// What the tensor lacks, of which the share of the curved wall is no error of the gradient.
+/// Error of the tensor, of which the share of the curved wall is no error of the gradient.
 #[test]
 fn the_estimate_is_of_the_size_of_the_error_of_the_tensor() {
     let round = (8.0 * std::f64::consts::PI / 525.0, ball(6, |x| x), 0);

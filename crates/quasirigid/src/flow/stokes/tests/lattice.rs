@@ -142,7 +142,7 @@ pub fn ball(n: i64, moved: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
     lattice.quadratic(lattice.slanted(3), |at| moved(round(at)))
 }
 
-/// The same with straight cells, inside the ball.
+/// Unit ball of straight cells, inside the ball.
 pub fn faceted_ball(n: i64) -> Mesh {
     Lattice::octahedron(n).straight(rounded(3, n))
 }

@@ -1,4 +1,4 @@
-//! What holds on every mesh.
+//! Laws that hold on every mesh.
 
 use super::super::StokesFlow;
 use super::lattice::{Lattice, ball, block, cylinder};

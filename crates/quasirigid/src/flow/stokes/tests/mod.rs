@@ -48,7 +48,7 @@ fn diagonal([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
 }
 
-/// Turned by 0.7 about the third axis, then by −1.1 about the first.
+/// Place rotated by 0.7 about the third axis, then by −1.1 about the first.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     let ([s, c], [t, d]) = ([0.7_f64.sin(), 0.7_f64.cos()], [-1.1_f64.sin(), 1.1_f64.cos()]);
     let [x, y] = [c * x - s * y, s * x + c * y];

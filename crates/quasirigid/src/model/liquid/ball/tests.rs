@@ -90,7 +90,7 @@ fn spin_over_decays_as_greenspan_has_it() {
     assert!(gaps[0] < 0.2 && gaps[1] < 0.05 && gaps[2] < 0.025 && gaps[2] > 0.0, "{gaps:?}");
 }
 
-/// In a spheroid it turns at `2/(1 + c²/a²)` of the spin `[@greenspan1968]`, and the fields and the layer, two roads, come together as the
+/// In a spheroid it turns at `2/(1 + c²/a²)` of the spin `[@greenspan1968]`, and the fields and the layer, two methods, come together as the
 /// spin grows.
 #[test]
 fn spin_over_of_a_spheroid_is_that_of_poincare() {

@@ -1,13 +1,17 @@
+//! Sums over the lumped masses of a structure: mass and moments, inertial loads, and products of displacements.
+//! All inertia invariants come from here; masses are taken in batches, so that the products are products of matrices.
+//! Equations (K3) to (K5), docs/theory/12-structures.md.
+
 use nalgebra::{DMatrix, Matrix3, MatrixXx3, SMatrix, Vector3};
 
 use super::discrete::Discrete;
 use super::loads::{Acceleration, LOADS};
-use crate::finite::Grain;
+use crate::finite::LumpedMass;
 
-/// Material points taken together in one product of matrices.
+/// Lumped masses in one product of matrices.
 const BATCH: usize = 512;
 
-/// Mass of a structure, and where it is.
+/// Mass of a structure with its centre and second moments.
 #[derive(Clone, Debug)]
 pub(super) struct Whole {
     /// Mass (kg).
@@ -23,45 +27,45 @@ impl Discrete<'_> {
     pub(super) fn whole(&self) -> Whole {
         let middle = self.structure.middle();
         let (mut mass, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
-        for grain in self.structure.elements.iter().flat_map(|element| element.grains()) {
-            let s = grain.place_from(middle);
-            mass += grain.mass * grain.one();
-            first += grain.mass * grain.one() * s;
-            second += grain.mass * s * s.transpose();
+        for lumped_mass in self.structure.elements.iter().flat_map(|element| element.lumped_masses()) {
+            let s = lumped_mass.place_from(middle);
+            mass += lumped_mass.mass * lumped_mass.one();
+            first += lumped_mass.mass * lumped_mass.one() * s;
+            second += lumped_mass.mass * s * s.transpose();
         }
         Whole { mass, center: middle + first / mass, second: second - first * first.transpose() / mass }
     }
 
     /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (K4)
     pub(super) fn loads(&self, reference: Vector3<f64>) -> DMatrix<f64> {
-        let mut loads = DMatrix::zeros(LOADS, self.freedoms.unknowns().len());
+        let mut loads = DMatrix::zeros(LOADS, self.dofs.unknowns().len());
         for element in &self.structure.elements {
-            let mut forces = DMatrix::zeros(LOADS, element.nodes().len() * element.freedoms());
-            for grain in element.grains() {
-                forces += grain.mass * accelerations(&grain, reference) * &grain.shapes;
+            let mut forces = DMatrix::zeros(LOADS, element.nodes().len() * element.dofs());
+            for lumped_mass in element.lumped_masses() {
+                forces += lumped_mass.mass * accelerations(&lumped_mass, reference) * &lumped_mass.shapes;
             }
-            self.freedoms.gather(element.nodes(), element.freedoms(), &forces, &mut loads);
+            self.dofs.gather(element.nodes(), element.dofs(), &forces, &mut loads);
         }
         loads
     }
 
-    /// Forces of the accelerations `E u` for every displacement `u`, a row each, and each of the nine maps `e_a e_bᵀ`:
-    /// what a spin makes of a displacement. (K5)
+    /// Forces of the accelerations `E u` for every displacement `u`, a row each, and each of the nine maps `e_a e_bᵀ`: the inertia that a
+    /// spin gives to a displacement. (K5)
     pub(super) fn turned(&self, displacements: &DMatrix<f64>) -> DMatrix<f64> {
         let count = displacements.nrows();
         let mut turned = DMatrix::zeros(9 * count, displacements.ncols());
         for element in &self.structure.elements {
-            let spread = self.freedoms.spread(element.nodes(), element.freedoms(), displacements);
+            let spread = self.dofs.spread(element.nodes(), element.dofs(), displacements);
             let mut forces = DMatrix::zeros(9 * count, spread.ncols());
-            for grain in element.grains() {
-                let moved: MatrixXx3<f64> = &spread * grain.shapes.transpose() * grain.mass;
+            for lumped_mass in element.lumped_masses() {
+                let moved: MatrixXx3<f64> = &spread * lumped_mass.shapes.transpose() * lumped_mass.mass;
                 for (a, b) in (0..9).map(|map| (map / 3, map % 3)) {
-                    let force = moved.column(b) * grain.shapes.row(a);
+                    let force = moved.column(b) * lumped_mass.shapes.row(a);
                     let mut rows = forces.rows_mut((3 * a + b) * count, count);
                     rows += force;
                 }
             }
-            self.freedoms.gather(element.nodes(), element.freedoms(), &forces, &mut turned);
+            self.dofs.gather(element.nodes(), element.dofs(), &forces, &mut turned);
         }
         turned
     }
@@ -72,9 +76,9 @@ impl Discrete<'_> {
         let mut products: [DMatrix<f64>; 9] = std::array::from_fn(|_| DMatrix::zeros(count, count));
         let mut batch = Batch::new(count);
         for element in &self.structure.elements {
-            let spread = self.freedoms.spread(element.nodes(), element.freedoms(), displacements);
-            for grain in element.grains() {
-                batch.push(&(&spread * grain.shapes.transpose()), grain.mass);
+            let spread = self.dofs.spread(element.nodes(), element.dofs(), displacements);
+            for lumped_mass in element.lumped_masses() {
+                batch.push(&(&spread * lumped_mass.shapes.transpose()), lumped_mass.mass);
                 if batch.filled == BATCH {
                     batch.add_to(&mut products);
                 }
@@ -85,13 +89,13 @@ impl Discrete<'_> {
     }
 }
 
-/// Rows: the acceleration of each load at a grain.
-fn accelerations(grain: &Grain, reference: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
-    let s = grain.place_from(reference);
-    SMatrix::from_fn(|load, axis| Acceleration::of_load(load).at(s, grain.one())[axis])
+/// Rows: the acceleration of each load at a lumped mass.
+fn accelerations(lumped_mass: &LumpedMass, reference: Vector3<f64>) -> SMatrix<f64, LOADS, 3> {
+    let s = lumped_mass.place_from(reference);
+    SMatrix::from_fn(|load, axis| Acceleration::of_load(load).at(s, lumped_mass.one())[axis])
 }
 
-/// Displacements of a few material points by axis, and the same times their masses.
+/// Displacements of a few material points by axis, and these times the masses.
 struct Batch {
     moved: [DMatrix<f64>; 3],
     weighted: [DMatrix<f64>; 3],

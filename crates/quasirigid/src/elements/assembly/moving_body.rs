@@ -5,26 +5,26 @@ use crate::elements::attachment::Attachment;
 use crate::model::{Coordinate, Pair};
 
 /// A rigid piece placed on the body, with the coordinates that move it.
-pub(in crate::elements) struct Mover {
+pub(in crate::elements) struct MovingBody {
     /// Mass and moments about the base.
     pub piece: Piece,
-    /// Where the base is (m), in the file's frame.
+    /// Place of the base (m), in the file's frame.
     pub base: Vector3<f64>,
     /// One shape per coordinate, outermost first.
     pub shapes: Vec<Shape>,
     /// Curvature of the path of each pair of coordinates, `G_jk`.
     pub curvature: Vec<Vec<Shape>>,
-    /// Whether it has an orientation; a material point has none.
-    pub turns: bool,
+    /// Whether the piece has an orientation; a material point has none.
+    pub rotations: bool,
     /// Name and unit of each coordinate.
     pub coordinates: Vec<Coordinate>,
-    /// Place watched on the piece: its name, and where it is from the base.
+    /// Place watched on the piece: its name, and its position from the base.
     pub marker: (String, Vector3<f64>),
     /// Other places on it at which springs and forces may act.
     pub places: Vec<(String, Vector3<f64>)>,
 }
 
-impl Mover {
+impl MovingBody {
     /// Position field of its piece from a pole.
     pub fn position(&self, pole: Vector3<f64>) -> Shape {
         Shape::position(self.base - pole)
@@ -41,14 +41,14 @@ impl Mover {
         })
     }
 
-    /// The places on it, with its coordinates numbered from `start`: that which is watched, then the others.
+    /// Places on the piece, with its coordinates numbered from `start`: the watched one, then the others.
     pub fn attachments(&self, start: usize) -> impl Iterator<Item = Attachment> + '_ {
         let turn = |shape: &Shape| -> [f64; 3] {
             // the axial vector of a skew matrix
             let L = &shape.linear;
             [L[(2, 1)], L[(0, 2)], L[(1, 0)]]
         };
-        let turns = self.turns.then(|| {
+        let rotations = self.rotations.then(|| {
             self.shapes.iter().enumerate().map(|(j, shape)| (start + j, turn(shape))).collect::<Vec<_>>()
         });
         let all = std::iter::once(&self.marker).chain(&self.places);
@@ -62,7 +62,7 @@ impl Mover {
                 name: name.clone(),
                 position: self.base + s,
                 shapes: shapes.map(|(j, H)| (start + j, displaced(H))).collect(),
-                turns: turns.clone(),
+                rotations: rotations.clone(),
                 curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
             }
         })

@@ -25,8 +25,9 @@ fn taken_up(bare: Assembly, omega: [f64; 3], cavities: Vec<Cavity>) -> Assembly 
     let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)];
     let assembly = Assembly { rotors, cavities, ..bare };
     let J = Matrix3::from(assembly.body().unwrap().inertia());
-    let momentum = J * Vector3::from(omega);
-    let wheel = wheel((-momentum).into(), WheelSpeed::Constant { momentum: momentum.norm() });
+    let angular_momentum = J * Vector3::from(omega);
+    let wheel =
+        wheel((-angular_momentum).into(), WheelSpeed::Constant { angular_momentum: angular_momentum.norm() });
     Assembly { wheels: vec![wheel], ..assembly }
 }
 
@@ -43,7 +44,8 @@ fn without_momentum() -> [(FlexibleBody, [f64; 3]); 2] {
     let (along, skew) = ([0.0, 0.0, 0.75], [0.3, -0.5, 0.4]);
     let exact = taken_up(aligned, along, Vec::new()).body().unwrap();
     let rounded = taken_up(bare(), skew, vec![cavity([0.4, 0.3, 0.2], 500.0, 0.1)]).body().unwrap();
-    let left = |body: &FlexibleBody, omega| norm(FullState::at_rest(body, omega, ALIGNED).momentum(body));
+    let left =
+        |body: &FlexibleBody, omega| norm(FullState::at_rest(body, omega, ALIGNED).angular_momentum(body));
     assert!(left(&exact, along) == 0.0);
     assert!(left(&rounded, skew) < 1e-14 && left(&rounded, skew) > 0.0, "{:e}", left(&rounded, skew));
     [(exact, along), (rounded, skew)]
@@ -57,10 +59,10 @@ fn assert_even(name: &str, omega: [f64; 3], run: Run, samples: &[Sample]) {
     let last = samples.last().unwrap();
     let apart = norm(add(last.omega, scale(-1.0, omega))) / norm(omega);
     let turn = angle_between(last.attitude, turned(ALIGNED, scale(END, omega)));
-    let turns = last.turns * TAU / (END * norm(omega)) - 1.0;
+    let revolutions = last.revolutions * TAU / (END * norm(omega)) - 1.0;
     let drifts = [last.momentum_drift, last.energy_drift / last.energy, last.dissipated / last.energy];
-    println!("{name}: {apart:e} {turn:e} {turns:e} {drifts:?} in {} steps", run.work.steps);
-    assert!(apart < 1e-11 && turn < 1e-10 && turns.abs() < 1e-11, "{name}: {last:?}");
+    println!("{name}: {apart:e} {turn:e} {revolutions:e} {drifts:?} in {} steps", run.work.steps);
+    assert!(apart < 1e-11 && turn < 1e-10 && revolutions.abs() < 1e-11, "{name}: {last:?}");
     assert!(drifts.iter().all(|drift| drift.abs() < 1e-12), "{name}: {last:?}");
 }
 
@@ -69,7 +71,7 @@ fn a_body_without_momentum_turns_evenly() {
     let times = [0.5 * END, END];
     for (body, omega) in without_momentum() {
         let reduced = reduce(&body, 3).unwrap();
-        for form in [Form::Momentum, Form::Paper] {
+        for form in [Form::AngularMomentum, Form::AngularVelocity] {
             let options = Options { form, most_steps: 10_000, ..Options::default() };
             let initial = Start::new(omega, ALIGNED);
             let mut samples = Vec::new();
@@ -115,26 +117,29 @@ fn the_equations_hold_for_a_body_that_turns_evenly() {
 
 /// On both sides of the momentum below which its direction is not held, the attitude does not depend on the method.
 #[test]
-fn little_momentum_is_held_or_not_with_the_same_result() {
+fn little_angular_momentum_is_held_or_not_with_the_same_result() {
     let omega = [0.3, -0.5, 0.4];
     for share in [1e-6, 9.9e-4, 1.02e-3, 0.1] {
         let taken = taken_up(bare(), omega, Vec::new());
-        let WheelSpeed::Constant { momentum } = taken.wheels[0].speed else { panic!("{:?}", taken.wheels) };
+        let WheelSpeed::Constant { angular_momentum } = taken.wheels[0].speed else {
+            panic!("{:?}", taken.wheels)
+        };
         let mut assembly = Assembly { rotors: Vec::new(), ..taken };
-        assembly.wheels[0].speed = WheelSpeed::Constant { momentum: momentum / (1.0 + share) };
+        assembly.wheels[0].speed =
+            WheelSpeed::Constant { angular_momentum: angular_momentum / (1.0 + share) };
         let body = assembly.body().unwrap();
         let reduced = reduce(&body, 0).unwrap();
-        assert!((norm(reduced.momentum(omega)) / norm(reduced.wheels()) / share - 1.0).abs() < 1e-8);
+        assert!((norm(reduced.angular_momentum(omega)) / norm(reduced.wheels()) / share - 1.0).abs() < 1e-8);
         let initial = Start::new(omega, ALIGNED);
-        let [momentum, paper] = [Form::Momentum, Form::Paper].map(|form| {
+        let [angular_momentum, paper] = [Form::AngularMomentum, Form::AngularVelocity].map(|form| {
             let options = Options { form, ..Options::default() };
             propagate(&reduced, initial, &[END], &options, &mut Vec::new()).unwrap()
         });
         let state = FullState::at_rest(&body, omega, ALIGNED);
         let options = Options::default();
         let full = propagate_full(Forced::not(&body), &state, &[END], &options, &mut Vec::new()).unwrap();
-        let apart = [paper, full].map(|run| angle_between(run.last.attitude, momentum.last.attitude));
-        let drifts = [momentum, paper, full].map(|run| run.last.momentum_drift);
+        let apart = [paper, full].map(|run| angle_between(run.last.attitude, angular_momentum.last.attitude));
+        let drifts = [angular_momentum, paper, full].map(|run| run.last.momentum_drift);
         println!("{share}: {apart:?} {drifts:?}");
         assert!(apart[0] < 1e-9 && apart[1] < 1e-11, "{share}: {apart:?}");
         assert!(drifts.iter().all(|drift| drift.abs() < 1e-11), "{share}: {drifts:?}");
@@ -174,12 +179,15 @@ const BALL: [f64; 3] = [-2.0, 1.5, 0.5];
 #[test]
 fn rotors_come_to_rest_in_a_body_without_momentum() {
     let rotors = vec![flywheel(AXIS, 1.1, 0.7), ball(1.4, 2.5)];
-    let momentum = loose_momentum();
-    let wheels = vec![wheel((-momentum).into(), WheelSpeed::Constant { momentum: momentum.norm() })];
+    let angular_momentum = loose_momentum();
+    let wheels = vec![wheel(
+        (-angular_momentum).into(),
+        WheelSpeed::Constant { angular_momentum: angular_momentum.norm() },
+    )];
     let body = Assembly { rotors, wheels, ..bare() }.body().unwrap();
     let mut state = FullState::at_rest(&body, OMEGA, ALIGNED);
     state.rate.copy_from_slice(&[FLYWHEEL, BALL[0], BALL[1], BALL[2]]);
-    assert!(norm(state.momentum(&body)) < 1e-13);
+    assert!(norm(state.angular_momentum(&body)) < 1e-13);
     let gyrostat = Gyrostat {
         inertia: INERTIA,
         flywheel: (Vector3::from(AXIS).normalize(), 1.1, 0.7),
@@ -213,7 +221,7 @@ fn a_flywheel_takes_up_the_momentum_of_the_body() {
     let body = Assembly { carrier: Some(carrier), rotors, ..Assembly::default() }.body().unwrap();
     let mut state = FullState::at_rest(&body, [0.0, 0.0, 0.75], ALIGNED);
     state.rate[0] = -6.0;
-    assert_eq!(state.momentum(&body), [0.0; 3]);
+    assert_eq!(state.angular_momentum(&body), [0.0; 3]);
     // (I − I²/C) Q̈ = −κ Q̇
     let left = (-0.7 * END / (2.0 - 4.0 / 16.0)).exp();
     for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
@@ -257,7 +265,8 @@ fn a_driven_wheel_turns_a_body_from_rest() {
             propagate_full(system, &full, &[end], &options, &mut Vec::new()).unwrap(),
         );
     }
-    let slow = SlowState { momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let slow =
+        SlowState { angular_momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let options = Options { most_steps: 10_000, ..Options::default() };
     check("reduced", propagate_forced(system, 1, &slow, &[end], &options, &mut Vec::new()).unwrap());
 }

@@ -120,7 +120,7 @@ proptest! {
         }
     }
 
-    /// The same in the momentum form. (P1), (P4)
+    /// The same in the angular-momentum form. (P1), (P4)
     #[test]
     fn energy_of_the_momentum_falls_by_the_power_of_the_dashpots(assembly in bodies(), p in 1..7usize) {
         let body = reduce(&assembly.body().unwrap(), p).unwrap();

@@ -1,22 +1,26 @@
+//! Constraints: attachments and connections of parts as joints between nodes of one structure.
+//! A joint constrains a node to at most one other; a connection between many nodes gets a node of its own, so that no equation of
+//! constraint is left to solve. Equation (K2), docs/theory/12-structures.md.
+
 use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
 use super::Assembly;
-use super::net::Net;
+use super::part_graph::PartGraph;
 use crate::elements::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::part::{Anchor, Connection, NodeRef, Part};
-use crate::structure::{Hold, Joint};
+use crate::structure::{Constraint, Joint};
 
-/// Nodes of two sides are at the same place if they are closer than this share of the size of the structure.
+/// Distance, as a share of the size of the structure, below which nodes of two sides are at the same place.
 const SAME_PLACE: f64 = 1e-6;
 
-/// Holds the nodes of a net as attachments and connections say.
+/// Constrains the nodes of a structure as attachments and connections say.
 ///
 /// # Errors
 /// [`ElementError`] for an attachment or a connection that cannot be.
-pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), ElementError> {
+pub(super) fn constraints(assembly: &Assembly, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
     for (index, part) in assembly.parts.iter().enumerate() {
         let refuse = at(ElementKind::Part.at(index), Field::ATTACH);
         if assembly.carrier.is_none() && !part.attached.is_empty() {
@@ -28,11 +32,11 @@ pub(super) fn holds(assembly: &Assembly, net: &mut Net<'_>) -> Result<(), Elemen
         for node in part.attached.iter().collect::<BTreeSet<_>>() {
             let node = NodeRef { part: index, node: *node };
             assembly.has(node).map_err(&refuse)?;
-            net.hold(net.index(node), None, Vec::new()).map_err(&refuse)?;
+            graph.constrain(graph.index(node), None, Vec::new()).map_err(&refuse)?;
         }
     }
     for (index, connection) in assembly.connections.iter().enumerate() {
-        connection.join(assembly, index, net)?;
+        connection.join(assembly, index, graph)?;
     }
     if assembly.carrier.is_some() { all_attached(assembly) } else { Ok(()) }
 }
@@ -45,7 +49,7 @@ fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
         Anchor::Carrier => None,
         Anchor::Nodes { part, .. } => Some(*part),
     };
-    // each pass reaches at least one more part
+    // each pass reaches one more part at least
     for _ in &assembly.parts {
         for connection in &assembly.connections {
             let sides = [part(&connection.from), part(&connection.to)];
@@ -64,40 +68,40 @@ fn all_attached(assembly: &Assembly) -> Result<(), ElementError> {
 type Side = Option<Vec<usize>>;
 
 impl Connection {
-    fn join(&self, assembly: &Assembly, index: usize, net: &mut Net<'_>) -> Result<(), ElementError> {
+    fn join(&self, assembly: &Assembly, index: usize, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
         let place = ElementKind::Connection.at(index);
-        let from = side(&self.from, assembly, net).map_err(at(place, Field::FROM))?;
-        let to = side(&self.to, assembly, net).map_err(at(place, Field::TO))?;
+        let from = side(&self.from, assembly, graph).map_err(at(place, Field::FROM))?;
+        let to = side(&self.to, assembly, graph).map_err(at(place, Field::TO))?;
         let axes = self.unit_axes(place)?;
         self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
         let refuse = at(place, Field::TO);
         match (from, to) {
             (None, None) => Err(refuse(Problem::SameEnds)),
             (None, Some(nodes)) | (Some(nodes), None) => {
-                self.hold(index, net, None, nodes, axes).map_err(refuse)
+                self.constrain(index, graph, None, nodes, axes).map_err(refuse)
             }
-            (Some(base), Some(nodes)) if base.len() == 1 && (nodes.len() > 1 || net.is_free(nodes[0])) => {
-                self.hold(index, net, Some(base[0]), nodes, axes).map_err(refuse)
+            (Some(base), Some(nodes)) if base.len() == 1 && (nodes.len() > 1 || graph.is_free(nodes[0])) => {
+                self.constrain(index, graph, Some(base[0]), nodes, axes).map_err(refuse)
             }
             (Some(nodes), Some(base)) if base.len() == 1 => {
-                self.hold(index, net, Some(base[0]), nodes, axes).map_err(refuse)
+                self.constrain(index, graph, Some(base[0]), nodes, axes).map_err(refuse)
             }
-            (Some(base), Some(nodes)) if axes.is_empty() => weld(net, &base, &nodes).map_err(refuse),
+            (Some(base), Some(nodes)) if axes.is_empty() => weld(graph, &base, &nodes).map_err(refuse),
             (Some(base), Some(nodes)) => {
-                let joint = net.joint_node(middle(net, &base), index);
+                let joint = graph.joint_node(middle(graph, &base), index);
                 for node in base {
-                    net.hold(node, Some(joint), Vec::new()).map_err(&refuse)?;
+                    graph.constrain(node, Some(joint), Vec::new()).map_err(&refuse)?;
                 }
-                self.hold(index, net, Some(joint), nodes, axes).map_err(refuse)
+                self.constrain(index, graph, Some(joint), nodes, axes).map_err(refuse)
             }
         }
     }
 
-    /// Holds nodes as one piece, on a base or the carrier.
-    fn hold(
+    /// Constrains nodes as one rigid piece, to a base or to the carrier.
+    fn constrain(
         &self,
         index: usize,
-        net: &mut Net<'_>,
+        graph: &mut PartGraph<'_>,
         base: Option<usize>,
         nodes: Vec<usize>,
         axes: Vec<Vector3<f64>>,
@@ -105,21 +109,21 @@ impl Connection {
         let (joint, rest) = match nodes.as_slice() {
             [node] => (*node, Vec::new()),
             _ if axes.is_empty() => {
-                return nodes.into_iter().try_for_each(|node| net.hold(node, base, Vec::new()));
+                return nodes.into_iter().try_for_each(|node| graph.constrain(node, base, Vec::new()));
             }
-            _ => (net.joint_node(middle(net, &nodes), index), nodes),
+            _ => (graph.joint_node(middle(graph, &nodes), index), nodes),
         };
         if !axes.is_empty() {
-            if !net.structure.nodes[joint].turns {
-                return Err(Problem::NoTurn { node: net.node_name(joint) });
+            if !graph.structure.nodes[joint].rotations {
+                return Err(Problem::NoTurn { node: graph.node_name(joint) });
             }
-            let matter = net.matter(&self.rheology);
+            let material = graph.material(&self.rheology);
             let (stiffness, damping) = (self.stiffness.clone(), self.damping.clone());
-            let name = net.connection_name(index);
-            net.hinge(Joint { name, node: joint, stiffness, damping, matter }, index);
+            let name = graph.connection_name(index);
+            graph.hinge(Joint { name, node: joint, stiffness, damping, material }, index);
         }
-        net.hold(joint, base, axes)?;
-        rest.into_iter().try_for_each(|node| net.hold(node, Some(joint), Vec::new()))
+        graph.constrain(joint, base, axes)?;
+        rest.into_iter().try_for_each(|node| graph.constrain(node, Some(joint), Vec::new()))
     }
 
     fn unit_axes(&self, place: ElementId) -> Result<Vec<Vector3<f64>>, ElementError> {
@@ -150,20 +154,25 @@ impl Connection {
     }
 }
 
-impl Net<'_> {
+impl PartGraph<'_> {
     fn is_free(&self, node: usize) -> bool {
-        self.structure.holds[node].is_free()
+        self.structure.constraints[node].is_free()
     }
 
-    /// Holds a node that nothing holds yet.
-    fn hold(&mut self, node: usize, base: Option<usize>, axes: Vec<Vector3<f64>>) -> Result<(), Problem> {
-        if matches!(self.structure.holds[node], Hold::Shaped { .. }) {
+    /// Constrains a node that is still free.
+    fn constrain(
+        &mut self,
+        node: usize,
+        base: Option<usize>,
+        axes: Vec<Vector3<f64>>,
+    ) -> Result<(), Problem> {
+        if matches!(self.structure.constraints[node], Constraint::Shaped { .. }) {
             return Err(Problem::NotInterface { node: self.node_name(node) });
         }
         if !self.is_free(node) {
             return Err(Problem::HeldTwice { node: self.node_name(node) });
         }
-        if let Some(base) = base.filter(|base| !self.structure.nodes[*base].turns) {
+        if let Some(base) = base.filter(|base| !self.structure.nodes[*base].rotations) {
             let distance = (self.structure.nodes[node].place - self.structure.nodes[base].place).norm();
             if distance > SAME_PLACE * self.size() {
                 let (base, node) = (self.node_name(base), self.node_name(node));
@@ -173,7 +182,7 @@ impl Net<'_> {
                 return Err(Problem::NoTurn { node: self.node_name(base) });
             }
         }
-        self.structure.holds[node] = Hold::On { base, axes };
+        self.structure.constraints[node] = Constraint::On { base, axes };
         Ok(())
     }
 
@@ -184,7 +193,7 @@ impl Net<'_> {
     }
 }
 
-fn side(anchor: &Anchor, assembly: &Assembly, net: &Net<'_>) -> Result<Side, Problem> {
+fn side(anchor: &Anchor, assembly: &Assembly, graph: &PartGraph<'_>) -> Result<Side, Problem> {
     let Anchor::Nodes { part, nodes } = anchor else {
         return if assembly.carrier.is_some() { Ok(None) } else { Err(Problem::NoCarrier) };
     };
@@ -193,29 +202,31 @@ fn side(anchor: &Anchor, assembly: &Assembly, net: &Net<'_>) -> Result<Side, Pro
     }
     let number = |node: &usize| {
         let reference = NodeRef { part: *part, node: *node };
-        assembly.has(reference).map(|()| net.index(reference))
+        assembly.has(reference).map(|()| graph.index(reference))
     };
     nodes.iter().map(number).collect::<Result<_, _>>().map(Some)
 }
 
 /// Joins each node of one side to the node of the other side that is at the same place.
-fn weld(net: &mut Net<'_>, base: &[usize], nodes: &[usize]) -> Result<(), Problem> {
-    let tolerance = SAME_PLACE * net.size();
+fn weld(graph: &mut PartGraph<'_>, base: &[usize], nodes: &[usize]) -> Result<(), Problem> {
+    let tolerance = SAME_PLACE * graph.size();
     for node in nodes {
-        let place = net.structure.nodes[*node].place;
-        let distance = |other: &usize| (net.structure.nodes[*other].place - place).norm();
+        let place = graph.structure.nodes[*node].place;
+        let distance = |other: &usize| (graph.structure.nodes[*other].place - place).norm();
         let nearest = base.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         match nearest {
-            Some(partner) if distance(&partner) <= tolerance => net.hold(*node, Some(partner), Vec::new())?,
+            Some(partner) if distance(&partner) <= tolerance => {
+                graph.constrain(*node, Some(partner), Vec::new())?
+            }
             _ => {
                 let distance = nearest.as_ref().map_or(f64::INFINITY, distance);
-                return Err(Problem::NoPartner { node: net.node_name(*node), distance });
+                return Err(Problem::NoPartner { node: graph.node_name(*node), distance });
             }
         }
     }
     Ok(())
 }
 
-fn middle(net: &Net<'_>, nodes: &[usize]) -> Vector3<f64> {
-    nodes.iter().map(|node| net.structure.nodes[*node].place).sum::<Vector3<f64>>() / nodes.len() as f64
+fn middle(graph: &PartGraph<'_>, nodes: &[usize]) -> Vector3<f64> {
+    nodes.iter().map(|node| graph.structure.nodes[*node].place).sum::<Vector3<f64>>() / nodes.len() as f64
 }

@@ -177,7 +177,7 @@ fn a_boom_slower_than_the_spin_whirls() {
     assert_eq!(mode(&found, "nutation")["dissipation"]["boom"], 1.0);
 }
 
-/// Times of every road against the full system from the same start to the same energy.
+/// Times of every method against the full system from the same start to the same energy.
 #[test]
 fn times_are_those_of_the_full_system() {
     let tuned = example("nutation-damper").replace("damping = 0.0562", "damping = 0.00562");

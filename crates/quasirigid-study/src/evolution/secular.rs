@@ -1,10 +1,15 @@
+//! Secular evolution of a body: the power that is followed, its start and end, and the table and record of the result.
+//! The power is behind a trait object, because polynomial, harmonics, spinning frame, modes and short runs are exchanged along the way;
+//! moments change with it, since the polhode of the deformed body is not that of the frozen one.
+//! Equations (G5) to (G8), docs/theory/11-materials.md; effective moments (Q1), docs/theory/16-methods.md.
+
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
     DriftLimits, DriftState, Evolution, FreeRotation, HillResponse, InterpolatedPower, LevelRow, MeanPower,
-    PolynomialPower, PowerSource, Response, Stage, harmonic_power,
+    PolynomialPower, PowerSource, Response, RotationState, harmonic_power,
 };
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
@@ -20,52 +25,52 @@ use super::{Asked, words};
 use crate::error::StudyError;
 use crate::words::shares;
 
-/// Share of the wobble's energy that is left where nothing says how far to go.
+/// Share of the wobble's energy that is left at the end of an evolution without a target.
 const LEFT: f64 = 0.01;
-/// Shares of harmonics below this count for nothing, and are not listed, nor more than so many of them.
+/// Shares of harmonics below this are negligible and not listed, nor are more than so many harmonics.
 pub const FAINT: f64 = 1e-4;
 const MOST_HARMONICS: usize = 12;
 /// Resonances listed.
 const MOST_CROSSINGS: usize = 12;
 
-/// A body whose rotation ages.
-pub struct Ageing {
+/// A body in secular evolution.
+pub struct SecularEvolution {
     pub principal: Principal,
     pub response: Response,
     pub polynomial: PolynomialPower,
     /// The power of the harmonics, interpolated where it costs much.
     harmonic: Arc<dyn MeanPower>,
-    /// Whether the polynomial's power is the one averaged, and whether the user said where it comes from.
+    /// Whether the polynomial's power is the one averaged, and whether the user chose its source.
     pub by_polynomial: bool,
     pub power_was_asked: bool,
     /// Whether the harmonics are those of the spinning frame.
     pub in_spinning_frame: bool,
     /// The power that is followed.
     pub source: Arc<dyn MeanPower>,
-    /// The road, what speaks for it, and what it knows beside the power.
+    /// The method, with its reason, its error, and its results beside the power.
     pub verdict: Verdict,
-    /// Rotation of the frozen body with the momentum at the start.
+    /// Rotation of the frozen body with the angular momentum at the start.
     pub initial: FreeRotation,
     pub order: usize,
-    /// Whether a material loses energy by a law that the polynomial does not hold.
-    pub lossy: bool,
+    /// Whether a material loses energy by a law that the polynomial leaves out.
+    pub viscoelastic: bool,
     /// Frequencies (rad/s) between which materials were measured.
     pub measured: Vec<[f64; 2]>,
 }
 
-impl Ageing {
-    /// From the reduced equations, and those of the order to which the state follows its spin.
+impl SecularEvolution {
+    /// Evolution from the reduced equations, and from those of the order to which the state follows its spin.
     pub fn new(
         body: &FlexibleBody,
         [reduced, slaved]: [&ReducedBody; 2],
         start: Start,
         power: Option<Power>,
     ) -> Result<Self, StudyError> {
-        let lossy = !body.lossy().is_empty();
+        let viscoelastic = !body.viscoelastic().is_empty();
         let principal = Principal::compute(reduced.J);
-        let K = principal.components(slaved.momentum(start.omega));
+        let K = principal.components(slaved.angular_momentum(start.omega));
         let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
-        let measured = body.lossy().iter().filter_map(|part| part.rheology.measured_between());
+        let measured = body.viscoelastic().iter().filter_map(|part| part.rheology.measured_between());
         let (response, polynomial) = (Response::compute(body)?, PolynomialPower::from_reduced(reduced));
         let by_polynomial = match power {
             Some(power) => power == Power::Polynomial,
@@ -75,7 +80,7 @@ impl Ageing {
             return Err(StudyError::BoundlessSpin);
         }
         let initial = FreeRotation::through(principal.moments, frozen)?;
-        let harmonic = harmonic_power(body, &response, initial.momentum());
+        let harmonic = harmonic_power(body, &response, initial.angular_momentum());
         Ok(Self {
             principal,
             source: if by_polynomial { Arc::new(polynomial.clone()) } else { Arc::clone(&harmonic) },
@@ -88,7 +93,7 @@ impl Ageing {
             verdict: Verdict::average(None),
             initial,
             order: reduced.order,
-            lossy,
+            viscoelastic,
             measured: measured.collect(),
         })
     }
@@ -105,7 +110,7 @@ impl Ageing {
     /// Takes the response in the spinning frame for the average.
     pub fn take_hill(&mut self, hill: HillResponse) {
         self.in_spinning_frame = true;
-        self.source = Arc::new(InterpolatedPower::new(hill, self.initial.momentum()));
+        self.source = Arc::new(InterpolatedPower::new(hill, self.initial.angular_momentum()));
     }
 
     /// The average as it stands.
@@ -113,7 +118,7 @@ impl Ageing {
         if self.by_polynomial { Arc::new(self.polynomial.clone()) } else { Arc::clone(&self.harmonic) }
     }
 
-    /// The record of an evolution that no road leads along: a message, and the rates of the modes.
+    /// The record of an evolution that no method leads along: a message, and the rates of the modes.
     pub fn refused(&self, Refusal { message, rates }: Refusal) -> EvolutionRecord {
         let verdict = Verdict { road: "none", rates, ..Verdict::default() };
         let folding = |mode| verdict.folding(mode).unwrap_or(f64::NAN);
@@ -122,10 +127,10 @@ impl Ageing {
             sentence: format!("NO ANSWER: {message}."),
             road: "none".into(),
             verdict: String::new(),
-            method: "none: no road holds here".into(),
+            method: "none: no method holds here".into(),
             status: "refused".into(),
             message: format!("No answer: {message}."),
-            momentum: self.initial.momentum(),
+            angular_momentum: self.initial.angular_momentum(),
             mode_start: mode(self.initial.mode()).into(),
             mode_end: mode(self.initial.mode()).into(),
             ratio_start: f64::NAN,
@@ -135,7 +140,7 @@ impl Ageing {
             time: f64::NAN,
             time_error: None,
             time_range: None,
-            turns: f64::NAN,
+            revolutions: f64::NAN,
             power: f64::NAN,
             dissipation: std::collections::BTreeMap::new(),
             separatrix_time: None,
@@ -158,23 +163,24 @@ impl Ageing {
         (self.source, self.initial) = (source, range.polhode(energy));
     }
 
-    /// Begins at a stage of the deformed body, if there is one.
-    pub fn begin(&mut self, stage: Option<Stage>) {
-        let Some(Stage { mode, xi }) = stage else { return };
-        self.initial = FreeRotation::at_logit(self.principal.moments, self.initial.momentum(), mode, xi);
+    /// Begins at a rotation state of the deformed body, if there is one.
+    pub fn begin(&mut self, stage: Option<RotationState>) {
+        let Some(RotationState { mode, xi }) = stage else { return };
+        self.initial =
+            FreeRotation::at_logit(self.principal.moments, self.initial.angular_momentum(), mode, xi);
     }
 
     pub fn evolution(&self) -> Evolution {
-        Evolution::new(Arc::clone(&self.source), self.initial.momentum())
+        Evolution::new(Arc::clone(&self.source), self.initial.angular_momentum())
     }
 
-    /// Where the evolution starts: at a target, or at the initial state.
+    /// Start of the evolution: a target, or the initial state.
     pub fn start(
         &self,
         evolution: &Evolution,
         from: Option<Target>,
         free: bool,
-    ) -> Result<Stage, StudyError> {
+    ) -> Result<RotationState, StudyError> {
         let energy = self.initial.energy();
         if energy == 0.0 {
             return Err(StudyError::AtRest);
@@ -184,16 +190,17 @@ impl Ageing {
         }
         match from {
             Some(target) => self.stage(evolution, target),
-            None if free => Stage::from_motion(&self.initial).ok_or(StudyError::Steady),
-            None => Ok(Stage::from_motion(&self.initial).unwrap_or(Stage::steady(self.initial.mode()))),
+            None if free => RotationState::from_motion(&self.initial).ok_or(StudyError::Steady),
+            None => Ok(RotationState::from_motion(&self.initial)
+                .unwrap_or(RotationState::steady(self.initial.mode()))),
         }
     }
 
-    pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<Stage, StudyError> {
+    pub fn stage(&self, evolution: &Evolution, target: Target) -> Result<RotationState, StudyError> {
         let [I1, _, I3] = self.principal.moments;
         match target {
             Target::Ratio(ratio) => {
-                evolution.stage(ratio).ok_or(StudyError::NoStage { ratio, least: I1 / I3 })
+                evolution.stage(ratio).ok_or(StudyError::NoRotationState { ratio, least: I1 / I3 })
             }
             Target::Wobble(angle) => {
                 evolution.wobbling(angle).ok_or(StudyError::NoShortAxis { moments: self.principal.moments })
@@ -201,8 +208,13 @@ impl Ageing {
         }
     }
 
-    /// Where the evolution ends: the target, the time, or what is left of the wobble, whichever comes first.
-    pub fn end(&self, evolution: &Evolution, from: Stage, asked: &Asked) -> Result<Stage, StudyError> {
+    /// End of the evolution: the target (without one, a hundredth of the wobble's energy) or the time, whichever comes first.
+    pub fn end(
+        &self,
+        evolution: &Evolution,
+        from: RotationState,
+        asked: &Asked,
+    ) -> Result<RotationState, StudyError> {
         let target = match asked.until {
             Some(target) => self.stage(evolution, target)?,
             None => evolution.faded(from, LEFT).ok_or(StudyError::Steady)?,
@@ -224,7 +236,7 @@ impl Ageing {
         }
     }
 
-    /// How far a drift is followed: not beyond the slowest elastic frequency.
+    /// Limits of a drift: time, target, and the slowest elastic frequency.
     pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, StudyError> {
         let duration = asked.duration.ok_or(StudyError::NoEvolutionDuration)?;
         let target = asked.until.map(|target| self.stage(evolution, target)).transpose()?;
@@ -232,10 +244,16 @@ impl Ageing {
         Ok(DriftLimits { target, fastest, ..DriftLimits::until(duration) })
     }
 
-    pub fn drifting(&self, stage: Stage) -> DriftState {
+    pub fn drifting(&self, stage: RotationState) -> DriftState {
         let circled = self.initial.omega(0.0)[stage.mode.circled()];
         let side = if circled < 0.0 { -1.0 } else { 1.0 };
-        DriftState { t: 0.0, stage, momentum: self.initial.momentum(), side, turns: 0.0 }
+        DriftState {
+            t: 0.0,
+            stage,
+            angular_momentum: self.initial.angular_momentum(),
+            side,
+            revolutions: 0.0,
+        }
     }
 
     /// The table of the rows; fewer of them if the watch ends the work.
@@ -247,7 +265,7 @@ impl Ageing {
         let mut columns: Vec<Column> = COLUMNS
             .map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: Vec::new() })
             .into();
-        let ended = rows.status == "interrupted"; // what a drift has reached is still told
+        let ended = rows.status == "interrupted"; // states that a drift has reached are still listed
         for i in 0..rows.states.len() {
             if watch(i as f64 / rows.states.len() as f64).is_break() && !ended {
                 rows.states.truncate(i);
@@ -258,10 +276,16 @@ impl Ageing {
             if let Some(powers) = &rows.powers {
                 values[POWER] = powers[i];
             }
-            if let Some(LevelRow { energy, nutation, period, long_axis_precession_rate, momentum, .. }) =
-                rows.levels.as_ref().map(|rows| rows[i])
+            if let Some(LevelRow {
+                energy,
+                nutation,
+                period,
+                long_axis_precession_rate,
+                angular_momentum,
+                ..
+            }) = rows.levels.as_ref().map(|rows| rows[i])
             {
-                let G = norm(momentum);
+                let G = norm(angular_momentum);
                 values[RATIO] = G * G / (2.0 * energy * self.principal.moments[2]);
                 [values[NUTATION], values[NUTATION + 1]] = nutation;
                 let precession = TAU / long_axis_precession_rate;
@@ -273,7 +297,7 @@ impl Ageing {
     }
 
     fn row(&self, state: DriftState) -> [f64; COLUMNS.len()] {
-        let motion = Evolution::new(self.power(), state.momentum).motion(state.stage);
+        let motion = Evolution::new(self.power(), state.angular_momentum).motion(state.stage);
         let [least, greatest] = motion.nutation();
         [
             state.t,
@@ -282,19 +306,19 @@ impl Ageing {
             least,
             greatest,
             motion.energy(),
-            motion.momentum(),
+            motion.angular_momentum(),
             motion.polhode_period(),
             TAU / motion.long_axis_precession_rate(),
             self.power().mean_power(&motion),
             self.polynomial.mean_power(&motion),
-            state.turns,
+            state.revolutions,
         ]
     }
 
     pub fn record(
         &self,
         evolution: &Evolution,
-        from: Stage,
+        from: RotationState,
         rows: &EvolutionTable,
         asked: &Asked,
         time_range: Option<[f64; 2]>,
@@ -315,7 +339,7 @@ impl Ageing {
             } else {
                 words::message(rows, asked, ages)
             },
-            momentum: self.initial.momentum(),
+            angular_momentum: self.initial.angular_momentum(),
             mode_start: mode(from.mode).into(),
             mode_end: mode(to.mode).into(),
             ratio_start: evolution.ratio(from),
@@ -325,7 +349,7 @@ impl Ageing {
             time: if ages { last.t } else { f64::INFINITY },
             time_error: self.verdict.error,
             time_range,
-            turns: if ages { last.turns } else { f64::INFINITY },
+            revolutions: if ages { last.revolutions } else { f64::INFINITY },
             power,
             dissipation: shares(self.verdict.budget.as_ref().unwrap_or(&evolution.budget(from))),
             separatrix_time: if rows.steady() {
@@ -378,7 +402,12 @@ impl Ageing {
         harmonics.filter(|harmonic| harmonic.share > FAINT).take(MOST_HARMONICS).collect()
     }
 
-    fn resonances(&self, evolution: &Evolution, from: Stage, to: Stage) -> Vec<CrossingRecord> {
+    fn resonances(
+        &self,
+        evolution: &Evolution,
+        from: RotationState,
+        to: RotationState,
+    ) -> Vec<CrossingRecord> {
         let way = evolution.ratio(from)..=evolution.ratio(to);
         let crossings = self.response.resonances(evolution).into_iter();
         crossings
@@ -396,7 +425,7 @@ impl Ageing {
     }
 }
 
-/// Numbers of columns.
+/// Indices of columns.
 const RATIO: usize = 1;
 const NUTATION: usize = 3;
 const ENERGY: usize = 5;
@@ -430,7 +459,7 @@ fn observed(columns: &[Column], row: usize) -> Option<ObservedRecord> {
     })
 }
 
-/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where the axis is none, or nothing is lost.
+/// Time (s) in which a small wobble about the axis of a mode changes by e; infinite where there is no such axis, or no loss.
 fn folding(evolution: &Evolution, mode: Mode) -> f64 {
     let rate = evolution.wobble_rate(mode);
     if rate > 0.0 { rate.recip() } else { f64::INFINITY }

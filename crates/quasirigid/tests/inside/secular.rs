@@ -1,8 +1,8 @@
-//! Ageing of bodies of revolution, against laws in closed form.
+//! Secular evolution of bodies of revolution, against laws in closed form.
 
 use std::f64::consts::PI;
 
-use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, Stage};
+use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, RotationState};
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
 };
@@ -41,7 +41,7 @@ fn liquid(radius: f64) -> f64 {
     DENSITY / VISCOSITY * 8.0 * PI * radius.powi(7) / 525.0
 }
 
-fn stage(evolution: &Evolution<impl MeanPower>, angle: f64) -> Stage {
+fn stage(evolution: &Evolution<impl MeanPower>, angle: f64) -> RotationState {
     let stage = evolution.wobbling(angle).unwrap();
     assert_eq!(stage.mode, Mode::ShortAxis);
     stage

@@ -1,12 +1,12 @@
 use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::slopes::jacobian;
-use crate::finite::{Grain, Site};
+use crate::finite::{LumpedMass, Site};
 use quasirigid_mesh::{Rule, Shape};
 
-/// The mass of a solid cell as material points, those of the rule that is exact for products of two displacements where
-/// edges are straight and faces flat.
-pub(crate) fn grains(shape: Shape, nodes: &[Vector3<f64>], density: f64) -> Vec<Grain> {
+/// Lumped masses of a solid cell: points of the rule that is exact for products of two displacements where edges are straight and faces
+/// flat.
+pub(crate) fn lumped_masses(shape: Shape, nodes: &[Vector3<f64>], density: f64) -> Vec<LumpedMass> {
     let samples = shape.samples(Rule::Products).iter();
     samples
         .map(|sample| {
@@ -17,7 +17,7 @@ pub(crate) fn grains(shape: Shape, nodes: &[Vector3<f64>], density: f64) -> Vec<
                 place += *share * node;
             }
             let mass = density * sample.weight * jacobian(nodes, sample).determinant();
-            Grain { mass, site: Site::At(place), shapes, turn: None }
+            LumpedMass { mass, site: Site::At(place), shapes, turn: None }
         })
         .collect()
 }

@@ -1,3 +1,6 @@
+//! Result of a drift: states at the output times, passages through the separatrix, and the reason of the end.
+//! An end before the last time is a result, not an error, so that a caller keeps the states reached; the texts tell a user how to go on.
+
 use std::fmt;
 
 use super::{DriftState, SeparatrixPassage};
@@ -6,42 +9,42 @@ use crate::math::ode::StepError;
 /// A drift as it was followed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriftHistory {
-    /// States at the times asked for, as far as it came.
+    /// States at the output times up to the end.
     pub states: Vec<DriftState>,
-    /// Where it ended, located to rounding whatever the times asked for.
+    /// State at the end, located to rounding, independently of the output times.
     pub end: DriftState,
-    /// Why it ended.
-    pub ending: DriftEnding,
+    /// Reason of the end.
+    pub ending: DriftStopReason,
     /// Passages through the separatrix, in their order.
     pub passages: Vec<SeparatrixPassage>,
-    /// When the wobble first died out (s); none if it did not, or was none from the start.
+    /// Time (s) at which the wobble first died out; none if it did not, or if the start has no wobble.
     pub died_out: Option<f64>,
     /// Steps of the integration.
     pub steps: u64,
 }
 
-/// Why a drift ended.
+/// Reason why a drift ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DriftEnding {
+pub enum DriftStopReason {
     /// The last time was reached.
     Finished,
     /// The target was reached.
     Target,
-    /// The separatrix was reached, and no way leads away from it.
+    /// The separatrix was reached, and every region leads back to it.
     Held,
     /// The angular momentum fell to the share of its start that counts as rest.
     Rest {
         /// That share.
         share: f64,
     },
-    /// The body turns as fast as the average allows.
+    /// The body spins as fast as the average allows.
     SpunUp {
-        /// Its rate about the angular momentum (rad/s).
+        /// Rate of the body about the angular momentum (rad/s).
         rate: f64,
     },
     /// The steps allowed were used up.
     StepLimit {
-        /// Their number.
+        /// Number of steps.
         steps: u64,
     },
     /// The caller asked for an end.
@@ -50,14 +53,14 @@ pub enum DriftEnding {
     Failed(StepError),
 }
 
-impl DriftEnding {
-    /// Whether what was asked for was done: the last time or the target reached.
+impl DriftStopReason {
+    /// Tells whether the drift reached the last time or the target.
     #[must_use]
     pub fn done(&self) -> bool {
         matches!(self, Self::Finished | Self::Target)
     }
 
-    /// The ending in a word: `finished`, `held`, `rest`, `spun-up`, `step-limit`, `interrupted`, `failed`.
+    /// Stop reason in a word: `finished`, `held`, `rest`, `spun-up`, `step-limit`, `interrupted`, `failed`.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -72,7 +75,7 @@ impl DriftEnding {
     }
 }
 
-impl fmt::Display for DriftEnding {
+impl fmt::Display for DriftStopReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Finished => f.write_str("the time asked for is over"),

@@ -2,11 +2,11 @@ use crate::elements::error::{ElementError, ElementId, Field, at};
 use crate::elements::{Material, coefficient};
 use crate::model::Rheology;
 
-/// What a part is made of.
+/// Material of a part.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
-pub enum Substance {
-    /// The same in every direction.
+pub enum ElasticMaterial {
+    /// Equal in every direction.
     Isotropic(Material),
     /// With three planes of symmetry.
     Orthotropic(Orthotropic),
@@ -24,11 +24,11 @@ pub struct Orthotropic {
     pub poisson: [f64; 3],
     /// Shear moduli `G₁₂, G₁₃, G₂₃` (Pa).
     pub shear: [f64; 3],
-    /// How it answers periodic strain.
+    /// Rheology: response to periodic strain.
     pub rheology: Rheology,
 }
 
-impl Substance {
+impl ElasticMaterial {
     /// Its rheology.
     pub(super) fn rheology_mut(&mut self) -> &mut Rheology {
         match self {
@@ -37,7 +37,7 @@ impl Substance {
         }
     }
 
-    /// Accepts the substance of a part; its moduli are for the part to judge.
+    /// Accepts the material of a part; its moduli are for the part to judge.
     pub(super) fn check(&self, place: ElementId) -> Result<(), ElementError> {
         match self {
             Self::Isotropic(material) => material.check(place),
@@ -57,7 +57,7 @@ impl Substance {
         }
     }
 
-    /// How it answers periodic strain.
+    /// Rheology: response to periodic strain.
     #[must_use]
     pub fn rheology(&self) -> &Rheology {
         match self {

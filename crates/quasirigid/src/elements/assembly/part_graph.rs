@@ -1,8 +1,12 @@
+//! Structure of an assembly: parts, joints and, without a carrier, points and springs as nodes and finite elements.
+//! Keeps for every node the element that it comes from, so that a mechanism or a circle is reported by name and key.
+//! Equations (K1), (K2) and (K8), docs/theory/12-structures.md.
+
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::held::holds;
+use super::constraints::constraints;
 use crate::elements::attachment::Attachment;
 use crate::elements::element::{Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
@@ -10,10 +14,10 @@ use crate::elements::part::{NodeRef, Part, PartKind, extremes};
 use crate::elements::{Assembly, End, PointMotion, coefficient};
 use crate::finite::Mass;
 use crate::model::{Reach, Rheology};
-use crate::structure::{Component, Fault, Freedoms, Hold, Joint, Load, Node, Purpose, Structure, Unknown};
+use crate::structure::{Component, Constraint, Dofs, Fault, Joint, Load, Node, Purpose, Structure, Unknown};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
-pub(in crate::elements) struct Net<'a> {
+pub(in crate::elements) struct PartGraph<'a> {
     pub assembly: &'a Assembly,
     pub structure: Structure,
     /// First node of each part, of the points, and of the joints.
@@ -22,9 +26,9 @@ pub(in crate::elements) struct Net<'a> {
     joints: Vec<usize>,
     /// Connection of each spring about the axes of a joint.
     hinges: Vec<usize>,
-    /// Nodes whose displacements are wanted, and what they are in the structure.
+    /// Nodes whose displacements the component keeps.
     stations: Vec<NodeRef>,
-    /// Loads of links and forces at each of them.
+    /// Loads of links and forces at each of these nodes.
     loads: Vec<Load>,
 }
 
@@ -33,8 +37,8 @@ const HIGHEST: usize = 5;
 /// Most unknowns named in a message.
 const MOST_NAMES: usize = 6;
 
-impl<'a> Net<'a> {
-    /// The structure of the parts of a body.
+impl<'a> PartGraph<'a> {
+    /// Structure of the parts of a body.
     ///
     /// # Errors
     /// [`ElementError`] for the first part or connection that cannot be.
@@ -42,7 +46,7 @@ impl<'a> Net<'a> {
         Self::new(assembly, false)
     }
 
-    /// The same with the points and springs of a body without a carrier.
+    /// Structure of a body without a carrier: parts, points and springs.
     ///
     /// # Errors
     /// [`ElementError`] for the first element that cannot be.
@@ -55,14 +59,14 @@ impl<'a> Net<'a> {
                 return Err(at(place, Field::MOTION)(Problem::NoGuide));
             }
         }
-        let mut net = Self::new(assembly, true)?;
-        net.structure.own("");
+        let mut graph = Self::new(assembly, true)?;
+        graph.structure.own("");
         let names = assembly.link_names();
         for (id, link) in assembly.each().filter(|(_, element)| element.role() == Role::Link) {
-            link.afloat(id, &mut net)?;
-            net.structure.own(&names[&id]);
+            link.afloat(id, &mut graph)?;
+            graph.structure.own(&names[&id]);
         }
-        Ok(net)
+        Ok(graph)
     }
 
     fn new(assembly: &'a Assembly, floating: bool) -> Result<Self, ElementError> {
@@ -71,30 +75,30 @@ impl<'a> Net<'a> {
         for (index, part) in assembly.parts.iter().enumerate() {
             firsts.push(structure.nodes.len());
             structure.nodes.extend(part.nodes());
-            structure.holds.extend(part.holds(firsts[index]));
-            part.furnish(index, firsts[index], &mut structure)?;
+            structure.constraints.extend(part.constraints(firsts[index]));
+            part.assemble_into(index, firsts[index], &mut structure)?;
             structure.own(&part.name);
         }
         firsts.push(structure.nodes.len());
         let (joints, hinges) = (Vec::new(), Vec::new());
-        let mut net =
+        let mut graph =
             Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), loads: Vec::new() };
         for point in assembly.points.iter().filter(|_| floating) {
-            net.point(point.mass, point.position.into());
+            graph.point(point.mass, point.position.into());
         }
-        net.firsts.push(net.structure.nodes.len());
-        holds(assembly, &mut net)?;
-        net.station_all(floating)?;
-        Ok(net)
+        graph.firsts.push(graph.structure.nodes.len());
+        constraints(assembly, &mut graph)?;
+        graph.station_all(floating)?;
+        Ok(graph)
     }
 
-    /// The structure with few coordinates.
+    /// Component: the structure condensed to few coordinates.
     ///
     /// # Errors
-    /// [`ElementError`] for nodes that hold each other, and for a mechanism.
+    /// [`ElementError`] for nodes that constrain each other in a circle, and for a mechanism.
     pub fn component(&self, floating: bool) -> Result<Component, ElementError> {
-        let freedoms = Freedoms::new(&self.structure.nodes, &self.structure.holds).map_err(|circle| {
-            self.blame(circle.node, Problem::Circle { node: self.node_name(circle.node) })
+        let dofs = Dofs::new(&self.structure.nodes, &self.structure.constraints).map_err(|circle| {
+            self.attribute_to(circle.node, Problem::Circle { node: self.node_name(circle.node) })
         })?;
         let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
         let purpose = Purpose {
@@ -104,7 +108,7 @@ impl<'a> Net<'a> {
             stations: &stations,
             loads: &self.loads,
         };
-        self.structure.component(freedoms, &purpose).map_err(|fault| self.refusal(fault))
+        self.structure.component(dofs, &purpose).map_err(|fault| self.refusal(fault))
     }
 
     /// Number of a node in the structure.
@@ -112,7 +116,7 @@ impl<'a> Net<'a> {
         self.firsts[node.part] + node.node
     }
 
-    /// Nodes whose displacements the component has, with what moves them: its coordinates, numbered from `start`.
+    /// Attachments: nodes whose displacements the component keeps, in terms of its coordinates, numbered from `start`.
     pub fn attachments(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
         let attachment = |(number, node): (usize, &NodeRef)| {
             let index = self.index(*node);
@@ -120,7 +124,7 @@ impl<'a> Net<'a> {
                 name: self.node_name(index),
                 position: self.structure.nodes[index].place,
                 shapes: component.shapes(number, start),
-                turns: component.turns(number, start),
+                rotations: component.rotations(number, start),
                 curvature: Vec::new(),
             };
             (*node, attachment)
@@ -128,7 +132,7 @@ impl<'a> Net<'a> {
         self.stations.iter().enumerate().map(attachment).collect()
     }
 
-    /// Nodes by which the displacement of parts is measured, each with its distance from where its part is held, or from the
+    /// Reaches: nodes that measure the displacement of parts, each with its distance from the nearest clamped node of its part, or from the
     /// farthest of its nodes.
     pub fn reaches(&self, nodes: &BTreeMap<NodeRef, Attachment>) -> Vec<Reach> {
         let of_part = |(number, part): (usize, &Part)| {
@@ -173,7 +177,7 @@ impl<'a> Net<'a> {
         }
     }
 
-    /// What a node belongs to, and its index there.
+    /// Element to which a node belongs, and the index of the node in it.
     fn owner(&self, node: usize) -> (ElementId, usize) {
         let group = self.firsts.partition_point(|first| *first <= node).saturating_sub(1);
         let (inner, parts) = (node - self.firsts[group], self.assembly.parts.len());
@@ -188,8 +192,8 @@ impl<'a> Net<'a> {
     /// Adds a node of a connection, which belongs to no part.
     pub fn joint_node(&mut self, place: Vector3<f64>, connection: usize) -> usize {
         self.joints.push(connection);
-        self.structure.nodes.push(Node { place, turns: true });
-        self.structure.holds.push(Hold::Free);
+        self.structure.nodes.push(Node { place, rotations: true });
+        self.structure.constraints.push(Constraint::Free);
         self.structure.nodes.len() - 1
     }
 
@@ -199,13 +203,13 @@ impl<'a> Net<'a> {
         self.hinges.push(connection);
     }
 
-    /// Number of the matter without damping of its own that answers periodic strain like this.
-    pub fn matter(&mut self, rheology: &Rheology) -> usize {
-        self.structure.matter(rheology, [0.0; 2])
+    /// Number of the material with this rheology and without damping of its own.
+    pub fn material(&mut self, rheology: &Rheology) -> usize {
+        self.structure.material(rheology, [0.0; 2])
     }
 
-    /// An element blamed for what is wrong with a node.
-    pub fn blame(&self, node: usize, problem: Problem) -> ElementError {
+    /// Error of the element to which a node belongs.
+    pub fn attribute_to(&self, node: usize, problem: Problem) -> ElementError {
         let element = self.owner(node).0;
         let field = if element.kind == ElementKind::Part { Field::ATTACH } else { Field::STIFFNESS };
         at(element, field)(problem)
@@ -213,11 +217,11 @@ impl<'a> Net<'a> {
 
     fn point(&mut self, mass: f64, place: Vector3<f64>) {
         let node = self.structure.nodes.len();
-        let matter = self.matter(&Rheology::Elastic);
-        self.structure.nodes.push(Node { place, turns: false });
-        self.structure.holds.push(Hold::Free);
+        let material = self.material(&Rheology::Elastic);
+        self.structure.nodes.push(Node { place, rotations: false });
+        self.structure.constraints.push(Constraint::Free);
         let points = vec![(mass, Vector3::zeros())];
-        self.structure.elements.push(Box::new(Mass { node, freedoms: 3, matter, points, place }));
+        self.structure.elements.push(Box::new(Mass { node, dofs: 3, material, points, place }));
     }
 
     /// Node at which an element acts.
@@ -235,8 +239,8 @@ impl<'a> Net<'a> {
         }
     }
 
-    /// Notes the nodes that are watched, and those at which springs and forces pull; of a body without a carrier also
-    /// points, which count as one more part.
+    /// Notes the nodes that are watched, and those at which springs and forces act; of a body without a carrier also points, which count as
+    /// one more part.
     fn station_all(&mut self, floating: bool) -> Result<(), ElementError> {
         let points = self.assembly.parts.len();
         let mut stations = BTreeMap::new();
@@ -256,10 +260,10 @@ impl<'a> Net<'a> {
             match end {
                 End::Node(node) => {
                     self.assembly.has(node).map_err(at(id, field))?;
-                    let turns = self.structure.nodes[self.index(node)].turns;
+                    let rotations = self.structure.nodes[self.index(node)].rotations;
                     let load: &mut Load = stations.entry(node).or_default();
                     load.force |= !between_nodes;
-                    load.moment |= !between_nodes && moment && turns;
+                    load.moment |= !between_nodes && moment && rotations;
                 }
                 End::Point(node) if floating && role != Role::Link => {
                     stations.insert(NodeRef { part: points, node }, Load { force: true, moment: false });
@@ -284,7 +288,7 @@ impl<'a> Net<'a> {
         }
     }
 
-    /// Lays a mechanism at the door of the hinges that turn freely, else of the nodes that move.
+    /// Attributes a mechanism to the hinges that rotate freely, else to the nodes that move.
     fn mechanism(&self, loose: &[Unknown]) -> ElementError {
         const COMPONENTS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
         let hinges = loose.iter().filter_map(|unknown| match *unknown {
@@ -307,10 +311,10 @@ impl<'a> Net<'a> {
         });
         let (nodes, names): (Vec<usize>, Vec<String>) = nodes.unzip();
         let first = nodes.first().copied().unwrap_or_default();
-        self.blame(first, Problem::Mechanism { coordinates: listed(names) })
+        self.attribute_to(first, Problem::Mechanism { coordinates: listed(names) })
     }
 
-    /// Connection whose hinge holds a node.
+    /// Connection whose hinge constrains a node.
     fn hinged_by(&self, node: usize) -> Option<usize> {
         let joint = self.structure.joints.iter().position(|joint| joint.node == node)?;
         self.hinges.get(joint).copied()

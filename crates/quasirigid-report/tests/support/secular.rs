@@ -6,7 +6,7 @@ use quasirigid_io::record::*;
 
 /// Principal moments over the greatest.
 pub const ASTEROID: [f64; 3] = [0.61, 0.965, 1.0];
-/// The greatest (kg·m²).
+/// Greatest principal moment (kg·m²).
 const GREATEST: f64 = 5e14;
 /// Angular momentum (N·m·s): a precession period of some 27 h.
 const MOMENTUM: f64 = 3.2e10;
@@ -35,11 +35,11 @@ const COLUMNS: [(&str, &str); 12] = [
 
 /// The evolution from a given `D/I₃` to the steady spin; below 0.965 it starts in the long-axis mode.
 pub fn evolution(ratio_start: f64) -> EvolutionRecord {
-    let energies = [ratio_start, END].map(|ratio| 1.0 / ratio - 1.0); // above the least, over `|K|²/2I₃`
+    let energies = [ratio_start, END].map(|ratio| 1.0 / ratio - 1.0); // energies above the least, over `|K|²/2I₃`
     let energy = |part: f64| energies[0] * (energies[1] / energies[0]).powf(part);
     let mut columns =
         COLUMNS.map(|(name, unit)| Column { name: name.into(), unit: unit.into(), values: vec![] });
-    let [mut t, mut turns, mut lingering] = [0.0; 3];
+    let [mut t, mut revolutions, mut lingering] = [0.0; 3];
     let mut separatrix_time = None;
     for row in 0..ROWS {
         if row > 0 {
@@ -49,7 +49,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
                 let ratio = 1.0 / (1.0 + 0.5 * (before + after));
                 let time = (before - after) * scale() / power(ratio);
                 t += time;
-                turns += time / precession_period(ratio);
+                revolutions += time / precession_period(ratio);
                 lingering += if (ratio / ASTEROID[1] - 1.0).abs() < 0.01 { time } else { 0.0 };
                 if ratio_start < ASTEROID[1] && ratio >= ASTEROID[1] {
                     separatrix_time.get_or_insert(t);
@@ -70,7 +70,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
             precession_period(ratio),
             power(ratio),
             0.97 * power(ratio),
-            turns,
+            revolutions,
         ];
         columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
     }
@@ -84,7 +84,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         method: "harmonics of the polhode through the linear response of the body, with the rheology of each material".into(),
         status: "finished".into(),
         message: "The target was reached.".into(),
-        momentum: MOMENTUM,
+        angular_momentum: MOMENTUM,
         mode_start: mode(ratio_start).into(),
         mode_end: mode(END).into(),
         ratio_start,
@@ -94,7 +94,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         time: t,
         time_error: Some(0.002),
         time_range: Some([0.31 * t, 27.0 * t]),
-        turns,
+        revolutions,
         power: power(ratio_start),
         dissipation: super::shares(),
         separatrix_time,
@@ -132,7 +132,7 @@ fn scale() -> f64 {
     0.5 * MOMENTUM * MOMENTUM / GREATEST
 }
 
-/// Least and greatest angle between the momentum and the axis that it circles.
+/// Least and greatest angle between the angular momentum and the axis that it circles.
 fn nutation(ratio: f64) -> [f64; 2] {
     let [a, b, c, d] = [1.0 / ASTEROID[0], 1.0 / ASTEROID[1], 1.0 / ASTEROID[2], 1.0 / ratio];
     let squares = if ratio < ASTEROID[1] {
@@ -147,7 +147,7 @@ fn precession_period(ratio: f64) -> f64 {
     TAU * GREATEST * ratio / MOMENTUM
 }
 
-/// Long near the separatrix, as a logarithm.
+/// Factor of the polhode period, which grows as a logarithm near the separatrix.
 fn near_separatrix(ratio: f64) -> f64 {
     1.0 + 0.3 * (1.0 + 0.01 / (ratio - ASTEROID[1]).abs().max(1e-12)).ln()
 }
@@ -156,7 +156,7 @@ fn polhode_period(ratio: f64) -> f64 {
     6.0 * precession_period(ratio) * near_separatrix(ratio)
 }
 
-/// None at either axis, less near the separatrix.
+/// Mean power: zero at either axis, reduced near the separatrix.
 fn power(ratio: f64) -> f64 {
     POWER * (1.0 / ratio - 1.0) * (1.0 / ASTEROID[0] - 1.0 / ratio) / near_separatrix(ratio).powi(2)
 }

@@ -1,27 +1,32 @@
+//! Reversion of the series `K(ω)`: angular velocity and energy as polynomials in the angular momentum.
+//! In this form `|K|` is exact at every truncation; the fixed-point iteration gains one degree, or more where low degrees vanish, per pass.
+//! Equation (R11), docs/theory/03-reduction.md.
+
 use super::manifold::mapped;
 use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
 
-/// Spin as a polynomial in the momentum, `Ω(K)`, by reversion of `K(ω)` to the same degree. (R11)
+/// Angular velocity as a polynomial in the angular momentum, `Ω(K)`, by reversion of `K(ω)` to the same degree. (R11)
 ///
-/// `Ω = J⁻¹[K − k − Σ_{d≥2} K_d(Ω)]`, with the momentum `k` of wheels, fixes one more degree of `Ω` each time it is applied,
-/// starting from `Ω₁ = J⁻¹(K − k)`.
-pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
+/// `Ω = J⁻¹[K − k − Σ_{d≥2} K_d(Ω)]`, with the angular momentum `k` of wheels, fixes one more degree of `Ω` per application, starting
+/// from `Ω₁ = J⁻¹(K − k)`.
+pub(super) fn reverted(angular_momentum: &Series, J: Sym) -> Series {
     let inverse = sym3::inverse(J);
-    let mut Omega = Series::zero(momentum.degree(), 3);
+    let mut Omega = Series::zero(angular_momentum.degree(), 3);
     let mut first = Homogeneous::linear(&sym3::rows(inverse));
-    let mut wheels = momentum.part(1).clone();
+    let mut wheels = angular_momentum.part(1).clone();
     wheels.add_scaled(-1.0, &Homogeneous::linear(&sym3::rows(J)));
     first.add_scaled(1.0, &mapped(inverse, -1.0, &wheels));
     Omega.set(first);
-    let Some(lowest) = (2..=momentum.degree()).find(|d| momentum.part(*d).amax() > 0.0) else {
+    let Some(lowest) = (2..=angular_momentum.degree()).find(|d| angular_momentum.part(*d).amax() > 0.0)
+    else {
         return Omega;
     };
     let mut known = 1;
-    while known < momentum.degree() {
-        let reached = (known + lowest - 1).min(momentum.degree());
-        let deviation = composed(momentum, lowest, &Omega, reached);
+    while known < angular_momentum.degree() {
+        let reached = (known + lowest - 1).min(angular_momentum.degree());
+        let deviation = composed(angular_momentum, lowest, &Omega, reached);
         for degree in 2..=reached {
             Omega.set(mapped(inverse, -1.0, deviation.part(degree)));
         }
@@ -30,7 +35,7 @@ pub(super) fn reverted(momentum: &Series, J: Sym) -> Series {
     Omega
 }
 
-/// Energy as a polynomial in the momentum, `E(Ω(K))`, to degree `p + 2`. (R11)
+/// Energy as a polynomial in the angular momentum, `E(Ω(K))`, to degree `p + 2`. (R11)
 pub(super) fn of_momentum(energy: &Series, Omega: &Series) -> Series {
     composed(energy, 2, Omega, energy.degree())
 }
@@ -53,7 +58,7 @@ fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Se
     sum
 }
 
-/// Adds the monomials of one degree of a part of the outer map, at the inner one.
+/// Adds the terms of the outer map that belong to monomials of one degree `power`, evaluated at the inner map.
 fn add_composed(sum: &mut Series, outer: &Homogeneous, power: usize, powers: &[Series]) {
     let lift = outer.degree() - power;
     for row in 0..outer.rows() {

@@ -1,3 +1,7 @@
+//! Command line: commands and options, as `clap` derives them from these types.
+//! Doc comments of commands and arguments are the text of `--help`, without a full stop at the end; tests compare some of them.
+//! Names of settings come from `Named`, so that flags and the model file accept the same words.
+
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};

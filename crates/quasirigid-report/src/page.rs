@@ -13,7 +13,7 @@ const PALETTE: &str = include_str!("assets/palette.css");
 const SPHERE: &str = include_str!("assets/sphere.css");
 const SCRIPT: &str = include_str!("assets/plot.js");
 
-/// Nothing but what the page itself holds: the browser enforces it.
+/// Content security policy: no resource from outside the page, as the browser enforces.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// The report of a run: one HTML page that needs no other file.

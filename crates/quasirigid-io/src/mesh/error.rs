@@ -202,7 +202,7 @@ pub enum MeshProblem {
         /// The length.
         found: String,
     },
-    /// Nothing to read.
+    /// A file without vertices, faces or another part.
     #[error("the file has no {part}; export the surface as triangles")]
     Nothing {
         /// Part that is missing.

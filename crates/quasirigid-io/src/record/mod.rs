@@ -164,7 +164,7 @@ pub struct ValidityRecord {
     /// Decay rates of the free vibrations (1/s), ascending.
     #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
-    /// Times in which internal rotors and liquids come to rest while the attitude is held (s), descending.
+    /// Times in which internal rotors and liquids come to rest with the attitude fixed (s), descending.
     #[serde(with = "number::unbounded", default)]
     pub relaxations: Vec<f64>,
     /// Every criterion with its number.

@@ -54,7 +54,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     text
 }
 
-/// Note on the forces and wheels that the steady spins of the reduced equations leave out.
+/// Words for the forces and losses of materials that the steady spins of the reduced equations leave out.
 fn without(study: &Study) -> &'static str {
     match (acting(study, None).is_some(), !study.body.viscoelastic().is_empty()) {
         (true, true) => " WITHOUT the forces and the losses of materials",

@@ -58,7 +58,7 @@ proptest! {
         compare(&body, share * lowest(&body), mode, xi)?;
     }
 
-    /// The same with a flywheel and a ball on friction, whose mean rates count.
+    /// Harmonics and integration agree with a flywheel and a ball on friction, whose mean rates count.
     #[test]
     fn rotors_turn_along(assembly in assemblies(), share in 0.05..0.6, xi in -1.0..5.0, long in any::<bool>()) {
         let plain = assembly.body().unwrap();

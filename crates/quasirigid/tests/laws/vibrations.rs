@@ -76,7 +76,7 @@ proptest! {
         prop_assert!(vibrations.decay_rates.iter().all(|rate| *rate > 0.0));
     }
 
-    /// At the lowest frequency `C − Ω²A` is singular and at no lower one, so it is the lowest. (V2)
+    /// Lowest frequency: `C − Ω²A` is singular there and at no lower one. (V2)
     #[test]
     fn the_lowest_frequency_is_the_lowest(assembly in assemblies()) {
         let body = assembly.body().unwrap();

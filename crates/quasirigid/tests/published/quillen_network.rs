@@ -17,7 +17,7 @@ const REACH: f64 = 0.279;
 const YOUNG: f64 = 3.0;
 const TIME: f64 = 0.01;
 
-/// A network, its numbers of masses and springs, and the body it is for springs of the time [`TIME`].
+/// A network, its numbers of masses and springs, and the body of it for springs of the time [`TIME`].
 fn network(shape: [f64; 2]) -> ([usize; 2], FlexibleBody) {
     let network = Network {
         name: "rubble".into(),

@@ -80,7 +80,7 @@ pub fn ended(child: &mut Child) -> ExitStatus {
     }
 }
 
-/// Reads a pipe to its end beside what else goes on.
+/// Reads a pipe to its end on a thread of its own.
 fn reading(mut pipe: impl Read + Send + 'static) -> JoinHandle<String> {
     std::thread::spawn(move || {
         let mut text = String::new();

@@ -58,7 +58,7 @@ impl Axis {
         Some(Self { low, high, power: 0, log: true })
     }
 
-    /// Place of a value: 0 at the low end, 1 at the high end; not finite for what the axis cannot show.
+    /// Place of a value: 0 at the low end, 1 at the high end; not finite for values that the axis cannot show.
     pub fn place(&self, value: f64) -> f64 {
         let value = if self.log { value.log10() } else { over_power(value, self.power) };
         (value - self.low) / (self.high - self.low)

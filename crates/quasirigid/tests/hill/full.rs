@@ -71,7 +71,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
     }
 }
 
-/// Rates of `(K, q, p)` of the full system.
+/// Rates of `(K, q, p)` in the full system.
 fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
     let n = body.coordinates().len();
     let (K, q, p) = (y.rows(0, 3), y.rows(3, n), y.rows(3 + n, n));

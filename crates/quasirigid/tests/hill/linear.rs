@@ -48,7 +48,7 @@ fn lowest(body: &FlexibleBody) -> f64 {
 proptest! {
     #![proptest_config(cases(5))]
 
-    /// Points on lines, in planes and in space, hinges on curved paths, free or held at a point.
+    /// Points on lines, in planes and in space, hinges on curved paths, free or fixed at a point.
     #[test]
     fn harmonics_are_the_periodic_motion(
         assembly in assemblies(), share in 0.05..0.6, xi in -1.0..5.0, long in any::<bool>()

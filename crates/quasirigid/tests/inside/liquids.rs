@@ -107,7 +107,7 @@ fn the_frozen_liquid_belongs_to_the_body() {
     assert!((trace(body.inertia()) / (trace(alone.inertia) + own + 2.0 * apart) - 1.0).abs() < 1e-13);
 }
 
-/// The slow flow of a ball turns with the body as a solid ball does: `W_jk = A ê_j × ê_k` of its three flows. (C9), (L3)
+/// The slow flow of a ball rotates with the body as a solid ball does: `W_jk = A ê_j × ê_k` of its three flows. (C9), (L3)
 #[test]
 fn the_slow_flow_of_a_ball_turns_as_a_solid_one() {
     let body = body(cavity([0.4; 3], DENSITY, VISCOSITY), 1);

@@ -123,7 +123,7 @@ fn limits_lose_no_digits() {
         let expected = small * (I1 * (I3 - I1) / (I2 * (I3 - I2))).sqrt();
         assert!((quarter[1] / expected - 1.0).abs() < 1e-13 + small * small, "{quarter:?}");
     }
-    // On the separatrix ω₁ and ω₃ die as 1/cosh.
+    // On the separatrix ω₁ and ω₃ decay as 1/cosh.
     let third = 1.0;
     let first = third * (I3 * (I3 - I2) / (I1 * (I2 - I1))).sqrt();
     let motion = FreeRotation::through([I1, I2, I3], [first, 0.0, third]).unwrap();

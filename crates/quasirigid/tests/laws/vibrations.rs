@@ -45,7 +45,7 @@ fn recoiling(body: &FlexibleBody) -> DMatrix<f64> {
 proptest! {
     #![proptest_config(cases(32))]
 
-    /// `Σ 1/Ω² = tr C⁻¹A`, held or free to recoil, and `Σ −Re λ = tr A⁻¹B`.
+    /// Sums over the vibrations: `Σ 1/Ω² = tr C⁻¹A`, fixed or free to recoil, and `Σ −Re λ = tr A⁻¹B`.
     #[test]
     fn sums_over_the_vibrations_are_traces(assembly in assemblies()) {
         let body = assembly.body().unwrap();

@@ -1,4 +1,4 @@
-//! The same N-body runs against networks of the same recipe, solved by the discrete theory: no modulus is needed. The random
+//! N-body runs of the ellipsoid test against networks of the same recipe, solved by the discrete theory: no modulus is needed. The random
 //! places of the runs are not known, so each network is another of its kind.
 
 use std::collections::BTreeMap;

@@ -13,11 +13,11 @@ pub struct SteadyRun {
     pub shape: [f64; 2],
     /// Spin in the principal axes of the figure.
     pub omega: [f64; 3],
-    /// Young's modulus of its outer parts, estimated.
+    /// Young's modulus of the outer parts of the body, estimated.
     pub outer: f64,
-    /// Relaxation time of its springs.
+    /// Relaxation time of the springs.
     pub time: f64,
-    /// Rate of its energy.
+    /// Rate of the energy.
     pub measured: f64,
 }
 

@@ -108,7 +108,7 @@ fn judged(name: &str, mesh: &Mesh, surface: &ClosedSurface) -> Option<(Approxima
     Some((resolution.approximation, resolution.error))
 }
 
-/// Cells as wide as it is thin tear the ring there, and its compliance grows thirtyfold: it is refused, or right.
+/// Cells as wide as the thin place tear the ring there, and its compliance grows thirtyfold: it is refused, or right.
 #[test]
 fn a_ring_that_is_thin_at_one_place_is_not_torn() {
     let mesh = arc(30, TAU, thin_at_one_place, |x| 1e-4 * turned(x) + Place::new(2e-4, 0.0, -1e-4));

@@ -59,7 +59,7 @@ fn cells_inside_a_surface_are_the_surface_element() {
     let J = Matrix3::from(bodies[3].inertia()) - Matrix3::from(high.inertia());
     let turn = J.amax() / Matrix3::from(high.inertia()).amax();
     println!("mass {mass:.1e}, inertia {turn:.1e}");
-    // The same facets: equal but for the rounding of polynomials of degree ten.
+    // Facets are equal, so the bodies are equal but for the rounding of polynomials of degree ten.
     assert!(mass.abs() < 1e-9 && turn < 1e-9, "{mass} {turn}");
     assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.6 * gaps[0], "{gaps:?}");
 }

@@ -12,7 +12,7 @@ pub struct Block {
     pub text: String,
 }
 
-/// A command that a page shows, with what it prints there.
+/// A command that a page shows, with the output shown below.
 #[derive(Debug, PartialEq)]
 pub struct Shown {
     /// Line of the page, from 1.

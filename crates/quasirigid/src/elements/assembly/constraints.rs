@@ -8,9 +8,9 @@ use nalgebra::Vector3;
 
 use super::Assembly;
 use super::part_graph::PartGraph;
-use crate::elements::coefficient;
+use crate::elements::assembly::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::part::{Anchor, Connection, NodeRef, Part};
+use crate::elements::kinds::part::{Anchor, Connection, NodeRef, Part};
 use crate::structure::{Constraint, Joint};
 
 /// Distance, as a share of the size of the structure, below which nodes of two sides are at the same place.

@@ -71,7 +71,7 @@ pub enum Problem {
     /// Bodies that nothing joins.
     #[error("the surface encloses {bodies} bodies that nothing joins")]
     SeveralBodies {
-        /// How many.
+        /// Number of bodies.
         bodies: usize,
     },
     /// A shape that polynomials do not follow and that cannot be meshed.
@@ -402,7 +402,7 @@ pub enum Problem {
         "at rest the tensions of the springs pull {coordinate} with {force} N or N m; they must balance there"
     )]
     Unbalanced {
-        /// Coordinate that they pull, by name.
+        /// Coordinate with the residual force, by name.
         coordinate: String,
         /// Generalised force (N, N·m).
         force: f64,

@@ -14,7 +14,7 @@ const MOST_NAMES: usize = 6;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FlexibleError {
     /// Some motion of the coordinates meets no stiffness.
-    #[error("a mechanism: no spring resists some motion of {coordinates}")]
+    #[error("{}", mechanism(coordinates))]
     Mechanism {
         /// The coordinates that move, by name.
         coordinates: String,
@@ -50,4 +50,9 @@ pub(super) fn named(coordinates: &[Coordinate], direction: &[f64]) -> String {
         names.push_str(&format!(" and {} more", moving.len() - MOST_NAMES));
     }
     names
+}
+
+/// Words for motions that meet no stiffness, by the names of their coordinates.
+pub(crate) fn mechanism(coordinates: &str) -> String {
+    format!("a mechanism: no spring resists some motion of {coordinates}")
 }

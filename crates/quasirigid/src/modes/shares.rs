@@ -28,8 +28,8 @@ pub(super) fn moving(
     let mut of_structure = 0.0;
     for (j, coordinate) in body.coordinates().iter().enumerate() {
         let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
-        let angular_momentum = Complex::new(re[j], im[j]) + turned;
-        let energy = (rate[j].conj() * angular_momentum).re;
+        let momentum = Complex::new(re[j], im[j]) + turned;
+        let energy = (rate[j].conj() * momentum).re;
         (0..3).for_each(|axis| K[axis] += rate[j] * h[j][axis]);
         if coordinate.is_shape() {
             of_structure += energy;

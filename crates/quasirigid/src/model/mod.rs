@@ -1,4 +1,4 @@
-//! What a body *is*.
+//! Bodies: flexible with internal coordinates, reduced without them, and their parts.
 
 mod advection;
 mod coordinate;

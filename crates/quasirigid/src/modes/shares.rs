@@ -10,8 +10,8 @@ use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
 /// Liquid whose impedance is known, with the eigenvalue and the angles about its axes.
 pub(super) type Turning<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
 
-/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own angular
-/// momentum.
+/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against the momentum of its
+/// coordinates.
 pub(super) fn moving(
     body: &FlexibleBody,
     coefficients: &SpinCoefficients,

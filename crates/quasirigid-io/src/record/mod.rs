@@ -10,6 +10,7 @@ mod evolution;
 mod folder;
 mod modes;
 mod number;
+mod study;
 mod table;
 
 use std::collections::BTreeMap;
@@ -21,6 +22,7 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
+pub use study::{StudyColumn, StudyInfluence, StudyRecord, StudyRefusal, StudyRole};
 pub use table::history_csv;
 
 /// Everything a run computed, in SI units.

@@ -2,45 +2,71 @@
 //! Rows that share the grid point of a figure are one value of it, their median.
 
 use maud::{Markup, html};
-use quasirigid_io::record::{StudyColumn, StudyRecord, StudyRole};
+use quasirigid_io::record::{QuantityRecord, SweepColumn, SweepRecord};
 
-use super::tables::of;
 use crate::figure::{Grid, Stop, band, histogram, map};
 
 /// Most quantities that have figures of their own.
 const MOST: usize = 12;
 
-/// The figures of every quantity.
-pub fn section(record: &StudyRecord) -> Markup {
-    let quantities = of(record, |role| role == StudyRole::Quantity);
-    let numeric: Vec<&StudyColumn> =
-        quantities.into_iter().filter(|column| column.values.iter().any(|value| value.is_finite())).collect();
-    let shown = &numeric[..numeric.len().min(MOST)];
+/// Column with its unit.
+#[derive(Clone, Copy)]
+struct Shown<'a> {
+    name: &'a str,
+    unit: &'a str,
+    values: &'a [f64],
+}
+
+/// The figures of every numeric quantity.
+pub fn section(record: &SweepRecord, columns: &[SweepColumn]) -> Markup {
+    let values =
+        |name: &str| columns.iter().find(|column| column.name == name).map(|column| &column.values[..]);
+    let with_values = |quantity: &QuantityRecord| {
+        values(&quantity.name).is_some_and(|values| values.iter().any(|value| value.is_finite()))
+    };
+    let numeric: Vec<&QuantityRecord> =
+        record.quantities.iter().filter(|quantity| with_values(quantity)).collect();
+    let grids: Vec<Shown<'_>> = (record.inputs.iter())
+        .filter(|input| matches!(input.kind.as_str(), "grid" | "list"))
+        .filter_map(|input| {
+            Some(Shown { name: &input.name, unit: &input.unit, values: values(&input.name)? })
+        })
+        .filter(|input| distinct(input.values).len() > 1)
+        .collect();
+    let random = record.inputs.iter().any(|input| matches!(input.kind.as_str(), "distribution" | "table"));
     html! {
-        @if !shown.is_empty() {
+        @if !numeric.is_empty() {
             section aria-label="Figures" {
                 h2 { "Figures" }
-                @for (number, quantity) in shown.iter().enumerate() { (of_quantity(record, quantity, number)) }
+                @for (number, quantity) in numeric.iter().take(MOST).enumerate() {
+                    @if let Some(values) = values(&quantity.name) {
+                        (of_quantity(&grids, random, quantity, values, number))
+                    }
+                }
                 @if numeric.len() > MOST { p.absent { "The first " (MOST) " quantities are drawn; the others are in the scatter." } }
             }
         }
     }
 }
 
-fn of_quantity(record: &StudyRecord, quantity: &StudyColumn, number: usize) -> Markup {
-    let grids = of(record, |role| role == StudyRole::Grid);
-    let several: Vec<&StudyColumn> =
-        grids.into_iter().filter(|column| distinct(&column.values).len() > 1).collect();
+fn of_quantity(
+    grids: &[Shown<'_>],
+    random: bool,
+    quantity: &QuantityRecord,
+    values: &[f64],
+    number: usize,
+) -> Markup {
+    let shown = Shown { name: &quantity.name, unit: &quantity.unit, values };
     let id = |kind: &str| format!("{kind}-{number}");
-    let over_grid = match several[..] {
-        [x] => curve(&id("curve"), x, quantity),
-        [x, y, ..] => over_two(&id("map"), x, y, quantity),
+    let over_grid = match grids {
+        [x] => curve(&id("curve"), *x, shown),
+        [x, y, ..] => over_two(&id("map"), *x, *y, shown),
         [] => None,
     };
-    let random =
-        record.columns.iter().any(|column| matches!(column.role, StudyRole::Drawn | StudyRole::Table));
+    let percentiles: Vec<(f64, f64)> =
+        quantity.percentiles.iter().map(|percentile| (percentile.percent, percentile.value)).collect();
     let counted = if random || over_grid.is_none() {
-        histogram(&id("histogram"), [&quantity.name, &quantity.unit], &quantity.values, &quantity.percentiles)
+        histogram(&id("histogram"), [&quantity.name, &quantity.unit], values, &percentiles)
     } else {
         None
     };
@@ -50,26 +76,26 @@ fn of_quantity(record: &StudyRecord, quantity: &StudyColumn, number: usize) -> M
     }
 }
 
-fn curve(id: &str, x: &StudyColumn, y: &StudyColumn) -> Option<Markup> {
-    let stops: Vec<Stop> = distinct(&x.values)
-        .into_iter()
-        .filter_map(|at| {
-            let mut values = where_equal(&[(x, at)], y);
-            values.sort_by(f64::total_cmp);
-            Some(Stop {
-                x: at,
-                y: [quantile(&values, 0.16)?, quantile(&values, 0.5)?, quantile(&values, 0.84)?],
-            })
-        })
-        .collect();
-    band(id, [&x.name, &x.unit], [&y.name, &y.unit], &stops)
+fn curve(id: &str, x: Shown<'_>, y: Shown<'_>) -> Option<Markup> {
+    let across = distinct(x.values);
+    let mut shared = vec![Vec::new(); across.len()];
+    for (at, value) in x.values.iter().zip(y.values).filter(|(_, value)| value.is_finite()) {
+        if let Some(place) = place(&across, *at) {
+            shared[place].push(*value);
+        }
+    }
+    let stop = |(x, values): (&f64, &mut Vec<f64>)| {
+        values.sort_by(f64::total_cmp);
+        Some(Stop { x: *x, y: [quantile(values, 0.16)?, quantile(values, 0.5)?, quantile(values, 0.84)?] })
+    };
+    let stops: Vec<Stop> = across.iter().zip(&mut shared).filter_map(stop).collect();
+    band(id, [x.name, x.unit], [y.name, y.unit], &stops)
 }
 
-fn over_two(id: &str, x: &StudyColumn, y: &StudyColumn, quantity: &StudyColumn) -> Option<Markup> {
-    let (across, along) = (distinct(&x.values), distinct(&y.values));
+fn over_two(id: &str, x: Shown<'_>, y: Shown<'_>, quantity: Shown<'_>) -> Option<Markup> {
+    let (across, along) = (distinct(x.values), distinct(y.values));
     let mut cells = vec![vec![Vec::new(); across.len()]; along.len()];
     for (row, value) in quantity.values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
-        let place = |among: &[f64], at: f64| among.binary_search_by(|known| known.total_cmp(&at)).ok();
         if let (Some(column), Some(line)) = (place(&across, x.values[row]), place(&along, y.values[row])) {
             cells[line][column].push(*value);
         }
@@ -80,7 +106,12 @@ fn over_two(id: &str, x: &StudyColumn, y: &StudyColumn, quantity: &StudyColumn) 
     };
     let values = cells.iter_mut().map(|row| row.iter_mut().map(middle).collect()).collect();
     let grid = Grid { x: across, y: along, values };
-    map(id, [&x.name, &x.unit], [&y.name, &y.unit], [&quantity.name, &quantity.unit], &grid)
+    map(id, [x.name, x.unit], [y.name, y.unit], [quantity.name, quantity.unit], &grid)
+}
+
+/// Place of a value among different ones.
+fn place(among: &[f64], value: f64) -> Option<usize> {
+    among.binary_search_by(|known| known.total_cmp(&value)).ok()
 }
 
 /// Different finite values, ascending.
@@ -89,15 +120,6 @@ fn distinct(values: &[f64]) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
-}
-
-fn where_equal(keys: &[(&StudyColumn, f64)], quantity: &StudyColumn) -> Vec<f64> {
-    let fits = |row: &usize| keys.iter().all(|(column, value)| column.values[*row] == *value);
-    (0..quantity.values.len())
-        .filter(fits)
-        .map(|row| quantity.values[row])
-        .filter(|value| value.is_finite())
-        .collect()
 }
 
 /// Value below which a share of ascending values lies, linear between them; none without values.

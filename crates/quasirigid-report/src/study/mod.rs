@@ -6,7 +6,7 @@ mod scatter;
 mod tables;
 
 use maud::{DOCTYPE, PreEscaped, html};
-use quasirigid_io::record::StudyRecord;
+use quasirigid_io::record::{SweepColumn, SweepRecord};
 
 use crate::page::{PALETTE, POLICY, STYLE};
 
@@ -17,7 +17,9 @@ const SCRIPT: &str = include_str!("../assets/scatter.js");
 ///
 /// The share of answered rows comes first, then percentiles, the inputs that decide, a figure of each quantity, a scatter of any two
 /// columns, and the reasons of the rows without an answer.
-pub fn study_page(record: &StudyRecord) -> String {
+///
+/// All columns have the same rows; a column of the record that is not among them has no figure.
+pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -34,12 +36,12 @@ pub fn study_page(record: &StudyRecord) -> String {
                     (tables::head(record))
                     (tables::percentiles(record))
                     (tables::influences(record))
-                    (figures::section(record))
-                    (scatter::section(record))
-                    (tables::refusals(record))
+                    (figures::section(record, columns))
+                    (scatter::section(record, columns))
+                    (tables::reasons(record))
                     section aria-label="Study" {
                         h2 { "Study" }
-                        pre { code { (record.text) } }
+                        pre { code { (record.study) } }
                         p.absent { "quasirigid " (record.version) }
                     }
                 }

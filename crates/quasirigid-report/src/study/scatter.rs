@@ -2,15 +2,15 @@
 //! At most some thousand rows are kept, evenly chosen, so that the page stays small for a study of any size.
 
 use maud::{Markup, PreEscaped, html};
-use quasirigid_io::record::{StudyColumn, StudyRecord};
+use quasirigid_io::record::{SweepColumn, SweepRecord};
 
 /// Most rows in the page.
 const MOST: usize = 4000;
 
 /// The scatter with its two choices.
-pub fn section(record: &StudyRecord) -> Markup {
-    let columns: Vec<&StudyColumn> =
-        record.columns.iter().filter(|column| column.values.iter().any(|value| value.is_finite())).collect();
+pub fn section(record: &SweepRecord, columns: &[SweepColumn]) -> Markup {
+    let columns: Vec<&SweepColumn> =
+        columns.iter().filter(|column| column.values.iter().any(|value| value.is_finite())).collect();
     if columns.len() < 2 {
         return html! {};
     }
@@ -25,12 +25,12 @@ pub fn section(record: &StudyRecord) -> Markup {
             }
             figure { div.chart.still { svg.plot id="scatter" role="img" aria-label="Scatter of the two columns" {} } }
             p.absent { (kept.len()) " of " (record.rows) " rows are in this page." noscript { " The scatter needs scripts." } }
-            script type="application/json" id="rows" { (PreEscaped(data(&columns, &kept))) }
+            script type="application/json" id="rows" { (PreEscaped(data(record, &columns, &kept))) }
         }
     }
 }
 
-fn select(id: &str, columns: &[&StudyColumn], chosen: usize) -> Markup {
+fn select(id: &str, columns: &[&SweepColumn], chosen: usize) -> Markup {
     html! {
         select id=(id) {
             @for (i, column) in columns.iter().enumerate() { option value=(i) selected[i == chosen] { (column.name) } }
@@ -39,14 +39,21 @@ fn select(id: &str, columns: &[&StudyColumn], chosen: usize) -> Markup {
 }
 
 /// Names, units and rows as JSON; what could end the script is escaped.
-fn data(columns: &[&StudyColumn], kept: &[usize]) -> String {
+fn data(record: &SweepRecord, columns: &[&SweepColumn], kept: &[usize]) -> String {
     let number = |value: f64| if value.is_finite() { format!("{value:.6e}") } else { "null".to_owned() };
-    let one = |column: &&StudyColumn| {
+    let one = |column: &&SweepColumn| {
         let values: Vec<String> = kept.iter().map(|row| number(column.values[*row])).collect();
-        let [name, unit] = [&column.name, &column.unit].map(|text| text_literal(text));
+        let [name, unit] = [&column.name, unit(record, &column.name)].map(text_literal);
         format!("{{\"name\":{name},\"unit\":{unit},\"values\":[{}]}}", values.join(","))
     };
     format!("[{}]", columns.iter().map(one).collect::<Vec<_>>().join(","))
+}
+
+/// Unit of a column; empty if there is none.
+fn unit<'a>(record: &'a SweepRecord, name: &str) -> &'a str {
+    let inputs = record.inputs.iter().map(|input| (&input.name, &input.unit));
+    let mut all = inputs.chain(record.quantities.iter().map(|quantity| (&quantity.name, &quantity.unit)));
+    all.find(|(known, _)| *known == name).map_or("", |(_, unit)| unit)
 }
 
 /// A text as a JSON string in which no character of markup stands.

@@ -1,15 +1,15 @@
 //! Head and tables of the page of a study: rows answered, percentiles, rank correlations, refusals.
 
 use maud::{Markup, html};
-use quasirigid_io::record::{StudyColumn, StudyInfluence, StudyRecord, StudyRole};
+use quasirigid_io::record::{CorrelationRecord, QuantityRecord, SweepRecord};
 
 use crate::number::{percent, short, tidy};
 use crate::verdict::Verdict;
 
 /// Name of the study and the share of its rows that were answered.
-pub fn head(record: &StudyRecord) -> Markup {
-    let StudyRecord { rows, answered, .. } = record;
-    let missing = rows - answered;
+pub fn head(record: &SweepRecord) -> Markup {
+    let answered = record.status.get("answered").copied().unwrap_or_default();
+    let (rows, missing) = (record.rows, record.rows.saturating_sub(answered));
     let verdict = match (missing, answered) {
         (0, _) => Verdict::Holds,
         (_, 0) => Verdict::Fails,
@@ -25,7 +25,7 @@ pub fn head(record: &StudyRecord) -> Markup {
                     strong { (answered) " of " (rows) " rows are answered." }
                     @if missing > 0 {
                         " " (missing) @if missing == 1 { " row has" } @else { " rows have" } " no number here; "
-                        a href="#refusals" { "the reasons" } " are at the end."
+                        a href="#reasons" { "the reasons" } " are at the end."
                     }
                 }
             }
@@ -33,12 +33,10 @@ pub fn head(record: &StudyRecord) -> Markup {
     }
 }
 
-/// Percentiles of every quantity.
-pub fn percentiles(record: &StudyRecord) -> Markup {
-    let quantities: Vec<&StudyColumn> = of(record, |role| role == StudyRole::Quantity);
-    let Some(first) = quantities.iter().find(|column| !column.percentiles.is_empty()) else {
-        return html! {};
-    };
+/// Percentiles of every numeric quantity.
+pub fn percentiles(record: &SweepRecord) -> Markup {
+    let told = |quantity: &&QuantityRecord| !quantity.percentiles.is_empty();
+    let Some(first) = record.quantities.iter().find(told) else { return html! {} };
     html! {
         section aria-label="Percentiles" {
             h2 { "Percentiles" }
@@ -46,46 +44,52 @@ pub fn percentiles(record: &StudyRecord) -> Markup {
                 table {
                     thead { tr {
                         th { "Quantity" } th { "Rows" }
-                        @for (percent, _) in &first.percentiles { th { (tidy(*percent, 4)) " %" } }
+                        @for percentile in &first.percentiles { th { (tidy(percentile.percent, 4)) " %" } }
                     } }
                     tbody {
-                        @for column in quantities.iter().filter(|column| !column.percentiles.is_empty()) {
+                        @for quantity in record.quantities.iter().filter(told) {
                             tr {
-                                th scope="row" { (named(column)) }
-                                td { (column.values.iter().filter(|value| value.is_finite()).count()) }
-                                @for (_, value) in &column.percentiles { td { (short(*value)) } }
+                                th scope="row" { (with_unit(&quantity.name, &quantity.unit)) }
+                                td { (quantity.count) }
+                                @for percentile in &quantity.percentiles { td { (short(percentile.value)) } }
                             }
                         }
                     }
                 }
             }
+            (counts(record))
+        }
+    }
+}
+
+/// Rows with each truth value or text.
+fn counts(record: &SweepRecord) -> Markup {
+    html! {
+        @for quantity in record.quantities.iter().filter(|quantity| !quantity.counts.is_empty()) {
+            p { (quantity.name) ": " @for (i, (word, rows)) in quantity.counts.iter().enumerate() { @if i > 0 { ", " } (word) " in " (rows) } " rows." }
         }
     }
 }
 
 /// Rank correlations, the strongest input first for each quantity.
-pub fn influences(record: &StudyRecord) -> Markup {
-    if record.influences.is_empty() {
-        return html! {};
-    }
-    let mut rows: Vec<&StudyInfluence> = record.influences.iter().collect();
-    rows.sort_by(|a, b| {
-        let strength = |row: &StudyInfluence| row.rank_correlation.abs();
-        a.quantity.cmp(&b.quantity).then(strength(b).total_cmp(&strength(a)))
-    });
+pub fn influences(record: &SweepRecord) -> Markup {
+    let known: Vec<(&CorrelationRecord, f64)> =
+        record.correlations.iter().filter_map(|row| Some((row, row.rho?))).collect();
     html! {
-        section aria-label="Inputs that decide" {
-            h2 { "Inputs that decide" }
-            div.scroll {
-                table.influences {
-                    thead { tr { th { "Quantity" } th.word { "Input" } th { "Rank correlation" } th { "Rows" } } }
-                    tbody {
-                        @for row in rows {
-                            tr {
-                                th scope="row" { (row.quantity) }
-                                td.word { (row.input) }
-                                td { (tidy(row.rank_correlation, 3)) span.bar style={ "width:" (percent_of(row.rank_correlation)) } {} }
-                                td { (row.rows) }
+        @if !known.is_empty() {
+            section aria-label="Inputs that decide" {
+                h2 { "Inputs that decide" }
+                div.scroll {
+                    table.influences {
+                        thead { tr { th { "Quantity" } th.word { "Input" } th { "Rank correlation" } th { "Rows" } } }
+                        tbody {
+                            @for (row, rho) in known {
+                                tr {
+                                    th scope="row" { (row.quantity) }
+                                    td.word { (row.input) }
+                                    td { (tidy(rho, 3)) span.bar style={ "width:" (width(rho)) } {} }
+                                    td { (row.rows) }
+                                }
                             }
                         }
                     }
@@ -96,46 +100,38 @@ pub fn influences(record: &StudyRecord) -> Markup {
 }
 
 /// Rows without an answer, by reason.
-pub fn refusals(record: &StudyRecord) -> Markup {
-    if record.refusals.is_empty() {
-        return html! {};
-    }
+pub fn reasons(record: &SweepRecord) -> Markup {
     html! {
-        section id="refusals" aria-label="Rows without an answer" {
-            h2 { "Rows without an answer" }
-            div.scroll {
-                table.refusals {
-                    thead { tr { th { "Reason" } th.word { "Status" } th { "Rows" } th { "Share" } th { "First" } } }
-                    tbody {
-                        @for row in &record.refusals {
-                            tr {
-                                th scope="row" { (row.reason) }
-                                td.word { (row.status) }
-                                td { (row.rows) }
-                                td { (percent(row.rows as f64 / record.rows.max(1) as f64)) }
-                                td { (row.first) }
+        @if !record.reasons.is_empty() {
+            section id="reasons" aria-label="Rows without an answer" {
+                h2 { "Rows without an answer" }
+                div.scroll {
+                    table.reasons {
+                        thead { tr { th { "Reason" } th.word { "Status" } th { "Rows" } th { "Share" } th { "First" } } }
+                        tbody {
+                            @for row in &record.reasons {
+                                tr {
+                                    th scope="row" { (row.example) }
+                                    td.word { (row.status) }
+                                    td { (row.count) }
+                                    td { (percent(row.count as f64 / record.rows.max(1) as f64)) }
+                                    td { (row.first_row) }
+                                }
                             }
                         }
                     }
                 }
+                p.absent { "Reasons that differ in numbers alone are one; that of their first row is shown." }
             }
         }
     }
 }
 
-/// Columns of some origin.
-pub fn of(record: &StudyRecord, role: impl Fn(StudyRole) -> bool) -> Vec<&StudyColumn> {
-    record.columns.iter().filter(|column| role(column.role)).collect()
+/// A name with its unit.
+pub fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() || unit == "1" { name.to_owned() } else { format!("{name} [{unit}]") }
 }
 
-fn named(column: &StudyColumn) -> String {
-    if column.unit.is_empty() || column.unit == "1" {
-        column.name.clone()
-    } else {
-        format!("{} [{}]", column.name, column.unit)
-    }
-}
-
-fn percent_of(correlation: f64) -> String {
+fn width(correlation: f64) -> String {
     format!("{:.1}%", 100.0 * correlation.abs().min(1.0))
 }

@@ -18,6 +18,7 @@ use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
+use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
@@ -64,6 +65,18 @@ pub struct Evolved {
     pub record: EvolutionRecord,
     /// Notes to read before the numbers.
     pub notes: Vec<String>,
+}
+
+impl Evolved {
+    /// The record without its columns, for machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let record = &self.record;
+        let mut object = json!(record);
+        object.as_object_mut().map(|entries| entries.remove("columns"));
+        object["mode"] = json!({ "start": record.mode_start, "end": record.mode_end });
+        object
+    }
 }
 
 impl Study {

@@ -215,6 +215,10 @@ pub struct Evolve {
     /// By which method [default: the file's, or the one that holds]
     #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
+    /// Draws of the keys in [uncertainty], for intervals of the time and the revolutions
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    #[arg(conflicts_with_all = ["from", "to", "duration", "samples", "power", "method", "order"])]
+    pub samples_of_uncertainty: Option<u32>,
     /// Form of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,
@@ -264,7 +268,8 @@ pub struct SweepArgs {
 
 /// Reads a shard such as 1/3.
 fn shard(text: &str) -> Result<Shard, String> {
-    let numbers = text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
+    let numbers =
+        text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
     match numbers {
         Some((index, count)) if (1..=count).contains(&index) => Ok(Shard { index, count }),
         _ => Err("write K/N with K from 1 to N, such as 1/3".to_owned()),

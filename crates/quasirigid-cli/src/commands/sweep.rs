@@ -37,13 +37,19 @@ fn told(arguments: &SweepArgs, folder: &Path, finished: &Finished) -> Result<Exi
     let Some(record) = summary else {
         let place = folder.display();
         if *interrupted {
-            remark(&format!("interrupted; {parts_there} of {parts} parts are in {place}, go on with --resume"));
+            remark(&format!(
+                "interrupted; {parts_there} of {parts} parts are in {place}, go on with --resume"
+            ));
             return Ok(ExitStatus::CheckFailed);
         }
         if arguments.json {
             output::print(&format!("{:#}\n", json!({ "parts": parts, "parts_there": parts_there })))?;
         } else if !arguments.quiet {
-            let others = if *elsewhere > 0 { format!("; another process works on {elsewhere} more") } else { String::new() };
+            let others = if *elsewhere > 0 {
+                format!("; another process works on {elsewhere} more")
+            } else {
+                String::new()
+            };
             output::print(&format!("{parts_there} of {parts} parts are in {place}{others}.\n"))?;
         }
         return Ok(ExitStatus::Done);
@@ -66,8 +72,12 @@ fn one_row(sweep: &Sweep, row: u64, for_machines: bool) -> Result<ExitStatus, Fa
     let model = sweep.model_text(row).unwrap_or_default();
     let RowAnswer { outputs, status, reason, note, .. } = &answer;
     if for_machines {
-        let cells: serde_json::Map<String, Value> =
-            sweep.outputs.iter().zip(outputs).map(|(column, cell)| (column.name.clone(), value(cell))).collect();
+        let cells: serde_json::Map<String, Value> = sweep
+            .outputs
+            .iter()
+            .zip(outputs)
+            .map(|(column, cell)| (column.name.clone(), value(cell)))
+            .collect();
         let object = json!({
             "row": row, "status": status.word(), "reason": reason, "note": note, "model": model, "answers": cells,
         });
@@ -105,7 +115,8 @@ fn value(cell: &Cell) -> Value {
 
 /// The file's name with `-sweep`; a file called `study.toml` has the name of its folder.
 fn default_folder(study: &Path) -> PathBuf {
-    let folder = study.parent().and_then(Path::file_name).filter(|_| study.file_stem() == Some("study".as_ref()));
+    let folder =
+        study.parent().and_then(Path::file_name).filter(|_| study.file_stem() == Some("study".as_ref()));
     let name = folder.or(study.file_stem()).unwrap_or_default().to_string_lossy();
     PathBuf::from(format!("{name}-sweep"))
 }

@@ -37,7 +37,9 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     for name in names(folder) {
         let path = folder.join(&name);
         if path.is_dir() {
-            files.extend(self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+            files.extend(
+                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
+            );
         } else {
             files.insert(name, fs::read(path).unwrap());
         }
@@ -79,12 +81,19 @@ fn row_alone_is_the_row_of_the_run_and_of_its_own_model() {
     assert_eq!(ran_in(folder.path(), "sweep study.toml -o out --quiet").code, Some(0));
     for row in [0u64, 17, 47] {
         let alone = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json")).json();
-        let part = read_parquet(&folder.path().join(format!("out/parts/part-{:05}.parquet", row / 16)), None).unwrap();
+        let part = read_parquet(&folder.path().join(format!("out/parts/part-{:05}.parquet", row / 16)), None)
+            .unwrap();
         fs::write(folder.path().join("row.toml"), alone["model"].as_str().unwrap()).unwrap();
         let check = ran_in(folder.path(), "check row.toml --json --quiet").json();
         for column in ["check.T1", "modes.nutation.time_constant", "simulate.wz"] {
-            let Cells::Numbers(values) = &part.iter().find(|each| each.name == column).unwrap().cells else { panic!() };
-            assert_eq!(alone["answers"][column].as_f64(), values[(row % 16) as usize], "{column} of row {row}");
+            let Cells::Numbers(values) = &part.iter().find(|each| each.name == column).unwrap().cells else {
+                panic!()
+            };
+            assert_eq!(
+                alone["answers"][column].as_f64(),
+                values[(row % 16) as usize],
+                "{column} of row {row}"
+            );
         }
         assert_eq!(alone["answers"]["check.T1"], check["T1"], "the command on the model of row {row}");
     }
@@ -100,12 +109,19 @@ fn killed_study_goes_on_to_the_same_bytes() {
     let mut torn = 0;
     for kill in 0..10u64 {
         let arguments = ["sweep", "study.toml", "-o", "killed", "--resume", "--threads", "2"];
-        let mut child =
-            program(folder.path()).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = program(folder.path())
+            .args(arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
         std::thread::sleep(Duration::from_millis(40 + 37 * (kill * 7 % 10)));
         child.kill().unwrap();
         child.wait().unwrap();
-        torn += u32::from(folder.path().join("killed/sweep.json").exists() && !folder.path().join("killed/summary.json").exists());
+        torn += u32::from(
+            folder.path().join("killed/sweep.json").exists()
+                && !folder.path().join("killed/summary.json").exists(),
+        );
     }
     let ran = ran_in(folder.path(), "sweep study.toml -o killed --resume");
     assert_eq!(ran.code, Some(0), "{ran:?}");
@@ -137,7 +153,11 @@ fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
     let ran = ran_in(folder.path(), "sweep study.toml -o out --json");
     assert_eq!(ran.code, Some(1), "{ran:?}");
     let summary = ran.json();
-    assert_eq!((&summary["status"]["answered"], &summary["status"]["invalid"]), (&43.into(), &17.into()), "{summary:#}");
+    assert_eq!(
+        (&summary["status"]["answered"], &summary["status"]["invalid"]),
+        (&43.into(), &17.into()),
+        "{summary:#}"
+    );
     let reasons = summary["reasons"].as_array().unwrap();
     let first = |what: &str| {
         let found = reasons.iter().find(|reason| reason["example"].as_str().unwrap().contains(what));
@@ -148,24 +168,61 @@ fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
     assert_eq!(first("\"abc\" is not a finite number"), 9);
     assert_eq!(first("\"nan\" is not a finite number"), 13);
     let csv = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
-    assert!(csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n0,500.0,40.0,b0,"), "{csv}");
+    assert!(
+        csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n0,500.0,40.0,b0,"),
+        "{csv}"
+    );
 }
 
 #[test]
 fn studies_that_cannot_be_are_refused_at_their_place() {
-    let vary = |line: &str| format!("model = \"model.toml\"\nsamples = 3\n[vary]\n{line}\n[answer]\nquantities = [\"check.T1\"]\n");
+    let vary = |line: &str| {
+        format!(
+            "model = \"model.toml\"\nsamples = 3\n[vary]\n{line}\n[answer]\nquantities = [\"check.T1\"]\n"
+        )
+    };
     let asked = |quantity: &str| {
-        format!("model = \"model.toml\"\n[vary]\n\"run.order\" = {{ list = [1, 3] }}\n[answer]\nquantities = [{quantity:?}]\n")
+        format!(
+            "model = \"model.toml\"\n[vary]\n\"run.order\" = {{ list = [1, 3] }}\n[answer]\nquantities = [{quantity:?}]\n"
+        )
     };
     let cases = [
-        (vary("\"point.tp.mass\" = { uniform = [1, 2] }"), "study.toml:4:", "there is no entry named \"tp\"; did you mean `tip`?"),
-        (vary("\"point.tip.mass\" = { uniform = [2, 1] }"), "study.toml:4:", "the first number must be below the second"),
+        (
+            vary("\"point.tp.mass\" = { uniform = [1, 2] }"),
+            "study.toml:4:",
+            "there is no entry named \"tp\"; did you mean `tip`?",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [2, 1] }"),
+            "study.toml:4:",
+            "the first number must be below the second",
+        ),
         (vary("\"point.tip.mass\" = { uniform = [\"1 m\", \"2 m\"] }"), "study.toml:4:", "a mass is needed"),
-        (vary("\"point.tip.mass\" = { uniform = [\"1 kg\", \"2 m\"] }"), "study.toml:4:", "does not measure the same"),
-        (vary("\"point.tip.mass\" = { uniform = [\"1 kg\", 2] }"), "study.toml:4:", "a number without a unit beside"),
-        (vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 0 } }"), "study.toml:4:", "a standard deviation must be above zero"),
-        (vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 1, min = 99 } }"), "study.toml:4:", "more than 30 standard deviations"),
-        (vary("\"point.tip.mass\" = { geometric = [-1, 2], count = 3 }"), "study.toml:4:", "two numbers of one sign"),
+        (
+            vary("\"point.tip.mass\" = { uniform = [\"1 kg\", \"2 m\"] }"),
+            "study.toml:4:",
+            "does not measure the same",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [\"1 kg\", 2] }"),
+            "study.toml:4:",
+            "a number without a unit beside",
+        ),
+        (
+            vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 0 } }"),
+            "study.toml:4:",
+            "a standard deviation must be above zero",
+        ),
+        (
+            vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 1, min = 99 } }"),
+            "study.toml:4:",
+            "more than 30 standard deviations",
+        ),
+        (
+            vary("\"point.tip.mass\" = { geometric = [-1, 2], count = 3 }"),
+            "study.toml:4:",
+            "two numbers of one sign",
+        ),
         (vary("\"point.tip.mass\" = { linear = [1, 2] }"), "study.toml:4:", "has no `count`"),
         (vary("\"point.tip.mass\" = { unifrm = [1, 2] }"), "study.toml:4:", "did you mean `uniform`?"),
         (vary("\"point.tip.mas\" = { uniform = [1, 2] }"), "study.toml:4:", "unknown key \"mas\""),
@@ -174,9 +231,21 @@ fn studies_that_cannot_be_are_refused_at_their_place() {
         (asked("check.T9"), "study.toml:5:", "there is no `T9`"),
         (asked("check.criteria"), "study.toml:5:", "is a list; name one of its entries"),
         (asked("modes.tipp.frequency"), "study.toml:5:", "there is no `tipp`"),
-        (asked("check.T1").replace("seed", "sed").replace("[vary]", "sed = 3\n[vary]"), "study.toml:2:", "did you mean `seed`?"),
-        (vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("samples = 3\n", ""), "study.toml:3:", "has no `samples`"),
-        (vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("= 3", "= 70000\nsampling = \"sobol\""), "study.toml:2:", "at most 65536"),
+        (
+            asked("check.T1").replace("seed", "sed").replace("[vary]", "sed = 3\n[vary]"),
+            "study.toml:2:",
+            "did you mean `seed`?",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("samples = 3\n", ""),
+            "study.toml:3:",
+            "has no `samples`",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("= 3", "= 70000\nsampling = \"sobol\""),
+            "study.toml:2:",
+            "at most 65536",
+        ),
     ];
     for (study, place, said) in cases {
         let folder = folder_of_study(&study);
@@ -196,7 +265,11 @@ fn folder_of_something_else_is_left_alone() {
     assert_eq!(ran("sweep study.toml -o out --quiet").code, Some(0));
     let before = files(&folder.path().join("out"));
     assert!(one_line(ran("sweep study.toml -o out").refusal()).contains("go on with --resume"));
-    assert_eq!(ran("sweep study.toml -o out --resume --quiet").code, Some(0), "a study that is done goes on to its end");
+    assert_eq!(
+        ran("sweep study.toml -o out --resume --quiet").code,
+        Some(0),
+        "a study that is done goes on to its end"
+    );
     let other = STUDY.replace("samples = 12", "samples = 2");
     fs::write(folder.path().join("study.toml"), other).unwrap();
     assert!(one_line(ran("sweep study.toml -o out --resume").refusal()).contains("holds another study"));
@@ -219,7 +292,8 @@ fn states_at_times_and_refused_evolutions() {
     let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
     let table = ran_in(folder.path(), "simulate model.toml --times 10,60 --quiet").stdout;
     let table = crate::support::Table::of(&table);
-    let found = ["simulate.wx at 10 s", "simulate.wx at 1 min"].map(|name| row["answers"][name].as_f64().unwrap());
+    let found =
+        ["simulate.wx at 10 s", "simulate.wx at 1 min"].map(|name| row["answers"][name].as_f64().unwrap());
     assert_eq!(found.to_vec(), table.column("wx"));
     let evolved = ran_in(folder.path(), "evolve model.toml --json --quiet").json();
     let finished = evolved["status"] == "finished";

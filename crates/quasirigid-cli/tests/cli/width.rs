@@ -2,7 +2,9 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use crate::support::{EXAMPLES, MODEL, ROOT, STRUCTURES, STUDIES, copy, folder_of, names, ran, ran_in, ran_with};
+use crate::support::{
+    EXAMPLES, MODEL, ROOT, STRUCTURES, STUDIES, copy, folder_of, names, ran, ran_in, ran_with,
+};
 
 /// Columns of a terminal.
 const COLUMNS: usize = 80;

@@ -130,10 +130,13 @@ impl<'a> Value<'a> {
             DeValue::Float(_) => self.quantity(Dimension::NUMBER).map(Given::Number),
             DeValue::Array(_) => self.list("a list of values", |item| item.given()).map(Given::List),
             DeValue::Table(_) => {
-                let entries = self.entries()?.map(|(_, value)| Some((value.key().to_owned(), value.given()?)));
+                let entries =
+                    self.entries()?.map(|(_, value)| Some((value.key().to_owned(), value.given()?)));
                 all(entries.collect()).map(Given::Table)
             }
-            DeValue::Datetime(_) => self.mismatch("a number, a text, true or false, a list or a table", "write one of these"),
+            DeValue::Datetime(_) => {
+                self.mismatch("a number, a text, true or false, a list or a table", "write one of these")
+            }
         }
     }
 

@@ -69,14 +69,20 @@ pub(super) fn answer(value: &Value<'_>) -> Option<Answer> {
     let quantities = list.and_then(|list| {
         let read = list.list("a list of paths", quantity)?;
         if read.is_empty() {
-            return list.refuse("there are no quantities".to_owned(), "empty", Some("name at least one".to_owned()));
+            return list.refuse(
+                "there are no quantities".to_owned(),
+                "empty",
+                Some("name at least one".to_owned()),
+            );
         }
         Some(read)
     });
     let times = table.get("times").map_or(Some(Vec::new()), |value| times(&value));
     let system = table.get("system").map_or(Some(System::Reduced), |value| value.named());
     let percentiles = table.get("percentiles").map_or(Some(PERCENTILES.to_vec()), |value| {
-        value.list("a list of percentiles", |item| item.between(Dimension::NUMBER, [0.0, 100.0], "between 0 and 100"))
+        value.list("a list of percentiles", |item| {
+            item.between(Dimension::NUMBER, [0.0, 100.0], "between 0 and 100")
+        })
     });
     let quantities = quantities?;
     for (index, one) in quantities.iter().enumerate() {
@@ -98,7 +104,8 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
     let first = names.next().unwrap_or_default();
     let Some(command) = Command::of(first) else {
         let words = Command::VALUES.iter().map(|(word, _, _)| *word);
-        let meant = nearest(first, words.clone()).map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
+        let meant =
+            nearest(first, words.clone()).map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
         let list = words.collect::<Vec<_>>().join(", ");
         return value.refuse(
             format!("a quantity begins with a command, and `{first}` is none"),
@@ -108,8 +115,13 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
     };
     let path: Vec<String> = names.map(str::to_owned).collect();
     if path.is_empty() {
-        let help = format!("write such as {first}.name; `quasirigid {first} MODEL.toml --json` shows what there is");
-        return value.refuse(format!("`{first}` is a command; name a quantity of its answer"), "a command", Some(help));
+        let help =
+            format!("write such as {first}.name; `quasirigid {first} MODEL.toml --json` shows what there is");
+        return value.refuse(
+            format!("`{first}` is a command; name a quantity of its answer"),
+            "a command",
+            Some(help),
+        );
     }
     Some(Quantity { name, command, path, span: value.span() })
 }
@@ -121,7 +133,11 @@ fn times(value: &Value<'_>) -> Option<Vec<(String, f64)>> {
         Some((item.words().map_or_else(|| format!("{seconds} s"), str::to_owned), seconds))
     })?;
     if read.windows(2).any(|pair| !(pair[0].1 < pair[1].1)) {
-        return value.refuse("the times do not ascend".to_owned(), "in this order", Some("write the earliest first".to_owned()));
+        return value.refuse(
+            "the times do not ascend".to_owned(),
+            "in this order",
+            Some("write the earliest first".to_owned()),
+        );
     }
     Some(read)
 }

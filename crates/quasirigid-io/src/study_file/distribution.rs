@@ -59,7 +59,11 @@ pub(super) fn uniform(value: &Value<'_>, logarithmic: bool) -> Option<Drawn> {
         return impossible(value, "the first number must be below the second", "write [least, greatest]");
     }
     if logarithmic && !(ends[0] > 0.0) {
-        return impossible(value, "a logarithm needs numbers above zero", "write two positive numbers, or take `uniform`");
+        return impossible(
+            value,
+            "a logarithm needs numbers above zero",
+            "write two positive numbers, or take `uniform`",
+        );
     }
     let distribution = if logarithmic { Distribution::LogUniform(ends) } else { Distribution::Uniform(ends) };
     Some(Drawn { distribution, unit })
@@ -85,11 +89,15 @@ pub(super) fn log_normal(value: &Value<'_>) -> Option<Drawn> {
     let table = value.table("`log-normal`", &LOG_NORMAL_KEYS)?;
     let median = table.required("median", "median = 100.0");
     let sigma = match (table.get("decades"), table.get("sigma")) {
-        (Some(decades), None) => decades.positive(Dimension::NUMBER).map(|decades| decades * std::f64::consts::LN_10),
-        (None, Some(sigma)) => sigma.positive(Dimension::NUMBER),
-        (Some(_), Some(sigma)) => {
-            impossible(&sigma, "the width is given twice", "write `decades`, or `sigma` of the natural logarithm")
+        (Some(decades), None) => {
+            decades.positive(Dimension::NUMBER).map(|decades| decades * std::f64::consts::LN_10)
         }
+        (None, Some(sigma)) => sigma.positive(Dimension::NUMBER),
+        (Some(_), Some(sigma)) => impossible(
+            &sigma,
+            "the width is given twice",
+            "write `decades`, or `sigma` of the natural logarithm",
+        ),
         (None, None) => {
             table.required("decades", "decades = 0.5, the standard deviation in powers of ten");
             None
@@ -98,10 +106,18 @@ pub(super) fn log_normal(value: &Value<'_>) -> Option<Drawn> {
     let median = median?;
     let (given, range, unit) = truncated(&table, &[median])?;
     if !(given[0] > 0.0) {
-        return impossible(&median, "the median of a log-normal distribution must be above zero", "write a positive number");
+        return impossible(
+            &median,
+            "the median of a log-normal distribution must be above zero",
+            "write a positive number",
+        );
     }
     let sigma = sigma?;
-    possible(value, range.map(|end| if end > 0.0 { end.ln() } else { f64::NEG_INFINITY }), [given[0].ln(), sigma])?;
+    possible(
+        value,
+        range.map(|end| if end > 0.0 { end.ln() } else { f64::NEG_INFINITY }),
+        [given[0].ln(), sigma],
+    )?;
     Some(Drawn { distribution: Distribution::LogNormal { median: given[0], sigma, range }, unit })
 }
 

@@ -89,7 +89,10 @@ pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
             Some("write both above zero, or take `linear`".to_owned()),
         );
     }
-    if ends[0] == ends[1] || !(ends[1] - ends[0]).is_finite() || (geometric && !(ends[1] / ends[0]).is_finite()) {
+    if ends[0] == ends[1]
+        || !(ends[1] - ends[0]).is_finite()
+        || (geometric && !(ends[1] / ends[0]).is_finite())
+    {
         return value.refuse(
             "a grid needs two different ends".to_owned(),
             "no range",
@@ -103,7 +106,11 @@ pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
 pub(super) fn list(value: &Value<'_>) -> Option<Grid> {
     let values = value.list("a list of values", |item| item.given())?;
     if values.is_empty() {
-        return value.refuse("the list is empty".to_owned(), "no values", Some("write at least one value".to_owned()));
+        return value.refuse(
+            "the list is empty".to_owned(),
+            "no values",
+            Some("write at least one value".to_owned()),
+        );
     }
     Some(Grid::List(values))
 }

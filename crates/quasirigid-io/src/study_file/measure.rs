@@ -29,7 +29,11 @@ pub(super) fn measures(values: &[Value<'_>]) -> Option<Measures> {
         let other = measure(value, text)?;
         other.in_unit_of(&unit).or_else(|| {
             value.refuse(
-                format!("`{}`: {text:?} does not measure the same as the numbers in {}", value.key(), unit.unit),
+                format!(
+                    "`{}`: {text:?} does not measure the same as the numbers in {}",
+                    value.key(),
+                    unit.unit
+                ),
                 "another dimension",
                 Some(format!("write all in units such as {}", unit.unit)),
             )
@@ -53,8 +57,10 @@ fn plain(value: &Value<'_>) -> Option<f64> {
 fn measure<'a>(value: &Value<'_>, text: &'a str) -> Option<Measure<'a>> {
     match Measure::parse(text) {
         Ok(measure) => Some(measure),
-        Err(error) => {
-            value.refuse(format!("`{}`: {error}", value.key()), "a number with its unit is needed", Some(error.advice()))
-        }
+        Err(error) => value.refuse(
+            format!("`{}`: {error}", value.key()),
+            "a number with its unit is needed",
+            Some(error.advice()),
+        ),
     }
 }

@@ -15,6 +15,7 @@ pub use answer::{Answer, Command, Quantity};
 pub use distribution::{Distribution, Drawn};
 pub use grid::Grid;
 pub use table::{TableColumn, TableSource};
+pub(crate) use vary::vary;
 pub use vary::{Values, Varied};
 
 use crate::model::diagnostic::Problems;
@@ -136,7 +137,8 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
         (Some(samples), _) => samples?,
         (None, None) => 1,
         (None, Some(varied)) => {
-            let message = format!("`{}` is drawn from a distribution, but the study has no `samples`", varied.key);
+            let message =
+                format!("`{}` is drawn from a distribution, but the study has no `samples`", varied.key);
             let help = "add a line such as: samples = 1000, above [vary]";
             problems.report(Diagnostic::new(varied.span.clone(), message, "how many draws?").help(help));
             return None;
@@ -152,7 +154,8 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
     }
     if vary.is_empty() && table.is_none() && samples == 1 {
         let help = "add [vary] with keys of the model, or [table] with a file of bodies";
-        problems.report(Diagnostic::new(0..0, "the study varies nothing", "no [vary], no [table]").help(help));
+        problems
+            .report(Diagnostic::new(0..0, "the study varies nothing", "no [vary], no [table]").help(help));
         return None;
     }
     Some(StudyFile {

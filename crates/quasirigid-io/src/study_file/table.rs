@@ -42,13 +42,20 @@ pub(super) fn table(value: &Value<'_>, folder: &Path) -> Option<TableSource> {
     let columns = match table.get("columns") {
         None => Some(Vec::new()),
         Some(columns) => match columns.entries() {
-            None => columns.mismatch("a table", "write { \"a_km\" = { key = \"ellipsoid.1.semi_axes.1\", unit = \"km\" } }"),
-            Some(entries) => entries.map(|(_, value)| column(&value)).collect::<Vec<_>>().into_iter().collect(),
+            None => columns.mismatch(
+                "a table",
+                "write { \"a_km\" = { key = \"ellipsoid.1.semi_axes.1\", unit = \"km\" } }",
+            ),
+            Some(entries) => {
+                entries.map(|(_, value)| column(&value)).collect::<Vec<_>>().into_iter().collect()
+            }
         },
     };
     let keep = match table.get("keep") {
         None => Some(Vec::new()),
-        Some(keep) => keep.list("a list of names of columns", |name| Some((name.text()?.to_owned(), name.span()))),
+        Some(keep) => {
+            keep.list("a list of names of columns", |name| Some((name.text()?.to_owned(), name.span())))
+        }
     };
     let file = file?;
     Some(TableSource { file: folder.join(file.text()?), span: file.span(), columns: columns?, keep: keep? })

@@ -43,10 +43,10 @@ const ANY: Keys = Keys {
     known: &["linear", "geometric", "list", "uniform", "log-uniform", "normal", "log-normal", "count"],
 };
 
-/// Reads `[vary]`, in the order of the file.
-pub(super) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
+/// Reads `[vary]` of a study, or `[uncertainty]` of a model, in the order of the file.
+pub(crate) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
     let Some(entries) = value.entries() else {
-        return value.mismatch("a table", "write [vary] with a line for each key of the model");
+        return value.mismatch("a table", "write a line for each key of the model");
     };
     let mut entries: Vec<_> = entries.collect();
     entries.sort_by_key(|(span, _)| span.start);
@@ -55,14 +55,19 @@ pub(super) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
     for (index, one) in read.iter().enumerate() {
         if read[..index].iter().any(|other| other.key.names().eq(one.key.names())) {
             let help = "vary each key once".to_owned();
-            return value.refuse_at(one.span.clone(), format!("`{}` is varied twice", one.key), "again", Some(help));
+            return value.refuse_at(
+                one.span.clone(),
+                format!("`{}` is varied twice", one.key),
+                "again",
+                Some(help),
+            );
         }
     }
     Some(read)
 }
 
 /// Reads one key with its values.
-pub(super) fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
+fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
     let help = "write such as { linear = [1.0, 2.0], count = 11 } or { uniform = [1.0, 2.0] }";
     if !value.is_table() {
         return value.mismatch("a table with the values", help);
@@ -76,28 +81,35 @@ pub(super) fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
     };
     let kind = KINDS.into_iter().find(|kind| value.entry(kind).is_some());
     let values = match kind {
-        Some("linear") => Values::Grid(grid::numbers(&value.table("a linear grid", &grid::LINEAR)?, "linear")?),
+        Some("linear") => {
+            Values::Grid(grid::numbers(&value.table("a linear grid", &grid::LINEAR)?, "linear")?)
+        }
         Some("geometric") => {
             Values::Grid(grid::numbers(&value.table("a geometric grid", &grid::GEOMETRIC)?, "geometric")?)
         }
         Some("list") => Values::Grid(grid::list(&value.table("a list", &grid::LIST)?.get("list")?)?),
-        Some("uniform") => {
-            Values::Drawn(distribution::uniform(&value.table("a distribution", &distribution::UNIFORM)?.get("uniform")?, false)?)
-        }
+        Some("uniform") => Values::Drawn(distribution::uniform(
+            &value.table("a distribution", &distribution::UNIFORM)?.get("uniform")?,
+            false,
+        )?),
         Some("log-uniform") => Values::Drawn(distribution::uniform(
             &value.table("a distribution", &distribution::LOG_UNIFORM)?.get("log-uniform")?,
             true,
         )?),
-        Some("normal") => {
-            Values::Drawn(distribution::normal(&value.table("a distribution", &distribution::NORMAL)?.get("normal")?)?)
-        }
+        Some("normal") => Values::Drawn(distribution::normal(
+            &value.table("a distribution", &distribution::NORMAL)?.get("normal")?,
+        )?),
         Some(_) => Values::Drawn(distribution::log_normal(
             &value.table("a distribution", &distribution::LOG_NORMAL)?.get("log-normal")?,
         )?),
         None => {
             value.table("the values of a key", &ANY)?;
             let message = format!("`{key}` has no values");
-            return value.refuse(message, "no values", Some(format!("write one of {}: {help}", KINDS.join(", "))));
+            return value.refuse(
+                message,
+                "no values",
+                Some(format!("write one of {}: {help}", KINDS.join(", "))),
+            );
         }
     };
     Some(Varied { key, span: value.span(), values })

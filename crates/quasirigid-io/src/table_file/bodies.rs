@@ -62,7 +62,11 @@ fn open(file: &Path) -> Result<File, TableError> {
 
 fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
     let refuse = |cause: csv::Error| TableError::Csv { file: file.to_owned(), cause: cause.to_string() };
-    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).comment(Some(b'#')).from_reader(open(file)?);
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(open(file)?);
     let header = reader.byte_headers().map_err(refuse)?.clone();
     let name = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_owned();
     let mut table = BodyTable::of(header.iter().map(name));
@@ -71,7 +75,9 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
         let line = record.position().map_or(0, csv::Position::line);
         if record.len() != table.names.len() {
             let (found, expected) = (record.len(), table.names.len());
-            table.unread(format!("line {line} of the table has {found} values, but the header has {expected}"));
+            table.unread(format!(
+                "line {line} of the table has {found} values, but the header has {expected}"
+            ));
         } else if record.iter().any(|bytes| std::str::from_utf8(bytes).is_err()) {
             table.unread(format!("line {line} of the table is not UTF-8 text"));
         } else {

@@ -42,16 +42,26 @@ pub fn write_parquet(
 /// # Errors
 /// [`TableError`] for a file that cannot be read, and for one of another origin.
 pub fn read_parquet(file: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, TableError> {
-    let opened = File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })?;
-    read(opened, wanted).map_err(|cause| TableError::Parquet { file: file.to_owned(), cause: cause.to_string() })
+    let opened =
+        File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })?;
+    read(opened, wanted)
+        .map_err(|cause| TableError::Parquet { file: file.to_owned(), cause: cause.to_string() })
 }
 
-fn written(out: impl Write + Send, columns: &[CellColumn], metadata: &[(&str, String)]) -> Result<(), ParquetError> {
-    let units: BTreeMap<&str, &str> =
-        columns.iter().filter(|column| !column.unit.is_empty()).map(|c| (c.name.as_str(), c.unit.as_str())).collect();
+fn written(
+    out: impl Write + Send,
+    columns: &[CellColumn],
+    metadata: &[(&str, String)],
+) -> Result<(), ParquetError> {
+    let units: BTreeMap<&str, &str> = columns
+        .iter()
+        .filter(|column| !column.unit.is_empty())
+        .map(|c| (c.name.as_str(), c.unit.as_str()))
+        .collect();
     let units = serde_json::to_string(&units).map_err(|cause| ParquetError::General(cause.to_string()))?;
     let pairs = metadata.iter().map(|(key, value)| ((*key).to_owned(), value.clone()));
-    let pairs = pairs.chain([(UNITS.to_owned(), units)]).map(|(key, value)| KeyValue::new(key, value)).collect();
+    let pairs =
+        pairs.chain([(UNITS.to_owned(), units)]).map(|(key, value)| KeyValue::new(key, value)).collect();
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_key_value_metadata(Some(pairs))
@@ -112,9 +122,8 @@ fn read(file: File, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, ParquetE
     let reader = SerializedFileReader::new(file)?;
     let metadata = reader.metadata().file_metadata();
     let units = metadata.key_value_metadata().and_then(|pairs| pairs.iter().find(|pair| pair.key == UNITS));
-    let units: BTreeMap<String, String> = units
-        .and_then(|pair| serde_json::from_str(pair.value.as_deref()?).ok())
-        .unwrap_or_default();
+    let units: BTreeMap<String, String> =
+        units.and_then(|pair| serde_json::from_str(pair.value.as_deref()?).ok()).unwrap_or_default();
     let mut columns = Vec::new();
     for (index, field) in metadata.schema_descr().columns().iter().enumerate() {
         let name = field.name().to_owned();
@@ -132,7 +141,11 @@ fn read(file: File, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, ParquetE
 }
 
 /// Appends the values of one column of one row group.
-fn read_group(group: &dyn RowGroupReader, index: usize, cells: &mut Option<Cells>) -> Result<(), ParquetError> {
+fn read_group(
+    group: &dyn RowGroupReader,
+    index: usize,
+    cells: &mut Option<Cells>,
+) -> Result<(), ParquetError> {
     let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
     let mut levels = Vec::with_capacity(rows);
     match group.get_column_reader(index)? {
@@ -160,7 +173,8 @@ fn read_group(group: &dyn RowGroupReader, index: usize, cells: &mut Option<Cells
         ColumnReader::ByteArrayColumnReader(mut reader) => {
             let mut values = Vec::with_capacity(rows);
             reader.read_records(rows, Some(&mut levels), None, &mut values)?;
-            let texts = values.iter().map(|text| text.as_utf8().map(str::to_owned)).collect::<Result<Vec<_>, _>>()?;
+            let texts =
+                values.iter().map(|text| text.as_utf8().map(str::to_owned)).collect::<Result<Vec<_>, _>>()?;
             if let Cells::Texts(all) = cells.get_or_insert(Cells::Texts(Vec::new())) {
                 all.extend(dense(texts, &levels));
             }

@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use quasirigid_io::table_file::{CellColumn, Cells, TableError, csv_header, csv_rows, read_bodies, read_parquet, write_parquet};
+use quasirigid_io::table_file::{
+    CellColumn, Cells, TableError, csv_header, csv_rows, read_bodies, read_parquet, write_parquet,
+};
 use tempfile::TempDir;
 
 fn columns() -> Vec<CellColumn> {
@@ -12,7 +14,11 @@ fn columns() -> Vec<CellColumn> {
         column("row", "", Cells::Counts((0..5).collect())),
         column("spring.1.stiffness", "N/m", Cells::Numbers(numbers.to_vec())),
         column("valid", "", Cells::Booleans(vec![Some(true), None, Some(false), None, None])),
-        column("name, \"x\"", "", Cells::Texts(vec![Some("a".into()), None, Some("é\n,\"".into()), Some(String::new()), None])),
+        column(
+            "name, \"x\"",
+            "",
+            Cells::Texts(vec![Some("a".into()), None, Some("é\n,\"".into()), Some(String::new()), None]),
+        ),
         column("empty", "s", Cells::Numbers(vec![None; 5])),
     ]
 }
@@ -52,11 +58,14 @@ fn lines_that_cannot_be_read_are_kept_apart() {
     assert_eq!(bodies.names, ["a", "b"]);
     assert_eq!(bodies.columns[0], ["1", "", "", "", "8"]);
     let reasons: Vec<_> = bodies.unread.iter().map(|(row, reason)| (*row, reason.as_str())).collect();
-    assert_eq!(reasons, [
-        (1, "line 4 of the table has 1 values, but the header has 2"),
-        (2, "line 5 of the table is not UTF-8 text"),
-        (3, "line 6 of the table has 3 values, but the header has 2"),
-    ]);
+    assert_eq!(
+        reasons,
+        [
+            (1, "line 4 of the table has 1 values, but the header has 2"),
+            (2, "line 5 of the table is not UTF-8 text"),
+            (3, "line 6 of the table has 3 values, but the header has 2"),
+        ]
+    );
 }
 
 #[test]

@@ -31,23 +31,40 @@ pub(super) struct KeyColumn {
 
 impl Bodies {
     /// Reads the table of a study and finds the role of each column.
-    pub(super) fn read(study: &StudyFile, source: &TableSource, template: &Template) -> Result<Self, SweepError> {
+    pub(super) fn read(
+        study: &StudyFile,
+        source: &TableSource,
+        template: &Template,
+    ) -> Result<Self, SweepError> {
         let table = read_bodies(&source.file).map_err(|error| located(study, source, &error))?;
         let missing = |name: &str, span: &std::ops::Range<usize>| {
             let message = format!("the table has no column {name:?}");
             let help = format!("its columns are {}", table.names.join(", "));
             SweepError::File(study.refuse(span.clone(), message, "no such column", Some(help)))
         };
-        for (name, span) in source.columns.iter().map(|column| (&column.name, &column.span)).chain(source.keep.iter().map(|(name, span)| (name, span))) {
+        for (name, span) in source
+            .columns
+            .iter()
+            .map(|column| (&column.name, &column.span))
+            .chain(source.keep.iter().map(|(name, span)| (name, span)))
+        {
             if !table.names.contains(name) {
                 return Err(missing(name, span));
             }
         }
         let (mut keys, mut kept) = (Vec::new(), Vec::new());
         for (column, name) in table.names.iter().enumerate() {
-            if let Some(TableColumn { key, unit, span, .. }) = source.columns.iter().find(|each| each.name == *name) {
+            if let Some(TableColumn { key, unit, span, .. }) =
+                source.columns.iter().find(|each| each.name == *name)
+            {
                 template.find(key).map_err(|error| nowhere(study, span.clone(), &error))?;
-                keys.push(KeyColumn { name: name.clone(), key: key.clone(), unit: unit.clone(), kind: CellKind::Text, column });
+                keys.push(KeyColumn {
+                    name: name.clone(),
+                    key: key.clone(),
+                    unit: unit.clone(),
+                    kind: CellKind::Text,
+                    column,
+                });
             } else if source.keep.iter().any(|(each, _)| each == name) {
                 kept.push((name.clone(), column));
             } else {
@@ -89,7 +106,10 @@ impl Bodies {
         if let Some(unit) = &key.unit {
             return match text.parse::<f64>() {
                 Ok(number) if number.is_finite() => Ok(Given::Text(format!("{text} {unit}"))),
-                _ => Err(format!("row {} of the table, column {name:?}: {text:?} is not a finite number", body + 1)),
+                _ => Err(format!(
+                    "row {} of the table, column {name:?}: {text:?} is not a finite number",
+                    body + 1
+                )),
             };
         }
         if key.key.key() == "name" {
@@ -131,7 +151,9 @@ fn located(study: &StudyFile, source: &TableSource, error: &TableError) -> Sweep
 
 fn unknown(study: &StudyFile, source: &TableSource, name: &str, error: &ChangeError) -> SweepError {
     let message = format!("the column {name:?} of the table is no key of the model: {error}");
-    let help = format!("name its key with columns = {{ {name:?} = \"carrier.mass\" }}, or carry it through unread with keep = [{name:?}]");
+    let help = format!(
+        "name its key with columns = {{ {name:?} = \"carrier.mass\" }}, or carry it through unread with keep = [{name:?}]"
+    );
     let refused: ModelError = study.refuse(source.span.clone(), message, "this table", Some(help));
     SweepError::File(refused)
 }

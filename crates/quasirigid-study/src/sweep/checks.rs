@@ -22,14 +22,26 @@ const BODIES: usize = 20;
 /// A model that is no model without the table or the study is not judged here; its rows say what is wrong with each.
 pub(super) fn keys(sweep: &Sweep) -> Result<(), SweepError> {
     let drawn = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values));
-    if let (quasirigid_io::study_file::Sampling::Sobol, Some(over)) = (sweep.study.sampling, drawn.into_iter().nth(MOST_SOBOL_KEYS)) {
+    if let (quasirigid_io::study_file::Sampling::Sobol, Some(over)) =
+        (sweep.study.sampling, drawn.into_iter().nth(MOST_SOBOL_KEYS))
+    {
         let message = format!("a Sobol sequence draws at most {MOST_SOBOL_KEYS} keys");
-        let refused = sweep.study.refuse(over.span.clone(), message, "one too many", Some("take latin-hypercube".to_owned()));
+        let refused = sweep.study.refuse(
+            over.span.clone(),
+            message,
+            "one too many",
+            Some("take latin-hypercube".to_owned()),
+        );
         return Err(SweepError::File(refused));
     }
     if let Err(error) = parsed(sweep, &[]) {
-        let all: Vec<_> = sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
-        return if sweep.bodies.is_none() && parsed(sweep, &all).is_err() { Err(SweepError::Model(error)) } else { Ok(()) };
+        let all: Vec<_> =
+            sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
+        return if sweep.bodies.is_none() && parsed(sweep, &all).is_err() {
+            Err(SweepError::Model(error))
+        } else {
+            Ok(())
+        };
     }
     let all: Vec<_> = sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
     if parsed(sweep, &all).is_err() {
@@ -47,9 +59,16 @@ fn columns(sweep: &Sweep) -> Result<(), SweepError> {
     let (Some(bodies), Some(table)) = (&sweep.bodies, &sweep.study.table) else { return Ok(()) };
     for key in &bodies.keys {
         let given = (0..(bodies.rows() as usize).min(BODIES)).filter_map(|body| bodies.given(key, body).ok());
-        let tried: Vec<_> = given.map(|given| (parsed(sweep, &[(key.key.clone(), given.clone())]), given)).collect();
-        if let (Some((Err(error), given)), true) = (tried.first(), tried.iter().all(|(found, _)| found.is_err())) {
-            let span = table.columns.iter().find(|column| column.name == key.name).map_or(table.span.clone(), |c| c.span.clone());
+        let tried: Vec<_> =
+            given.map(|given| (parsed(sweep, &[(key.key.clone(), given.clone())]), given)).collect();
+        if let (Some((Err(error), given)), true) =
+            (tried.first(), tried.iter().all(|(found, _)| found.is_err()))
+        {
+            let span = table
+                .columns
+                .iter()
+                .find(|column| column.name == key.name)
+                .map_or(table.span.clone(), |c| c.span.clone());
             return Err(refused(sweep, span, &format!("column {:?}, {}", key.name, key.key), given, error));
         }
     }
@@ -73,11 +92,17 @@ fn parsed(sweep: &Sweep, changes: &[(KeyPath, Given)]) -> Result<(), ModelError>
     Model::parse(&sweep.model.file, &text).map(drop)
 }
 
-fn refused(sweep: &Sweep, span: std::ops::Range<usize>, name: &str, given: &Given, error: &ModelError) -> SweepError {
+fn refused(
+    sweep: &Sweep,
+    span: std::ops::Range<usize>,
+    name: &str,
+    given: &Given,
+    error: &ModelError,
+) -> SweepError {
     let (message, help) = match error {
-        ModelError::Invalid { diagnostics, .. } => {
-            diagnostics.first().map_or_else(Default::default, |first| (first.message.clone(), first.help.clone()))
-        }
+        ModelError::Invalid { diagnostics, .. } => diagnostics
+            .first()
+            .map_or_else(Default::default, |first| (first.message.clone(), first.help.clone())),
         other => (other.to_string(), None),
     };
     let message = format!("{name} = {given} makes no model: {message}");
@@ -97,9 +122,13 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
         let row = if candidate == 0 { 0 } else { candidate * (sweep.rows / tried) };
         let Ok(text) = sweep.model_text(row) else { continue };
         let mut stop = || watch.at("answering a first row", 0.0).is_break();
-        let Some(found) = answers(&sweep.model, &text, asked, &mut stop) else { return Err(SweepError::Interrupted) };
+        let Some(found) = answers(&sweep.model, &text, asked, &mut stop) else {
+            return Err(SweepError::Interrupted);
+        };
         for (index, quantity) in asked.quantities.iter().enumerate() {
-            let Some(Answered::Objects(objects, ..)) = found.commands.get(&quantity.command) else { continue };
+            let Some(Answered::Objects(objects, ..)) = found.commands.get(&quantity.command) else {
+                continue;
+            };
             let Some(object) = objects.first() else { continue };
             match quantity::find(quantity, object) {
                 Found::Value(value) => {
@@ -120,7 +149,12 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
     for (index, quantity) in asked.quantities.iter().enumerate() {
         if let (false, Some(reason)) = (there[index], &absent[index]) {
             let help = (tried > 1).then(|| "none of the first rows has it".to_owned());
-            return Err(SweepError::File(sweep.study.refuse(quantity.span.clone(), reason.clone(), "no such quantity", help)));
+            return Err(SweepError::File(sweep.study.refuse(
+                quantity.span.clone(),
+                reason.clone(),
+                "no such quantity",
+                help,
+            )));
         }
     }
     let columns = asked.quantities.iter().enumerate().flat_map(|(index, quantity)| {
@@ -129,7 +163,11 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
     });
     let output = |(index, quantity, time, times): (usize, &Quantity, usize, usize)| {
         let kind = kinds[index].unwrap_or(CellKind::Number);
-        let name = if times == 0 { quantity.name.clone() } else { format!("{} at {}", quantity.name, asked.times[time].0) };
+        let name = if times == 0 {
+            quantity.name.clone()
+        } else {
+            format!("{} at {}", quantity.name, asked.times[time].0)
+        };
         let unit = if kind == CellKind::Number { quantity::unit(quantity).to_owned() } else { String::new() };
         Output { name, unit, kind, quantity: index, time }
     };

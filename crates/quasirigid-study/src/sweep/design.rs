@@ -27,7 +27,8 @@ impl Design {
             Sampling::LatinHypercube => {
                 let order = word(self.seed, block, key, Stream::Permutation);
                 let interval = permuted(sample, self.samples, order);
-                ((interval as f64 + inside) / self.samples as f64).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0)
+                ((interval as f64 + inside) / self.samples as f64)
+                    .clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0)
             }
             Sampling::Sobol => {
                 let scrambling = word(self.seed, block, 0, Stream::Scrambling) as u32;

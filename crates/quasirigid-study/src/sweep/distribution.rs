@@ -58,12 +58,19 @@ mod tests {
     #[test]
     fn quantiles_are_those_of_tables() {
         let normal = |range| Distribution::Normal { mean: 10.0, deviation: 2.0, range };
-        for (u, z) in [(0.25, -0.674_489_750_196_081_7), (0.001, -3.090_232_306_167_814), (1e-20, -9.262_340_089_798_408)] {
+        for (u, z) in [
+            (0.25, -0.674_489_750_196_081_7),
+            (0.001, -3.090_232_306_167_814),
+            (1e-20, -9.262_340_089_798_408),
+        ] {
             assert!((quantile(&normal(WIDE), u) - (10.0 + 2.0 * z)).abs() < 1e-14 * 10.0, "{u}");
         }
         assert!((quantile(&normal(WIDE), 0.75) - (10.0 + 2.0 * 0.674_489_750_196_081_7)).abs() < 1e-13);
         let log = Distribution::LogNormal { median: 100.0, sigma: std::f64::consts::LN_10, range: WIDE };
-        assert!((quantile(&log, 0.841_344_746_068_542_9) / 1000.0 - 1.0).abs() < 1e-13, "one decade above the median");
+        assert!(
+            (quantile(&log, 0.841_344_746_068_542_9) / 1000.0 - 1.0).abs() < 1e-13,
+            "one decade above the median"
+        );
         assert_eq!(quantile(&Distribution::Uniform([2.0, 6.0]), 0.25), 3.0);
         assert!((quantile(&Distribution::LogUniform([1.0, 1e4]), 0.25) - 10.0).abs() < 1e-13);
     }
@@ -71,7 +78,8 @@ mod tests {
     /// The probability of the quantile, by the cumulative distribution and not by its inverse, is the one asked for.
     #[test]
     fn truncated_quantiles_divide_the_probability_that_is_left() {
-        for range in [[8.0, 11.0], [12.0, 13.0], [9.0, f64::INFINITY], [f64::NEG_INFINITY, 4.0], [28.0, 29.0]] {
+        for range in [[8.0, 11.0], [12.0, 13.0], [9.0, f64::INFINITY], [f64::NEG_INFINITY, 4.0], [28.0, 29.0]]
+        {
             let law = Distribution::Normal { mean: 10.0, deviation: 2.0, range };
             let standard = |x: f64| (x - 10.0) / 2.0;
             let mirrored = range[0] > 10.0;

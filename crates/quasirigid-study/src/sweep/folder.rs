@@ -87,8 +87,8 @@ impl<'s> Folder<'s> {
 
     /// Writes a part from its rows, in the order of the study.
     pub(super) fn write_part(&self, part: u64, rows: &[RowAnswer]) -> Result<(), SweepError> {
-        let columns = self.columns(rows);
         let sweep = self.sweep;
+        let columns = columns(sweep, rows);
         let metadata = [
             ("quasirigid.study", sweep.sha256.clone()),
             ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
@@ -98,27 +98,6 @@ impl<'s> Folder<'s> {
         let mut bytes = Vec::new();
         write_parquet(&path, &mut bytes, &columns, &metadata)?;
         put(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
-    }
-
-    /// Columns of a part: row, inputs, answers, status, reason, note.
-    fn columns(&self, rows: &[RowAnswer]) -> Vec<CellColumn> {
-        let sweep = self.sweep;
-        let inputs: Vec<Vec<Cell>> = rows.iter().map(|row| plan::cells(sweep, row.row)).collect();
-        let column = |name: &str, unit: &str, cells: Cells| CellColumn { name: name.into(), unit: unit.into(), cells };
-        let texts = |text: &dyn Fn(&RowAnswer) -> &str| {
-            Cells::Texts(rows.iter().map(|row| Some(text(row)).filter(|text| !text.is_empty()).map(str::to_owned)).collect())
-        };
-        let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
-        columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
-            column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
-        }));
-        columns.extend(sweep.outputs.iter().enumerate().map(|(i, output)| {
-            column(&output.name, &output.unit, cells(output.kind, rows.iter().map(|row| &row.outputs[i])))
-        }));
-        columns.push(column("status", "", texts(&|row| row.status.word())));
-        columns.push(column("reason", "", texts(&|row| &row.reason)));
-        columns.push(column("note", "", texts(&|row| &row.note)));
-        columns
     }
 
     /// Columns of these names over all parts, in the order of the file.
@@ -138,13 +117,42 @@ impl<'s> Folder<'s> {
     }
 
     /// Writes a file of the folder.
-    pub(super) fn put(&self, name: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SweepError> {
+    pub(super) fn put(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), SweepError> {
         let path = self.path.join(name);
         put(&path, write).map_err(SweepError::io(path))
     }
 }
 
-/// Name of a column of numbers, and the kind that a report needs to know.
+/// Columns of a part: row, inputs, answers, status, reason, note.
+pub(super) fn columns(sweep: &Sweep, rows: &[RowAnswer]) -> Vec<CellColumn> {
+    let inputs: Vec<Vec<Cell>> = rows.iter().map(|row| plan::cells(sweep, row.row)).collect();
+    let column =
+        |name: &str, unit: &str, cells: Cells| CellColumn { name: name.into(), unit: unit.into(), cells };
+    let texts = |text: &dyn Fn(&RowAnswer) -> &str| {
+        Cells::Texts(
+            rows.iter()
+                .map(|row| Some(text(row)).filter(|text| !text.is_empty()).map(str::to_owned))
+                .collect(),
+        )
+    };
+    let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+    columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
+        column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
+    }));
+    columns.extend(sweep.outputs.iter().enumerate().map(|(i, output)| {
+        column(&output.name, &output.unit, cells(output.kind, rows.iter().map(|row| &row.outputs[i])))
+    }));
+    columns.push(column("status", "", texts(&|row| row.status.word())));
+    columns.push(column("reason", "", texts(&|row| &row.reason)));
+    columns.push(column("note", "", texts(&|row| &row.note)));
+    columns
+}
+
+/// Word of a kind in the summary.
 pub(super) fn kind_word(kind: CellKind) -> &'static str {
     match kind {
         CellKind::Number => "number",
@@ -196,7 +204,9 @@ fn put(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io:
 /// Waits until a file is on the disk. A file system that cannot say so is taken at its word.
 fn settled(file: &File) -> io::Result<()> {
     match file.sync_all() {
-        Err(error) if matches!(error.kind(), io::ErrorKind::Unsupported | io::ErrorKind::InvalidInput) => Ok(()),
+        Err(error) if matches!(error.kind(), io::ErrorKind::Unsupported | io::ErrorKind::InvalidInput) => {
+            Ok(())
+        }
         other => other,
     }
 }
@@ -207,8 +217,13 @@ pub(super) fn tidy(folder: &Path) {
         let Ok(entries) = fs::read_dir(place) else { continue };
         for entry in entries.flatten() {
             let name = entry.file_name();
-            let ours = name.to_str().is_some_and(|name| name.starts_with(".quasirigid-") && name.ends_with(".tmp"));
-            let age = entry.metadata().and_then(|metadata| metadata.modified()).ok().and_then(|at| at.elapsed().ok());
+            let ours =
+                name.to_str().is_some_and(|name| name.starts_with(".quasirigid-") && name.ends_with(".tmp"));
+            let age = entry
+                .metadata()
+                .and_then(|metadata| metadata.modified())
+                .ok()
+                .and_then(|at| at.elapsed().ok());
             if ours && age.is_some_and(|age| age.as_secs() >= 60) {
                 let _ = fs::remove_file(entry.path());
             }

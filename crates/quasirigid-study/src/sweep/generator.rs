@@ -11,7 +11,12 @@ pub(super) fn philox(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
     for _ in 0..ROUNDS {
         let [first, second] = [0, 1].map(|i| u64::from(MULTIPLIERS[i]) * u64::from(counter[2 * i]));
         let high = |product: u64| (product >> 32) as u32;
-        counter = [high(second) ^ counter[1] ^ key[0], second as u32, high(first) ^ counter[3] ^ key[1], first as u32];
+        counter = [
+            high(second) ^ counter[1] ^ key[0],
+            second as u32,
+            high(first) ^ counter[3] ^ key[1],
+            first as u32,
+        ];
         key = [key[0].wrapping_add(WEYL[0]), key[1].wrapping_add(WEYL[1])];
     }
     counter
@@ -69,14 +74,20 @@ mod tests {
         assert_eq!(philox([0; 4], [0; 2]), [0x6627_e8d5, 0xe169_c58d, 0xbc57_ac4c, 0x9b00_dbd8]);
         assert_eq!(philox([ones; 4], [ones; 2]), [0x408f_276d, 0x41c8_3b0e, 0xa20b_c7c6, 0x6d54_51fd]);
         let pi = [0x243f_6a88, 0x85a3_08d3, 0x1319_8a2e, 0x0370_7344];
-        assert_eq!(philox(pi, [0xa409_3822, 0x299f_31d0]), [0xd16c_fe09, 0x94fd_cceb, 0x5001_e420, 0x2412_6ea1]);
+        assert_eq!(
+            philox(pi, [0xa409_3822, 0x299f_31d0]),
+            [0xd16c_fe09, 0x94fd_cceb, 0x5001_e420, 0x2412_6ea1]
+        );
     }
 
     #[test]
     fn permutation_meets_every_index_once() {
         for count in [1, 2, 3, 7, 64, 1000] {
             let mut met: Vec<u64> = (0..count).map(|index| permuted(index, count, 5)).collect();
-            assert!(count < 64 || met.windows(2).any(|pair| pair[0] > pair[1]), "a permutation of {count} is the identity");
+            assert!(
+                count < 64 || met.windows(2).any(|pair| pair[0] > pair[1]),
+                "a permutation of {count} is the identity"
+            );
             met.sort_unstable();
             assert!(met.into_iter().eq(0..count));
         }

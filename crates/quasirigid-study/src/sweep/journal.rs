@@ -62,7 +62,8 @@ fn read(line: &[u8]) -> Option<RowAnswer> {
     if u32::from_str_radix(checksum, 16).ok()? != crc32fast::hash(text.as_bytes()) {
         return None;
     }
-    let (row, status, reason, note, cells): (u64, String, String, String, Vec<Value>) = serde_json::from_str(text).ok()?;
+    let (row, status, reason, note, cells): (u64, String, String, String, Vec<Value>) =
+        serde_json::from_str(text).ok()?;
     let outputs = cells.iter().map(cell_of_json).collect::<Option<_>>()?;
     Some(RowAnswer { row, outputs, status: Status::of(&status)?, reason, note })
 }
@@ -117,7 +118,11 @@ mod tests {
             journal.write(&row(9)).expect("room");
             drop(journal);
             let (_journal, again) = Journal::open(&path).expect("a file").expect("no other process");
-            assert_eq!(again.last(), Some(&row(9)), "what is written after a cut stands on a line of its own");
+            assert_eq!(
+                again.last(),
+                Some(&row(9)),
+                "what is written after a cut stands on a line of its own"
+            );
         }
     }
 

@@ -18,6 +18,7 @@ mod row;
 mod run;
 mod summary;
 mod text;
+mod uncertainty;
 
 use std::path::Path;
 
@@ -31,6 +32,7 @@ pub use error::SweepError;
 pub use row::{RowAnswer, Status};
 pub use run::{Finished, RunOptions, Shard};
 pub use text::text;
+pub use uncertainty::text as uncertainty_text;
 
 use bodies::Bodies;
 use design::Design;
@@ -114,17 +116,25 @@ impl Sweep {
     }
 
     fn new(study: StudyFile, model: Source, watch: &mut dyn crate::Watch) -> Result<Self, SweepError> {
-        let template = Template::new(&model.text)
-            .map_err(|_| SweepError::Model(quasirigid_io::model::Model::parse(&model.file, &model.text).err().unwrap_or_else(|| not_toml(&study))))?;
+        let template = Template::new(&model.text).map_err(|_| {
+            SweepError::Model(
+                quasirigid_io::model::Model::parse(&model.file, &model.text)
+                    .err()
+                    .unwrap_or_else(|| not_toml(&study)),
+            )
+        })?;
         for varied in &study.vary {
-            template.find(&varied.key).map_err(|error| bodies::nowhere(&study, varied.span.clone(), &error))?;
+            template
+                .find(&varied.key)
+                .map_err(|error| bodies::nowhere(&study, varied.span.clone(), &error))?;
         }
         let bodies = study.table.as_ref().map(|table| Bodies::read(&study, table, &template)).transpose()?;
         let rows = plan::rows(&study, bodies.as_ref()).ok_or(SweepError::TooLarge { most: MOST_ROWS })?;
         let design = Design { sampling: study.sampling, seed: study.seed, samples: study.samples as u64 };
         let inputs = plan::inputs(&study, bodies.as_ref());
         let sha256 = identity(&study, &model)?;
-        let mut sweep = Self { study, model, inputs, outputs: Vec::new(), sha256, template, bodies, design, rows };
+        let mut sweep =
+            Self { study, model, inputs, outputs: Vec::new(), sha256, template, bodies, design, rows };
         checks::keys(&sweep)?;
         sweep.outputs = checks::outputs(&sweep, watch)?;
         Ok(sweep)
@@ -172,7 +182,13 @@ impl Sweep {
             Ok(text) => text,
             Err(reason) => {
                 let outputs = vec![Cell::Missing; outputs.len()];
-                return Some(RowAnswer { row, outputs, status: Status::Invalid, reason, note: String::new() });
+                return Some(RowAnswer {
+                    row,
+                    outputs,
+                    status: Status::Invalid,
+                    reason,
+                    note: String::new(),
+                });
             }
         };
         let answers = row::answers(&self.model, &text, &self.study.answer, stop)?;
@@ -181,7 +197,8 @@ impl Sweep {
             let quantity = &self.study.answer.quantities[output.quantity];
             match answers.commands.get(&quantity.command) {
                 Some(Answered::Objects(objects, status, _)) => {
-                    let object = objects.get(output.time).or(objects.last()).unwrap_or(&serde_json::Value::Null);
+                    let object =
+                        objects.get(output.time).or(objects.last()).unwrap_or(&serde_json::Value::Null);
                     output.cell(quantity::find(quantity, object), *status, &mut notes)
                 }
                 _ => Cell::Missing,
@@ -233,7 +250,9 @@ fn cell_of(value: &serde_json::Value) -> Cell {
 }
 
 /// The worst status of the commands of a row, with its reason.
-fn worst(commands: &std::collections::BTreeMap<quasirigid_io::study_file::Command, Answered>) -> (Status, String) {
+fn worst(
+    commands: &std::collections::BTreeMap<quasirigid_io::study_file::Command, Answered>,
+) -> (Status, String) {
     let mut worst = (Status::Answered, String::new());
     for (command, answered) in commands {
         let (status, reason) = match answered {

@@ -48,7 +48,9 @@ pub(super) fn inputs(study: &StudyFile, bodies: Option<&Bodies>) -> Vec<Column> 
 fn kind(values: &Values) -> CellKind {
     let number = |value: &Given| matches!(value, Given::Number(_) | Given::Integer(_));
     match values {
-        Values::Grid(Grid::List(list)) if list.iter().all(|value| matches!(value, Given::Bool(_))) => CellKind::Boolean,
+        Values::Grid(Grid::List(list)) if list.iter().all(|value| matches!(value, Given::Bool(_))) => {
+            CellKind::Boolean
+        }
         Values::Grid(Grid::List(list)) if !list.iter().all(number) => CellKind::Text,
         _ => CellKind::Number,
     }
@@ -61,9 +63,14 @@ pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, Given)>, 
         None => Vec::new(),
     };
     let values = values(sweep, row);
-    changes.extend(sweep.study.vary.iter().zip(values).map(|(varied, value)| {
-        (varied.key.clone(), in_unit(value, varied.values.unit()))
-    }));
+    changes.extend(
+        sweep
+            .study
+            .vary
+            .iter()
+            .zip(values)
+            .map(|(varied, value)| (varied.key.clone(), in_unit(value, varied.values.unit()))),
+    );
     Ok(changes)
 }
 

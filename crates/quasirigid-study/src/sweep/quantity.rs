@@ -30,7 +30,10 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
             Value::Array(items) => entry(items, segment),
             _ => None,
         };
-        let named = || (at == 0 && quantity.command == Command::Modes).then(|| entry(object["modes"].as_array()?, segment))?;
+        let named = || {
+            (at == 0 && quantity.command == Command::Modes)
+                .then(|| entry(object["modes"].as_array()?, segment))?
+        };
         match inside.or_else(named) {
             Some(next) => value = next,
             None if value.is_null() => return Found::Unknown,
@@ -42,7 +45,8 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
     }
     let name = quantity.path.last().map_or("", String::as_str);
     let listed = object["not_known"].as_array();
-    let unbounded = quantity.command == Command::Evolve && quantity.path.len() == 1 && UNBOUNDED.contains(&name);
+    let unbounded =
+        quantity.command == Command::Evolve && quantity.path.len() == 1 && UNBOUNDED.contains(&name);
     match listed {
         Some(unknown) if unbounded && !unknown.iter().any(|each| each == name) => Found::Infinite,
         _ => Found::Unknown,
@@ -65,7 +69,9 @@ fn absent(quantity: &Quantity, at: usize, value: &Value) -> String {
         Value::Array(items) => items
             .iter()
             .enumerate()
-            .map(|(i, item)| item.get("name").and_then(Value::as_str).map_or_else(|| i.to_string(), str::to_owned))
+            .map(|(i, item)| {
+                item.get("name").and_then(Value::as_str).map_or_else(|| i.to_string(), str::to_owned)
+            })
             .collect(),
         _ => Vec::new(),
     };
@@ -88,10 +94,11 @@ fn absent(quantity: &Quantity, at: usize, value: &Value) -> String {
 pub(super) fn unit(quantity: &Quantity) -> &'static str {
     let words = quantity.path.iter().rev().find(|segment| segment.parse::<usize>().is_err());
     match words.map_or("", String::as_str) {
-        "time" | "time_range" | "time_constant" | "separatrix_time" | "lingering" | "damping_time" | "growth_time"
-        | "rotation_period" | "precession_period" | "relaxation_times" | "T1" | "T2" | "T3" | "t" | "duration" | "least"
-        | "greatest" => "s",
-        "frequency" | "frequencies" | "free_frequencies" | "seen_from_outside" | "spin" | "omega" | "wx" | "wy" | "wz" => "rad/s",
+        "time" | "time_range" | "time_constant" | "separatrix_time" | "lingering" | "damping_time"
+        | "growth_time" | "rotation_period" | "precession_period" | "relaxation_times" | "T1" | "T2"
+        | "T3" | "t" | "duration" | "least" | "greatest" => "s",
+        "frequency" | "frequencies" | "free_frequencies" | "seen_from_outside" | "spin" | "omega" | "wx"
+        | "wy" | "wz" => "rad/s",
         "decay_rate" | "decay_rates" => "1/s",
         "nutation_least" | "nutation_greatest" | "nutation_min" | "nutation_max" => "rad",
         "momentum" => "N m s",
@@ -119,11 +126,18 @@ mod tests {
         let object = json!({ "spin": [1.0, 2.0, 3.0], "modes": [{ "name": "nutation", "time_constant": 5.0, "damping_ratio": null }] });
         let at = |path: &[&str]| format!("{:?}", find(&quantity(Command::Modes, path), &object));
         assert_eq!(at(&["spin", "1"]), "Value(Number(2.0))");
-        for path in [&["nutation", "time_constant"][..], &["modes", "nutation", "time_constant"], &["modes", "0", "time_constant"]] {
+        for path in [
+            &["nutation", "time_constant"][..],
+            &["modes", "nutation", "time_constant"],
+            &["modes", "0", "time_constant"],
+        ] {
             assert_eq!(at(path), "Value(Number(5.0))");
         }
         assert_eq!(at(&["nutation", "damping_ratio"]), "Unknown");
-        assert!(at(&["tip", "time_constant"]).contains("there is no `tip`; there is modes, spin; the modes are nutation"));
+        assert!(
+            at(&["tip", "time_constant"])
+                .contains("there is no `tip`; there is modes, spin; the modes are nutation")
+        );
         assert!(at(&["spin", "3"]).contains("there is no `3`; there is 0, 1, 2"));
         assert!(at(&["spin", "1", "x"]).starts_with("Absent"));
     }

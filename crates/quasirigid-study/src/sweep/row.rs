@@ -94,7 +94,9 @@ pub(super) fn answers(
     let work = || Ok(of_commands(model, text, asked, &stopped));
     let found = catch_unwind(AssertUnwindSafe(|| watched(&mut observer, work)));
     let failed = |reason: String| Answers {
-        commands: commands(asked).map(|command| (command, Answered::Nothing(Status::Failed, reason.clone()))).collect(),
+        commands: commands(asked)
+            .map(|command| (command, Answered::Nothing(Status::Failed, reason.clone())))
+            .collect(),
         notes: Vec::new(),
     };
     match found {
@@ -117,9 +119,15 @@ fn commands(asked: &Answer) -> impl Iterator<Item = Command> {
     all.into_iter()
 }
 
-fn of_commands(model: &quasirigid_io::model::Source, text: &str, asked: &Answer, stopped: &AtomicBool) -> Answers {
+fn of_commands(
+    model: &quasirigid_io::model::Source,
+    text: &str,
+    asked: &Answer,
+    stopped: &AtomicBool,
+) -> Answers {
     let mut watch = Remarks { stopped, notes: Vec::new() };
-    let study = Model::parse(&model.file, text).map_err(StudyError::from).and_then(|model| Study::new(model, None));
+    let study =
+        Model::parse(&model.file, text).map_err(StudyError::from).and_then(|model| Study::new(model, None));
     let commands = commands(asked).map(|command| {
         let answered = match &study {
             Ok(study) => command_of(command, study, asked, &mut watch),
@@ -141,10 +149,12 @@ fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remar
             Answered::Objects(vec![evolved.json()], status, record.message.clone())
         }),
         Command::Simulate => simulated(study, asked, watch),
-        Command::Verify => study.verify(&study.verification_plan(Verify::default()), watch).map(|record| match record {
-            Some(record) => whole(json!(record)),
-            None => Answered::Nothing(Status::Failed, "the verification was interrupted".to_owned()),
-        }),
+        Command::Verify => {
+            study.verify(&study.verification_plan(Verify::default()), watch).map(|record| match record {
+                Some(record) => whole(json!(record)),
+                None => Answered::Nothing(Status::Failed, "the verification was interrupted".to_owned()),
+            })
+        }
     };
     answered.unwrap_or_else(|error| Answered::Nothing(status_of(&error), first_line(&error)))
 }
@@ -181,7 +191,11 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
         history.run.outcome,
         Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
     );
-    let wrong = if asked.system == System::Rigid { None } else { LeftOut::at(study, study.initial()?.omega, None).liquids };
+    let wrong = if asked.system == System::Rigid {
+        None
+    } else {
+        LeftOut::at(study, study.initial()?.omega, None).liquids
+    };
     Ok(match wrong {
         Some(wrong) => Answered::Objects(objects, Status::Refused, wrong),
         None if finished => Answered::Objects(objects, Status::Answered, String::new()),

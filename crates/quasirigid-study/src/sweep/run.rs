@@ -64,13 +64,19 @@ impl Sweep {
     ///
     /// # Errors
     /// [`SweepError`] for a folder that belongs to something else, and for files that cannot be written.
-    pub fn run(&self, folder: &Path, options: &RunOptions, watch: &mut dyn Watch) -> Result<Finished, SweepError> {
+    pub fn run(
+        &self,
+        folder: &Path,
+        options: &RunOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Finished, SweepError> {
         if let Some(Shard { index, count }) = options.shard
             && !(1..=count).contains(&index)
         {
             return Err(SweepError::Shard { index, count });
         }
-        let threads = options.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
+        let threads =
+            options.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
         let pool = pool(threads)?;
         let folder = Folder::open(folder, self, options.resume || options.shard.is_some())?;
         tidy(&folder.path);
@@ -102,6 +108,26 @@ fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
     rows.end - rows.start
 }
 
+impl Sweep {
+    /// Answers every row and keeps the answers in memory, in the order of the rows; none if the watch ended the work.
+    pub(super) fn in_memory(&self, watch: &mut dyn Watch) -> Result<Option<Vec<RowAnswer>>, SweepError> {
+        let threads = std::thread::available_parallelism().map_or(1, Into::into);
+        let todo: Vec<u64> = (0..self.rows).collect();
+        let mut answers: Vec<Option<RowAnswer>> = todo.iter().map(|_| None).collect();
+        let mut keep = |answer: RowAnswer| {
+            let place = answer.row as usize;
+            answers[place] = Some(answer);
+            Ok(())
+        };
+        let progress = &mut Progress { watch, done: 0, total: self.rows, stopped: false };
+        match pool(threads)? {
+            None => one_by_one(self, &todo, progress, &mut keep)?,
+            Some(pool) => together(self, &todo, &pool, progress, &mut keep)?,
+        }
+        Ok(answers.into_iter().collect())
+    }
+}
+
 /// A pool of threads; none where one thread, the caller's, is enough.
 fn pool(threads: usize) -> Result<Option<ThreadPool>, SweepError> {
     if threads <= 1 {
@@ -122,7 +148,8 @@ struct Progress<'w> {
 impl Progress<'_> {
     /// Tells the watch; whether the run is to end.
     fn stop(&mut self) -> bool {
-        self.stopped = self.stopped || self.watch.at(STAGE, self.done as f64 / self.total.max(1) as f64).is_break();
+        self.stopped =
+            self.stopped || self.watch.at(STAGE, self.done as f64 / self.total.max(1) as f64).is_break();
         self.stopped
     }
 }
@@ -185,7 +212,12 @@ fn fits(sweep: &Sweep, answer: &RowAnswer) -> bool {
 type Keep<'k> = &'k mut dyn FnMut(RowAnswer) -> Result<(), SweepError>;
 
 /// Answers rows on the thread of the caller.
-fn one_by_one(sweep: &Sweep, todo: &[u64], progress: &mut Progress<'_>, keep: Keep<'_>) -> Result<(), SweepError> {
+fn one_by_one(
+    sweep: &Sweep,
+    todo: &[u64],
+    progress: &mut Progress<'_>,
+    keep: Keep<'_>,
+) -> Result<(), SweepError> {
     for row in todo {
         if progress.stop() {
             break;

@@ -26,7 +26,7 @@ pub(super) fn of_folder(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecor
 }
 
 /// Summary of columns.
-fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, SweepError> {
+pub(super) fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, SweepError> {
     let mut quantities = Vec::new();
     let mut correlations = Vec::new();
     for output in &sweep.outputs {
@@ -62,7 +62,10 @@ fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, SweepError> {
 /// Name of a study: that of its file, or of the folder of a file called `study.toml`.
 pub(super) fn name(sweep: &Sweep) -> String {
     let file = &sweep.study.source.file;
-    let folder = file.parent().and_then(|parent| parent.file_name()).filter(|_| file.file_stem() == Some("study".as_ref()));
+    let folder = file
+        .parent()
+        .and_then(|parent| parent.file_name())
+        .filter(|_| file.file_stem() == Some("study".as_ref()));
     folder.or(file.file_stem()).unwrap_or_default().to_string_lossy().into_owned()
 }
 
@@ -84,7 +87,8 @@ fn of_input(sweep: &Sweep, input: &Column) -> InputRecord {
         Given::Integer(integer) => Some(integer as f64),
         _ => None,
     };
-    let points = grid.map_or_else(Vec::new, |grid| (0..grid.len()).filter_map(|i| number(grid.point(i))).collect());
+    let points =
+        grid.map_or_else(Vec::new, |grid| (0..grid.len()).filter_map(|i| number(grid.point(i))).collect());
     let geometric = matches!(grid, Some(Grid::Numbers { geometric: true, .. }));
     InputRecord { name: input.name.clone(), unit: input.unit.clone(), kind: kind.into(), points, geometric }
 }
@@ -105,7 +109,9 @@ fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecor
         Cells::Texts(all) => (all.len(), all.iter().flatten().count()),
         Cells::Counts(all) => (all.len(), all.len()),
     };
-    let percentile = |percent: &f64| percentile(&sorted, *percent).map(|value| PercentileRecord { percent: *percent, value });
+    let percentile = |percent: &f64| {
+        percentile(&sorted, *percent).map(|value| PercentileRecord { percent: *percent, value })
+    };
     QuantityRecord {
         name: output.name.clone(),
         unit: output.unit.clone(),
@@ -138,17 +144,30 @@ fn counted(texts: impl Iterator<Item = String>) -> BTreeMap<String, u64> {
     listed.into_iter().collect()
 }
 
-fn correlation(input: &Column, output: &Output, given: &[Option<f64>], values: &[Option<f64>]) -> CorrelationRecord {
+fn correlation(
+    input: &Column,
+    output: &Output,
+    given: &[Option<f64>],
+    values: &[Option<f64>],
+) -> CorrelationRecord {
     let pairs: Vec<(f64, f64)> = given.iter().zip(values).filter_map(|(x, y)| Some(((*x)?, (*y)?))).collect();
     let (rho, p) = spearman(&pairs);
-    CorrelationRecord { input: input.name.clone(), quantity: output.name.clone(), rho, rows: pairs.len() as u64, p }
+    CorrelationRecord {
+        input: input.name.clone(),
+        quantity: output.name.clone(),
+        rho,
+        rows: pairs.len() as u64,
+        p,
+    }
 }
 
 /// Rows by status, and the reasons of those that are not answered, with their numbers masked.
 fn reasons(read: Read<'_>) -> Result<(BTreeMap<String, u64>, Vec<ReasonRecord>), SweepError> {
     let columns = read(&["row", "status", "reason"])?;
     // an input of a study may be called so too: ours are the first and the last of their names
-    let rows = columns.iter().find_map(|column| if let Cells::Counts(rows) = &column.cells { Some(rows) } else { None });
+    let rows = columns
+        .iter()
+        .find_map(|column| if let Cells::Counts(rows) = &column.cells { Some(rows) } else { None });
     let texts = |name: &str| {
         columns.iter().rev().find_map(|column| match &column.cells {
             Cells::Texts(texts) if column.name == name => Some(texts),
@@ -158,7 +177,8 @@ fn reasons(read: Read<'_>) -> Result<(BTreeMap<String, u64>, Vec<ReasonRecord>),
     let (Some(rows), Some(states), Some(reasons)) = (rows, texts("status"), texts("reason")) else {
         return Ok((BTreeMap::new(), Vec::new()));
     };
-    let mut status: BTreeMap<String, u64> = super::Status::ALL.map(|status| (status.word().to_owned(), 0)).into();
+    let mut status: BTreeMap<String, u64> =
+        super::Status::ALL.map(|status| (status.word().to_owned(), 0)).into();
     let mut grouped: BTreeMap<(String, String), ReasonRecord> = BTreeMap::new();
     for ((row, state), reason) in rows.iter().zip(states).zip(reasons) {
         let state = state.clone().unwrap_or_default();
@@ -213,7 +233,11 @@ fn number_length(text: &str) -> usize {
             byte if byte.is_ascii_digit() => end += 1,
             b'.' if digit_follows(end + 1) => end += 1,
             b'e' | b'E' if digit_follows(end + 1) => end += 1,
-            b'e' | b'E' if bytes.get(end + 1).is_some_and(|b| *b == b'-' || *b == b'+') && digit_follows(end + 2) => end += 2,
+            b'e' | b'E'
+                if bytes.get(end + 1).is_some_and(|b| *b == b'-' || *b == b'+') && digit_follows(end + 2) =>
+            {
+                end += 2
+            }
             _ => break,
         }
     }

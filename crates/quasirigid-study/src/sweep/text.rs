@@ -37,7 +37,8 @@ fn write(out: &mut String, record: &SweepRecord) -> fmt::Result {
     }
     writeln!(out, "{}", paragraph(&title, "", "  "))?;
     for reason in record.reasons.iter().take(LISTED) {
-        let times = if reason.count == 1 { "row".to_owned() } else { format!("{} rows, the first", reason.count) };
+        let times =
+            if reason.count == 1 { "row".to_owned() } else { format!("{} rows, the first", reason.count) };
         let line = format!("{}, {times} {}: {}", reason.status, reason.first_row, reason.example);
         writeln!(out, "{}", paragraph(&line, "  ", "    "))?;
     }
@@ -79,10 +80,8 @@ fn statistics(out: &mut String, quantity: &QuantityRecord) -> fmt::Result {
 }
 
 fn correlations(out: &mut String, records: &[&CorrelationRecord]) -> fmt::Result {
-    let known: Vec<String> = records
-        .iter()
-        .filter_map(|record| Some(format!("{} {:+.2}", record.input, record.rho?)))
-        .collect();
+    let known: Vec<String> =
+        records.iter().filter_map(|record| Some(format!("{} {:+.2}", record.input, record.rho?))).collect();
     if known.is_empty() {
         return Ok(());
     }

@@ -11,7 +11,9 @@ pub enum ChangeError {
         cause: String,
     },
     /// A path that is not written like keys of TOML.
-    #[error("the path `{path}` cannot be read: {cause}; write table, name or number, key, with dots between them")]
+    #[error(
+        "the path `{path}` cannot be read: {cause}; write table, name or number, key, with dots between them"
+    )]
     NotAPath {
         /// The path.
         path: String,

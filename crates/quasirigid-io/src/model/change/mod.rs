@@ -52,7 +52,8 @@ impl Template {
     /// [`ChangeError::NotToml`].
     pub fn new(text: &str) -> Result<Self, ChangeError> {
         let document = text.parse::<DocumentMut>();
-        let document = document.map_err(|cause| ChangeError::NotToml { cause: cause.message().to_owned() })?;
+        let document =
+            document.map_err(|cause| ChangeError::NotToml { cause: cause.message().to_owned() })?;
         Ok(Self { document })
     }
 
@@ -106,7 +107,8 @@ fn with<T>(
     path: &Path,
     work: impl FnOnce(Node<'_>, &path::Segment) -> Result<T, String>,
 ) -> Result<T, ChangeError> {
-    let (last, above) = path.segments().split_last().ok_or_else(|| path.error(0, "the path is empty".to_owned()))?;
+    let (last, above) =
+        path.segments().split_last().ok_or_else(|| path.error(0, "the path is empty".to_owned()))?;
     if let Some(first) = above.first().map(|segment| segment.text.as_str())
         && OPTIONAL.contains(&first)
         && !document.contains_key(first)
@@ -119,4 +121,3 @@ fn with<T>(
     }
     work(node, last).map_err(|reason| path.error(above.len(), reason))
 }
-

@@ -57,10 +57,14 @@ impl<'a> Node<'a> {
             Self::Tables(tables) => {
                 let names: Vec<_> = tables.iter().map(|table| name(table)).collect();
                 let index = entry(segment, &names)?;
-                tables.get_mut(index).map(|table| Self::Table(table)).ok_or_else(|| no_number(segment, names.len()))
+                tables
+                    .get_mut(index)
+                    .map(|table| Self::Table(table))
+                    .ok_or_else(|| no_number(segment, names.len()))
             }
             Self::List(list) => {
-                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
+                let names: Vec<_> =
+                    list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
                 let index = entry(segment, &names)?;
                 list.get_mut(index).map(Self::of_value).ok_or_else(|| no_number(segment, names.len()))
             }
@@ -73,7 +77,8 @@ impl<'a> Node<'a> {
         match self {
             Self::Table(table) => put_in_table(*table, segment, value, compound),
             Self::List(list) => {
-                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
+                let names: Vec<_> =
+                    list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
                 let index = entry(segment, &names)?;
                 let old = list.get_mut(index).ok_or_else(|| no_number(segment, names.len()))?;
                 replace(old, value);
@@ -90,7 +95,12 @@ impl<'a> Node<'a> {
 }
 
 /// Puts a value under a key of a table, which may be new.
-fn put_in_table(table: &mut dyn TableLike, segment: &Segment, value: Value, compound: bool) -> Result<(), String> {
+fn put_in_table(
+    table: &mut dyn TableLike,
+    segment: &Segment,
+    value: Value,
+    compound: bool,
+) -> Result<(), String> {
     let key = &segment.text;
     match table.get_mut(key) {
         Some(Item::Value(old)) => {
@@ -126,7 +136,10 @@ fn replace(old: &mut Value, mut new: Value) {
 /// Index of the entry that a segment names by its name or its number.
 fn entry(segment: &Segment, names: &[Option<String>]) -> Result<usize, String> {
     if let Some(number) = segment.number {
-        return number.checked_sub(1).filter(|index| *index < names.len()).ok_or_else(|| no_number(segment, names.len()));
+        return number
+            .checked_sub(1)
+            .filter(|index| *index < names.len())
+            .ok_or_else(|| no_number(segment, names.len()));
     }
     let mut named = names.iter().enumerate().filter(|(_, name)| name.as_deref() == Some(&segment.text));
     match (named.next(), named.next()) {
@@ -187,4 +200,3 @@ fn below_plain(value: &Value, segment: &Segment) -> String {
 fn name(table: &(impl TableLike + ?Sized)) -> Option<String> {
     table.get("name")?.as_str().map(str::to_owned)
 }
-

@@ -9,7 +9,7 @@ const README: &str = "README.md";
 /// The script that a fresh checkout must pass.
 const CI: &str = ".ci/run";
 
-/// The line of the script that says how to run the tests.
+/// The line of the script with the command of the tests.
 const TEST_COMMAND: &str = "test_command=";
 
 /// Options whose value is a path that the command makes.
@@ -46,7 +46,7 @@ fn missing_examples(tree: &Tree, file: &str, block: &Block) -> Vec<Finding> {
         .collect()
 }
 
-/// Commands of a block: in `console` what follows the prompt, in `sh` every line.
+/// Commands of a block: in `console` the lines after the prompt, in `sh` every line.
 fn commands(block: &Block) -> impl Iterator<Item = (usize, &str)> {
     let bare = block.language == "sh";
     (block.line..).zip(block.text.lines()).filter_map(move |(line, text)| {

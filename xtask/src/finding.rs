@@ -7,18 +7,18 @@ pub struct Finding {
     pub file: String,
     /// Line, from 1.
     pub line: usize,
-    /// Whether it fails the check.
+    /// Whether the finding fails the check.
     pub weight: Weight,
-    /// What is wrong and what would mend it.
+    /// Problem, and its remedy.
     pub message: String,
 }
 
-/// Whether a finding fails the check.
+/// Weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Weight {
-    /// It does.
+    /// Fails the check.
     Error,
-    /// It is printed and passes.
+    /// Is printed and passes.
     Warning,
 }
 

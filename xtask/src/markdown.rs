@@ -5,7 +5,7 @@ pub struct Block {
     pub language: String,
     /// Line of the first line of its text, from 1.
     pub line: usize,
-    /// What stands between the fences.
+    /// Text between the fences.
     pub text: String,
 }
 
@@ -35,7 +35,7 @@ pub fn blocks(markdown: &str) -> Vec<Block> {
     blocks
 }
 
-/// What stands between backticks outside the fenced blocks, with its line.
+/// Texts between backticks outside the fenced blocks, with their lines.
 pub fn code_spans(markdown: &str) -> Vec<(usize, String)> {
     let fenced: Vec<_> = blocks(markdown)
         .iter()

@@ -1,3 +1,6 @@
+//! Workspace in memory: all paths, and the texts that the checks read.
+//! Checks take a tree and never the disk, so that tests run them on a few made-up files.
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::Path;
@@ -5,10 +8,10 @@ use std::path::Path;
 /// Folders that hold nothing the workspace ships.
 const SKIPPED: [&str; 2] = [".git", "target"];
 
-/// How the paths of the files end whose text the checks read.
+/// Endings of the paths of files whose text the checks read.
 const READ: [&str; 5] = [".rs", ".md", ".toml", ".bib", ".ci/run"];
 
-/// The workspace in memory: every file, and the text of what the checks read.
+/// The workspace in memory: every path, and the text of the files that the checks read.
 ///
 /// Paths are relative to the root, with `/` between their parts. As in a checkout, a folder exists if it holds a file.
 #[derive(Debug, Default)]

@@ -1,3 +1,6 @@
+//! Failures of commands, with their messages: those of the study, and those of files, options and signals.
+//! The study names settings by the keys of the model file; here each setting gets the flag that a user typed.
+
 use std::path::PathBuf;
 
 use quasirigid_io::model::{ModelError, TargetError};
@@ -7,7 +10,7 @@ use quasirigid_study::sweep::SweepError;
 use quasirigid_study::{Setting, StudyError};
 use thiserror::Error;
 
-/// Why a command could not run.
+/// Failure: the reason why a command could not run.
 #[derive(Debug, Error)]
 pub enum Failure {
     #[error("{}", .0.told(&flag))]
@@ -61,7 +64,7 @@ impl From<RecordError> for Failure {
 }
 
 impl Failure {
-    /// The mistakes in a model file, if that is what failed.
+    /// Error of the model file, if the failure is one.
     pub fn model(&self) -> Option<&ModelError> {
         match self {
             Self::Study(StudyError::Model(error)) => Some(error),

@@ -15,18 +15,18 @@ pub struct Interrupt(Arc<State>);
 #[derive(Debug, Default)]
 struct State {
     pressed: AtomicBool,
-    /// Whether the work has seen it, and is about to end with what it has.
+    /// Whether the work has seen Ctrl-C, and is about to end with its partial result.
     heard: AtomicBool,
 }
 
-/// Time in which the work must see it: longer than between any two questions of a propagation.
+/// Time in which the work must see Ctrl-C: longer than between any two questions of a propagation.
 const GRACE: Duration = Duration::from_secs(2);
-/// Time between two looks whether it has.
+/// Time between two checks of that.
 const LOOK: Duration = Duration::from_millis(20);
 
 impl Interrupt {
-    /// Starts to listen for Ctrl-C, and for signals to end. The work that sees one ends with what it has; work that does not see it
-    /// in time ends with nothing, and so does any at the second one.
+    /// Starts to listen for Ctrl-C, and for signals to end. Work that sees one ends with its partial result; work that does not see it
+    /// in time ends with nothing, and so does any work at the second one.
     pub fn listen() -> Result<Self, Failure> {
         let state = Arc::new(State::default());
         let seen = Arc::clone(&state);
@@ -40,7 +40,7 @@ impl Interrupt {
         Ok(Self(state))
     }
 
-    /// Whether it was pressed since the last [`forget`](Self::forget).
+    /// Whether Ctrl-C was pressed since the last [`forget`](Self::forget).
     pub fn pressed(&self) -> bool {
         let pressed = self.0.pressed.load(Ordering::SeqCst);
         if pressed {
@@ -49,7 +49,7 @@ impl Interrupt {
         pressed
     }
 
-    /// Waits for it to be pressed again.
+    /// Forgets the last Ctrl-C and waits for the next.
     pub fn forget(&self) {
         self.0.pressed.store(false, Ordering::SeqCst);
         self.0.heard.store(false, Ordering::SeqCst);
@@ -57,7 +57,7 @@ impl Interrupt {
 }
 
 impl State {
-    /// Ends the program unless the work sees in time that it was pressed.
+    /// Ends the program unless the work sees Ctrl-C in time.
     fn wait(&self) {
         let start = Instant::now();
         while start.elapsed() < GRACE {
@@ -70,7 +70,7 @@ impl State {
     }
 }
 
-/// Ends the program. Results appear only when they are whole, so what stands on the disk is what stood there before.
+/// Ends the program. Results appear only when they are whole, so the files on the disk stay as they were.
 #[allow(clippy::exit)] // the work does not return in time
 fn end() {
     abandon(|| {

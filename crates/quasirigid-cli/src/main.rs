@@ -16,7 +16,7 @@ use clap::Parser;
 use args::{Arguments, Command};
 use failure::Failure;
 
-/// How a command ended when it could run.
+/// Exit status of a command that could run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ExitStatus {
     /// Everything asked for was done and holds.

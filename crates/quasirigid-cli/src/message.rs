@@ -9,7 +9,7 @@ use quasirigid_study::visible::{masked, visible};
 
 /// Columns before a message, `Error: `.
 const ERROR: usize = 7;
-/// Columns before what to try, `│ Help: `, with the line numbers of long files.
+/// Columns before the advice, `│ Help: `, with the line numbers of long files.
 const MARGIN: usize = 15;
 
 /// Prints a failure on standard error: for a mistake in a model file with the line it is on.
@@ -33,7 +33,7 @@ pub fn remark(text: &str) {
     eprintln!("{}", layout::message(&visible(&format!("quasirigid: {text}"))));
 }
 
-/// A diagnostic as `file:line:column: message`, the source line, and what to try.
+/// A diagnostic as `file:line:column: message`, the source line, and the advice.
 fn located(file: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let config = Config::default().with_color(colour).with_index_type(IndexType::Byte);

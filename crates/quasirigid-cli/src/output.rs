@@ -17,15 +17,15 @@ use crate::interrupt::Interrupt;
 use crate::message::remark;
 use quasirigid_study::visible::visible;
 
-/// Where a result stands.
+/// Place of a result.
 pub struct Placed {
     pub path: PathBuf,
-    /// Whether this is beside the place asked for, because something has appeared there.
+    /// Whether this place is beside the one asked for, because something has appeared there.
     pub beside: bool,
 }
 
 impl Placed {
-    /// Says so if it stands elsewhere than asked for; whether it does not.
+    /// Prints a remark if the result stands elsewhere than asked for; returns whether it stands as asked for.
     pub fn told(&self, asked: &Path) -> bool {
         if self.beside {
             remark(&format!(
@@ -60,7 +60,7 @@ pub fn to_stdout(
     })
 }
 
-/// Standard output without a buffer, which would be emptied when the program ends: for ever, where nobody reads a pipe.
+/// Standard output without a buffer: emptying one at the end of the program would wait for ever where nobody reads the pipe.
 #[cfg(unix)]
 fn unbuffered() -> io::Result<impl Write> {
     use std::os::fd::AsFd;
@@ -89,8 +89,8 @@ pub fn check_file(path: &Path, overwrite: bool) -> Result<(), Failure> {
     }
 }
 
-/// Writes a file that appears only when it is whole, and over nothing unless that is asked for: what has appeared meanwhile
-/// stays, and the file goes beside it. What is no file on a disk, such as a pipe, is written directly.
+/// Writes a file that appears only when it is whole, and over nothing unless that is asked for: a file that has appeared meanwhile
+/// stays, and the new one goes beside it. A pipe or a device is written directly.
 pub fn to_file(
     path: &Path,
     overwrite: bool,
@@ -109,7 +109,7 @@ pub fn to_file(
         let undisturbed = leftover::undisturbed();
         let placed = placed(file, path, overwrite)?;
         drop(undisturbed);
-        let _ = place::settle_folder(parent(path)); // it stands there; whether a loss of power would be survived is not known
+        let _ = place::settle_folder(parent(path)); // the file stands there; whether it would survive a loss of power is not known
         Ok(placed)
     };
     match whole() {

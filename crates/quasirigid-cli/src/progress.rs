@@ -1,3 +1,6 @@
+//! Progress on a terminal: a bar for each stage that takes over a second, remarks, and Ctrl-C.
+//! Bars go to standard error and only to a terminal, so that tables and JSON on standard output stay clean.
+
 use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -8,9 +11,9 @@ use quasirigid_study::Watch;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 
-/// The watch of a terminal: a progress bar for each stage once a second has passed, and Ctrl-C.
+/// Observer on a terminal: a progress bar for each stage once a second has passed, and Ctrl-C.
 pub struct Terminal<'i> {
-    /// None while Ctrl-C ends the program at once, since nothing is half done.
+    /// None where Ctrl-C ends the program at once, since the work has no partial result.
     interrupt: Option<&'i Interrupt>,
     quiet: bool,
     bar: Option<(String, ProgressBar)>,
@@ -26,7 +29,7 @@ impl<'i> Terminal<'i> {
         Self { interrupt: Some(interrupt), quiet, bar: None }
     }
 
-    /// The watch of work that has no partial result.
+    /// Observer of work that has no partial result.
     pub fn of_whole(quiet: bool) -> Self {
         Self { interrupt: None, quiet, bar: None }
     }

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-/// A file that cannot be used: where, and what is wrong there.
+/// A file that cannot be used, with the place and the problem.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 #[error("{}{place}: {problem}", file.display())]
 pub struct FileError<P: error::Error> {

@@ -1,8 +1,8 @@
 //! Linear algebra of [`quasirigid`](https://docs.rs/quasirigid): symmetric matrices, dense and sparse, their factors and
 //! lowest modes.
 //!
-//! It knows no physics. It is a crate of its own because the library beneath, `faer`, takes minutes to compile for each
-//! number format that is used; nothing of it shows in a signature.
+//! No physics is known here. A crate of its own, because the library beneath, `faer`, takes minutes to compile for each
+//! number format that is used; none of its types shows in a signature.
 #![allow(non_snake_case)]
 
 /// The README of the crate, run with the documentation's own.

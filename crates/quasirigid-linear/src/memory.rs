@@ -1,4 +1,4 @@
-//! Memory: an estimate is compared with what the machine has before a large piece of it is asked for.
+//! Memory check: estimates of large pieces are compared with the free memory of the machine before these are allocated.
 
 use std::fs;
 

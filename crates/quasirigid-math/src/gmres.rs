@@ -48,7 +48,7 @@ pub fn gmres(
     solved
 }
 
-/// The vector of a Krylov space of `gap` that fits `A x = gap` best, and the products it took.
+/// The vector of a Krylov space of `gap` that fits `A x = gap` best, and the number of products.
 fn correction(
     times: impl Fn(&[f64]) -> Vec<f64>,
     gap: Vec<f64>,

@@ -7,7 +7,7 @@ pub trait Scalar: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 
 /// A number that smooth functions can be evaluated at.
 ///
-/// Of a series, each function gives the series of the function; where the function has no derivative the series holds
+/// Each function of a series is the series of the function; where the function has no derivative the series holds
 /// NaN, as `f64` does where the function has no value.
 pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
     /// Number of terms kept: one of a plain number.

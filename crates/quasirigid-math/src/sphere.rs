@@ -19,7 +19,7 @@ pub enum StationaryKind {
 /// Stationary point: a place on the unit sphere where a field is normal to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationaryPoint {
-    /// Unit vector to it.
+    /// Unit vector to the point.
     pub place: [f64; 3],
     /// Two unit vectors that make a right-handed frame with the first.
     pub tangents: [[f64; 3]; 2],

@@ -170,7 +170,7 @@ fn counted(mut faults: impl Iterator<Item = MeshFault>) -> Option<MeshFault> {
 mod tests {
     use super::*;
 
-    /// Two hexahedra side by side, turned and off the origin, numbered unlike their indices.
+    /// Two hexahedra side by side, rotated and off the origin, numbered unlike their indices.
     fn pair(unit: f64) -> Mesh {
         let (sin, cos) = 0.4_f64.sin_cos();
         let place = |k: usize| {

@@ -30,7 +30,7 @@ pub enum MeshFault {
     NodeCount {
         /// The first such cell.
         cell: u64,
-        /// Its shape.
+        /// Shape of the cell.
         shape: Shape,
         /// Number of nodes found.
         found: usize,
@@ -54,7 +54,7 @@ pub enum MeshFault {
     NodeTwice {
         /// The first such cell.
         cell: u64,
-        /// Its shape.
+        /// Shape of the cell.
         shape: Shape,
         /// The node.
         node: u64,
@@ -77,7 +77,7 @@ pub enum MeshFault {
     Flat {
         /// The first such cell.
         cell: u64,
-        /// Its shape.
+        /// Shape of the cell.
         shape: Shape,
         /// Thickness over length, in the reference cell's axes.
         thickness: f64,
@@ -95,7 +95,7 @@ pub enum MeshFault {
     InsideOut {
         /// The first such cell.
         cell: u64,
-        /// Its shape.
+        /// Shape of the cell.
         shape: Shape,
         /// Thickness over length, in the reference cell's axes, negative.
         thickness: f64,

@@ -48,11 +48,11 @@ pub struct Mesh {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// Its number in the file.
+    /// Number of the cell in the file.
     pub label: u64,
-    /// Its shape.
+    /// Shape of the cell.
     pub shape: Shape,
-    /// Indices of its nodes, in the order of [`Shape`].
+    /// Indices of the nodes, in the order of [`Shape`].
     pub nodes: Box<[usize]>,
 }
 
@@ -60,7 +60,7 @@ pub struct Cell {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Set {
-    /// Its name; where the file has only a number, the number.
+    /// Name of the set; where the file has only a number, the number.
     pub name: String,
     /// Indices of nodes, ascending.
     pub nodes: Vec<usize>,

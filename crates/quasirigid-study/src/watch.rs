@@ -40,7 +40,7 @@ pub fn watched<T: Send>(
     watch::watched(&mut at, work).unwrap_or(Err(StudyError::Interrupted))
 }
 
-/// Nobody watches: the work goes on to its end.
+/// Absent observer: the work goes on to its end.
 impl Watch for () {
     fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
         ControlFlow::Continue(())

@@ -34,7 +34,7 @@ fn viscous() -> FlexibleBody {
     apophis(Rheology::KelvinVoigt { time: 100.0 })
 }
 
-/// Momentum and stage of the observed periods.
+/// Angular momentum and rotation state of the observed periods.
 fn start(moments: [f64; 3]) -> (f64, f64) {
     let observed =
         ObservedPeriods { rotation: 263.0 * HOUR, precession: 27.38 * HOUR, mode: Mode::ShortAxis };

@@ -9,7 +9,7 @@ fn main() {
     divan::main();
 }
 
-/// 30 to 600 coordinates, spinning at a tenth of a radian a second.
+/// Points of 30 to 600 coordinates, spinning at a tenth of a radian a second.
 #[divan::bench(args = [10, 30, 100, 200], sample_count = 5)]
 fn points(bencher: Bencher, count: usize) {
     let body = ring_of_points(count).body().expect("the ring has an equilibrium");

@@ -47,7 +47,7 @@ fn quartic_quintic_1000_s(bencher: Bencher, tolerance: f64) {
         .bench(|| spin_path(&problem.body, black_box(problem.omega), &[1000.0], &options));
 }
 
-/// The same with attitude and accounts, the invariants held. Items are seconds of motion.
+/// Propagation with attitude, accounts and projection on the invariants. Items are seconds of motion.
 #[divan::bench]
 fn with_attitude_and_accounts_1000_s(bencher: Bencher) {
     let problem = QuarticQuintic::published();

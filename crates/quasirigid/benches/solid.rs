@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench solid -- NODES [FILE] [single|double] [scotch] [modes]` takes the nodes along an edge (22 if
 //! none are given) and writes the matrix to FILE for other programs, unless it is `-`. Prints lines of a name and a
-//! value, times in seconds and memory in MB, which `benchmarks/peers/solid.py` puts beside those of other solvers.
+//! value, times in seconds and memory in MB, which `benchmarks/peers/solid.py` compares with those of other solvers.
 #![allow(missing_docs, non_snake_case, clippy::print_stdout)]
 
 use std::fs::{self, File};
@@ -16,7 +16,7 @@ use quasirigid_math::symmetric::{Pattern, Symmetric};
 
 const WIDTH: usize = 9;
 
-/// Time that this thread has had a processor, where the system tells; else the time on the wall.
+/// Processor time of this thread, where the system tells; else the time on the wall.
 struct Clock {
     wall: Instant,
     processor: Option<Duration>,
@@ -126,7 +126,7 @@ fn peak() -> f64 {
     kibibytes.map_or(f64::NAN, |kibibytes: f64| 1.024e-3 * kibibytes)
 }
 
-/// Unit cube of trilinear hexahedra, smoothly distorted, `E = 1`, `ν = 0.3`, held at six unknowns.
+/// Unit cube of trilinear hexahedra, smoothly distorted, `E = 1`, `ν = 0.3`, fixed at six unknowns.
 struct Cube {
     nodes: usize,
 }
@@ -155,14 +155,14 @@ impl Cube {
         (0..cells.pow(3)).map(|cell| std::array::from_fn(|c| corner(cell, c))).collect()
     }
 
-    /// Statically determinate: one corner, two unknowns of the next, one of a third.
+    /// Statically determinate support: one corner, two unknowns of the next, one of a third.
     fn held(&self, node: usize, axis: usize) -> bool {
         let second = self.node(self.nodes - 1, 0, 0);
         let third = self.node(0, self.nodes - 1, 0);
         node == 0 || node == second && axis > 0 || node == third && axis == 2
     }
 
-    /// Stiffness, and mass if it is asked for.
+    /// Stiffness, and mass if `massive`.
     fn matrices(&self, massive: bool) -> (Symmetric, Symmetric) {
         let count = self.nodes.pow(3);
         let mut first = vec![0_u32];

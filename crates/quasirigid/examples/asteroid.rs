@@ -4,7 +4,7 @@ use quasirigid::prelude::*;
 
 const YEAR: f64 = 365.25 * 86400.0;
 
-/// What the program prints.
+/// Output of the program.
 pub fn program() -> Result<String, quasirigid::Error> {
     let rock = Material::new(2000.0, 1e9, 0.25).quality(100.0);
     let body = Assembly::default().with(Ellipsoid::new("rock", [200.0, 140.0, 120.0], rock)).body()?;

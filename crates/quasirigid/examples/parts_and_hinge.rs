@@ -2,7 +2,7 @@
 
 use quasirigid::prelude::*;
 
-/// What the program prints.
+/// Output of the program.
 pub fn program() -> Result<String, quasirigid::Error> {
     let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
     for (name, place) in [("left", [0.8, 0.3, 0.5]), ("right", [-0.7, 0.2, 0.4]), ("top", [0.1, -0.2, 0.9])] {

@@ -2,7 +2,7 @@
 
 use quasirigid::prelude::*;
 
-/// What the program prints.
+/// Output of the program.
 pub fn program() -> Result<String, quasirigid::Error> {
     let mut satellite = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
     let mass = satellite.add(Point::new("mass", 1.0, [0.8, 0.3, 0.5]));

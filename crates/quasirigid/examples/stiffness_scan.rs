@@ -16,7 +16,7 @@ fn rate(i: u32) -> Result<(f64, f64, Verdict), quasirigid::Error> {
     Ok((stiffness, spin.map_or(f64::NAN, |spin| spin.growth), verdict))
 }
 
-/// What the program prints.
+/// Output of the program.
 pub fn program() -> Result<String, quasirigid::Error> {
     let rates = (0..200).into_par_iter().map(rate).collect::<Result<Vec<_>, _>>()?;
     let holding = rates.iter().filter(|(.., verdict)| *verdict != Verdict::Fails);

@@ -1,3 +1,6 @@
+//! Lexer for the comments of a Rust source, docstrings included, with their line numbers.
+//! Only literals and comments are told apart, which needs no parser: `syn` drops ordinary comments, and labels stand in those too.
+
 /// Comments of a Rust source, docstrings among them, line by line: number of the line, and text after the slashes.
 ///
 /// Strings and characters are passed over, so a `//` inside them is no comment.
@@ -26,7 +29,7 @@ pub fn comments(source: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// Length of the block comment that `text` starts with; they nest.
+/// Length of the block comment that `text` starts with; block comments nest.
 fn block_comment(text: &str) -> usize {
     let mut depth = 0usize;
     let mut at = 0;

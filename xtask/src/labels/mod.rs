@@ -1,4 +1,4 @@
-//! Equation labels and reference keys: what the code cites exists in the documentation.
+//! Equation labels and reference keys: every one that the code cites exists in the documentation, and every label is cited.
 
 mod comments;
 mod keys;
@@ -36,7 +36,7 @@ pub fn check(tree: &Tree) -> Vec<Finding> {
     findings
 }
 
-/// What to say at the definition of a label, given whether code cites it and which labels are excused.
+/// Finding at the definition of a label, given whether code cites it and which labels are excused.
 fn judged(
     label: &str,
     (file, line): (&str, usize),

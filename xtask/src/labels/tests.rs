@@ -1,3 +1,6 @@
+//! Tests of labels and keys on small workspaces: undefined, uncited, doubly defined, excused.
+//! Strings and function calls that look like labels must not count: `f(R4)` and `"(R4)"` are code.
+
 use super::{judged, labels};
 use crate::tree::sample;
 

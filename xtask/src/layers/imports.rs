@@ -1,3 +1,6 @@
+//! Imports of a source file: every path that it names outside its tests, resolved to the crate root.
+//! `use` items are not enough: paths stand in types, expressions and macros too, whose tokens `syn` leaves unparsed.
+
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 use syn::{Item, ItemMod, ItemUse, Macro, Path, UseTree};
@@ -6,7 +9,7 @@ use super::source::{Source, attributes, is_test};
 
 /// A path that a source file names.
 pub struct Import {
-    /// Its segments; those of our own crate start with the crate's name.
+    /// Segments of the path; a path in our own crate starts with the crate's name.
     pub path: Vec<String>,
     /// Line, from 1.
     pub line: usize,

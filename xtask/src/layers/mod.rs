@@ -1,4 +1,4 @@
-//! Who may import whom, and what a public signature may show.
+//! Layers: the table of allowed imports, and no foreign types in public signatures.
 
 mod imports;
 mod signatures;
@@ -11,8 +11,8 @@ use source::Source;
 /// The crate of the physics.
 const PHYSICS: &str = "quasirigid";
 
-/// What each top-level module of the physics crate may use, beside itself: what describes a body in a row, then a star without sideways
-/// arrows. `math` is the crate `quasirigid-math` by the name it has in the physics.
+/// Modules that each top-level module of the physics crate may use, beside itself: the description of a body in a row, then a star
+/// without sideways arrows. `math` is the crate `quasirigid-math` by its name in the physics.
 const MODULES: [(&str, &[&str]); 14] = [
     ("model", &["math"]),
     ("finite", &["math", "model"]),
@@ -46,7 +46,7 @@ const MODULES: [(&str, &[&str]); 14] = [
     ),
 ];
 
-/// What each crate may use of the others.
+/// Modules that each crate may use of the others.
 const CRATES: [(&str, &[&str]); 8] = [
     ("quasirigid-linear", &[]),
     ("quasirigid-math", &["quasirigid_linear"]),

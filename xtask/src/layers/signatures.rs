@@ -1,3 +1,6 @@
+//! Foreign types in public signatures: functions, fields, aliases and constants that show `nalgebra` or `faer`.
+//! Names are followed through the imports of the file alone; the commonest types are known by name, however a file came by them.
+
 use std::collections::BTreeSet;
 
 use syn::visit::{self, Visit};
@@ -11,7 +14,7 @@ use crate::finding::Finding;
 /// Libraries whose types stay inside.
 const LIBRARIES: [&str; 2] = ["nalgebra", "faer"];
 
-/// Their types that are known by name, however a file came by it.
+/// Types of these libraries that are known by name, however a file came by the name.
 const TYPES: [&str; 5] = ["Vector3", "Matrix3", "UnitQuaternion", "Mat", "DMatrix"];
 
 /// Public functions, fields, types and constants that show a foreign type.
@@ -27,11 +30,11 @@ pub fn check(source: &Source) -> Vec<Finding> {
     shown.found.into_iter().map(|(name, line)| Finding::error(&source.path, line, message(name))).collect()
 }
 
-/// What the public items of a file show.
+/// Foreign types that the public items of a file show.
 struct Shown {
     /// Names that stand for foreign types in this file.
     foreign: BTreeSet<String>,
-    /// Types of this file that are not public, so that their methods and fields are not either.
+    /// Types of this file that are not public, whose methods and fields are not public either.
     hidden: BTreeSet<String>,
     found: Vec<(String, usize)>,
 }

@@ -1,3 +1,6 @@
+//! Source files of a crate with their modules, found from the root along `mod` items as the compiler finds them.
+//! A listing of the folder would count files that no module names, and would not know which are tests.
+
 use syn::{Attribute, Item};
 
 use crate::finding::Finding;
@@ -14,7 +17,7 @@ pub struct Source {
 }
 
 /// Source files of a crate, found as the compiler finds them: from the root along `mod` items, leaving out tests.
-/// The findings name what could not be parsed or found.
+/// The findings name files that could not be parsed or found.
 pub fn of_crate(tree: &Tree, package: &str) -> (Vec<Source>, Vec<Finding>) {
     let (mut sources, mut findings) = (Vec::new(), Vec::new());
     for root in ["lib.rs", "main.rs"] {
@@ -67,7 +70,7 @@ fn folder_of_children(path: &str) -> &str {
     }
 }
 
-/// Whether the item is left out of the library: `#[cfg(test)]` or `#[test]`.
+/// Whether an item is left out of the library: `#[cfg(test)]` or `#[test]`.
 pub fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let of_tests = || attribute.parse_args::<syn::Ident>().is_ok_and(|condition| condition == "test");

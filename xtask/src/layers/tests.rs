@@ -1,3 +1,6 @@
+//! Tests of the layers on small workspaces: sideways imports in every spelling, missing rows, foreign types.
+//! Each forbidden form is a separate text, since one that is missed would open a way round the whole table.
+
 use crate::tree::sample;
 
 /// Findings in a physics crate whose `dynamics/form.rs` is `form`, as `line: message`.

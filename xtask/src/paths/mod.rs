@@ -1,4 +1,4 @@
-//! The map of the workspace is true: what it names exists, and every module folder is on it.
+//! The map of the workspace is true: every path on it exists, and every module folder is on it.
 
 mod drawing;
 

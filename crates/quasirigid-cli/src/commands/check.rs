@@ -3,7 +3,7 @@ use crate::args::Check;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
 
-/// Says how far the reduced equations hold.
+/// Checks the validity of the reduced equations and prints the verdict.
 pub fn check(arguments: &Check) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);

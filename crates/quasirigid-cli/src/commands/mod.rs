@@ -1,4 +1,4 @@
-//! One command a file: it takes its arguments to the study, and prints what that answers.
+//! Commands, one a file: each takes its arguments to the study and prints the answer.
 
 pub mod check;
 pub mod derive;
@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::message::remark;
 use crate::progress::Terminal;
 
-/// Where a model comes from that has no file: its name in messages, in the current folder.
+/// Name in messages of a model that is read from standard input; paths in it are relative to the current folder.
 const STANDARD_INPUT: &str = "standard input";
 
 /// Whether the model is read from the standard input.
@@ -45,14 +45,14 @@ fn whole<T: Send>(
     Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
 }
 
-/// Says what is suspect in the model, on standard error.
+/// Prints the notes on suspect values of the model, on standard error.
 fn notes(study: &Study, common: &Common) {
     if !common.quiet {
         study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
     }
 }
 
-/// Says on standard error what the equations of motion leave out; whether what they give may be false.
+/// Prints on standard error the losses that the equations of motion leave out; returns whether their results may be false.
 fn note_left_out(study: &Study, omega: [f64; 3], common: &Common) -> bool {
     let LeftOut { materials, liquids } = LeftOut::at(study, omega, None);
     if let (Some(note), false) = (materials, common.quiet) {
@@ -62,7 +62,7 @@ fn note_left_out(study: &Study, omega: [f64; 3], common: &Common) -> bool {
     liquids.is_some()
 }
 
-/// What is said of a propagation.
+/// Settings of a propagation from the command line.
 fn propagation(arguments: &Propagation) -> Result<histories::Propagation, Failure> {
     let Propagation { duration, tolerance, samples, form, method } = arguments;
     Ok(histories::Propagation {

@@ -51,7 +51,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     }
 }
 
-/// Writes the table; whether it stands where it should.
+/// Writes the table; returns whether it stands at the place asked for.
 fn print_table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<bool, Failure> {
     let TableFormat::Csv = arguments.format;
     match (&arguments.out, arguments.common.json) {

@@ -1,3 +1,6 @@
+//! Folder of results that appears only when it is whole: built beside its place, put on the disk, then renamed or exchanged.
+//! A folder is replaced only if it holds a record of ours and nothing else, since `--overwrite` must never delete other people's files.
+
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -14,7 +17,7 @@ use crate::failure::Failure;
 pub struct Folder {
     path: PathBuf,
     overwrite: bool,
-    /// A folder beside it that holds the new folder until it is whole, and the old one until it is removed.
+    /// Temporary folder beside the place: holds the new folder until it is whole, and the old one until its removal.
     beside: TempDir,
     /// Kept locked as long as this process lives.
     _lock: File,
@@ -47,7 +50,7 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Where the files go until the folder is whole.
+    /// Folder of the files until all are whole.
     pub fn building(&self) -> PathBuf {
         self.beside.path().join(BUILDING)
     }
@@ -58,7 +61,7 @@ impl Folder {
         written.map_err(|cause| Failure::Write { path: self.path.join(name), cause: plain(cause) })
     }
 
-    /// Puts the folder in its place. An older record goes only when the new one stands there and is on the disk; whatever else
+    /// Puts the folder in its place. An older record goes only when the new one stands there and is on the disk; anything else that
     /// has appeared there stays, and the new one goes beside it.
     pub fn finish(self) -> Result<Placed, Failure> {
         let settled = self.settle();
@@ -66,7 +69,7 @@ impl Folder {
         let placed = settled.and_then(|()| self.place());
         drop(undisturbed);
         let path = placed.map_err(|cause| Failure::Write { path: self.path.clone(), cause: plain(cause) })?;
-        let _ = settle_folder(parent(&path)); // it stands there; whether a loss of power would be survived is not known
+        let _ = settle_folder(parent(&path)); // the folder stands there; whether it would survive a loss of power is not known
         Ok(Placed { beside: path != self.path, path })
     }
 

@@ -1,4 +1,4 @@
-//! What killed runs leave behind: told from what living ones work in by a lock that ends with its process.
+//! Leftovers of killed runs: told from the temporary files of living ones by a lock that ends with its process.
 
 use std::fs::{self, File};
 use std::io;
@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use super::place::put;
 
-/// How the names of all temporary files and folders begin.
+/// Prefix of the names of all temporary files and folders.
 pub const PREFIX: &str = ".quasirigid-";
 /// File in a temporary folder that its process locks, and the one that names the place of the folder.
 const LOCK: &str = "lock";
@@ -19,7 +19,7 @@ const FRESH: Duration = Duration::from_secs(60);
 /// The folder inside a temporary one that is built, then holds the older record until that is removed.
 pub const BUILDING: &str = "new";
 
-/// Temporary files and folders of this process. While this is locked, results are being put in their places.
+/// Temporary files and folders of this process. While the mutex is locked, results are being put in their places.
 static OWN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Keeps the program from being ended as long as the guard lives.
@@ -27,12 +27,12 @@ pub fn undisturbed() -> MutexGuard<'static, Vec<PathBuf>> {
     OWN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Remembers what is to be removed should the program be ended.
+/// Remembers a file or folder to be removed should the program be ended.
 pub fn remember(path: &Path) {
     undisturbed().push(path.into());
 }
 
-/// Removes what this process has begun to write, and ends it, once nothing is being put in its place.
+/// Removes the unfinished files of this process, and ends it, once no result is being put in its place.
 pub fn abandon(end: impl FnOnce()) {
     let own = undisturbed();
     for path in own.iter() {
@@ -41,7 +41,7 @@ pub fn abandon(end: impl FnOnce()) {
     end();
 }
 
-/// Marks a temporary folder as one of a living process, which builds what belongs in a place.
+/// Marks a temporary folder as one of a living process, and notes the place of its result.
 pub fn claim(folder: &Path, place: &Path) -> io::Result<File> {
     let unlocked = folder.join("unlocked");
     let file = File::create(&unlocked)?;
@@ -51,7 +51,7 @@ pub fn claim(folder: &Path, place: &Path) -> io::Result<File> {
     Ok(file)
 }
 
-/// Removes what killed runs have left in a folder. An older record that was between two places goes back.
+/// Removes the leftovers of killed runs in a folder. An older record that was between two places goes back.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     let ours = |entry: &fs::DirEntry| entry.file_name().to_string_lossy().starts_with(PREFIX);
@@ -78,7 +78,7 @@ fn sweep_folder(path: &Path) {
     let _ = fs::remove_dir_all(path);
 }
 
-/// Where the folder that was being built belongs.
+/// Place of the folder that was being built.
 fn place_of(path: &Path) -> Option<PathBuf> {
     let name = fs::read_to_string(path.join(PLACE)).ok()?;
     let plain = Path::new(&name).file_name().is_some_and(|plain| plain == name.as_str());

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Moves a file or folder to a place where nothing is.
+/// Moves a file or folder to a free place.
 ///
 /// # Errors
 /// [`ErrorKind::AlreadyExists`] if something is there.
@@ -45,7 +45,7 @@ pub fn first_free(place: &Path, mut take: impl FnMut(&Path) -> io::Result<()>) -
     }
 }
 
-/// Waits until what was written to a file is on the disk. A file system that cannot say so is taken at its word.
+/// Waits until the contents of a file are on the disk. A file system without this operation is trusted.
 pub fn settle(file: &File) -> io::Result<()> {
     match file.sync_all() {
         Err(error) if no_such_call(&error) => Ok(()),
@@ -53,7 +53,7 @@ pub fn settle(file: &File) -> io::Result<()> {
     }
 }
 
-/// The same for a folder, whose names are what is written; where folders cannot be opened the system does it.
+/// Waits until the names in a folder are on the disk; where folders cannot be opened the system does that itself.
 pub fn settle_folder(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { settle(&File::open(folder)?) } else { Ok(()) }
 }
@@ -74,7 +74,7 @@ fn no_such_call(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::Unsupported | ErrorKind::InvalidInput)
 }
 
-/// A move that looks before it leaps: what appears in between is lost only if it is an empty folder, or a file.
+/// Move after a check that the place is free: something that appears in between is lost only if it is an empty folder, or a file.
 fn plainly(from: &Path, to: &Path) -> io::Result<()> {
     match to.symlink_metadata() {
         Ok(_) => Err(ErrorKind::AlreadyExists.into()),

@@ -1,4 +1,4 @@
-//! What appears in the place of a result while the work for it goes on, and what a killed run leaves behind.
+//! Files that appear in the place of a result while the work for it goes on, and leftovers of killed runs.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -13,7 +13,7 @@ use crate::support::{Ran, folder_of, names, one_line, ran_in};
 const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o out -q";
 const SHORT: &str = "run model.toml --duration 5 --samples 6 -q -o out";
 
-/// Something done while a command is at work, which then is interrupted and ends with what it has.
+/// Does something while a command is at work, which then is interrupted and ends with its partial result.
 fn meanwhile(folder: &TempDir, line: &str, done: impl FnOnce(&Path)) -> Ran {
     let mut child = start(folder, line);
     wait_until_it_listens(&child);
@@ -85,7 +85,7 @@ fn file_that_appears_in_the_place_of_a_table_stays() {
     assert_eq!(names(&folder), ["model.toml", "o-2.csv", "o.csv"]);
 }
 
-/// Names alone make no record: a history belongs to it if the record says so, and is a file.
+/// Names alone make no record: a history belongs to a record if the record lists it, and if it is a file.
 #[test]
 fn files_that_only_look_like_ours_are_never_replaced() {
     let folder = folder_of("axial-mass");
@@ -109,7 +109,7 @@ fn files_that_only_look_like_ours_are_never_replaced() {
     }
 }
 
-/// A folder as a killed run leaves it, or as a living one holds it.
+/// A temporary folder as a killed run leaves it, or as a living one holds it.
 fn working_folder(folder: &TempDir, name: &str, place: &str) -> File {
     let beside = folder.path().join(name);
     fs::create_dir_all(beside.join("new")).unwrap();

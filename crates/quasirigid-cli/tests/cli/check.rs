@@ -1,3 +1,7 @@
+//! `check`: verdict, times, criteria, steady spins and dissipators, as text and as JSON, with exit codes.
+//! Text is fixed by snapshots and numbers by hand calculations, so that a change of layout and one of physics fail apart.
+//! Criteria: (V1) to (V11), docs/theory/04-validity.md.
+
 use insta::assert_snapshot;
 
 use crate::support::{EXAMPLES, MODEL, numbers, one_line, ran, ran_with};
@@ -60,7 +64,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       decay of initial vibrations     T2/T3                  0.531      1  holds
 
     Vibrations
-      frequencies, attitude held (rad/s): 20.14 20.14 20.14
+      frequencies, attitude fixed (rad/s): 20.14 20.14 20.14
       frequencies, body free (rad/s): 20.14 20.40 20.40
       decay rates (1/s): 2.029 2.029 2.029 2.029 2.029 2.029
 
@@ -84,7 +88,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
 }
 
 /// By hand: m = 0.1 kg on k = 40 N/m and c = 0.4 N s/m, carrier of 7 kg. Along the axis the reduced mass is
-/// 0.1·7/7.1 kg; held in attitude it is the same in every direction.
+/// 0.1·7/7.1 kg; with the attitude fixed it is the same in every direction.
 #[test]
 fn json_has_the_times_of_the_theory() {
     let checked = ran("check examples/axial-mass/model.toml --json");
@@ -181,7 +185,7 @@ fn note_on_the_model_goes_to_standard_error_unless_quiet() {
     }
 }
 
-/// Its steady spins along the wheel and against it differ.
+/// A gyrostat: its steady spins along the wheel and against the wheel differ.
 const GYROSTAT: &str = "[carrier]\nmass = 100.0\ncenter_of_mass = [0.0, 0.0, 0.0]\ninertia = [10.0, 20.0, 30.0]\n\
     [[wheel]]\naxis = [0, 0, 1]\nmomentum = MOMENTUM\n[[rotor]]\naxis = [0, 1, 0]\ninertia = 0.5\nfriction = 20.0\n\
     [initial]\nangular_velocity = [0.0, 0.0, 0.1]\n";

@@ -1,4 +1,4 @@
-//! Orders beyond what the parts of a body support are said so.
+//! Orders above the one that the parts of a body support are named in a note.
 
 use crate::support::{MODEL, ran_with};
 

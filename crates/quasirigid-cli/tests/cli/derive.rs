@@ -1,3 +1,7 @@
+//! `derive`: fields of the JSON, monomials of every order, text and LaTeX that show the same numbers.
+//! LaTeX is parsed back to numbers and checked for balance, because no test compiles it.
+//! Displacements: (R4), docs/theory/03-reduction.md, the paper's (2.14).
+
 use std::path::Path;
 
 use insta::assert_snapshot;

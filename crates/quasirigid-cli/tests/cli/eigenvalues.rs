@@ -148,7 +148,7 @@ fn motions_without_mass_leave_the_slow_ones_their_digits() {
     close(constant(5), constant(3), 1e-3);
 }
 
-/// The two lowest modes are those of all that are kept.
+/// The two lowest modes are the same however many are kept.
 #[test]
 fn modes_of_floating_beams_with_a_spring_are_found() {
     let of = |kept: usize| {

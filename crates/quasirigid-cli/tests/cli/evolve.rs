@@ -1,4 +1,4 @@
-//! `evolve`, and what `run` makes of it.
+//! `evolve`, and its part of the record of `run`.
 
 use std::fs;
 
@@ -122,7 +122,7 @@ fn uncertain_material_gives_a_range() {
     close(greatest / time, 1000.001 / 100.01, 1e-9);
 }
 
-/// A drag that takes the momentum too, and a torque that a body cannot be averaged under.
+/// A drag that takes angular momentum too, and a torque under which no average exists.
 #[test]
 fn slow_torques_are_averaged_and_others_refused() {
     let force = "[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e3\n";
@@ -200,7 +200,7 @@ fn observed_periods_start_every_command() {
     }
 }
 
-/// The object, the text and the record tell the same shares; a body with one dissipator is not asked who.
+/// The object, the text and the record have the same shares; a body with one dissipator has none.
 #[test]
 fn shares_of_dissipators_sum_to_one() {
     let file = "examples/friction-wheel/model.toml";
@@ -221,8 +221,8 @@ fn shares_of_dissipators_sum_to_one() {
     assert!(!ran_in(folder.path(), "evolve model.toml").stdout.contains("what dissipates"));
 }
 
-/// The wobble at the start and at the end is the same whoever follows the body: a long-axis and a short-axis mode. What remains is of the
-/// second order in the deformation, and of the polhode that stands for the level.
+/// The wobble at the start and at the end is the same by every method: a long-axis and a short-axis mode. The remaining differences are
+/// of the second order in the deformation, and of the polhode that stands for the level.
 #[test]
 fn run_and_evolve_tell_the_same_wobble() {
     for (name, duration, tolerance) in [("boom-satellite", 600, 5e-3), ("three-masses", 600, 2e-3)] {
@@ -241,7 +241,7 @@ fn run_and_evolve_tell_the_same_wobble() {
     }
 }
 
-/// Such a wobble lies on no separatrix.
+/// A target wobble that is lost in rounding is called too small, not a separatrix.
 #[test]
 fn a_wobble_lost_in_rounding_is_called_too_small() {
     let ran = ran("evolve examples/boom-satellite/model.toml --to 1e-6deg");

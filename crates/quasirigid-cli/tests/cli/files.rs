@@ -1,4 +1,4 @@
-//! Where `simulate` writes its table.
+//! Places to which `simulate` writes its table.
 
 use std::fs;
 

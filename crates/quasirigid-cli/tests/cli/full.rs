@@ -141,14 +141,14 @@ boom = [\"10 deg\"]
     assert!(said.contains("beyond the 17.2 degrees to which paths on hinges hold"), "{said}");
 }
 
-/// Its whips are stiff and damp beside the step of the explicit method, whose outputs between steps once broke the order.
+/// The whips of this example are stiff and damped beside the step of the explicit method, whose outputs between steps once broke the order.
 #[test]
 fn outputs_between_stiff_steps_are_as_good_as_the_steps() {
     let ran = ran("verify examples/explorer1-stiff/model.toml --orders 3");
     assert!(ran.code == Some(0) && ran.stdout.contains("Every order is reached."), "{ran:?}");
 }
 
-/// The mean power of the average comes closer to that of the full system as ε²; where there is no average, why not.
+/// The mean power of the average comes closer to that of the full system as ε²; without an average the reason is printed.
 #[test]
 fn verify_proves_the_average() {
     let json = ran("verify examples/axial-mass/model.toml --orders 3 --halvings 3 --json").json();
@@ -291,7 +291,7 @@ fn a_run_that_is_not_proved_fails_and_says_so() {
     assert!(ran.stdout.contains("NOT EVERY ORDER IS REACHED"), "{}", ran.stdout);
 }
 
-/// Nearly no damping, and a loose tolerance: what the dashpots take drowns in the integrator's error.
+/// Nearly no damping, and a loose tolerance: the loss in the dashpots drowns in the integrator's error.
 #[test]
 fn an_integrator_that_imitates_the_dashpots_is_called_out() {
     let weak = MODEL.replace("damping = 30.0", "damping = 1e-6");

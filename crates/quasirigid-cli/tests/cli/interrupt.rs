@@ -11,7 +11,7 @@ use tempfile::TempDir;
 
 use crate::support::{Ran, Table, folder_of, names, one_line, program};
 
-/// In this time what it does first has begun.
+/// Time in which the first work of the program has begun.
 const BEGUN: Duration = Duration::from_millis(300);
 /// Longer than any test may take.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -53,7 +53,7 @@ fn interrupted(folder: &TempDir, line: &str) -> Ran {
     interrupted_after(Duration::ZERO, folder, line)
 }
 
-/// The same some time later.
+/// Presses Ctrl-C some time after the propagation has begun, and waits for the end.
 fn interrupted_after(later: Duration, folder: &TempDir, line: &str) -> Ran {
     let mut child = start(folder, line);
     let (stdout, stderr) = (child.stdout.take().unwrap(), child.stderr.take().unwrap());
@@ -65,7 +65,7 @@ fn interrupted_after(later: Duration, folder: &TempDir, line: &str) -> Ran {
     Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
 }
 
-/// How a child ends after a signal, which must be at once.
+/// Exit status of a child after a signal; the end must come at once.
 pub fn ended(child: &mut Child) -> ExitStatus {
     let pressed = Instant::now();
     loop {
@@ -80,7 +80,7 @@ pub fn ended(child: &mut Child) -> ExitStatus {
     }
 }
 
-/// Reads a pipe to its end beside what else goes on.
+/// Reads a pipe to its end on a thread of its own.
 fn reading(mut pipe: impl Read + Send + 'static) -> JoinHandle<String> {
     std::thread::spawn(move || {
         let mut text = String::new();
@@ -89,7 +89,7 @@ fn reading(mut pipe: impl Read + Send + 'static) -> JoinHandle<String> {
     })
 }
 
-/// What `run` would compute for minutes.
+/// A run that would take minutes.
 const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o spin";
 
 #[test]
@@ -157,7 +157,7 @@ fn verification_ends_on_ctrl_c() {
     assert_eq!(ran.stderr, "quasirigid: the verification was interrupted; nothing was measured\n");
 }
 
-/// The histories are there, the proof is not.
+/// The histories are complete, the verification is missing.
 #[test]
 fn interrupted_proof_is_left_out_of_the_record() {
     let folder = folder_of("three-masses");

@@ -1,4 +1,4 @@
-//! What `--json` prints is what the guide lists, key by key, and none of it is a number in a text.
+//! Keys that `--json` prints are those that the guide lists, and no number is printed as a text.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -120,7 +120,7 @@ fn keys_of_derive_are_those_of_the_guide() {
     assert_same(&derive, &(&(&listed("04-derive-equations.md", "As JSON") | &terms) | &forces));
 }
 
-/// What is refused has numbers that are not known, and says which; what never happens has infinite ones.
+/// A refused evolution has unknown numbers, and lists them; events that never happen have infinite times.
 #[test]
 fn null_is_what_is_infinite_or_not_known() {
     let refused = ran("evolve examples/spherical-tank/model.toml --method direct --json --quiet").json();

@@ -1,4 +1,4 @@
-//! What the equations of motion leave out is said first, and the exit code tells it.
+//! Losses that the equations of motion leave out are printed first, and the exit code is 1.
 
 use crate::support::{Ran, folder_with, one_line, ran_in};
 

@@ -299,6 +299,8 @@ fn a_forced_average_says_that_it_does_not_hold() {
     let ran = ran("evolve examples/nutation-damper/model.toml --method average");
     assert_eq!(ran.code, Some(1));
     assert!(ran.stdout.starts_with("nutation damper: THE AVERAGE DOES NOT HOLD"), "{}", ran.stdout);
+    let said = |text: &str| text.matches("THE AVERAGE DOES NOT HOLD").count();
+    assert_eq!((said(&ran.stdout), said(&ran.stderr)), (1, 0), "{}{}", ran.stdout, ran.stderr);
 }
 
 #[test]
@@ -306,8 +308,8 @@ fn a_spin_has_three_components() {
     insta::assert_snapshot!(ran_with(FLYWHEEL, "modes model.toml --spin 1,2").refusal().trim(), @"quasirigid: an angular velocity has three components, not 2: --spin 0,0,1.5");
 }
 
-/// A weight on a soft spring two kilometres away: the motions that are overdamped are no nutation, and what the modes do not know is not
-/// told.
+/// A weight on a soft spring two kilometres away: overdamped motions are no nutation, and numbers that the modes do not give are not
+/// printed.
 #[test]
 fn a_tether_whose_wobble_the_modes_do_not_know_is_refused() {
     let model = "\
@@ -359,7 +361,7 @@ wobble = { angle = \"5 deg\", rate = \"30 rpm\", mode = \"short-axis\" }
 evolve = { until = \"1 deg\" }
 ";
 
-/// What the full system has no equations of motion for it is not asked about, though it be by name.
+/// Losses without equations of motion make the full system refuse an answer, even where it is asked for by name.
 #[test]
 fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
     for method in ["direct", "micro-runs"] {
@@ -371,7 +373,7 @@ fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
     }
 }
 
-/// The core of a liquid that turns against its tank is the liquid's motion, whatever else moves a little with it.
+/// The core of a liquid that turns against its tank is a mode of the liquid, though other parts move a little with it.
 #[test]
 fn a_motion_of_a_liquid_has_its_name() {
     let found = ran_with(WATER, "modes model.toml --json").json();
@@ -397,7 +399,7 @@ fn a_liquid_that_spins_is_not_followed_through_the_separatrix() {
     assert!(found["message"].as_str().unwrap().contains("too wide"), "{found}");
 }
 
-/// A box of liquid on a coarse mesh of its own: every command tells how good the flow is, and the time is no better.
+/// A box of liquid on a coarse mesh of its own: every command prints the error of the flow, and the time has at least that error.
 #[test]
 fn coarse_flows_are_told_and_make_the_time_worse() {
     let tank = |resolution: usize| {

@@ -1,4 +1,4 @@
-//! The command line as its users meet it: what each command prints and writes, and how it ends.
+//! The command line as its users meet it: output, files and exit code of each command.
 
 #[cfg(unix)]
 mod appeared;

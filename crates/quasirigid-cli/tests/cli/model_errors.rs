@@ -1,10 +1,13 @@
+//! Mistakes in a model file as the terminal shows them: place, source line, marker and advice.
+//! Snapshots fix the drawings; every command has to refuse alike and to write nothing.
+
 use std::fs;
 
 use insta::assert_snapshot;
 
 use crate::support::{MODEL, folder_with, names, ran_in, ran_with};
 
-/// How `check` refuses the model with one part replaced.
+/// Refusal by `check` of the model with one part replaced.
 fn refusal(part: &str, by: &str) -> String {
     assert!(MODEL.contains(part), "{part}");
     ran_with(&MODEL.replacen(part, by, 1), "check model.toml").refusal().to_owned()

@@ -1,4 +1,4 @@
-//! `modes` under forces and on supports: what is told of the steady state, and every refusal.
+//! `modes` under forces and on supports: the text of the steady state, and every refusal.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! Files that hold what steers terminals, files that never end, and models too large for the machine.
+//! Files with characters that steer terminals, files that never end, and models too large for the machine.
 
 use std::fs;
 use std::process::Command;

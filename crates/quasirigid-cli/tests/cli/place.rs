@@ -1,4 +1,4 @@
-//! Where the body is, in tables and objects: paper, (1.15).
+//! Position of the body, in tables and objects: paper, (1.15).
 
 use crate::support::{MODEL, Table, difference, folder_with, numbers, ran_in, ran_with};
 

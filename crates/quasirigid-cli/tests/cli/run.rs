@@ -1,3 +1,6 @@
+//! `run`: the files of a record, its summary, its report, and its exit code.
+//! Runs are short and have few rows; two runs must write equal bytes, since a record is compared years later.
+
 use std::fs;
 
 use insta::assert_snapshot;

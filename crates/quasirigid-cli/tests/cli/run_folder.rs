@@ -49,7 +49,7 @@ fn older_record_survives_a_run_that_fails() {
     }
 }
 
-/// Whatever is no record of ours, or holds anything else beside it, belongs to somebody.
+/// A folder that is no record of ours, or has further files, belongs to somebody.
 #[test]
 fn folder_that_is_not_only_a_record_is_never_replaced() {
     let folder = folder_of("axial-mass");

@@ -1,3 +1,7 @@
+//! `simulate`: columns, times, units, systems and forms of the printed table, and the JSON of the last state.
+//! Closed forms and invariants are the references: Euler's precession, constant angular momentum, dissipation equal to the loss.
+//! Propagation: (P1) to (P4), docs/theory/05-propagation.md.
+
 use crate::support::{EXAMPLES, Table, difference, folder_with, numbers, ran, ran_in, ran_with};
 
 const HEADER: &str = "t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,energy_drift,momentum_drift,\
@@ -5,7 +9,7 @@ const HEADER: &str = "t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,ene
 const SPIN: [&str; 3] = ["wx", "wy", "wz"];
 const AXIAL: &str = "simulate examples/axial-mass/model.toml";
 
-/// The table of a command that must end with 0 and say nothing else.
+/// The table of a command that must end with 0 and print nothing else.
 #[track_caller]
 fn table(line: &str) -> Table {
     let ran = ran(line);
@@ -192,7 +196,7 @@ fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
     assert_eq!(said.stdout, quiet.stdout);
 }
 
-/// The full history tells who took the energy, and the reduced one nearly the same.
+/// Shares of the dissipators in the full history, nearly equal to those of the reduced one.
 #[test]
 fn object_of_a_history_holds_the_shares_of_dissipators() {
     let shares = |system: &str| {

@@ -1,3 +1,6 @@
+//! Refusals of `simulate`: tolerances, rows, durations, times and options, each before any file is written.
+//! Negative and infinite values reach the program as text, so flags accept hyphens and every range is checked here.
+
 use insta::assert_snapshot;
 
 use crate::support::{folder_of, names, ran, ran_in};

@@ -1,4 +1,4 @@
-//! What the reduced equations say of the internal coordinates, paper (2.14), and of forces, paper (3.1) to (3.4).
+//! Internal coordinates and forces in the reduced equations: paper (2.14) and (3.1) to (3.4).
 
 use crate::support::{MODEL, ROOT, Table, difference, folder_with, numbers, ran_in, ran_with};
 
@@ -42,8 +42,8 @@ fn value(terms: &serde_json::Value, omega: [f64; 3]) -> Vec<f64> {
     sum
 }
 
-/// The polynomials of `derive`, the columns of the reduced history, and the coordinates of the full system, which were found
-/// on three methods, agree as the order says.
+/// The polynomials of `derive`, the columns of the reduced history, and the coordinates of the full system, which come from
+/// three methods, agree to the order.
 #[test]
 fn displacements_of_derive_are_those_of_the_full_system() {
     let folder = folder_with(&format!("{BODY}[initial]\nangular_velocity = [0.6, 0.35, 0.5]\n"));
@@ -117,7 +117,7 @@ fn text_lists_the_displacements() {
     assert!(text.contains("displacements q1 q2 q3, degree 3\n"), "{text}");
 }
 
-/// `J ω̇ + ω × Jω = M* + μ` with the left side from the first moments of the full system, for each way of being held: `M*` alone
+/// `J ω̇ + ω × Jω = M* + μ` with the left side from the first moments of the full system, for each kind of support: `M*` alone
 /// misses it, `M* + μ` meets it to the order.
 #[test]
 fn forces_stand_in_derive_as_the_full_system_feels_them() {
@@ -176,8 +176,7 @@ fn what_derive_leaves_out_under_forces_is_said() {
     assert!(latex.contains("M^\\ast + \\mu"), "{latex}");
 }
 
-/// `φ` of a held body is that of the same body afloat at the leading degrees when it is held at its centre of mass, and no zeros
-/// elsewhere.
+/// `φ` of a body fixed at its centre of mass is that of the free body at the leading degrees; fixed elsewhere, it is not zero.
 #[test]
 fn a_held_body_has_the_force_of_its_displacements() {
     let fixed = |point: &str| format!("{BODY}[support]\nkind = \"fixed-point\"\npoint = {point}\n");
@@ -193,7 +192,7 @@ fn a_held_body_has_the_force_of_its_displacements() {
     assert!(elsewhere.iter().all(|f| f.abs() > 1e-9), "{elsewhere:?}");
 }
 
-/// Paper, (1.3): `r_i = Σ H_ij q_j` with full matrices, as the guide says it, against (2.14) written out here.
+/// Paper, (1.3): `r_i = Σ H_ij q_j` with full matrices, as in the guide, against (2.14) written out here.
 #[test]
 fn a_coordinate_may_move_many_points() {
     let names = ["nodes.csv", "shapes.mtx", "masses.mtx", "stiffness.mtx", "damping.mtx"];

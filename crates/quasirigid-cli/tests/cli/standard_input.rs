@@ -47,7 +47,7 @@ fn a_model_is_read_from_the_standard_input() {
     }
 }
 
-/// The current folder, not that of the program or of any file.
+/// Paths in such a model are relative to the current folder, not to that of the program or of any file.
 #[test]
 fn files_of_such_a_model_are_looked_for_in_the_current_folder() {
     let folder = folder_with("");

@@ -1,4 +1,4 @@
-//! Starts at which something does not hold: what is judged is what runs, and words name what is wrong.
+//! Starts at which an assumption fails: the state that is judged is the one that runs, and messages name the cause.
 
 use crate::support::{MODEL, Ran, Table, difference, folder_with, one_line, ran_in, ran_with};
 
@@ -96,7 +96,7 @@ fn crowded_frequencies_are_found() {
     assert!(difference([first], [10.0]) < 0.01, "{first}");
 }
 
-/// Names a body of the guide whose answers to the spin are so nearly dependent that a mass among them is lost in rounding.
+/// A body of the guide whose responses to the spin are so nearly linearly dependent that a mass among them is lost in rounding.
 #[test]
 fn mass_lost_in_rounding_leaves_the_other_frequencies() {
     let page = format!("{}/docs/guide/10-flexible-parts.md", crate::support::ROOT);

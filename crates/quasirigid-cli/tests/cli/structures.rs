@@ -1,3 +1,6 @@
+//! Examples of structures and networks: their commands print what their pages show.
+//! Apart from the other examples because each takes seconds; the radar shape of Apophis is skipped where its file is missing.
+
 use std::fs;
 use std::path::{Path, PathBuf};
 #[cfg(unix)]
@@ -5,7 +8,7 @@ use std::process::Command;
 
 use crate::support::{ROOT, Table, folder_of, ran, ran_in};
 
-/// What the README of an example shows after a command, up to its first line of dots.
+/// Output of a command in the README of an example, up to its first line of dots.
 fn shown(example: &str, command: &str) -> String {
     let page = fs::read_to_string(Path::new(ROOT).join("examples").join(example).join("README.md")).unwrap();
     let (_, rest) = page.split_once(&format!("$ quasirigid {command}\n")).expect(command);
@@ -73,7 +76,7 @@ fn the_tip_of_a_spun_up_beam_lags_as_published() {
     assert!(page.contains(&format!("{:.3} m", lag[1]).replace('-', "−")), "{lag:?}");
 }
 
-/// Where the radar shape is, if it is anywhere: beside the model, or beside the repository.
+/// File of the radar shape, if there is one beside the model or beside the repository.
 fn radar_shape() -> Option<PathBuf> {
     let root = Path::new(ROOT);
     let beside = root.join("examples/apophis-shape/apophis-radar-shape.obj");

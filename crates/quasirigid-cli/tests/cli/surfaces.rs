@@ -1,4 +1,4 @@
-//! A solid with a neck: every command says how well its shape is resolved.
+//! A solid with a neck: every command prints the error of its shape.
 
 use std::fmt::Write;
 use std::fs;
@@ -85,7 +85,7 @@ fn every_command_says_how_well_the_shape_is_resolved() {
     let object = ran_in(folder.path(), "evolve model.toml --json").json();
     let time_error = object["time_error"].as_f64().unwrap();
     assert!(time_error >= error, "{object:#}");
-    // One number stands for the time, and holds the error of the shape.
+    // One number stands for the time, and includes the error of the shape.
     let words: Vec<&str> = evolved.split("the time is good to ").collect();
     assert!(words.len() == 2 && !evolved.contains("known to"), "{evolved}");
     let told = words[1].split(' ').next().unwrap();
@@ -98,7 +98,7 @@ fn every_command_says_how_well_the_shape_is_resolved() {
     assert!(page.contains(expected) && page.contains(&format!("the time is good to {told} %.")));
 }
 
-/// Polynomials of low degree are off by more than half: what they say does not hold, and says so first.
+/// Polynomials of low degree are off by more than half: their answer does not hold, and begins with that.
 #[test]
 fn polynomials_that_do_not_follow_the_shape_do_not_hold() {
     let folder = folder("degree = 2");

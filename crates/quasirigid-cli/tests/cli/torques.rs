@@ -50,7 +50,7 @@ fn told(model: &str, options: &str, status: &str) -> Value {
     object
 }
 
-/// The end is located, whatever the rows.
+/// Value of a key; the end is located exactly, whatever the rows.
 fn located(model: &str, options: &str, key: &str) -> f64 {
     let [few, many] = [21, 2001].map(|samples| {
         let ran = ran_with(model, &format!("evolve model.toml {options} --json --samples {samples}"));
@@ -92,7 +92,7 @@ fn a_torque_along_the_spin_ends_at_the_slowest_elastic_frequency() {
     located(&model, "--duration 1Myr --to 5deg", "time");
 }
 
-/// A steady spin ages under a torque; without one nothing ages, and a body at rest has no axis.
+/// A steady spin evolves under a torque; without one it stays, and a body at rest has no axis.
 #[test]
 fn steady_spins_and_rest_are_told_apart() {
     let steady = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 0.0, 0.0]");
@@ -140,7 +140,7 @@ fn slender_bodies_are_answered() {
             assert!(ran.stdout.contains("NO ANSWER"), "{}", ran.stdout);
             continue;
         }
-        // Both methods to the power agree.
+        // Both sources of the power agree.
         let square = (length.parse::<f64>().unwrap() / 3000.0).powi(2);
         let object =
             ran_with(&model.replace("2000", length), &format!("evolve model.toml {options} --json")).json();

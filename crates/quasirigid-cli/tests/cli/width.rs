@@ -1,3 +1,6 @@
+//! Width of the output: every answer, help text and refusal fits a terminal of 80 columns.
+//! All examples are run, since long names and many coordinates only show there; quoted lines of the user's file stay as they are.
+
 use std::path::Path;
 
 use tempfile::TempDir;

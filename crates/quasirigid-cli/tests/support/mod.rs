@@ -1,4 +1,4 @@
-//! What the tests share: the program, models, answers.
+//! Helpers of the tests: the program, models, answers.
 
 use std::collections::HashMap;
 use std::fs;
@@ -60,7 +60,7 @@ pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// How a command ended and what it printed.
+/// Exit code and output of a command.
 #[derive(Clone, Debug)]
 pub struct Ran {
     pub code: Option<i32>,
@@ -133,7 +133,7 @@ pub fn ran_with(model: &str, line: &str) -> Ran {
     shared(model, line, || ran_in(folder_with(model).path(), line))
 }
 
-/// Names of what a folder holds, hidden files too.
+/// Names of the entries of a folder, hidden files too.
 pub fn names(folder: impl AsRef<Path>) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
     let mut names: Vec<_> =
@@ -142,7 +142,7 @@ pub fn names(folder: impl AsRef<Path>) -> Vec<String> {
     names
 }
 
-/// Copies a folder with what it holds.
+/// Copies a folder with its contents.
 pub fn copy(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
     for name in names(from) {

@@ -20,7 +20,7 @@ pub struct Derived<'a> {
     pub name: &'a str,
     /// The flexible body.
     pub body: &'a FlexibleBody,
-    /// Its reduced equations.
+    /// Reduced equations of the body.
     pub reduced: &'a ReducedBody,
     /// Natural frequencies (rad/s), ascending: all, or the lowest.
     pub frequencies: &'a [f64],

@@ -12,7 +12,7 @@ pub(super) use super::row::Row;
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
 
-/// A file from which no matrix, nodes or degrees of freedom can be read: where, and what is wrong there.
+/// A file from which no matrix, nodes or degrees of freedom can be read, with the place and the problem.
 pub type MatrixError = FileError<MatrixProblem>;
 
 /// A problem at a place of a file that is yet to be named.

@@ -34,7 +34,7 @@ struct Entry {
     at: usize,
 }
 
-/// A line or byte, and what is wrong there.
+/// A line or byte, and the problem there.
 pub(super) type At = (usize, MatrixProblem);
 
 impl Listed {

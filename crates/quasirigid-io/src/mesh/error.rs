@@ -13,7 +13,7 @@ pub(super) use super::row::Row;
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
 
-/// A file from which no mesh can be read: where, and what is wrong there.
+/// A file from which no mesh can be read, with the place and the problem.
 pub type MeshError = FileError<MeshProblem>;
 
 /// A problem at a place of a file that is yet to be named.
@@ -190,7 +190,7 @@ pub enum MeshProblem {
     /// A PLY file whose header does not end.
     #[error("the header has no end_header; was the file cut off?")]
     NoHeaderEnd,
-    /// A PLY file whose elements lack what makes a surface.
+    /// A PLY file whose elements lack coordinates or corners.
     #[error("the {part} lack {}; add it when you export the surface", if *part == Part::Faces { "the list vertex_indices" } else { "x, y or z" })]
     NoProperty {
         /// The elements.
@@ -202,7 +202,7 @@ pub enum MeshProblem {
         /// The length.
         found: String,
     },
-    /// Nothing to read.
+    /// A file without vertices, faces or another part.
     #[error("the file has no {part}; export the surface as triangles")]
     Nothing {
         /// Part that is missing.

@@ -30,7 +30,7 @@ pub enum Row {
     GmshFormat,
     /// The name of a group in a gmsh file.
     GmshName,
-    /// How many follow in a section of a gmsh file.
+    /// The count at the beginning of a section of a gmsh file.
     GmshCount,
     /// A point, curve, surface or volume of a gmsh file.
     GmshEntity,

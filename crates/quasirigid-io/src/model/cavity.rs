@@ -51,7 +51,7 @@ static SHAPES: [Kind<Read>; 9] = [
     kind!("[[cavity]]", "shape", "surface", keys!("file", "unit"), surface),
 ];
 
-/// Keys of a cavity that does not say its shape.
+/// Keys of a cavity without a shape: those of every shape.
 const ANY: Keys = Keys {
     known: keys!(
         "radius",
@@ -66,9 +66,9 @@ const ANY: Keys = Keys {
         "unit"
     ),
 };
-/// Cells across a cavity unless the file says how many.
+/// Cells across a cavity unless the file gives a number.
 const RESOLUTION: usize = 8;
-/// Cells across the longest side of what a surface encloses.
+/// Cells across the longest side of the space that a surface encloses.
 const RESOLUTION_INSIDE: usize = 16;
 
 /// Words for the flow regime of a liquid.

@@ -39,7 +39,7 @@ static KINDS: [Kind<Read>; 8] = [
     kind!("[[force]]", "expression", &["kind", "name", "on", "at", "force", "torque", "axes"], expression),
 ];
 
-/// Keys of a force that does not say its kind: those of every kind.
+/// Keys of a force without a kind: those of every kind.
 const ANY: Keys = Keys {
     known: &[
         "kind",

@@ -1,4 +1,4 @@
-//! Names in a model file: who has one, to which element it belongs, and what springs and forces may be fixed to.
+//! Names in a model file: the elements that have one, and the references to them from springs, forces and initial states.
 //! Names are claimed in the order of the file, so that of two equal ones the second is reported; references are resolved against all.
 
 use std::collections::HashMap;

@@ -43,7 +43,7 @@ static KINDS: [Kind<Read>; 6] = [
     kind!("`rheology`", "table", &["kind", "rows"], measured),
 ];
 
-/// Keys of a rheology that does not say its kind: those of every kind.
+/// Keys of a rheology without a kind: those of every kind.
 const ANY: Keys =
     Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"] };
 

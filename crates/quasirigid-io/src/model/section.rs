@@ -11,7 +11,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-/// Keys of a section that does not say its shape: those of every shape.
+/// Keys of a section without a shape: those of every shape.
 const ANY: Keys = Keys {
     known: &[
         "shape",

@@ -52,7 +52,7 @@ pub struct RunSettings {
     pub systems: Option<Vec<System>>,
     /// Method for the full system.
     pub method: Option<Method>,
-    /// What ends a run before its time.
+    /// Events that end a run before its time.
     pub stop: Stop,
     /// Comparison of the reduced equations with the full ones; none if the file does not ask for it.
     pub verify: Option<Verify>,
@@ -99,7 +99,7 @@ pub struct Stop {
     pub validity: bool,
 }
 
-/// How the reduced equations are compared with the full ones.
+/// Comparison of the reduced equations with the full ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verify {
     /// Length of each run in rotations.

@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 use super::{Diagnostic, FileProblem, ModelError};
 use crate::text_file::{Unread, all_of, stream_of};
 
-/// Largest model file that is read (bytes): ten times what 10⁵ points need.
+/// Largest model file that is read (bytes): ten times the size of one with 10⁵ points.
 const LARGEST: u64 = 64 * 1024 * 1024;
 
 /// Source: the text of a model, with its file and its checksum.

@@ -12,13 +12,13 @@ use super::{Column, number};
 ///
 /// The columns are `t`, `D_over_I3`, `circled_axis` (1 of least, 3 of greatest inertia), `nutation_min` and
 /// `nutation_max` (angle between the angular momentum and that axis), `energy`, `momentum`, `polhode_period`,
-/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `revolutions`.
+/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `turns`.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.
     pub sentence: String,
-    /// The method: `average` along the polhode, `modes` at the poles, `micro-runs` of the full system, `direct` integration of it, or
-    /// `none` where no method holds.
+    /// The method: `average` along the polhode, `levels` of the slow energy, `modes` at the poles, `micro-runs` of the full system,
+    /// `direct` integration of it, or `none` where no method holds.
     #[serde(default)]
     pub road: String,
     /// Reason for the method and limits of its validity, in a sentence.
@@ -26,8 +26,8 @@ pub struct EvolutionRecord {
     pub verdict: String,
     /// Source of the power, in words.
     pub method: String,
-    /// `finished` (the time or the target reached), `interrupted`, or how a torque ended the evolution before: `held` (at the
-    /// separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
+    /// `finished` (the time or the target reached), `interrupted`, `refused` (no method holds), `does-not-hold` (the method asked for does
+    /// not), or an early end by a torque: `held` (at the separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
     pub status: String,
     /// End of the evolution, in a sentence.
     #[serde(default)]
@@ -83,7 +83,7 @@ pub struct EvolutionRecord {
     /// Time in which a small wobble about the axis of least inertia grows by e (s).
     #[serde(with = "number::unbounded")]
     pub growth_time: f64,
-    /// Names of the unknown among `time`, `revolutions`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
+    /// Names of the unknown among `time`, `turns`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
     #[serde(default)]
     pub not_known: Vec<String>,
     /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.

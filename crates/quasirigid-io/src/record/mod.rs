@@ -10,6 +10,7 @@ mod evolution;
 mod folder;
 mod modes;
 mod number;
+mod study;
 mod sweep;
 mod table;
 
@@ -22,6 +23,7 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
+pub use study::{StudyColumn, StudyInfluence, StudyRecord, StudyRefusal, StudyRole};
 pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
     SweepRecord, UncertaintyRecord,
@@ -169,7 +171,7 @@ pub struct ValidityRecord {
     /// Decay rates of the free vibrations (1/s), ascending.
     #[serde(with = "number")]
     pub decay_rates: Vec<f64>,
-    /// Times in which internal rotors and liquids come to rest while the attitude is held (s), descending.
+    /// Times in which internal rotors and liquids come to rest with the attitude fixed (s), descending.
     #[serde(with = "number::unbounded", default)]
     pub relaxations: Vec<f64>,
     /// Every criterion with its number.

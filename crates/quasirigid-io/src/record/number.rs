@@ -82,7 +82,7 @@ pub fn deserialize<'de, T: Numbers, D: Deserializer<'de>>(deserializer: D) -> Re
     T::Wire::deserialize(deserializer).map(|wire| T::from_wire(wire, f64::NAN))
 }
 
-/// Numbers whose `null` means infinity: times of what never happens, ratios to what is zero.
+/// Numbers whose `null` means infinity: times of events that never happen, ratios to zero.
 pub mod unbounded {
     use super::{Deserialize, Deserializer, Numbers};
 

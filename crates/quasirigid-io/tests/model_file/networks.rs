@@ -57,7 +57,7 @@ fn reach_and_seed_have_defaults() {
     assert_ne!(read(&rubble("")).assembly, read(&rubble("seed = 2\n")).assembly);
 }
 
-/// Scaled by a factor, all lengths give the same network: it does not know the unit of length.
+/// A network scales with its lengths, so their unit does not matter.
 #[test]
 fn a_network_grows_with_its_lengths() {
     let large = rubble("")

@@ -1,5 +1,5 @@
 //! Reading of a full model: every value in its place, defaults of absent ones, and every way to write TOML.
-//! A snapshot-free comparison, value by value: a key that is read into the wrong field would pass a round trip.
+//! Values are compared one by one, since a round trip would pass a key that is read into the wrong field.
 
 use std::fmt::Write as _;
 

@@ -1,5 +1,5 @@
 //! Settings of a run: ranges of numbers, lists of systems and orders, conditions to stop, verification.
-//! The limits are those of the command line too, so both are compared where they meet.
+//! Each limit is tried on both sides; the tolerance has the limits of the command line.
 
 use insta::assert_snapshot;
 use quasirigid::dynamics::{Form, Method};

@@ -252,7 +252,7 @@ fn a_face_does_not_hold_a_node_of_a_solid() {
     "#);
 }
 
-/// One attached node leaves three rotations, two leave one.
+/// One attached node fixes a point, two fix an axis: a solid needs three.
 #[test]
 fn a_solid_that_still_turns_is_a_mechanism() {
     for held in ["1", "[1, 2]"] {

@@ -1,5 +1,5 @@
 //! Gmsh meshes of versions 2.2 and 4.1: text and binary of both byte orders, groups, and refusals by line or byte.
-//! The binary files are written here after the manual of gmsh, because gmsh itself writes one byte order only.
+//! Binary files are written here after the manual of gmsh, so that both byte orders are tested.
 
 use insta::assert_snapshot;
 use quasirigid_mesh::{Mesh, Shape};

@@ -10,7 +10,7 @@ pub trait State: Clone + AsRef<[f64]> + AsMut<[f64]> {
     /// Becomes `base + h Σ weight · stage`.
     fn combine<R: Arithmetic>(&mut self, base: &Self, h: f64, weights: &[f64], stages: &[Self]);
 
-    /// The same list with every number zero.
+    /// A list of this length with every number zero.
     #[must_use]
     fn zeroed(&self) -> Self {
         let mut zero = self.clone();

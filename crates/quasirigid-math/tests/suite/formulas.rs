@@ -78,7 +78,7 @@ impl fmt::Display for Tree {
 }
 
 impl Tree {
-    /// Text in parentheses if it binds less tightly than its place asks.
+    /// Text of a part, in parentheses if the part binds less tightly than its place asks.
     fn inside(&self, tight: u8) -> String {
         let binds = match self {
             Infix('+' | '-', ..) => 1,

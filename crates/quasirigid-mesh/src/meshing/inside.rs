@@ -100,7 +100,7 @@ mod tests {
         ClosedSurface::new(vertices.into_iter().map(place).collect(), triangles).unwrap()
     }
 
-    /// Relative error of the volume of a mesh, after asking that it is valid, that angles are within their bounds, and
+    /// Relative error of the volume of a mesh, after checks that the mesh is valid, that angles are within their bounds, and
     /// that nodes of the wall are on the surface: all corners, and all middles of edges but a few.
     fn error(surface: &ClosedSurface, mesh: &Mesh, euler: i64) -> f64 {
         let wall = assert_valid(mesh, euler);

@@ -96,7 +96,7 @@ mod tests {
     const BASE: Corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
     fn meets(other: Corners, corners: [usize; 3]) -> bool {
-        // A turn and a shift, so that no plane is that of two axes.
+        // A rotation and a shift, so that no plane is that of two axes.
         let place = |[x, y, z]: [f64; 3]| {
             [0.6 * x - 0.8 * y + 0.3, 0.48 * x + 0.36 * y - 0.8 * z, 0.64 * x + 0.48 * y + 0.6 * z]
         };

@@ -18,7 +18,7 @@ pub enum SurfaceError {
     NoSuchVertex {
         /// The first such triangle.
         triangle: usize,
-        /// The corner that it names.
+        /// Index of the corner.
         index: usize,
         /// Number of vertices.
         vertices: usize,
@@ -52,7 +52,7 @@ pub enum SurfaceError {
     Open {
         /// Ends of the first such edge, in the direction of its triangle.
         edge: [usize; 2],
-        /// Its triangle.
+        /// Triangle of the edge.
         triangle: usize,
         /// Number of open edges.
         count: usize,
@@ -65,7 +65,7 @@ pub enum SurfaceError {
     NonManifold {
         /// Ends of the first such edge.
         edge: [usize; 2],
-        /// Its triangles.
+        /// Triangles of the edge.
         triangles: Vec<usize>,
         /// Number of such edges.
         count: usize,
@@ -78,7 +78,7 @@ pub enum SurfaceError {
     TwiceOriented {
         /// Ends of the first such edge, in the direction of its triangles.
         edge: [usize; 2],
-        /// Its triangles.
+        /// Triangles of the edge.
         triangles: [usize; 2],
         /// Number of such edges.
         count: usize,

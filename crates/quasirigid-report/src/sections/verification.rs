@@ -1,6 +1,6 @@
 //! Section on the verification: differences between reduced and full equations as the body is stiffened, and their orders.
 //! Curves are drawn for the angular-momentum form alone; the table also has the angular-velocity form, the paper's.
-//! Orders in `ε`: (V8), docs/theory/04-validity.md.
+//! Scaling in `ε`: (R1), docs/theory/03-reduction.md.
 
 use maud::{Markup, html};
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};

@@ -18,7 +18,7 @@ pub fn combined([x, y, z]: Vector, [a, b, c]: [Vector; 3]) -> Vector {
     [0, 1, 2].map(|i| x * a[i] + y * b[i] + z * c[i])
 }
 
-/// The direction of a vector; none for zero and for what is not finite. Does not overflow.
+/// The direction of a vector; none for zero and for a vector that is not finite. Does not overflow.
 pub fn direction(a: Vector) -> Option<Vector> {
     let largest = a.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let scaled = a.map(|x| x / largest);

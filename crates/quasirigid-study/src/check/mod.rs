@@ -86,7 +86,7 @@ fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
 }
 
 impl CheckReport<'_> {
-    /// Whether no criterion and no steady spin fails.
+    /// Whether no criterion fails, neither of the motion nor of the dissipation, and the equations get the liquids right.
     #[must_use]
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);

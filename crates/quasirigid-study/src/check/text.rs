@@ -54,7 +54,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     text
 }
 
-/// Note on the forces and wheels that the steady spins of the reduced equations leave out.
+/// Words for the forces and losses of materials that the steady spins of the reduced equations leave out.
 fn without(study: &Study) -> &'static str {
     match (acting(study, None).is_some(), !study.body.viscoelastic().is_empty()) {
         (true, true) => " WITHOUT the forces and the losses of materials",
@@ -129,13 +129,13 @@ fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
     }
     if !vibrations.frequencies.is_empty() {
         writeln!(out, "\nVibrations")?;
-        list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
+        list(out, "frequencies, attitude fixed", &vibrations.frequencies, "rad/s")?;
         list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
         list(out, "decay rates", &vibrations.decay_rates, "1/s")?;
     }
     if !relaxations.is_empty() {
         writeln!(out, "\nRelaxations of internal rotors and liquids")?;
-        list(out, "times, attitude held", relaxations, "s")?;
+        list(out, "times, attitude fixed", relaxations, "s")?;
     }
     Ok(())
 }

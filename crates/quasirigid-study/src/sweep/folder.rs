@@ -17,6 +17,7 @@ const HEAD: &str = "sweep.json";
 const STUDY: &str = "study.toml";
 const MODEL: &str = "model.toml";
 const PARTS: &str = "parts";
+pub(super) const REPORT: &str = "report.html";
 pub(super) const ROWS: &str = "rows.csv";
 pub(super) const SUMMARY: &str = "summary.json";
 

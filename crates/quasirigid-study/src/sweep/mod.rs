@@ -11,6 +11,7 @@ mod error;
 mod folder;
 mod generator;
 mod journal;
+mod page;
 mod plan;
 mod quantity;
 mod rank;

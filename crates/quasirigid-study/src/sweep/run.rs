@@ -10,10 +10,10 @@ use quasirigid_io::record::SweepRecord;
 use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
 use rayon::ThreadPool;
 
-use super::folder::{Folder, ROWS, SUMMARY, tidy};
+use super::folder::{Folder, REPORT, ROWS, SUMMARY, tidy};
 use super::journal::Journal;
 use super::row::RowAnswer;
-use super::{Sweep, SweepError, summary};
+use super::{Sweep, SweepError, page, summary};
 use crate::Watch;
 
 /// Most rows that are also written as one CSV file.
@@ -301,6 +301,8 @@ fn finish(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError>
         written?;
     }
     let record = summary::of_folder(sweep, folder)?;
+    let page = page::page(sweep, folder, &record)?;
+    folder.put(REPORT, |out| out.write_all(page.as_bytes()))?;
     folder.put(SUMMARY, |out| writeln!(out, "{:#}", serde_json::json!(record)))?;
     Ok(record)
 }

@@ -20,7 +20,7 @@ pub trait AssemblyElement {
 }
 
 impl Assembly {
-    /// Adds an element; its id is the end of a spring, and what an error names.
+    /// Adds an element; its id serves as the end of a spring, and stands in errors.
     ///
     /// ```
     /// use quasirigid::prelude::*;

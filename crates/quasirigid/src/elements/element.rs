@@ -1,12 +1,12 @@
 //! Element of a body: the contributions of each kind to an assembly. A new kind is a file with this trait and a line in the list of
 //! kinds in [`elements`](super).
 
+use super::assembly::attachment::{Attachment, Attachments};
+use super::assembly::internal::Internal;
+use super::assembly::single_element::WholeBody;
 use super::assembly::{MovingBody, PartGraph};
-use super::attachment::{Attachment, Attachments};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::internal::Internal;
-use super::material::Material;
-use super::single_element::WholeBody;
+use super::kinds::material::Material;
 use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
@@ -26,7 +26,7 @@ pub(in crate::elements) trait Element {
     /// Place of the element among the others.
     fn role(&self) -> Role;
 
-    /// Errors of its own values, and of the other elements that it names: by default those of its mass and of its motion. Parts and
+    /// Errors of the element's own values, and of its references to others: by default those of its mass and of its motion. Parts and
     /// connections constrain each other, and are checked together.
     fn check(&self, id: ElementId, _body: &Assembly) -> Vec<ElementError> {
         self.moving_body(id).err().into_iter().chain(self.inner(id, 0).err()).collect()
@@ -47,12 +47,12 @@ pub(in crate::elements) trait Element {
         Ok(None)
     }
 
-    /// Terms that its model leaves out of the equations.
+    /// Terms that the model of the element leaves out of the equations.
     fn incomplete(&self) -> Vec<Incomplete> {
         Vec::new()
     }
 
-    /// Rheologies of its materials, in the order in which the model file gives them.
+    /// Rheologies of the element's materials, in the order in which the model file gives them.
     fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
         Vec::new()
     }
@@ -77,13 +77,13 @@ pub(in crate::elements) trait Element {
         Ok(None)
     }
 
-    /// Action of its load at rest. (I10)
+    /// Action of the element's load at rest. (I10)
     fn preload(&self, _site: &Site<'_>) -> Result<Option<Preload>, ElementError> {
         Ok(None)
     }
 
-    /// Adds its finite elements to the structure of a body without a carrier.
-    fn afloat(&self, _id: ElementId, _net: &mut PartGraph<'_>) -> Result<(), ElementError> {
+    /// Adds the finite elements of the element to the structure of a body without a carrier.
+    fn afloat(&self, _id: ElementId, _graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
         Ok(())
     }
 }
@@ -121,7 +121,7 @@ pub(super) struct Site<'a> {
     pub id: ElementId,
     /// Name of the element as a dissipator.
     pub name: &'a str,
-    /// First coordinate of its own.
+    /// First coordinate of the element.
     pub start: usize,
     /// Places of other elements.
     pub attachments: &'a Attachments,

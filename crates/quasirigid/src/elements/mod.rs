@@ -1,36 +1,14 @@
 //! Elements: the components of a body that a user describes, and their assembly into a flexible body.
 
 #[macro_use]
-mod kinds;
+mod registry;
 
-mod affine;
 mod assembly;
-mod attachment;
 mod builder;
-mod bushing;
-mod carrier;
-mod cavity;
-mod coefficient;
 mod complete;
-mod compliance;
 mod element;
-mod ellipsoid;
 mod error;
-mod force;
-mod hinged;
-mod internal;
-mod material;
-mod network;
-mod part;
-mod point;
-mod ritz;
-mod rotor;
-mod single_element;
-mod spring;
-mod station;
-mod surface;
-mod system_matrices;
-mod wheel;
+mod kinds;
 
 pub use crate::finite::beam::{BeamError, Quantity, Section, SectionShape};
 pub use crate::finite::elasticity::{ElasticityError, Modulus};
@@ -39,26 +17,31 @@ pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
 pub use assembly::{Built, PartReduction};
 pub use builder::{AssemblyElement, CARRIER};
-pub use bushing::Bushing;
-pub use carrier::Carrier;
-pub use cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid};
 pub use complete::Incomplete;
-pub use ellipsoid::Ellipsoid;
 pub use error::{ElementError, Field, Problem};
-pub use hinged::{HingeCoefficient, Hinged, PlaceRef};
-pub use kinds::ElementId;
-pub use material::Material;
-pub use network::Network;
-pub use part::{
+pub use kinds::bushing::Bushing;
+pub use kinds::carrier::Carrier;
+pub use kinds::cavity::{
+    Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid,
+};
+pub use kinds::ellipsoid::Ellipsoid;
+pub use kinds::hinged::{HingeCoefficient, Hinged, PlaceRef};
+pub use kinds::material::Material;
+pub use kinds::network::Network;
+pub use kinds::part::{
     Anchor, Connection, ElasticMaterial, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass,
     NodeRef, Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
 };
-pub use point::{Point, PointMotion};
-pub use rotor::{Rotor, RotorKind};
-pub use spring::{Coefficient, End, Prestress, Spring, SpringLaw};
-pub use station::Station;
-pub use surface::{Approximation, Resolution, Surface};
-pub use wheel::{Wheel, WheelSpeed};
+pub use kinds::point::{Point, PointMotion};
+pub use kinds::rotor::{Rotor, RotorKind};
+pub use kinds::spring::{Coefficient, End, Prestress, Spring, SpringLaw};
+pub use kinds::station::Station;
+pub use kinds::surface::{Approximation, Resolution, Surface};
+pub use kinds::wheel::{Wheel, WheelSpeed};
+pub use registry::ElementId;
+
+use assembly::{coefficient, compliance};
+use kinds::force;
 
 use crate::model::Support;
 use crate::model::force::Force;

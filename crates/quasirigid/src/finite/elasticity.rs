@@ -32,13 +32,13 @@ pub enum ElasticityError {
     Modulus {
         /// The modulus.
         modulus: Modulus,
-        /// Its value.
+        /// Value given.
         value: f64,
     },
     /// A Poisson's ratio of an isotropic material outside −1 to ½.
     #[error("Poisson's ratio {value} is not above -1 and below 0.5, as in every stable isotropic material")]
     Poisson {
-        /// Its value.
+        /// Value given.
         value: f64,
     },
     /// A Poisson's ratio of two axes that is too large for their moduli.
@@ -106,7 +106,7 @@ pub(crate) fn isotropic(young: f64, poisson: f64) -> Result<Matrix6<f64>, Elasti
 /// the axes B with engineering shears.
 ///
 /// The compliance in the axes of the material has `1/E_i` on its diagonal, `−ν_ij/E_i` beside it and `1/G_ij` for
-/// shears; its inverse turns as a tensor of fourth order, `C_ijkl = R_ip R_jq R_kr R_ls C_pqrs`.
+/// shears; its inverse transforms as a tensor of fourth order, `C_ijkl = R_ip R_jq R_kr R_ls C_pqrs`.
 ///
 /// # Errors
 /// [`ElasticityError`] names the inequality that fails; together they are those of a positive definite elasticity
@@ -165,7 +165,7 @@ impl Orthotropic {
     }
 }
 
-/// Matrix that turns stresses over xx yy zz yz zx xy as `R σ Rᵀ`.
+/// Matrix of the rotation `R σ Rᵀ` of stresses over xx yy zz yz zx xy.
 fn turn(R: &Matrix3<f64>) -> Matrix6<f64> {
     let mut turn = Matrix6::zeros();
     for (i, j) in [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)] {

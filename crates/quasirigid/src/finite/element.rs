@@ -14,13 +14,13 @@ pub(crate) trait Element {
     /// Degrees of freedom of each of them: 3, or 6 if nodes have rotations.
     fn dofs(&self) -> usize;
 
-    /// Number of its material, which determines its dissipation.
+    /// Number of the element's material, which determines the dissipation.
     fn material(&self) -> usize;
 
-    /// Stiffness over its degrees of freedom.
+    /// Stiffness over the element's degrees of freedom.
     fn stiffness(&self) -> DMatrix<f64>;
 
-    /// Mass matrix over its degrees of freedom. (K3)
+    /// Mass matrix over the element's degrees of freedom. (K3)
     fn mass(&self) -> DMatrix<f64> {
         let size = self.nodes().len() * self.dofs();
         let add = |sum: DMatrix<f64>, lumped_mass: &LumpedMass| {
@@ -29,7 +29,7 @@ pub(crate) trait Element {
         self.lumped_masses().iter().fold(DMatrix::zeros(size, size), add)
     }
 
-    /// Damping by dashpots over its degrees of freedom; none of an element without dashpots.
+    /// Damping by dashpots over the element's degrees of freedom; none of an element without dashpots.
     fn damping(&self) -> Option<DMatrix<f64>> {
         None
     }

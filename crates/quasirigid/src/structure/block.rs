@@ -41,7 +41,7 @@ impl Block {
         }
     }
 
-    /// Entries of one of its matrices, with their rows and columns in the whole.
+    /// Entries of one matrix of the block, with their rows and columns in the whole.
     pub fn entries(&self, matrix: &[Vec<f64>]) -> Entries {
         let rows = self.columns.iter().zip(matrix);
         rows.flat_map(|(j, row)| self.columns.iter().zip(row).map(|(k, entry)| (*j, *k, *entry))).collect()

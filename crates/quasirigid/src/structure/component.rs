@@ -250,7 +250,7 @@ impl Component {
         rest
     }
 
-    /// Its coordinates, by name.
+    /// Coordinates of the component, by name.
     pub fn coordinates(&self) -> Vec<Coordinate> {
         (1..=self.size()).map(|number| Coordinate { name: format!("shape {number}"), unit: "m" }).collect()
     }

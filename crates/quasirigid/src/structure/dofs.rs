@@ -13,7 +13,7 @@ use super::rows::{Circle, Rows};
 pub(crate) struct Node {
     /// Equilibrium position (m), in the file's frame.
     pub place: Vector3<f64>,
-    /// Whether it has rotations beside its displacements.
+    /// Whether the node has rotations beside its displacements.
     pub rotations: bool,
 }
 

@@ -101,11 +101,11 @@ impl Pairs {
 
 /// Second order of an element's strains: the forces and displacements that keep them.
 struct Bent {
-    /// Forces on its degrees of freedom that keep its strains, a row for each pair.
+    /// Forces on the element's degrees of freedom that keep its strains, a row for each pair.
     forces: DMatrix<f64>,
-    /// Mean place of its masses.
+    /// Mean place of the element's masses.
     center: Vector3<f64>,
-    /// Displacement between its nodes, beside the responses to the forces, of each pair: linear in the place.
+    /// Displacement between the nodes of the element, beside the responses to the forces, of each pair: linear in the place.
     between: Vec<SMatrix<f64, 3, 4>>,
 }
 

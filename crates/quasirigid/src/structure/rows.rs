@@ -12,7 +12,7 @@ type Row = Vec<(usize, f64)>;
 /// Nodes that constrain each other in a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Circle {
-    /// One of them.
+    /// One of these nodes.
     pub node: usize,
 }
 

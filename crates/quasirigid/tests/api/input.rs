@@ -1,4 +1,4 @@
-//! Input that means nothing is refused at the door, on both sides of each line.
+//! Meaningless input is refused on entry, on both sides of each limit.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,4 +1,4 @@
-//! The library as a program in Rust meets it.
+//! The library as a program in Rust uses it.
 
 mod input;
 mod programs;

@@ -1,4 +1,4 @@
-//! The five programs of the examples: short, and what they print stands in their last comment.
+//! The five programs of the examples: short, and with their output in their last comment.
 
 #[path = "../../examples/asteroid.rs"]
 mod asteroid;
@@ -11,10 +11,10 @@ mod sampled_history;
 #[path = "../../examples/stiffness_scan.rs"]
 mod stiffness_scan;
 
-/// Lines of a program that a newcomer reads.
+/// Most lines of a program that a newcomer reads.
 const LINES: usize = 15;
 
-/// Compares what a program prints with the comment at its end, and counts its statements' lines.
+/// Compares the output of a program with the comment at its end, and counts the lines of its statements.
 fn check(source: &str, printed: Result<String, quasirigid::Error>) {
     let printed = printed.unwrap();
     let (code, comment) = source.split_once("// Prints:\n").unwrap();

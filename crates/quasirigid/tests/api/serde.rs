@@ -1,4 +1,4 @@
-//! Public data go through JSON and come back the same; what the constructors refuse is refused there too.
+//! Public data go through JSON and come back unchanged; values that the constructors refuse are refused there too.
 
 use std::fmt::Debug;
 

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use quasirigid::{averaging, dynamics, elements, model, modes, problems, reduction, secular, verification};
 
-/// The modules that a user meets, as their sources list them.
+/// Modules that a user meets, as their sources list them.
 const MODULES: [(&str, &str); 9] = [
     ("elements", include_str!("../../src/elements/mod.rs")),
     ("model", include_str!("../../src/model/mod.rs")),

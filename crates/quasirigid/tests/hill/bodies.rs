@@ -21,7 +21,7 @@ pub fn skew(masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
     lines([[0.3, -0.4, 0.9], [0.8, 0.5, 0.2]], masses, stiffness, ratio)
 }
 
-/// The same on given lines.
+/// Two masses on given lines.
 pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: f64) -> Assembly {
     let place = [[0.9, 0.3, 0.4], [-0.5, 0.8, -0.6]];
     let point = |i: usize| Point {

@@ -1,4 +1,4 @@
-//! The response against the full system, which knows nothing of harmonics.
+//! Response of the harmonics against the full system, an independent method.
 
 use std::f64::consts::TAU;
 
@@ -29,8 +29,8 @@ impl Observer for End {
     }
 }
 
-/// A tumbling body with dampers of a hundred-thousandth of its mass takes the power of the harmonics, from spins slow beside the
-/// dampers' frequency to faster ones, and the state of the harmonics is where it stays.
+/// A tumbling body with dampers of a hundred-thousandth of its mass takes the power of the harmonics, from spins slow beside the dampers'
+/// frequency to faster ones, and stays in the state of the harmonics.
 #[test]
 fn a_tumbling_body_takes_the_power_of_the_harmonics() {
     let mass = 3e-4;
@@ -45,7 +45,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
             let motion = motion(&body, ratio * frequency, mode, xi);
             let floquet = hill.floquet(&motion).unwrap();
             let start = full_start(&body, &hill, &motion);
-            // One period: later the wobble has changed by what it dissipated.
+            // After one period the wobble has changed by the dissipated energy.
             let time = motion.polhode_period();
             let mut samples: Vec<Sample> = Vec::new();
             let options = Options { tolerance: 1e-13, ..Options::default() };
@@ -71,7 +71,7 @@ fn a_tumbling_body_takes_the_power_of_the_harmonics() {
     }
 }
 
-/// Rates of `(K, q, p)` of the full system.
+/// Rates of `(K, q, p)` in the full system.
 fn rates(body: &FlexibleBody, y: &DVector<f64>) -> DVector<f64> {
     let n = body.coordinates().len();
     let (K, q, p) = (y.rows(0, 3), y.rows(3, n), y.rows(3 + n, n));
@@ -199,8 +199,8 @@ fn flow(body: &FlexibleBody, start: &FullState, period: f64, steps: &DVector<f64
     slopes(&state(start.omega, &start.q, &start.rate), steps, end)
 }
 
-/// The multipliers of light dampers on a heavy body are those of the full system over the same polhode; where the stiffness of one
-/// swings at twice its frequency it grows as Mathieu's equation says.
+/// Multipliers of light dampers on a heavy body are those of the full system over the same polhode; where the stiffness of one oscillates
+/// at twice its frequency the motion grows as Mathieu's equation says.
 #[test]
 fn multipliers_are_those_of_the_full_system() {
     let (mass, spin) = (2e-5, 1.3);
@@ -210,7 +210,7 @@ fn multipliers_are_those_of_the_full_system() {
     let line = Vector3::new(0.3, -0.4, 0.9).normalize();
     let period = motion.polhode_period();
     let polhode = TAU / period;
-    // Amplitudes of what the spin takes from the stiffness of the first line, over its mass.
+    // Amplitudes of the softening of the first line by the spin, over its mass.
     let softening = |harmonic: f64| {
         let term = |i: usize| {
             let omega = Vector3::from(principal.vector(motion.omega(period * i as f64 / 64.0)));

@@ -57,8 +57,8 @@ fn slow_spins_take_the_uncoupled_power_of_materials() {
     }
 }
 
-/// About an axis a ball and a ball of liquid answer to one mean rotation, which the uncoupled response has too; in a large wobble
-/// it has not.
+/// About an axis a ball and a ball of liquid respond to one mean rotation, which the uncoupled response has too; in a large wobble the
+/// uncoupled response lacks it.
 #[test]
 fn balls_about_an_axis_take_the_uncoupled_power() {
     let tank = Cavity {
@@ -122,7 +122,7 @@ fn ends_of_the_range() {
             assert!(response.truncation() < 1e-10 && response.residual() < 1e-10);
             response.power() * motion.polhode_period()
         });
-        // Each passage of the middle axis takes the same energy.
+        // Each crossing of the middle axis takes the same energy.
         assert!((powers[1] / powers[2] - 1.0).abs() < 1e-3, "{powers:?}");
     }
     let separatrix = FreeRotation::at_ratio(moments, 3.0, moments[1] / moments[2]);
@@ -161,7 +161,7 @@ fn powers_of_harmonics_add_up() {
     assert!(response.harmonic_powers().all(|(_, power)| power >= 0.0));
 }
 
-/// Forty coordinates, at a spin near the lowest frequencies.
+/// A body of forty coordinates, at a spin near the lowest frequencies.
 #[test]
 fn many_coordinates() {
     let body = ring_of_points(13).body().unwrap();

@@ -48,7 +48,7 @@ fn lowest(body: &FlexibleBody) -> f64 {
 proptest! {
     #![proptest_config(cases(5))]
 
-    /// Points on lines, in planes and in space, hinges on curved paths, free or held at a point.
+    /// Points on lines, in planes and in space, hinges on curved paths, free or fixed at a point.
     #[test]
     fn harmonics_are_the_periodic_motion(
         assembly in assemblies(), share in 0.05..0.6, xi in -1.0..5.0, long in any::<bool>()
@@ -58,7 +58,7 @@ proptest! {
         compare(&body, share * lowest(&body), mode, xi)?;
     }
 
-    /// The same with a flywheel and a ball on friction, whose mean rates count.
+    /// Harmonics and integration agree with a flywheel and a ball on friction, whose mean rates count.
     #[test]
     fn rotors_turn_along(assembly in assemblies(), share in 0.05..0.6, xi in -1.0..5.0, long in any::<bool>()) {
         let plain = assembly.body().unwrap();

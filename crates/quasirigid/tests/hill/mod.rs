@@ -1,4 +1,4 @@
-//! Hill's equations of the internal coordinates along a polhode, each answer by a second method.
+//! Hill's equations of the internal coordinates along a polhode, each result by a second method.
 
 mod bodies;
 mod oracle;

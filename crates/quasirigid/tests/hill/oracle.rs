@@ -13,11 +13,11 @@ pub struct Linear<'a> {
     elastic: usize,
     B: DMatrix<f64>,
     C: DMatrix<f64>,
-    /// Steps of displacements and of rates in which the full equations are far from linear by rounding alone.
+    /// Steps of displacements and of rates, so large that the full equations depart from linear by rounding alone.
     steps: [f64; 2],
 }
 
-/// `p = p₀ + P_q q + P_v v` and `∂R/∂q = Q₀ + Q_q q + Q_v v` at a momentum.
+/// Linear parts at an angular momentum: `p = p₀ + P_q q + P_v v` and `∂R/∂q = Q₀ + Q_q q + Q_v v`.
 pub struct Parts {
     p: [DMatrix<f64>; 2],
     Q: [DMatrix<f64>; 2],
@@ -41,7 +41,7 @@ impl<'a> Linear<'a> {
         self.B.nrows()
     }
 
-    /// Momenta and forces of the Routhian at a state.
+    /// Momenta of the coordinates and forces of the Routhian at a state.
     fn routhian(&self, K: [f64; 3], q: &[f64], rate: &[f64]) -> [DVector<f64>; 2] {
         let still = MotionState { omega: [0.0; 3], q, rate };
         let inside = Vector3::from(self.body.angular_momentum(still));
@@ -78,7 +78,7 @@ impl<'a> Linear<'a> {
         parts
     }
 
-    /// Rates of displacements and momenta: matrix, and vector.
+    /// Rates of displacements and momenta of the coordinates: matrix, and vector.
     pub fn rates(&self, K: [f64; 3]) -> (DMatrix<f64>, DVector<f64>) {
         let (n, elastic) = (self.size(), self.elastic);
         let Parts { p, Q, zero } = self.parts(K);
@@ -102,7 +102,7 @@ impl<'a> Linear<'a> {
         (matrix, vector)
     }
 
-    /// Rates of the coordinates at displacements and momenta.
+    /// Rates of the coordinates at displacements and momenta of the coordinates.
     fn velocity(&self, K: [f64; 3], y: &DVector<f64>) -> DVector<f64> {
         let Parts { p, zero, .. } = self.parts(K);
         let mut q = DVector::zeros(self.size());
@@ -115,7 +115,7 @@ impl<'a> Linear<'a> {
 /// Periodic motion, sampled over a period.
 pub struct Periodic {
     pub monodromy: DMatrix<f64>,
-    /// Displacements and momenta at equal steps.
+    /// Displacements and momenta of the coordinates at equal steps.
     pub states: Vec<DVector<f64>>,
     pub rates: Vec<DVector<f64>>,
     pub power: f64,

@@ -1,4 +1,4 @@
-//! Flows that carry each other, `u·∇u`: the fourth degree of the momentum. (L21)
+//! Advection of flows by each other, `u·∇u`: the fourth degree of the angular momentum. (L21)
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,7 +24,7 @@ fn body(cavity: Cavity) -> FlexibleBody {
     Assembly { cavities: vec![cavity], ..bare() }.build().unwrap().body
 }
 
-/// What advection adds to the momentum, of degree four, and `ω̇` without what moves inside.
+/// Contribution of advection to the angular momentum, of degree four, and `ω̇` without internal motion.
 fn carried(body: &FlexibleBody, omega: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let whole = reduce(body, 3).unwrap();
     let without = reduce(&body.clone().advected(Vec::new()), 3).unwrap();
@@ -77,7 +77,7 @@ fn exact(semi_axes: [f64; 3], e: [f64; 3]) -> [f64; 3] {
     sum
 }
 
-/// The momentum of the fourth degree in an ellipsoid off the centre, on turned axes, is that of the closed flows.
+/// The angular momentum of the fourth degree in an ellipsoid off the centre, on rotated axes, is that of the closed flows.
 #[test]
 fn flows_in_an_ellipsoid_carry_each_other_as_the_closed_ones() {
     for semi_axes in [SEMI_AXES, [0.1, 0.3, 0.2], [0.2, 0.2, 0.1]] {
@@ -94,7 +94,7 @@ fn flows_in_an_ellipsoid_carry_each_other_as_the_closed_ones() {
     }
 }
 
-/// Share of the moment of the fifth degree; it was 4.6 % in another body, by flows that another had found.
+/// Share of advection in the moment of the fifth degree; an independent calculation found 4.6 % in another body.
 #[test]
 fn a_twentieth_of_the_fifth_degree_is_carried() {
     let body = body(tank_of(CavityShape::Ellipsoid { semi_axes: SEMI_AXES }, 8));
@@ -133,7 +133,7 @@ fn other_roads_to_the_flows_carry_the_same() {
     }
 }
 
-/// The full system takes the loads that the equations have.
+/// The full system has the loads of the equations.
 #[test]
 fn the_full_system_is_loaded_as_the_equations_say() {
     let body = body(tank_of(CavityShape::Ellipsoid { semi_axes: SEMI_AXES }, 8));
@@ -154,7 +154,7 @@ fn the_full_system_is_loaded_as_the_equations_say() {
     }
 }
 
-/// What the slow manifold leaves of the equations falls as the order says, and an order more slowly without advection.
+/// The residual of the slow manifold falls as the order says, and an order more slowly without advection.
 #[test]
 fn the_slow_manifold_solves_the_equations_with_advection() {
     let body = body(tank_of(CavityShape::Ellipsoid { semi_axes: SEMI_AXES }, 8));

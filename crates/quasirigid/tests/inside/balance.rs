@@ -1,4 +1,4 @@
-//! Momentum and energy of a free body in which everything turns.
+//! Angular momentum and energy of a free body with internal rotors and liquids in motion.
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
 use quasirigid_math::rotation::{to_inertial, turned};
@@ -36,7 +36,8 @@ impl History {
     }
 }
 
-/// Released with everything inside turning: the momentum of all parts stays, and the energy that they lose is `∫q̇ᵀBq̇ dt`. (C5)
+/// Released with all internal elements in motion: the angular momentum of all parts is conserved, and the energy that they lose is `∫q̇ᵀBq̇
+/// dt`. (C5)
 #[test]
 fn momentum_stays_and_friction_takes_the_energy() {
     let body = everything().body().unwrap();

@@ -1,4 +1,4 @@
-//! Bodies with something inside, off their axes.
+//! Bodies with internal rotors and liquids, off their axes.
 
 use std::ops::ControlFlow;
 
@@ -96,7 +96,7 @@ pub fn everything() -> Assembly {
     }
 }
 
-/// The orders of `p = 0, 1, …`, measured.
+/// Measured orders of `p = 0, 1, …`.
 pub fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };

@@ -1,4 +1,4 @@
-//! What rotors and liquids take, by name.
+//! Energy that rotors and liquids take, by name.
 
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::elements::Assembly;
@@ -11,8 +11,8 @@ fn names(assembly: &Assembly) -> Vec<String> {
     assembly.body().unwrap().dissipators().iter().map(|part| part.name.clone()).collect()
 }
 
-/// Springs, rotors, a liquid in finite coordinates, and one whose answer is known at every frequency: with and without the mean spin,
-/// at slow and at fast spins.
+/// Springs, rotors, a liquid in finite coordinates, and one whose response is known at every frequency: with and without the mean spin, at
+/// slow and at fast spins.
 #[test]
 fn springs_rotors_and_liquids_share_the_power() {
     let mut assembly = everything();

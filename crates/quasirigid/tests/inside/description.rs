@@ -1,4 +1,4 @@
-//! The same body described in another way.
+//! One body described in two ways.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
@@ -8,10 +8,10 @@ use quasirigid::model::ReducedBody;
 use quasirigid_math::polynomial::Series;
 use quasirigid_math::{rotation, sym3};
 
-/// Turned axes of the file, and the sizes of the old units in the new ones.
+/// Rotated axes of the file, and the sizes of the old units in the new ones.
 #[derive(Clone, Copy, Debug)]
 pub struct Description {
-    /// Rotation vector `v → Rv` of what the file describes (rad).
+    /// Rotation vector `v → Rv` of the vectors in the file (rad).
     pub turn: [f64; 3],
     pub length: f64,
     pub mass: f64,
@@ -21,7 +21,7 @@ pub struct Description {
 /// The description that changes nothing.
 pub const SAME: Description = Description { turn: [0.0; 3], length: 1.0, mass: 1.0, time: 1.0 };
 
-/// Spins and momenta at which polynomials are compared: there the momentum of the wheels and that of the body are alike.
+/// Spins and angular momenta at which polynomials are compared: there the angular momenta of the wheels and of the body are alike.
 const SPIN: f64 = 0.5;
 const MOMENTUM: f64 = 6.0;
 const DIRECTIONS: u32 = 61;
@@ -98,13 +98,13 @@ impl Description {
         other
     }
 
-    /// How far a reduced body is from the image of another, by name: the largest difference of each degree, relative to the
-    /// largest value of that degree.
+    /// Differences of a reduced body from the image of another, by name: the largest difference of each degree, relative to the largest
+    /// value of that degree.
     pub fn gaps(&self, found: &ReducedBody, before: &ReducedBody) -> Vec<(&'static str, f64)> {
         let (spin, angular_momentum) = ((SPIN, [0, 0, -1]), (MOMENTUM, [2, 1, -1]));
         let tensor = self.tensor(sym3::rows(before.J), [2, 1, 0]);
         let mut gaps = vec![("J", matrix_gap(sym3::rows(found.J), tensor))];
-        // At a given momentum whole degrees of the energy cancel: its sizes are those at a given spin.
+        // At a given angular momentum whole degrees of the energy cancel: its sizes are those at a given spin.
         let energies = sizes(&before.energy, SPIN);
         for (name, found, before, argument, value) in [
             ("f", &found.f, &before.f, spin, [0, 0, -2]),
@@ -148,7 +148,7 @@ impl Description {
         largest((0..=before.degree()).map(gap))
     }
 
-    /// How far the slow tensor of a liquid is from the image of another.
+    /// Difference of the slow tensor of a liquid from the image of another.
     pub fn liquid_gap(&self, found: &SlowLiquid, before: &SlowLiquid) -> f64 {
         matrix_gap(found.tensor, self.tensor(before.tensor, [7, 0, 0]))
     }
@@ -178,7 +178,7 @@ fn value_of(series: &Series, degree: usize, x: [f64; 3]) -> Vec<f64> {
     value
 }
 
-/// The largest of numbers that are not negative; infinite if one is no number.
+/// Largest of numbers that are not negative; infinite if one is no number.
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most, value| {
         if value <= most {

@@ -19,7 +19,7 @@ fn gyrostat(wheel: fn(f64) -> Vector3<f64>) -> Gyrostat {
     Gyrostat { inertia, flywheel: (Vector3::from(AXIS).normalize(), 1.1, 0.7), ball: (1.4, 2.5), wheel }
 }
 
-/// The body with a wheel about z, its flywheel and ball started at given speeds.
+/// Body with a wheel about z, a flywheel and a ball started at given speeds.
 fn assembly(speed: WheelSpeed) -> Assembly {
     let mut rotors = vec![flywheel(AXIS, 1.1, 0.7), ball(1.4, 2.5)];
     rotors[0].speed = Some(vec![4.0]);
@@ -55,7 +55,7 @@ fn rotors_and_a_wheel_of_constant_speed() {
     }
 }
 
-/// The motor works on the body: what it gives is accounted for.
+/// The motor does work on the body, which is accounted for.
 #[test]
 fn a_wheel_of_prescribed_speed() {
     let speed = Expression::parse("20 * sin(0.8 * t) + 5 * t", &["t"]).unwrap();

@@ -18,7 +18,7 @@ fn body(tank: Cavity, order: usize) -> FlexibleBody {
     assembly.body().unwrap()
 }
 
-/// Mass matrix, friction, and momentum of the cyclic coordinates.
+/// Mass matrix, friction, and angular momentum of the cyclic coordinates.
 fn matrices(body: &FlexibleBody) -> (DMatrix<f64>, DMatrix<f64>, Vec<Vector3<f64>>) {
     let n = body.coordinates().len();
     let (mut A, mut B) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
@@ -27,7 +27,7 @@ fn matrices(body: &FlexibleBody) -> (DMatrix<f64>, DMatrix<f64>, Vec<Vector3<f64
     (A, B, body.invariants().h.iter().map(|h| Vector3::from(*h)).collect())
 }
 
-/// Coefficients of `1 − χ` in powers of `z² = s a²/ν`, by repeated answers of friction to inertia.
+/// Coefficients of `1 − χ` in powers of `z² = s a²/ν`, by repeated responses of friction to inertia.
 fn moments(body: &FlexibleBody, axis: Vector3<f64>, count: usize) -> Vec<f64> {
     let (A, B, h) = matrices(body);
     let load = DVector::from_iterator(h.len(), h.iter().map(|h| h.dot(&axis)));
@@ -41,7 +41,7 @@ fn moments(body: &FlexibleBody, axis: Vector3<f64>, count: usize) -> Vec<f64> {
     found
 }
 
-/// The series of the liquid ball, `χ = (5/z²)(z i₁′/i₁ − 1) = 1 − z²/35 + 2z⁴/1575 − 37z⁶/606375 + …` (anchors of the literature).
+/// Series of the liquid ball, `χ = (5/z²)(z i₁′/i₁ − 1) = 1 − z²/35 + 2z⁴/1575 − 37z⁶/606375 + …` (anchors of the literature).
 #[test]
 fn a_ball_answers_as_the_series_of_the_unsteady_flow() {
     let radius = 0.4;
@@ -56,7 +56,7 @@ fn a_ball_answers_as_the_series_of_the_unsteady_flow() {
     }
 }
 
-/// `μ₃ = ω × Πω̇ + d/dt (Πω̇)` with Euler's `ω̇`, homogeneous and cubic, with the closed form of `P` in turned axes.
+/// Torque `μ₃ = ω × Πω̇ + d/dt (Πω̇)` with Euler's `ω̇`, homogeneous and cubic, with the closed form of `P` in rotated axes.
 #[test]
 fn the_torque_begins_with_a_cubic() {
     let semi_axes = [0.6, 0.45, 0.3];
@@ -107,7 +107,7 @@ fn the_frozen_liquid_belongs_to_the_body() {
     assert!((trace(body.inertia()) / (trace(alone.inertia) + own + 2.0 * apart) - 1.0).abs() < 1e-13);
 }
 
-/// The slow flow of a ball turns with the body as a solid ball does: `W_jk = A ê_j × ê_k` of its three flows. (C9), (L3)
+/// The slow flow of a ball rotates with the body as a solid ball does: `W_jk = A ê_j × ê_k` of its three flows. (C9), (L3)
 #[test]
 fn the_slow_flow_of_a_ball_turns_as_a_solid_one() {
     let body = body(cavity([0.4; 3], DENSITY, VISCOSITY), 1);
@@ -119,7 +119,7 @@ fn the_slow_flow_of_a_ball_turns_as_a_solid_one() {
     }
 }
 
-/// Finite elements and polynomials are two methods to the cubic and the quartic torque of an ellipsoid of liquid.
+/// Finite elements and polynomials agree on the cubic and the quartic torque of an ellipsoid of liquid.
 #[test]
 fn a_meshed_ellipsoid_turns_as_the_exact_one() {
     let semi_axes = [0.6, 0.45, 0.3];
@@ -135,8 +135,8 @@ fn a_meshed_ellipsoid_turns_as_the_exact_one() {
     }
 }
 
-/// Where a rotation is slow, the power of the harmonics, which know the liquid at every frequency, is that of the slow flow; what
-/// is left falls as the square of the spin.
+/// Where a rotation is slow, the power of the harmonics, which take the liquid's response at every frequency, is that of the slow flow; the
+/// difference falls as the square of the spin.
 #[test]
 fn harmonics_join_the_slow_flow() {
     let ring = CavityShape::Ring { radius: 0.4, tube_radius: 0.03 };

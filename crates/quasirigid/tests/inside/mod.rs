@@ -1,4 +1,4 @@
-//! What turns inside a body: rotors, momentum wheels, liquids.
+//! Internal rotors, momentum wheels and liquids.
 
 mod bodies;
 mod budget;

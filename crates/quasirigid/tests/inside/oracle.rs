@@ -2,18 +2,18 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// The body and what turns in it; the inertia counts everything as locked.
+/// Body with its internal elements; the inertia counts everything as locked.
 pub struct Gyrostat {
     pub inertia: Matrix3<f64>,
     /// Axis, inertia and friction.
     pub flywheel: (Vector3<f64>, f64, f64),
     /// Inertia and friction.
     pub ball: (f64, f64),
-    /// Momentum of the wheel at a time.
+    /// Angular momentum of the wheel at a time.
     pub wheel: fn(f64) -> Vector3<f64>,
 }
 
-/// Momentum of all, axial momentum of the flywheel, momentum of the ball: body axes.
+/// Angular momentum of all, axial one of the flywheel, and that of the ball: body axes.
 #[derive(Clone, Copy)]
 pub struct State {
     pub K: Vector3<f64>,
@@ -22,7 +22,7 @@ pub struct State {
 }
 
 impl Gyrostat {
-    /// From the spin and the speeds of flywheel and ball relative to the body.
+    /// State from the spin and the speeds of flywheel and ball relative to the body.
     pub fn state(&self, omega: Vector3<f64>, speed: f64, ball: Vector3<f64>) -> State {
         let (axis, inertia, _) = self.flywheel;
         State {
@@ -32,7 +32,7 @@ impl Gyrostat {
         }
     }
 
-    /// Spin of the carrier, whose own momentum is what is left.
+    /// Angular velocity of the carrier, from the rest of the angular momentum.
     pub fn spin(&self, t: f64, state: &State) -> Vector3<f64> {
         let (axis, inertia, _) = self.flywheel;
         let loose =

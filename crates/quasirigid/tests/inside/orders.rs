@@ -1,4 +1,5 @@
-//! Order `p`, the degree `p + 2` of `f`, is in error by `ε^{p+1}`; theory.md §9: 1, 2, 3, 4 for the degrees 2 to 5. (E4)
+//! Order `p`, the degree `p + 2` of `f`, is in error by `ε^{p+1}`: 1, 2, 3, 4 for the degrees 2 to 5. (E4),
+//! docs/theory/09-forced-reduction.md
 
 use quasirigid::dynamics::{Form, Options, spin_path, steady_spins};
 use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
@@ -36,7 +37,7 @@ fn rotors_beside_a_sprung_mass() {
     assert_orders(&Assembly { rotors, points: vec![point], springs: vec![spring], ..bare() }, 3);
 }
 
-/// The momentum of a wheel counts as degree one, beside the spin.
+/// The angular momentum of a wheel counts as degree one, beside the spin.
 #[test]
 fn a_momentum_wheel_beside_rotor_and_sprung_mass() {
     let (point, spring) = sprung();
@@ -79,8 +80,8 @@ fn an_ellipsoid_of_liquid_beside_a_sprung_mass() {
     assert_orders(&Assembly { cavities, points: vec![point], springs: vec![spring], ..bare() }, 3);
 }
 
-/// The angular-velocity form and that of the momentum differ by what the order leaves out, and of a rigid body with a wheel not at all.
-/// (P1), (P2), (C4)
+/// The angular-velocity form and the angular-momentum form differ by the terms that the order leaves out, and not at all for a rigid body
+/// with a wheel. (P1), (P2), (C4)
 #[test]
 fn both_forms_of_the_equations_know_of_the_wheel() {
     let body = everything().body().unwrap();
@@ -103,7 +104,7 @@ fn both_forms_of_the_equations_know_of_the_wheel() {
     }
 }
 
-/// A wheel tells the two senses of an axis apart: the steady spin against it is the one along the reversed wheel.
+/// A wheel distinguishes the two senses of an axis: the steady spin against it is the one along the reversed wheel.
 #[test]
 fn steady_spins_against_a_wheel_are_those_along_the_reversed_one() {
     let spins = |angular_momentum: f64, sense: f64| {

@@ -1,4 +1,4 @@
-//! Parts that move as one are one; parts that friction holds are frozen.
+//! Parts that move as one are one; parts locked by friction are frozen.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
@@ -19,7 +19,7 @@ fn reduced(assembly: &Assembly) -> ReducedBody {
     reduce(&assembly.body().unwrap(), ORDER).unwrap()
 }
 
-/// A rotor of the same relaxation time takes its share of inertia and friction; a flywheel may turn the other way.
+/// Cuts a rotor in two of the same relaxation time, each with its share of inertia and friction; a flywheel may rotate the other way.
 fn cut_rotor(assembly: &mut Assembly, index: usize, share: f64) {
     let mut part = assembly.rotors[index].clone();
     part.name.push_str(" cut");
@@ -34,7 +34,7 @@ fn cut_rotor(assembly: &mut Assembly, index: usize, share: f64) {
     assembly.rotors.push(part);
 }
 
-/// Two wheels whose momenta sum up.
+/// Cuts a wheel in two, whose angular momenta sum up.
 fn cut_wheel(assembly: &mut Assembly) {
     let whole = &assembly.wheels[0];
     let WheelSpeed::Constant { angular_momentum } = whole.speed else { panic!("{whole:?}") };
@@ -51,7 +51,7 @@ fn cut_wheel(assembly: &mut Assembly) {
         .collect();
 }
 
-/// Two liquids of the same viscosity in one cavity, each of which takes its share of the density.
+/// Cuts a liquid in two of the same viscosity in one cavity, each with its share of the density.
 fn cut_liquid(assembly: &mut Assembly, index: usize, share: f64) {
     let mut part = assembly.cavities[index].clone();
     part.name.push_str(" cut");
@@ -60,7 +60,7 @@ fn cut_liquid(assembly: &mut Assembly, index: usize, share: f64) {
     assembly.cavities.push(part);
 }
 
-/// Two masses at one place, each with its share of every spring.
+/// Cuts a mass in two at one place, each with its share of every spring.
 fn cut_mass(assembly: &mut Assembly, index: usize, share: f64) {
     let new = End::Point(assembly.points.len());
     let mut part = assembly.points[index].clone();
@@ -157,7 +157,7 @@ fn frozen() -> Assembly {
     assembly
 }
 
-/// As friction grows, torque, momentum, energy and power approach those of the frozen body, as one over the friction.
+/// As friction grows, torque, angular momentum, energy and power approach those of the frozen body, as one over the friction.
 #[test]
 fn what_friction_holds_is_frozen() {
     let frozen = reduced(&frozen());

@@ -1,4 +1,4 @@
-//! What turns inside a body knows neither the axes of the file nor its units.
+//! Internal rotors and liquids depend neither on the axes of the file nor on its units.
 
 use quasirigid::elements::Assembly;
 use quasirigid::reduction::{Relaxation, Validity, reduce};
@@ -37,7 +37,7 @@ fn assert_the_same(description: Description) {
     assert!(gaps.iter().all(|(_, gap)| *gap < ROUNDING), "{gaps:?}");
 }
 
-/// Criteria are ratios. That of the series looks in fixed directions and may change a little with the axes.
+/// Criteria are ratios. That of the series is evaluated in fixed directions and may change a little with the axes.
 fn assert_the_same_criteria(description: Description) {
     let criteria = |assembly: Assembly, omega| {
         Validity::assess(&assembly.body().unwrap(), ORDER - 1, omega).unwrap().criteria

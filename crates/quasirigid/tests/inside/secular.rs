@@ -75,7 +75,7 @@ const DROP: f64 = 0.03;
 const RING: f64 = 1.3;
 const AXIAL: f64 = 0.7;
 
-/// The same with a ring of six sprung masses, one on the axis, a ball and three flywheels with friction.
+/// Body with a ring of six sprung masses, one on the axis, a ball of liquid, and a ball and three flywheels with friction.
 fn everything() -> Assembly {
     let point =
         |position: [f64; 3], name: String| Point { name, mass: SPRUNG, position, motion: PointMotion::Free };

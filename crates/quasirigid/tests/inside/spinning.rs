@@ -20,7 +20,7 @@ fn shapes() -> [CavityShape; 3] {
     ]
 }
 
-/// A body of revolution about z with a tank below its centre of mass, turned as a whole, in a unit of length.
+/// A body of revolution about z with a tank below its centre of mass, rotated as a whole, in a unit of length.
 fn stage(
     shape: &CavityShape,
     [across, along]: [f64; 2],
@@ -56,7 +56,7 @@ fn nutation(assembly: &Assembly, mode: Mode) -> SpinMode {
     SpinModes::about(&body, spin).unwrap().nutation().unwrap().clone()
 }
 
-/// Axes and units are ours: the nutation of prolate and oblate bodies is the same in all, at Reynolds numbers of 5 and 5000.
+/// Axes and units change nothing: the nutation of prolate and oblate bodies is the same in all, at Reynolds numbers of 5 and 5000.
 #[test]
 fn axes_and_units_change_nothing() {
     for shape in shapes() {
@@ -93,7 +93,7 @@ fn slow_liquids_have_the_slow_tensor() {
     }
 }
 
-/// What is known, and what is not: shapes, axes, Reynolds numbers on both sides of each line.
+/// Range of the responses: shapes, axes, Reynolds numbers on both sides of each limit.
 #[test]
 fn liquids_answer_where_they_are_known() {
     let answers = |shape: &CavityShape, viscosity: f64, spin: [f64; 3]| {

@@ -16,7 +16,7 @@ const OMEGA: [f64; 3] = [0.5, 0.7, 0.9];
 const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 const END: f64 = 6.0;
 
-/// Flywheel, ball, liquid and sprung mass.
+/// Body with flywheel, ball, liquid and sprung mass.
 fn body() -> FlexibleBody {
     let (point, spring) = sprung();
     Assembly {
@@ -30,7 +30,7 @@ fn body() -> FlexibleBody {
     .unwrap()
 }
 
-/// Undisplaced, and everything inside turning relative to the body.
+/// Undisplaced state, with all internal elements in motion relative to the body.
 fn released(body: &FlexibleBody) -> FullState {
     let mut state = FullState::at_rest(body, OMEGA, ALIGNED);
     for (i, j) in body.cyclic().enumerate() {
@@ -47,7 +47,8 @@ fn full(body: &FlexibleBody, start: &FullState, times: &[f64]) -> Vec<Sample> {
     samples
 }
 
-/// Released with speeds of their own: the slow motion from the matched start is right to `ε²`, without the turn to `ε`. (B2), (C8)
+/// Released with speeds of their own: the slow motion from the matched start is right to `ε²`, without the rotation of the start to `ε`.
+/// (B2), (C8)
 #[test]
 fn the_matched_start_gains_an_order() {
     let [matched, plain]: [Vec<f64>; 2] = [true, false].map(|turned| {

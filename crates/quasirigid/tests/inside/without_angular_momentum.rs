@@ -1,4 +1,4 @@
-//! Bodies whose wheels take up the whole momentum.
+//! Bodies whose wheels take up the whole angular momentum.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -20,7 +20,7 @@ use super::bodies::{bare, cavity, start, wheel};
 use super::oracle::Gyrostat;
 use crate::support::rotors::{ball, flywheel};
 
-/// Body with rotors and a liquid, and a wheel that takes up the momentum of this spin.
+/// Body with rotors and a liquid, and a wheel that takes up the angular momentum of this spin.
 fn taken_up(bare: Assembly, omega: [f64; 3], cavities: Vec<Cavity>) -> Assembly {
     let rotors = vec![flywheel([0.3, 1.0, -0.5], 1.1, 12.0), ball(0.7, 9.0)];
     let assembly = Assembly { rotors, cavities, ..bare };
@@ -31,7 +31,7 @@ fn taken_up(bare: Assembly, omega: [f64; 3], cavities: Vec<Cavity>) -> Assembly 
     Assembly { wheels: vec![wheel], ..assembly }
 }
 
-/// Without momentum to the last bit, and but for rounding.
+/// Bodies without angular momentum: to the last bit, and but for rounding.
 fn without_momentum() -> [(FlexibleBody, [f64; 3]); 2] {
     let aligned = Assembly {
         carrier: Some(Carrier {
@@ -53,7 +53,7 @@ fn without_momentum() -> [(FlexibleBody, [f64; 3]); 2] {
 
 const END: f64 = 20.0;
 
-/// It turns evenly about an axis that is fixed in space, and nothing is taken from it, to the tolerance of 1e-12 in each step.
+/// Asserts an even rotation about an axis that is fixed in space, without loss of energy, to the tolerance of 1e-12 in each step.
 fn assert_even(name: &str, omega: [f64; 3], run: Run, samples: &[Sample]) {
     assert_eq!(run.outcome, Outcome::Finished, "{name}");
     let last = samples.last().unwrap();
@@ -96,7 +96,7 @@ fn a_body_without_momentum_turns_evenly() {
     }
 }
 
-/// A steady spin loads what turns inside with nothing but rounding, whatever wheels do: the equations hold, and no criterion is a
+/// A steady spin loads internal rotors and liquids with nothing but rounding, whatever wheels do: the equations hold, and no criterion is a
 /// ratio of two roundings. (R12)
 #[test]
 fn the_equations_hold_for_a_body_that_turns_evenly() {
@@ -115,7 +115,8 @@ fn the_equations_hold_for_a_body_that_turns_evenly() {
     }
 }
 
-/// On both sides of the momentum below which its direction is not held, the attitude does not depend on the method.
+/// On both sides of the angular momentum below which its direction is not conserved by projection, the attitude does not depend on the
+/// method.
 #[test]
 fn little_angular_momentum_is_held_or_not_with_the_same_result() {
     let omega = [0.3, -0.5, 0.4];
@@ -163,7 +164,7 @@ fn a_verification_without_momentum() {
     }
 }
 
-/// Momentum of a body with a flywheel and a ball of given speeds.
+/// Angular momentum of a body with a flywheel and a ball of given speeds.
 fn loose_momentum() -> Vector3<f64> {
     let axis = Vector3::from(AXIS).normalize();
     INERTIA * Vector3::from(OMEGA) + 1.1 * FLYWHEEL * axis + 1.4 * Vector3::from(BALL)
@@ -175,7 +176,7 @@ const AXIS: [f64; 3] = [0.3, 1.0, -0.5];
 const FLYWHEEL: f64 = 4.0;
 const BALL: [f64; 3] = [-2.0, 1.5, 0.5];
 
-/// Flywheel and ball start with speeds of their own, and the wheel takes up what they and the body have.
+/// Flywheel and ball start with speeds of their own, and the wheel takes up their angular momentum and that of the body.
 #[test]
 fn rotors_come_to_rest_in_a_body_without_momentum() {
     let rotors = vec![flywheel(AXIS, 1.1, 0.7), ball(1.4, 2.5)];
@@ -209,7 +210,7 @@ fn rotors_come_to_rest_in_a_body_without_momentum() {
     }
 }
 
-/// Without a wheel too a rotor can have what the body lacks: the body comes to rest. To the last bit, `Jω + I Q̇ a = 0`.
+/// Without a wheel too a rotor can take up the angular momentum of the body: the body comes to rest. To the last bit, `Jω + I Q̇ a = 0`.
 #[test]
 fn a_flywheel_takes_up_the_momentum_of_the_body() {
     let carrier = Carrier {
@@ -235,7 +236,7 @@ fn a_flywheel_takes_up_the_momentum_of_the_body() {
     }
 }
 
-/// Motors turn a body that rests, `ω = −J⁻¹k(t)`, about an axis that is fixed in space. (C4)
+/// Motors rotate a body from rest, `ω = −J⁻¹k(t)`, about an axis that is fixed in space. (C4)
 #[test]
 fn a_driven_wheel_turns_a_body_from_rest() {
     let speed = Expression::parse("5 * t + 2 * sin(0.8 * t)", &["t"]).unwrap();

@@ -1,4 +1,4 @@
-//! Rate at which a small wobble dies, at any friction, against the linear equations of a body of revolution.
+//! Rate at which a small wobble decays, at any friction, against the linear equations of a body of revolution.
 
 use nalgebra::{Complex, Matrix2};
 use quasirigid::averaging::{Evolution, Response};
@@ -51,7 +51,7 @@ fn decay_with_ball(inertia: f64, friction: f64) -> f64 {
     -near.unwrap().re
 }
 
-/// Whatever the friction, what the average leaves out is of the order of the ball's share of the inertia.
+/// Whatever the friction, the error of the average is of the order of the ball's share of the inertia.
 #[test]
 fn a_ball_with_any_friction() {
     for friction_per_inertia in [30.0, 0.7, 0.02] {
@@ -76,7 +76,7 @@ fn loose_share(z: C) -> C {
     1.0 - 5.0 / (z * z) * (slope - 1.0)
 }
 
-/// The same for a ball of liquid: `sA − i n(C−A) = I s (1 − χ)` at the frequency `s + i n` in space.
+/// Decay of the nutation with a ball of liquid: `sA − i n(C−A) = I s (1 − χ)` at the frequency `s + i n` in space.
 fn decay_with_liquid(inertia: f64, time: f64) -> f64 {
     let i = C::i();
     let gap = |s: C| s * A - i * SPIN * (C3 - A) - inertia * s * loose_share(((s + i * SPIN) * time).sqrt());
@@ -99,7 +99,7 @@ fn frozen(radius: f64, density: f64) -> f64 {
     density * 8.0 / 15.0 * std::f64::consts::PI * radius.powi(5)
 }
 
-/// A flow that follows at once, at a Reynolds number of 0.08: the force of Coriolis turns its shells as the body turns.
+/// A flow that follows at once, at a Reynolds number of 0.08: the Coriolis force rotates its shells as the body rotates.
 #[test]
 fn a_liquid_ball_at_a_low_reynolds_number() {
     let (density, time) = (1000.0, 0.1);
@@ -107,11 +107,11 @@ fn a_liquid_ball_at_a_low_reynolds_number() {
         let expected = decay_with_liquid(frozen(radius, density), time);
         (rate(&with_liquid(radius, density, time)) / expected - 1.0).abs()
     });
-    // What the reference leaves out, the flow between poles and equator, is of the square of the Reynolds number.
+    // The reference leaves out the flow between poles and equator, which is of the square of the Reynolds number.
     assert!(gaps[1] < 1e-5, "{gaps:?}");
 }
 
-/// Decay of the nutation with an ideal core and its layer, `15/8·∫(x − 1)²κ dx` with `κ = √(σ + 2iτx)`, the force of Coriolis in both: the
+/// Decay of the nutation with an ideal core and its layer, `15/8·∫(x − 1)²κ dx` with `κ = √(σ + 2iτx)`, the Coriolis force in both: the
 /// root of `(s − iΩ)(A − sΠ) + iΩC = 0`, `Π = I a²/(νD)`.
 fn decay_with_layer(inertia: f64, time: f64) -> f64 {
     let i = C::i();
@@ -132,8 +132,8 @@ fn decay_with_layer(inertia: f64, time: f64) -> f64 {
     -s.re
 }
 
-/// At high Reynolds numbers the power comes to that of the layer as slowly as `E^{0.3}`; the modes, which know a heavy liquid too, have the
-/// same rate. The law of shells that drag each other, without the flow between poles and equator, is off by more.
+/// At high Reynolds numbers the power tends to that of the layer as slowly as `E^{0.3}`; the modes, which hold for a heavy liquid too, have
+/// the same rate. The law of shells that drag each other, without the flow between poles and equator, is off by more.
 #[test]
 fn a_liquid_ball_at_high_reynolds_numbers() {
     let density = 1000.0;
@@ -151,7 +151,8 @@ fn a_liquid_ball_at_high_reynolds_numbers() {
     assert!(gaps[0] < 0.12 && gaps[1] < 0.02, "{gaps:?}");
 }
 
-/// The coordinates of an ideal liquid behind its boundary layer lose what shells of a ball do, but for the few rates that make up the layer.
+/// Coordinates of an ideal liquid behind its boundary layer lose the energy of the shells of a ball, but for the few rates that make up the
+/// layer.
 #[test]
 fn a_boundary_layer_at_high_reynolds_numbers() {
     let (density, radius) = (100.0, 0.0631_f64);
@@ -179,7 +180,7 @@ fn bessel(n: i32, z: C) -> C {
     sum
 }
 
-/// A slender ring across the spin: the wobble turns it at the frequency `σ` of the body, and the spin itself does nothing along its
+/// A slender ring across the spin: the wobble rotates the ring at the frequency `σ` of the body, and the spin itself does nothing along its
 /// tube. The mean power is `½ I σ w² Im(I₂/I₀)`, the energy of the wobble `½ A w² (1 − A/C)`.
 #[test]
 fn a_ring_across_the_spin_at_any_reynolds_number() {

@@ -1,4 +1,4 @@
-//! Spin and momentum, energy and power: the series fit each other degree by degree. (R9)–(R11)
+//! Angular velocity and angular momentum, energy and power: the series fit each other degree by degree. (R9)–(R11)
 
 use proptest::prelude::*;
 use quasirigid::model::ReducedBody;
@@ -14,7 +14,7 @@ use crate::support::{bodies, cases, vector};
 const ROUNDING: f64 = 1e-11;
 /// Rounding of a composition, relative to the sum of the sizes of its terms.
 const COMPOSED: f64 = 1e-12;
-/// What is not zero stands above this, relative to its parts.
+/// Size relative to its parts above which a value is not zero.
 const SOMETHING: f64 = 1e-8;
 
 /// The map with the sizes of its coefficients.
@@ -28,12 +28,12 @@ fn absolute(map: &Series) -> Series {
     sizes
 }
 
-/// Degree `d` of vectors along rays, and the largest of the parts it is made of.
+/// Degree `d` of vectors along rays, and the largest of its parts.
 fn largest(rows: impl Iterator<Item = Vec<Ray>>, degree: usize) -> f64 {
     rows.flatten().fold(0.0, |size, row| size.max(row.0[degree].abs()))
 }
 
-/// `∇E·F + P` at one degree: the sum, and the largest that a part of it could be.
+/// Balance `∇E·F + P` at one degree: the sum, and the largest that a part of it could be.
 fn balance(energy: &Series, field: &Series, power: &Homogeneous, degree: usize) -> (f64, f64) {
     let mut sum = energy.rate(field, degree);
     sum.add_scaled(1.0, power);
@@ -120,7 +120,7 @@ proptest! {
         }
     }
 
-    /// The same in the angular-momentum form. (P1), (P4)
+    /// Energy balance in the angular-momentum form. (P1), (P4)
     #[test]
     fn energy_of_the_momentum_falls_by_the_power_of_the_dashpots(assembly in bodies(), p in 1..7usize) {
         let body = reduce(&assembly.body().unwrap(), p).unwrap();
@@ -150,7 +150,7 @@ proptest! {
         prop_assert!((0..=body.power.degree()).all(|degree| body.power.part(degree).amax() == 0.0));
     }
 
-    /// A sum of squares, far beyond the spins at which the series means anything. (R9)
+    /// Power is a sum of squares, also far beyond the spins at which the series means anything. (R9)
     #[test]
     fn dashpots_never_give_energy(assembly in bodies(), p in 3..9usize, u in vector(), decades in -3.0..3.0) {
         let body = assembly.body().unwrap();

@@ -1,4 +1,4 @@
-//! Nature knows neither our axes nor our units.
+//! Results depend neither on axes nor on units.
 
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-11;
 /// Damped eigenvalues near critical damping are as sensitive as a square root.
 const DAMPED: f64 = 1e-7;
 
-/// A vector field turned with the body: `R f(Rᵀ u)`.
+/// Vector field rotated with the body: `R f(Rᵀ u)`.
 fn turned(field: &Series, R: &Matrix3<f64>) -> impl Fn(usize, [f64; 3]) -> Vec<f64> {
     let (field, R) = (field.clone(), *R);
     move |degree, u| {
@@ -50,7 +50,7 @@ fn vibrations_gap(found: &FlexibleBody, expected: &FlexibleBody, time: f64) -> [
 proptest! {
     #![proptest_config(cases(32))]
 
-    /// (R1)–(R11), (V2), (V3): every result is a vector, a tensor or a number.
+    /// Every result is a vector, a tensor or a number. (R1)–(R11), (V2), (V3)
     #[test]
     fn rotating_the_axes_of_the_file_rotates_every_result(assembly in bodies(), R in rotation()) {
         let (before, after) = (assembly.body().unwrap(), rotated(&assembly, &R).body().unwrap());
@@ -137,7 +137,7 @@ proptest! {
         }
     }
 
-    /// (V1)–(V9) are ratios of times and lengths.
+    /// Criteria (V1)–(V9) are ratios of times and lengths.
     #[test]
     fn changing_the_units_changes_no_criterion(
         assembly in assemblies(), units in units(), spin in direction()
@@ -167,7 +167,7 @@ fn same_criteria(assembly: &Assembly, units: Units, spin: [f64; 3]) -> Result<()
     Ok(())
 }
 
-/// Where momenta are 1e36 and more, the squares of what multiplies their powers are no numbers.
+/// Where angular momenta are 1e36 and more, the squares of the factors of their powers are no numbers.
 #[test]
 fn the_most_extreme_units_change_no_criterion() {
     for exponents in [[9, 9, -9], [-9, -9, 9], [9, -9, 9], [-9, 9, -9]] {

@@ -1,4 +1,4 @@
-//! Who takes the energy: shares that sum to the whole on every method, and that do not know of each other.
+//! Budget of dissipation: shares that sum to the whole by every method, and that do not depend on each other.
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
@@ -46,7 +46,7 @@ fn alone(assembly: &Assembly, kept: usize) -> Assembly {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// In any units. (D1)–(D3)
+    /// Shares sum to the power in any units. (D1)–(D3)
     #[test]
     fn shares_sum_to_the_whole(assembly in bodies()) {
         let body = assembly.body().unwrap();
@@ -85,7 +85,7 @@ proptest! {
         prop_assert_eq!(body.locked_inside().dissipators().len(), names.len());
     }
 
-    /// At order 3 the displacement does not know the damping, so a dashpot alone takes what it takes among others.
+    /// At order 3 the displacement does not depend on the damping, so a dashpot alone takes its share among others.
     #[test]
     fn a_dissipator_alone_keeps_its_share_at_order_three(assembly in assemblies()) {
         let body = assembly.body().unwrap();
@@ -102,7 +102,7 @@ proptest! {
         }
     }
 
-    /// Turned axes may have their signs the other way round, and so the sense of the motion.
+    /// Rotated axes may have their signs reversed, and so the sense of the motion.
     #[test]
     fn axes_do_not_matter(assembly in assemblies(), R in rotation()) {
         let bodies = [assembly.body().unwrap(), rotated(&assembly, &R).body().unwrap()];
@@ -123,7 +123,7 @@ proptest! {
     }
 }
 
-/// Chernousko's mass on the axis, twice: each takes `b(mρ/c)²` of what both take. (X1)
+/// Chernousko's mass on the axis, twice: each takes `b(mρ/c)²` of the sum. (X1)
 #[test]
 fn two_masses_on_the_axis_share_as_their_closed_forms_have_it() {
     let single = AxialMass { carrier: 2.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.4 };
@@ -169,7 +169,7 @@ fn materials_take_their_share_of_the_harmonics() {
     assert!(budget.iter().all(|(_, power)| *power > 0.01 * whole), "{budget:?}");
     let reduced = reduce(&body, 3).unwrap();
     assert_eq!(reduced.power_shares.len(), 1);
-    // The spring with a dashpot beside it moves as it would without the loss of the other, but for squares of the loss.
+    // The spring with a dashpot beside it moves as without the loss of the other, but for squares of the loss.
     let mut only = assembly.clone();
     only.springs[1].rheology = Rheology::Elastic;
     let only = Response::compute(&only.body().unwrap()).unwrap().mean_power(&motion);
@@ -204,7 +204,7 @@ fn simpson(values: &[f64], step: f64) -> f64 {
     values.iter().enumerate().map(|(i, value)| weight(i) * value).sum::<f64>() * step / 3.0
 }
 
-/// A tumbler with three dashpots and a boom, and what became of it.
+/// A tumbler with three dashpots and a boom, and its histories.
 fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (FlexibleBody, Seen, Seen) {
     let mut assembly = tumbler(epsilon);
     let between = SpringLaw::Axial {
@@ -223,7 +223,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let settled = start.settled(Forced::not(&body), 5).unwrap();
     let ended = |run: Run| assert!((run.last.t / duration - 1.0).abs() < 1e-12);
-    // Explicit steps are stable to the edge: rates, a thousandth of the spin, flutter by what a step allows.
+    // Explicit steps are stable up to a limit: rates, a thousandth of the spin, flutter by the tolerance of a step.
     let options = Options { method, tolerance: 1e-14, ..Options::default() };
     ended(propagate_full(Forced::not(&body), &settled, &times, &options, &mut seen[0]).unwrap());
     let reduced = reduce(&body, 5).unwrap();
@@ -233,7 +233,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     (body, full, reduced)
 }
 
-/// Two methods to the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
+/// Two methods for the energy that each dissipator takes in a full history, and the reduced history beside it. (D4)
 #[test]
 fn histories_know_who_took_the_energy() {
     [Method::Explicit, Method::Implicit].into_iter().for_each(compare_histories);
@@ -282,7 +282,7 @@ fn one_dissipator_takes_everything() {
     }
 }
 
-/// The names of springs and hinges, given and made.
+/// Names of springs and hinges, given and made.
 #[test]
 fn dissipators_have_names() {
     let mut assembly = tumbler(0.3);

@@ -90,8 +90,8 @@ pub fn list_gap(found: &[f64], expected: &[f64]) -> f64 {
     })
 }
 
-/// What equations of motion say that do not depend on the choice of coordinates: worst difference of `J`, `f`, `K`,
-/// `Ω`, energy in both variables, power and force on the pole.
+/// Worst difference of two bodies in quantities that do not depend on the choice of coordinates: `J`, `f`, `K`, `Ω`, energy in both
+/// variables, power and force on the pole.
 pub fn motion_gap(found: &ReducedBody, expected: &ReducedBody) -> f64 {
     [
         list_gap(&found.J, &expected.J),

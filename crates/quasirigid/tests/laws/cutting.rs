@@ -1,4 +1,4 @@
-//! The same body described by other parts: equal in everything that does not name the coordinates.
+//! One body described by different parts: equal in everything that does not name the coordinates.
 
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, HingeCoefficient, PointMotion, SpringLaw};
@@ -67,7 +67,7 @@ proptest! {
         prop_assert!(gap < ROUNDING, "{gap:e}");
     }
 
-    /// (I9)
+    /// Springs in parallel sum up. (I9)
     #[test]
     fn springs_in_parallel_are_one_spring(assembly in bodies(), which in 0..9usize, share in 0.1..0.9) {
         let mut parallel = assembly.clone();
@@ -82,7 +82,7 @@ proptest! {
         prop_assert!(gap(&two.q, &one.q) < ROUNDING);
     }
 
-    /// (I9)
+    /// A spring is symmetric in its ends. (I9)
     #[test]
     fn a_spring_has_no_first_end(assembly in bodies()) {
         let mut turned = assembly.clone();
@@ -146,8 +146,8 @@ proptest! {
         prop_assert!(gap < ROUNDING, "{gap:e}");
     }
 
-    /// Up to the paper's order the paths of the appendages may as well be straight; beyond it the order of the axes
-    /// shows, because turns do not commute. (I6), (I8)
+    /// Up to the paper's order the paths of the appendages may as well be straight; beyond it the order of the axes matters, because
+    /// rotations do not commute. (I6), (I8)
     #[test]
     fn the_order_of_hinge_axes_shows_beyond_the_third_order_only(
         assembly in bodies().prop_filter("two axes", |a| a.hinged.iter().any(|h| h.axes.len() > 1))
@@ -160,14 +160,14 @@ proptest! {
             hinged.damping = permuted(&hinged.damping, &order);
         }
         let gap = motion_gap(&reduced(&other, 3), &reduced(&assembly, 3));
-        // φ counts the curvature from degree 6 on, which order 3 does not reach.
+        // φ contains the curvature from degree 6 on, which order 3 does not reach.
         prop_assert!(gap < ROUNDING, "{gap:e}");
         let gap = motion_gap(&reduced(&other, 4), &reduced(&assembly, 4));
         prop_assert!(gap > 1e-7, "{gap:e}");
     }
 }
 
-/// A half and a half make a whole: the transformations of this file do what they say.
+/// Two halves make a whole: the transformations of this file do what they say.
 #[test]
 fn hinge_coefficients_are_multiplied_entry_by_entry() {
     let full = HingeCoefficient::Full(vec![vec![2.0, 1.0], vec![1.0, 4.0]]);

@@ -1,4 +1,4 @@
-//! What belongs to which degree. (R1)
+//! Grading: the degree of each term. (R1)
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -42,7 +42,7 @@ proptest! {
         }
     }
 
-    /// The lowest degree of everything, for every order. (R1), (R2), (R8)–(R11)
+    /// Lowest degree of every quantity, for every order. (R1), (R2), (R8)–(R11)
     #[test]
     fn an_elastic_body_has_no_third_degree(assembly in bodies(), order in 1..6usize) {
         let body = reduce(&assembly.body().unwrap(), order).unwrap();
@@ -108,8 +108,8 @@ proptest! {
         prop_assert!(gap < ROUNDING, "reversion goes in rounds that differ: {gap:e}");
     }
 
-    /// A free body and the same body held at its centre of mass share `μ₄` and `μ₅`, whatever their order, and no
-    /// degree above. (R15), (S6)
+    /// A free body and the same body fixed at its centre of mass share `μ₄` and `μ₅`, whatever their order, and no degree above. (R15),
+    /// (S6)
     #[test]
     fn the_translation_first_shows_in_the_sixth_degree(assembly in bodies()) {
         let mut free = assembly;
@@ -131,7 +131,7 @@ proptest! {
         }
     }
 
-    /// (R7): `J ω̇ + ω × Jω = μ`.
+    /// Deviation from Euler's equations: `J ω̇ + ω × Jω = μ`. (R7)
     #[test]
     fn the_torque_is_the_deviation_from_euler(assembly in assemblies()) {
         let body = assembly.body().unwrap();
@@ -153,7 +153,7 @@ fn greatest(map: impl Fn([f64; 3]) -> Vec<f64>, length: f64) -> f64 {
     values.map(|value| value.iter().map(|x| x * x).sum::<f64>().sqrt()).fold(0.0, f64::max)
 }
 
-/// Even degrees of the power: what is left of it in a mean.
+/// Even degrees of the power, which alone have a mean.
 fn mean_power(body: &ReducedBody, omega: [f64; 3]) -> f64 {
     (2..=body.power.degree()).step_by(2).map(|degree| value(body.power.part(degree), omega)[0]).sum()
 }
@@ -165,7 +165,8 @@ fn criterion(validity: &Validity, comparison: Comparison) -> f64 {
 proptest! {
     #![proptest_config(cases(8))]
 
-    /// What a validity takes from one manifold of a higher order is what the reduced equations of these orders have. (R14), (V7), (V11)
+    /// The terms that a validity takes from one manifold of a higher order are those of the reduced equations of these orders. (R14), (V7),
+    /// (V11)
     #[test]
     fn validity_looks_ahead_as_the_reduced_equations_do(
         assembly in assemblies(), u in direction(), order in prop::sample::select(vec![0usize, 1, 3, 4, 10, 11])
@@ -191,7 +192,7 @@ proptest! {
         prop_assert!((found - change).abs() <= 1e-9 * change + 1e-13, "{found} {change}");
     }
 
-    /// A body that is reduced already is judged as it is handed in, not reduced again.
+    /// A reduced body is judged as given, not reduced again.
     #[test]
     fn what_is_handed_in_is_judged(assembly in bodies(), u in direction()) {
         let body = assembly.body().unwrap();

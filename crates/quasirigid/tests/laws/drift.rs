@@ -1,4 +1,4 @@
-//! Slow external torques: energy and momentum drift together.
+//! Slow external torques: energy and angular momentum drift together.
 
 use std::ops::ControlFlow;
 
@@ -15,7 +15,7 @@ use quasirigid_math::vec3::norm;
 
 use super::evolution::tumbler;
 
-/// To the last of some times, with nothing to interrupt it.
+/// Drift to the last of some times, without an interruption.
 fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> DriftHistory {
     drift.follow(start, times, &DriftLimits::until(times[times.len() - 1]), |_| ControlFlow::Continue(()))
 }
@@ -24,7 +24,7 @@ fn start(stage: RotationState, angular_momentum: f64) -> DriftState {
     DriftState { t: 0.0, stage, angular_momentum, side: 1.0, revolutions: 0.0 }
 }
 
-/// Without a torque the drift is the evolution at one momentum, through the separatrix too.
+/// Drift without a torque is the evolution at one angular momentum, through the separatrix too.
 #[test]
 fn drift_without_torque_is_the_evolution() {
     let reduced = reduce(&tumbler(0.5).body().unwrap(), 3).unwrap();
@@ -52,7 +52,7 @@ fn drift_without_torque_is_the_evolution() {
     }
 }
 
-/// A power that is none.
+/// Zero power.
 #[derive(Debug)]
 struct Rigid([f64; 3]);
 

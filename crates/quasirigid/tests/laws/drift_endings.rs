@@ -1,4 +1,4 @@
-//! Slow torques, how the drift ends, beside Euler's equations with the torque in them, integrated here.
+//! End of a drift under slow torques, against Euler's equations with the torque in them, integrated here.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +11,7 @@ use quasirigid_math::vec3::norm;
 
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 
-/// A power that is none.
+/// Zero power.
 #[derive(Debug)]
 struct Rigid;
 
@@ -86,7 +86,7 @@ fn drift_is_that_of_eulers_equations() {
             assert_eq!((found.ending, found.end.t), (DriftStopReason::Finished, duration));
             assert!(found.passages.is_empty());
             let motion = FreeRotation::at_logit(MOMENTS, 5.0, mode, xi);
-            // Mean over the last turns: what the torque does within a turn is not of the drift.
+            // Mean over the last revolutions: variations within a revolution are not part of the drift.
             let (mut sum, mut rows) = ([0.0; 2], 0.0);
             let window = 20.0 * motion.polhode_period();
             euler(torque, motion.omega(0.0), 0.02, |t, omega| {
@@ -111,8 +111,8 @@ fn drift_is_that_of_eulers_equations() {
     }
 }
 
-/// A torque against the spin takes a wobbling body to the separatrix, and there it turns over: about the other side of the axis
-/// of greatest inertia the same torque spins it up. (A10)
+/// A torque against the spin takes a wobbling body to the separatrix, where it turns over: about the other side of the axis of greatest
+/// inertia the same torque spins it up. (A10)
 #[test]
 fn a_torque_against_the_spin_turns_the_body_over() {
     let gaps = [1.0, 8.0].map(|weakness| {
@@ -144,7 +144,7 @@ fn a_torque_against_the_spin_turns_the_body_over() {
     assert!((0..3).all(|i| strong[i] < 0.03 && weak[i] < 5e-3), "{gaps:?}");
 }
 
-/// From the long-axis mode drag leads through the separatrix to either side, and a torque loads the dice. (A10)
+/// From the long-axis mode drag leads through the separatrix to either side, and a torque changes the odds. (A10)
 #[test]
 fn sides_are_entered_with_their_probabilities() {
     let torque = SlowTorque { constant: [0.0, 0.0, 1.3e-4], drag: 5e-4 };
@@ -229,7 +229,7 @@ fn steady_spins_end_at_rest_or_spun_up() {
     }
 }
 
-/// Where the wobble dies out the steady spin is followed on; it was a wobble of some degrees before.
+/// Where the wobble decays the steady spin is followed on; before, there was a wobble of some degrees.
 #[test]
 fn a_wobble_that_dies_out_leaves_a_steady_spin() {
     let torque = SlowTorque { constant: [0.0, 0.0, 1e-3], drag: 1e-3 };

@@ -1,4 +1,4 @@
-//! A body that is elastic throughout: its frame, its laws, and what stands beside it.
+//! A body that is elastic throughout: its frame, its laws, and the elements that may stand beside it.
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, Response};
@@ -30,7 +30,7 @@ fn body(ellipsoid: Ellipsoid) -> FlexibleBody {
     alone(ellipsoid).body().unwrap()
 }
 
-/// In the Tisserand frame no coordinate carries momentum or angular momentum; mass and inertia are those of the solid.
+/// In the Tisserand frame no coordinate has linear or angular momentum; mass and inertia are those of the solid.
 #[test]
 fn displacements_carry_no_momentum() {
     let body = body(rock());
@@ -43,7 +43,7 @@ fn displacements_carry_no_momentum() {
     assert_eq!(body.coordinates().len(), 36);
     assert_eq!(body.pole(), [2.0, -1.0, 0.5]);
     assert!(invariants.S.iter().all(|S| *S == [0.0; 3]) && invariants.h.iter().all(|h| *h == [0.0; 3]));
-    // h_k(q) = ∫ H_j × H_k is antisymmetric, and its rate of change is what the Coriolis coupling is made of.
+    // h_k(q) = ∫ H_j × H_k is antisymmetric, and its rate of change is the Coriolis coupling.
     for (j, k, pair) in invariants.pairs.iter() {
         let back = invariants.pairs.row(k).find(|(column, _)| *column == j).unwrap().1;
         assert!((0..3).all(|i| pair.Z[i] == -back.Z[i]) && pair.A == back.A, "{j} {k}");
@@ -74,7 +74,7 @@ fn slow_rotation_is_in_the_range_of_the_theory() {
 proptest! {
     #![proptest_config(cases(12))]
 
-    /// Order of the axes and units do not matter: power goes as ρ²a⁷Ω⁶τ/E of whatever they are measured in.
+    /// Order of the axes and units do not matter: power goes as ρ²a⁷Ω⁶τ/E in any units.
     #[test]
     fn power_does_not_know_axes_or_units(turn in 0..3usize, length in -9.0..9.0, mass in -9.0..9.0, time in -9.0..9.0, xi in -2.0..4.0) {
         let power = |ellipsoid: Ellipsoid, time: f64| {

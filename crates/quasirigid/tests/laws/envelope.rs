@@ -15,7 +15,7 @@ fn rigid(inertia: [[f64; 3]; 3], wheels: Vec<Wheel>) -> ReducedBody {
     reduce(&body, 0).unwrap()
 }
 
-/// Both modes of a turned triaxial body, from anywhere on the polhode: the closed form.
+/// Both modes of a rotated triaxial body, from anywhere on the polhode: the closed form.
 #[test]
 fn a_rigid_body_nutates_as_in_closed_form() {
     let body = rigid([[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]], Vec::new());
@@ -52,7 +52,7 @@ fn a_body_of_revolution_keeps_its_angle() {
     }
 }
 
-/// The angles seen on the way.
+/// Angles sampled during a motion.
 #[derive(Default)]
 struct Seen(Vec<[f64; 3]>);
 
@@ -62,8 +62,8 @@ impl Observer for Seen {
     }
 }
 
-/// A body whose steady spins are not about its principal axes: what the motion itself shows over one turn, and the same envelope from
-/// every place on it.
+/// Asserts for a body whose steady spins are not about its principal axes that one revolution of the motion shows the envelope, and that
+/// the envelope is the same from every place on it.
 fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
     let times: Vec<f64> = (0..=4000).map(|i| 1.1 * period * f64::from(i) / 4000.0).collect();
     let mut seen = Seen::default();
@@ -82,7 +82,7 @@ fn assert_seen(body: &ReducedBody, omega: [f64; 3], period: f64) {
     }
 }
 
-/// Wheels turn the axis of steady spin far from every principal axis, and the angle is counted from there.
+/// Wheels shift the axis of steady spin far from every principal axis, and the angle is counted from there.
 #[test]
 fn momentum_wheels_turn_the_axis_that_is_circled() {
     let wheel = Wheel {

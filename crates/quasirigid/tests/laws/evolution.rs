@@ -31,7 +31,7 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     }
 }
 
-/// Nothing is dissipated: no time leads anywhere, neither forwards nor to minus infinity. (api review, 2)
+/// Nothing is dissipated: no time leads anywhere, neither forwards nor to minus infinity.
 #[test]
 fn without_power_no_stage_is_ever_reached() {
     let undamped = AxialMass { b: 0.0, ..AXIAL };
@@ -59,8 +59,8 @@ pub fn tumbler(epsilon: f64) -> Assembly {
     sprung_body(carrier, &[sprung(1.0, [0.4, 1.0, 0.5], 120.0), sprung(1.3, [-0.6, 0.5, -0.7], 150.0)])
 }
 
-/// Times in which `D/I₃` reaches 0.97 from a spin: averaged, by the reduced equations of these orders, and by the full system
-/// if it is asked for: relative differences from the averaged one, and the energy dissipated half-way.
+/// Times in which `D/I₃` reaches 0.97 from a spin, by the reduced equations of these orders and by the full system if asked for: relative
+/// differences from the averaged time, each with the energy dissipated half-way.
 fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], full: bool) -> Vec<[f64; 2]> {
     let body = tumbler(epsilon).body().unwrap();
     let reduced = reduce(&body, 3).unwrap();
@@ -108,7 +108,7 @@ fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega:
     evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::compute(reduced.J).moments[2])).unwrap()
 }
 
-/// What averaging over rigid polhodes neglects, the elastic part of energy and momentum, falls as `ε²`.
+/// The error of averaging over rigid polhodes, the elastic part of energy and angular momentum, falls as `ε²`.
 #[test]
 fn averaged_time_is_the_reduced_time_the_better_the_stiffer_the_body() {
     let gaps = [1.0, 0.5, 0.25]
@@ -117,8 +117,8 @@ fn averaged_time_is_the_reduced_time_the_better_the_stiffer_the_body() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.15), "{gaps:?} {orders:?}");
 }
 
-/// Full, reduced, averaged: each falls towards the next as theory says. The full system leaves the paper's equations by `ε²`
-/// of the dissipation, those of order 5 by `ε⁴`; averaging costs `ε²`.
+/// Full, reduced, averaged: the differences fall as theory says. The full system departs from the paper's equations by `ε²` of the
+/// dissipation, from those of order 5 by `ε⁴`; averaging costs `ε²`.
 #[test]
 fn full_reduced_and_averaged_histories_close_up() {
     let [coarse, fine] =
@@ -132,7 +132,7 @@ fn full_reduced_and_averaged_histories_close_up() {
     assert!((fifth - 4.0).abs() < 0.3, "{fifth}");
 }
 
-/// Through the separatrix, where the phase at which it is met decides on a fraction of a turn.
+/// Through the separatrix, where the phase on arrival decides on a fraction of a revolution.
 #[test]
 fn averaged_time_leads_through_the_separatrix() {
     let gap = gaps_in_time(0.5, [1.0, 0.35, 0.3], Mode::LongAxis, &[3], false)[0][0].abs();

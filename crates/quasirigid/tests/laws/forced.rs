@@ -29,7 +29,7 @@ pub struct State {
     pub rate: Vec<f64>,
 }
 
-/// What states are made of: time, attitude, pole, velocity, spin, coordinates and rates.
+/// Numbers of a state: time, attitude, pole, velocity, spin, coordinates and rates.
 pub type Loose = (f64, [f64; 4], [[f64; 3]; 3], Vec<f64>);
 
 pub fn states() -> impl Strategy<Value = Loose> {
@@ -39,7 +39,7 @@ pub fn states() -> impl Strategy<Value = Loose> {
 }
 
 impl State {
-    /// The state of a body, its displacements times `amount`.
+    /// State of a body, with its displacements times `amount`.
     pub fn of(
         body: &FlexibleBody,
         (t, attitude, [pole, velocity, omega], numbers): &Loose,
@@ -74,7 +74,7 @@ impl State {
         *UnitQuaternion::new_normalize(nalgebra::Quaternion::new(s, x, y, z)).to_rotation_matrix().matrix()
     }
 
-    /// The state that its own rates lead to a moment later, to first order.
+    /// State a moment later by its own rates, to first order.
     pub fn after(&self, dt: f64) -> Self {
         let spin = UnitQuaternion::from_scaled_axis(dt * V::from(self.omega));
         let [s, x, y, z] = self.attitude;
@@ -86,20 +86,20 @@ impl State {
         after
     }
 
-    /// Where a place of the body is in inertial axes.
+    /// Place of the body in inertial axes.
     pub fn place(&self, at: &Marker) -> V {
         let moved: V = at.shapes.iter().map(|(j, H)| self.q[*j] * V::from(*H)).sum();
         V::from(self.pole) + self.turn() * (V::from(at.position) + moved)
     }
 
-    /// Its velocity there: sixth-order differences that err by 1e-15.
+    /// Velocity of the place: sixth-order differences that err by 1e-15.
     pub fn velocity(&self, at: &Marker) -> V {
         let h = 2e-3;
         let odd = |i: f64| self.after(i * h).place(at) - self.after(-i * h).place(at);
         (45.0 * odd(1.0) - 9.0 * odd(2.0) + odd(3.0)) / (60.0 * h)
     }
 
-    /// The same state seen from turned inertial axes, in which every vector `v` is `R v`.
+    /// State seen from rotated inertial axes, in which every vector `v` is `R v`.
     pub fn seen_from(&self, R: &Matrix3<f64>) -> Self {
         let attitude = UnitQuaternion::from_matrix(&(R * self.turn()));
         let mut seen = self.clone();
@@ -109,7 +109,7 @@ impl State {
         seen
     }
 
-    /// The same state in other units.
+    /// State in other units.
     pub fn rescaled(&self, body: &FlexibleBody, units: Units) -> Self {
         let lengths = body.coordinates().iter().map(|c| if c.unit == "m" { units.length } else { 1.0 });
         let lengths: Vec<f64> = lengths.collect();
@@ -126,7 +126,7 @@ impl State {
     }
 }
 
-/// The numbers in one force of every law, in base units.
+/// Numbers in one force of every law, in base units.
 #[derive(Clone, Debug)]
 pub struct Numbers {
     vectors: [[f64; 3]; 7],
@@ -158,7 +158,7 @@ pub fn orbit() -> impl Strategy<Value = Orbit> {
 }
 
 impl Numbers {
-    /// The forces, in other units and seen from inertial axes in which every vector `v` is `R v`.
+    /// Forces in other units and seen from inertial axes in which every vector `v` is `R v`.
     pub fn forces(&self, units: Units, R: &Matrix3<f64>) -> Vec<Force<Station>> {
         let [g, on_carrier, torque, thrust, moment, field, dipole] = self.vectors;
         let [k, spin, drag, pull] = self.coefficients;
@@ -209,7 +209,7 @@ pub fn forced(assembly: &Assembly, forces: Vec<Force<Station>>) -> Assembly {
     Assembly { forces, ..assembly.clone() }
 }
 
-/// Orbit whose plane and periapsis are turned, in other units. The elements are read off the turned axes.
+/// Orbit whose plane and periapsis are rotated, in other units. The elements are read off the rotated axes.
 fn seen_from(orbit: Orbit, R: &Matrix3<f64>, units: Units) -> Orbit {
     let about = |axis: V, angle: f64| *Rotation3::new(angle * axis).matrix();
     let axes = R

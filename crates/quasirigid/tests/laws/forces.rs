@@ -1,4 +1,4 @@
-//! What every law of external forces obeys: work, drag, turned inertial axes, other units. (F1), (F5)–(F9), (F11), (F12)
+//! Laws of external forces: work, drag, rotated inertial axes, other units. (F1), (F5)–(F9), (F11), (F12)
 
 use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
@@ -56,7 +56,7 @@ fn drifting<T: Smooth>(
     body.loads(forces, &kinematics)
 }
 
-/// Numbers that the loads of one law are judged against.
+/// Sizes against which the loads of one law are judged.
 fn size(loads: &Loads<f64>) -> f64 {
     loads.generalized.iter().chain(&loads.force).chain(&loads.moment).fold(0.0, |size, x| size.max(x.abs()))
 }
@@ -99,7 +99,7 @@ proptest! {
         }
     }
 
-    /// A formula in place, velocity and time of the displaced point, in inertial axes.
+    /// A formula takes place, velocity and time of the displaced point, in inertial axes.
     #[test]
     fn a_formula_sees_where_its_place_is_and_how_it_moves(
         assembly in assemblies(), loose in states(), on_carrier in vector(), on_point in any::<bool>()
@@ -124,8 +124,7 @@ proptest! {
         prop_assert!((power - F.dot(&v)).abs() < ROUNDING * 10.0 * size(&loads).max(1.0), "{power} {}", F.dot(&v));
     }
 
-    /// The dipole turns towards the field: `−m·B` falls as the torque works. The field of a dipole is the gradient of
-    /// `−b·R/R³`. (F8)
+    /// The dipole rotates towards the field: `−m·B` falls as the torque works. The field of a dipole is the gradient of `−b·R/R³`. (F8)
     #[test]
     fn magnetic_torque_works_as_the_energy_of_the_dipole_falls(
         assembly in assemblies(), loose in states(), moment in vector(), strength in vector(), orbit in orbit()
@@ -181,7 +180,7 @@ proptest! {
         }
     }
 
-    /// The loads are in body axes, which know nothing of the inertial ones.
+    /// Loads are in body axes, which do not depend on the inertial ones.
     #[test]
     fn turned_inertial_axes_change_no_load(
         assembly in assemblies(), numbers in numbers(), loose in states(), R in rotation()
@@ -198,7 +197,7 @@ proptest! {
         }
     }
 
-    /// A law does not know our units.
+    /// Laws do not depend on units.
     #[test]
     fn loads_scale_with_the_units(
         assembly in assemblies(), numbers in numbers(), loose in states(), units in units()
@@ -226,7 +225,7 @@ proptest! {
         }
     }
 
-    /// What is fixed in the body does not care where the body is, how it lies, or how it moves.
+    /// Forces fixed in the body do not depend on its place, attitude or motion.
     #[test]
     fn thrust_in_body_axes_does_not_depend_on_the_attitude(
         assembly in assemblies(), numbers in numbers(), loose in states(), R in rotation(), moved in vector()

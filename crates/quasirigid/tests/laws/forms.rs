@@ -17,7 +17,7 @@ fn spins(order: usize, form: Form, epsilon: f64) -> Vec<[f64; 3]> {
     spin_path(&reduce(&body, order).unwrap(), START, &times_to(4.0, 8), &options).unwrap().omega
 }
 
-/// The power of `ε` with which two sets of runs come together, the linear part of its change with `ε` removed.
+/// Power of `ε` with which two sets of runs converge, the linear part of its change with `ε` removed.
 fn order_of(difference: impl Fn(f64) -> f64) -> f64 {
     let [first, second, third] = [0.4, 0.2, 0.1].map(difference);
     let (coarse, fine) = ((first / second).log2(), (second / third).log2());
@@ -29,7 +29,7 @@ fn gap(left: &[[f64; 3]], right: &[[f64; 3]]) -> f64 {
     gaps.fold(0.0, f64::max)
 }
 
-/// Both err by `ε^{p+1}`, (R11). At `p = 2` nothing is odd, so they agree to one power more.
+/// Both forms err by `ε^{p+1}`, (R11). At `p = 2` nothing is odd, so they agree to one power more.
 #[test]
 fn momentum_and_paper_form_agree_to_their_order() {
     for (p, expected) in [(2, 4.0), (3, 4.0), (4, 5.0)] {

@@ -1,4 +1,4 @@
-//! The full system: what it keeps, what it does not dissipate, and where its fast part goes.
+//! The full system: its invariants, motions without dissipation, and the fate of its fast part.
 
 use quasirigid::dynamics::{
     BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState, Start,
@@ -54,8 +54,8 @@ fn full(body: &FlexibleBody, start: &FullState, times: &[f64], options: Options)
     samples
 }
 
-/// Internal forces act in body axes with the reaction at the displaced point, so a body that turns steadily about a principal
-/// axis, stretched as far as it is, loses nothing.
+/// Internal forces act in body axes with the reaction at the displaced point, so a body that rotates steadily about a principal axis, at
+/// its equilibrium stretch, loses nothing.
 #[test]
 fn a_steady_spin_dissipates_nothing() {
     let body = body();
@@ -70,7 +70,7 @@ fn a_steady_spin_dissipates_nothing() {
     }
 }
 
-/// Explicit, implicit and both in turns are methods to the same motion; what they change of the energy is small beside what the
+/// Explicit, implicit and both alternately: methods for the same motion, whose errors of the energy are small beside the energy that the
 /// dashpots take.
 #[test]
 fn methods_agree() {
@@ -89,8 +89,7 @@ fn methods_agree() {
     }
 }
 
-/// Twenty points in a chain, each held to the carrier and to its neighbours: more coordinates than are solved by a full
-/// matrix.
+/// Twenty points in a chain, each sprung to the carrier and to its neighbours: more coordinates than are solved by a full matrix.
 fn chain() -> FlexibleBody {
     let masses: Vec<Sprung> = (0..20)
         .map(|i| {
@@ -130,7 +129,7 @@ fn methods_agree_on_many_coordinates() {
     }
 }
 
-/// Released from rest: the slow motion from the matched start is right to `ε³`, without the turn to `ε²`.
+/// Released from rest: the slow motion from the matched start is right to `ε³`, without the rotation of the start to `ε²`.
 #[test]
 fn matched_start_gains_an_order() {
     let [matched, plain]: [Vec<f64>; 2] = [true, false].map(|turned| {
@@ -200,8 +199,7 @@ fn composite_solution_holds_from_the_first_moment() {
     assert!((order(&without) - 1.0).abs() < 0.2, "{}", order(&without));
 }
 
-/// Series in time at each state and polynomials of the spin are two methods to the same slow manifold: they differ by the next
-/// order.
+/// Series in time at each state and polynomials of the spin are two methods for the same slow manifold: they differ by the next order.
 #[test]
 fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
     for order in 2..=5 {
@@ -226,7 +224,7 @@ fn slow_manifold_by_series_in_time_is_the_polynomial_one() {
     }
 }
 
-/// A run ends where the energy or the wobble passes its mark, at that moment and not at the end of a step.
+/// A run ends where the energy or the wobble passes its limit, at that moment and not at the end of a step.
 #[test]
 fn events_end_a_run_where_they_happen() {
     let body = CommonProblem::SOFT.assembly().body().unwrap();

@@ -14,11 +14,10 @@ type V = Vector3<f64>;
 
 /// Step of sixth-order differences: in a quadratic form, whose angle doubles, they err by `2⁷ h⁶/140`.
 const STEP: f64 = 0.01;
-/// What remains of that, with a margin for the shape of the body, and of rounding.
+/// Remaining error of these differences, with a margin for the shape of the body, and of rounding.
 const DIFFERENCES: f64 = 1e-11;
 
-/// The loads that belong to a potential energy: the rate at which it falls as the body turns about each of its axes, and
-/// as each coordinate grows.
+/// Loads of a potential energy: the rate at which it falls as the body rotates about each of its axes, and as each coordinate grows.
 struct Slopes {
     moment: V,
     generalized: Vec<f64>,
@@ -115,8 +114,7 @@ proptest! {
         prop_assert!((V::from(uniform.force) - mass * g_B).norm() < 1e-14 * mass);
     }
 
-    /// Curved paths: moments err by the cube of the displacement, a factor of 8, and generalised forces by its square, a
-    /// factor of 4. (S1)
+    /// Curved paths: moments err by the cube of the displacement, a factor of 8, and generalised forces by its square, a factor of 4. (S1)
     #[test]
     fn gravity_on_curved_paths_errs_as_their_expansion_does(
         massive in massive().prop_filter("a hinge", |m| !m.appendages.is_empty()), g in vector(), orbit in orbit(),
@@ -149,8 +147,8 @@ proptest! {
         }
     }
 
-    /// The gravity gradient is the attraction of the centre less that of the point on the orbit, to first order in size
-    /// over distance: what it neglects halves when the distance doubles. (F4)
+    /// The gravity gradient is the attraction of the centre less that of the point on the orbit, to first order in size over distance: the
+    /// neglected part halves when the distance doubles. (F4)
     #[test]
     fn gravity_gradient_is_the_sum_of_central_attractions(
         massive in massive_points(), held in any::<bool>(), point in vector(), orbit in orbit(), loose in states()
@@ -179,7 +177,7 @@ proptest! {
         prop_assert!((far / near - 0.5).abs() < 0.02 || near < 1e-8, "{near:e} {far:e}");
     }
 
-    /// In any units. (F11)
+    /// A free body does not feel uniform gravity, in any units. (F11)
     #[test]
     fn a_free_body_does_not_feel_uniform_gravity(assembly in bodies(), g in vector(), loose in states()) {
         let mut assembly = assembly;
@@ -202,7 +200,7 @@ proptest! {
         prop_assert_eq!(felt.force, loads.force);
     }
 
-    /// (F2)
+    /// A driven pole acts as a uniform gravity that is opposite to its acceleration. (F2)
     #[test]
     fn a_driven_pole_is_a_gravity_that_points_back(
         assembly in assemblies(), point in vector(), g in vector(), loose in states()

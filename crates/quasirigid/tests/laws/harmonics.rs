@@ -1,4 +1,4 @@
-//! Harmonics of a free rotation, and the answer of a body to them.
+//! Harmonics of a free rotation, and the response of a body to them.
 
 use std::f64::consts::TAU;
 
@@ -60,7 +60,7 @@ fn harmonics_are_the_fourier_series_of_the_products() {
     }
 }
 
-/// The polynomial is the limit of low frequencies; the response leaves it by the square of the small parameter.
+/// The polynomial is the limit of low frequencies; the response departs from it by the square of the small parameter.
 #[test]
 fn response_becomes_the_polynomial_power_at_low_frequencies() {
     for (mode, xi) in [(Mode::ShortAxis, 0.5), (Mode::LongAxis, 1.0)] {
@@ -82,7 +82,7 @@ fn response_becomes_the_polynomial_power_at_low_frequencies() {
 proptest! {
     #![proptest_config(cases(24))]
 
-    /// Any body, far below its frequencies, takes what its polynomial says; turning the axes changes nothing.
+    /// Any body, far below its frequencies, takes the power of its polynomial; a rotation of the axes changes nothing.
     #[test]
     fn slow_bodies_take_the_polynomial_power(assembly in bodies(), R in rotation(), xi in -3.0..6.0, long in any::<bool>()) {
         let assembly = stiffened(&assembly, 1e8, 1e4);
@@ -151,8 +151,8 @@ fn with_damper(stiffness: f64, damping: f64, mass: f64) -> Assembly {
     }
 }
 
-/// A nutation damper tuned below, to, and above the frequency of the polhode: the full system takes in twenty periods what the
-/// response says, within 1 %. The paper's power, which knows no resonance, is off by a factor.
+/// A nutation damper tuned below, to, and above the frequency of the polhode: the full system takes in twenty periods the power of the
+/// response, within 1 %. The paper's power, which has no resonance, is off by a factor.
 #[test]
 fn response_is_that_of_the_full_system_at_resonance() {
     let (mass, ratio) = (2e-5, 0.1);

@@ -1,7 +1,7 @@
 //! Inertia invariants by their definition: sums over point masses that move on exact paths. (I1)–(I8)
 //!
-//! Nothing of the program is used to place the masses. The appendages turn by exact rotations through the gimbal
-//! angles, and what the invariants expand is differentiated numerically.
+//! Nothing of the program is used to place the masses. The appendages rotate by exact rotations through the gimbal angles, and the exact
+//! sums are differentiated numerically.
 
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ type V = Vector3<f64>;
 
 /// Sixth-order differences with this step err by `h⁶/140` and round by 1e-16/h² at worst.
 const STEP: f64 = 0.02;
-/// What remains of both, for sums of some ten masses.
+/// Remaining error of both, for sums of some ten masses.
 const DIFFERENCES: f64 = 2e-10;
 
 /// Positions of every mass from the pole, as functions of the coordinates.
@@ -44,7 +44,7 @@ impl Cloud {
         Self { carrier: from_pole(&massive.carrier), points: points.collect(), appendages: hinged.collect() }
     }
 
-    /// Where every mass is at the coordinates `q`.
+    /// Places of all masses at the coordinates `q`.
     pub fn at(&self, q: &[f64]) -> Vec<Mass> {
         let mut q = q.iter();
         let mut masses = self.carrier.clone();
@@ -53,7 +53,7 @@ impl Cloud {
             masses.push((*m, place + moved));
         }
         for (cloud, hinge, axes) in &self.appendages {
-            // The first axis is the outermost, so its turn is applied last.
+            // The first axis is the outermost, so its rotation is applied last.
             let turn = axes.iter().fold(Rotation3::identity(), |turn, axis| {
                 turn * Rotation3::from_axis_angle(axis, *q.next().unwrap())
             });
@@ -140,7 +140,7 @@ proptest! {
         }
     }
 
-    /// (I2), (I3)
+    /// First-order invariants are derivatives of sums over the masses. (I2), (I3)
     #[test]
     fn first_order_invariants_are_derivatives_of_their_sums(massive in massive()) {
         let body = massive.assembly.body().unwrap();
@@ -161,7 +161,8 @@ proptest! {
         }
     }
 
-    /// (I4)–(I6), (I8): skew gimbal axes, and every pair of coordinates, coupled or not.
+    /// Second-order invariants are derivatives of sums over the masses, with skew gimbal axes and every pair of coordinates, coupled or
+    /// not. (I4)–(I6), (I8)
     #[test]
     fn second_order_invariants_are_derivatives_of_their_sums(massive in massive()) {
         let body = massive.assembly.body().unwrap();

@@ -71,7 +71,7 @@ fn by_newton(cloud: &Cloud, free: bool, state: &State) -> (V, f64) {
         let moved = state.q.iter().zip(&state.rate).map(|(q, rate)| q + t * rate).collect::<Vec<_>>();
         cloud.at(&moved)
     };
-    // Paths are straight in the first use, and in the second this error of h⁴ is below what is measured.
+    // Paths are straight in the first use, and in the second this error of h⁴ is below the measured one.
     let ends = [place(h), place(-h), place(2.0 * h), place(-2.0 * h)];
     let now = place(0.0);
     let omega = V::from(state.omega);
@@ -80,8 +80,8 @@ fn by_newton(cloud: &Cloud, free: bool, state: &State) -> (V, f64) {
         relative + omega.cross(&now[i].1)
     };
     let (mass, center, _) = moments(&now);
-    let angular_momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
-    let (center, drift) = if free { (center, angular_momentum / mass) } else { (V::zeros(), V::zeros()) };
+    let momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
+    let (center, drift) = if free { (center, momentum / mass) } else { (V::zeros(), V::zeros()) };
     let mut K = V::zeros();
     let mut energy = 0.0;
     for (i, (m, u)) in now.iter().enumerate() {
@@ -95,7 +95,7 @@ fn by_newton(cloud: &Cloud, free: bool, state: &State) -> (V, f64) {
 proptest! {
     #![proptest_config(cases(32))]
 
-    /// `K = ∂T/∂ω`, `π_j = ∂T/∂q̇_j`, load `= ∂T/∂q_j`, all of one function. (S4), (S6)
+    /// Relations `K = ∂T/∂ω`, `π_j = ∂T/∂q̇_j`, load `= ∂T/∂q_j`, all of one function. (S4), (S6)
     #[test]
     fn momenta_and_loads_are_derivatives_of_the_kinetic_energy(
         assembly in assemblies(), units in units(), omega in vector(), numbers in vec(-1.0..1.0, 24)
@@ -179,7 +179,7 @@ proptest! {
         prop_assert!((kinetic(&body, &state) - T).abs() < 1e-11 * T);
     }
 
-    /// Curved paths: what the expansion drops is cubic in the displacements. (S1), (S6)
+    /// Curved paths: the error of the expansion is cubic in the displacements. (S1), (S6)
     #[test]
     fn momentum_of_curved_paths_errs_by_the_cube_of_the_displacement(
         massive in massive().prop_filter("a hinge", |m| !m.appendages.is_empty()),

@@ -38,7 +38,7 @@ fn body(points: Vec<Point>, springs: Vec<Spring>) -> Assembly {
     Assembly { carrier: Some(carrier), points, springs, ..Assembly::default() }
 }
 
-/// The place blamed and the coordinates named.
+/// Element blamed and coordinates named.
 fn named(assembly: &Assembly) -> (ElementId, String) {
     let ElementError { element, problem, .. } = assembly.body().unwrap_err();
     let Problem::Mechanism { coordinates } = problem else { panic!("{problem}") };
@@ -113,7 +113,7 @@ fn a_hinge_axis_without_stiffness_is_a_mechanism() {
     assert!(assembly.body().is_ok(), "soft in one combination of angles, but held");
 }
 
-/// Dashpots hold nothing still.
+/// Dashpots resist no displacement.
 #[test]
 fn a_dashpot_alone_is_a_mechanism() {
     let law =
@@ -156,7 +156,7 @@ fn many_loose_coordinates_are_counted_rather_than_named() {
 proptest! {
     #![proptest_config(cases(48))]
 
-    /// In any units, and whatever else the body has.
+    /// A loose point is found in any units, and whatever else the body has.
     #[test]
     fn a_loose_point_is_found_in_every_body(assembly in bodies()) {
         let mut loose = assembly;
@@ -168,7 +168,7 @@ proptest! {
         prop_assert!(coordinates.starts_with("\"loose\""), "{coordinates}");
     }
 
-    /// Every spring of a point taken away, those of the others left.
+    /// All springs of a point removed, those of the others left.
     #[test]
     fn taking_the_springs_of_a_point_away_makes_a_mechanism(assembly in bodies()) {
         let mut loose = assembly;

@@ -1,4 +1,4 @@
-//! Small nutation about a steady spin grows and turns as the flow of the momentum says. (P5)
+//! Small nutation about a steady spin grows and rotates as the flow of the angular momentum says. (P5)
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{SteadySpin, steady_spins};
@@ -30,7 +30,7 @@ fn roots(body: &ReducedBody, K: [f64; 3]) -> (f64, f64) {
     (columns[0][0] + columns[1][1] + columns[2][2], minor(0, 1) + minor(1, 2) + minor(2, 0))
 }
 
-/// What is wrong with a steady spin near an axis.
+/// Fault of a steady spin near an axis.
 fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], angular_momentum: f64) -> Option<String> {
     let SteadySpin { omega, growth, frequency } = spin;
     let scale = norm(omega);

@@ -1,4 +1,4 @@
-//! Orbits against the law they obey, `R̈ = −μ₀ R/r³`, and its integrals. (F10)
+//! Orbits against their equation, `R̈ = −μ₀ R/r³`, and its integrals. (F10)
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -76,7 +76,7 @@ proptest! {
     }
 }
 
-/// `(k + 1)(k + 2) R_{k+2} = −μ₀ [R/r³]_k` for every Taylor coefficient in time, and the velocity is the derivative.
+/// Equation `(k + 1)(k + 2) R_{k+2} = −μ₀ [R/r³]_k` for every Taylor coefficient in time; the velocity is the derivative.
 fn obeys_the_law<const N: usize>(orbit: Orbit, t: f64) -> Result<(), TestCaseError> {
     let OrbitPoint { place, velocity, radius } = orbit.at(Taylor::<N>::variable(t));
     // Coefficients grow by powers of the rate at which the body passes; the factor covers those that vanish by chance.
@@ -131,7 +131,7 @@ fn the_anomaly_is_found_however_narrow_the_orbit() {
                 };
                 let ([x, y, _], radius) = (orbit.at(0.0).place, orbit.at(0.0).radius);
                 let E = (y / ((1.0 - e) * (1.0 + e)).sqrt()).atan2(x + e);
-                // The equation, to the rounding of its largest term.
+                // Kepler's equation, to the rounding of its largest term.
                 assert!(
                     (E - e * E.sin() - M).abs() < 1e-15 * E.abs().max(1e-15),
                     "e = {e}, M = {M:e}: {E:e}"

@@ -1,4 +1,4 @@
-//! What is left out falls with the predicted power of the spin.
+//! Errors fall with the predicted power of the spin.
 
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
@@ -14,18 +14,17 @@ use crate::support::{bodies, cases, direction};
 
 /// Spins tried, as shares of the lowest frequency: each half of the one before.
 const SHARES: [f64; 8] = [0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625, 0.003_125, 0.001_562_5];
-/// A measured slope may differ from the predicted one by this much.
+/// Departure of a measured slope from the predicted one that is allowed.
 const SLOPE: f64 = 0.1;
 /// Rounding of the equations, relative to their largest term.
 const ROUNDING: f64 = 1e-15;
-/// A number is measured if it stands this much above rounding.
+/// Ratio to rounding above which a number is measured.
 const MEASURED: f64 = 100.0;
 
-/// The power with which something falls with the spin, from the slowest four spins at which it stands above rounding.
+/// Power with which an error falls with the spin, from the slowest four spins at which the error is above rounding.
 ///
-/// `error` gives the thing and its rounding at a spin. Opposite spins count together, so that a degree does not mix with
-/// the next one; what further degrees add to the slope between two spins goes as the square and the fourth power of the
-/// spin, and three slopes remove it.
+/// `error` gives the error and its rounding at a spin. Opposite spins count together, so that a degree does not mix with the next one;
+/// further degrees change the slope between two spins by the square and the fourth power of the spin, and three slopes remove these.
 fn power(frequency: f64, error: impl Fn([f64; 3]) -> (f64, f64)) -> Option<f64> {
     let root_mean_square = |share: f64| {
         let mut sum = (0.0, 0.0);
@@ -76,7 +75,7 @@ fn recoil(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> [f64; 
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Relative to the load, which is of degree two: `ω^{p−1}`. (R12)
+    /// The residual relative to the load, which is of degree two, falls as `ω^{p−1}`. (R12)
     #[test]
     fn elastic_residual_falls_with_the_power_p_minus_one(assembly in bodies(), p in 1..7usize) {
         let body = damped(&assembly);
@@ -86,7 +85,7 @@ proptest! {
         prop_assert!((found - (p as f64 - 1.0)).abs() < SLOPE, "p = {p}: power {found}");
     }
 
-    /// `ω^{p+3}`; at `p = 2` nothing is odd, which gives one power more. (R12)
+    /// The residual falls as `ω^{p+3}`; at `p = 2` nothing is odd, which gives one power more. (R12)
     #[test]
     fn torque_residual_falls_with_the_power_p_plus_three(assembly in bodies(), p in 2..7usize) {
         let body = damped(&assembly);
@@ -106,8 +105,8 @@ proptest! {
         prop_assert!((found - expected).abs() < slope, "p = {p}: power {found}");
     }
 
-    /// `φ = −(ℓ̇ + ω × ℓ)` with `ℓ = ṡ + ω × s`, `s = S_j q_j + ½ Γ_jk q_j q_k`: the centre of mass of a free body rests.
-    /// Followed along the motion as Taylor series in time; what is left starts one degree above the last. (R8)
+    /// Force on the pole `φ = −(ℓ̇ + ω × ℓ)` with `ℓ = ṡ + ω × s`, `s = S_j q_j + ½ Γ_jk q_j q_k`: the centre of mass of a free body rests.
+    /// Followed along the motion as Taylor series in time; the residual starts one degree above the last. (R8)
     #[test]
     fn force_on_the_pole_is_the_recoil_to_the_degree_p_plus_two(assembly in bodies(), p in 3..6usize) {
         let mut free = assembly;

@@ -1,4 +1,4 @@
-//! How a propagation ends, and what it refuses to start from.
+//! Ends of a propagation, and starts that it refuses.
 
 use std::ops::ControlFlow;
 
@@ -43,7 +43,7 @@ fn whole(body: &ReducedBody, times: &[f64]) -> Vec<Sample> {
     samples
 }
 
-/// What an interrupted run has observed is what the whole run observes, bit for bit.
+/// The samples of an interrupted run are those of the whole run, bit for bit.
 #[test]
 fn an_interrupted_run_leaves_valid_samples() {
     let body = reduced(3);
@@ -75,7 +75,7 @@ fn a_step_limit_leaves_valid_samples() {
     assert!(!path.omega.is_empty() && path.omega.len() < 50);
 }
 
-/// Far outside its validity the angular-velocity form can run away in finite time; what was observed before stands.
+/// Far outside its validity the angular-velocity form can run away in finite time; the samples before remain valid.
 #[test]
 fn a_runaway_ends_as_a_failure_with_valid_samples() {
     let body = reduced(4);
@@ -115,7 +115,7 @@ fn refused(omega: [f64; 3], times: &[f64], options: Options) -> Option<Propagate
     let mut samples: Vec<Sample> = Vec::new();
     let error = propagate(&body, state(omega), times, &options, &mut samples).err();
     assert!(error.is_none() || samples.is_empty(), "refused before the first step");
-    // `spin_path` refuses the same; NaN keeps errors from being compared.
+    // `spin_path` refuses the same input; NaN keeps errors from being compared.
     let other = spin_path(&body, omega, times, &options).err();
     assert_eq!(format!("{error:?}"), format!("{other:?}"));
     error
@@ -149,7 +149,7 @@ fn times_that_do_not_ascend_are_refused() {
     assert_eq!(error, Some(PropagateError::Times { t: 1.0, before: 2.0 }));
 }
 
-/// A spin beyond the largest that the truncated series reaches has no momentum.
+/// A spin beyond the largest that the truncated series reaches has no angular momentum.
 #[test]
 fn a_spin_without_momentum_is_refused() {
     assert_eq!(
@@ -177,7 +177,7 @@ fn a_state_of_another_body_is_refused() {
     }
 }
 
-/// What is no attitude, or no number, is refused before the first step.
+/// Starts that are no attitude, or no number, are refused before the first step.
 #[test]
 fn a_start_that_is_no_state_is_refused() {
     let body = reduced(3);

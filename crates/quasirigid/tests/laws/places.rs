@@ -19,7 +19,7 @@ type V = Vector3<f64>;
 
 const TIP: [f64; 3] = [-1.3, 0.5, 0.4];
 
-/// The wobbler, whose boom has a place.
+/// Body of the tests, with a place on its boom.
 fn placed() -> Assembly {
     let mut assembly = assembly();
     assembly.hinged[0].places = vec![("root".into(), [-0.4, 0.1, 0.1]), ("tip".into(), TIP)];
@@ -28,8 +28,8 @@ fn placed() -> Assembly {
 
 const ON_TIP: End = End::Hinged(PlaceRef { hinged: 0, place: 1 });
 
-/// A force on the tip does the work of a force on a place that turns about both axes, one inside the other; the place, its
-/// velocity and the load err by the third, the second and the second power of the angle, with rotations that are exact.
+/// A force on the tip does the work of a force on a place that rotates about both axes, one inside the other; the place, its velocity and
+/// the load err by the third, the second and the second power of the angle, against exact rotations.
 #[test]
 fn a_place_on_an_appendage_turns_with_it() {
     let mut assembly = placed();
@@ -84,7 +84,7 @@ fn a_place_on_an_appendage_turns_with_it() {
     }
 }
 
-/// A spring at a place is so much stiffness about each axis: `(a × s)ᵀ k (a × s)`.
+/// Stiffness of a spring at a place about each axis: `(a × s)ᵀ k (a × s)`.
 #[test]
 fn a_spring_at_a_place_stiffens_the_hinge() {
     let k = [[70.0, 5.0, -3.0], [5.0, 40.0, 2.0], [-3.0, 2.0, 55.0]];
@@ -201,8 +201,7 @@ fn formulas_of_torques_are_torques() {
     near(place, Turn::of(attitude).to_body([0.3, 0.2, 0.0]));
 }
 
-/// A bead in the middle of a string of half length `L` and tension `T`: across `2T/L` beside the stiffness of nothing, along
-/// `2k`; the carrier is heavy.
+/// Bead in the middle of a string of half length `L` and tension `T`: stiffness `2T/L` across, `2k` along; the carrier is heavy.
 fn string(prestress: Prestress) -> Assembly {
     let mut assembly = assembly();
     let carrier = assembly.carrier.as_mut().unwrap();
@@ -233,7 +232,7 @@ fn a_string_resists_across_with_its_tension_over_its_length() {
         for (found, expected) in found.iter().zip([across, across, along]) {
             assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
         }
-        // the tension loses nothing: across there is no damping
+        // the tension dissipates nothing: across there is no damping
         let n = V::new(2.0, -1.0, 0.5).normalize();
         let lost: f64 =
             body.damping().times(&[n.x, n.y, n.z]).iter().zip([n.x, n.y, n.z]).map(|(a, b)| a * b).sum();
@@ -245,8 +244,8 @@ fn a_string_resists_across_with_its_tension_over_its_length() {
     assert!(string(Prestress::Tension(-300.0)).body().is_err(), "and under pressure it buckles");
 }
 
-/// Energy of cables from tips that turn exactly, differenced twice: the stiffness of a mast on two cables under tension, in the
-/// angles of its hinge, to the curvature of its path.
+/// Energy of cables from tips that rotate exactly, differenced twice: the stiffness of a mast on two cables under tension, in the angles of
+/// its hinge, to the curvature of its path.
 #[test]
 fn tension_stiffens_along_curved_paths() {
     let mut assembly = placed();

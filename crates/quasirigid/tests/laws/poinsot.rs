@@ -33,7 +33,7 @@ fn gap(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 proptest! {
-    /// The spin starts where it was told to, keeps energy and momentum, and moves as Euler's equations say.
+    /// The angular velocity starts at the given value, keeps energy and angular momentum, and obeys Euler's equations.
     #[test]
     fn closed_form_satisfies_eulers_equations(
         moments in moments(), omega in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], t in -30.0..30.0_f64,
@@ -53,7 +53,7 @@ proptest! {
         prop_assert!(gap(slope, euler(moments, later)) < 1e-5 * spin * spin, "{slope:?}");
     }
 
-    /// The attitude turns the body at its spin, and keeps the momentum where it is.
+    /// The attitude rotates at the angular velocity and keeps the direction of the angular momentum.
     #[test]
     fn attitude_turns_at_the_spin(
         moments in moments(), omega in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], t in -30.0..30.0_f64,
@@ -90,7 +90,7 @@ proptest! {
     }
 }
 
-/// The rate at which an axis goes round the momentum, from the spin: `G (2E − Iω²)/(G² − I²ω²)`, averaged over the polhode.
+/// Precession rate of an axis about the angular momentum, from the spin: `G (2E − Iω²)/(G² − I²ω²)`, averaged over the polhode.
 #[test]
 fn mean_precession_of_the_long_axis_is_the_quadrature() {
     let moments = [0.61, 0.965, 1.0];
@@ -109,7 +109,7 @@ fn mean_precession_of_the_long_axis_is_the_quadrature() {
     }
 }
 
-/// Near an axis and near the separatrix the digits stay: the small numbers are exact limits.
+/// Near an axis and near the separatrix no digits are lost: the small numbers are exact limits.
 #[test]
 fn limits_lose_no_digits() {
     let [I1, I2, I3] = [0.7, 0.9, 1.2];
@@ -123,7 +123,7 @@ fn limits_lose_no_digits() {
         let expected = small * (I1 * (I3 - I1) / (I2 * (I3 - I2))).sqrt();
         assert!((quarter[1] / expected - 1.0).abs() < 1e-13 + small * small, "{quarter:?}");
     }
-    // On the separatrix ω₁ and ω₃ die as 1/cosh.
+    // On the separatrix ω₁ and ω₃ decay as 1/cosh.
     let third = 1.0;
     let first = third * (I3 * (I3 - I2) / (I1 * (I2 - I1))).sqrt();
     let motion = FreeRotation::through([I1, I2, I3], [first, 0.0, third]).unwrap();
@@ -158,7 +158,7 @@ fn symmetric_bodies_are_no_exceptions() {
     assert!(gap(slope, cross(sphere.attitude(3.001)[0], omega)) < 1e-5, "{slope:?}");
 }
 
-/// From periods to a motion and back.
+/// Periods give a motion, and the motion gives the periods.
 #[test]
 fn observed_periods_are_those_of_the_motion_found() {
     let moments = [2.1, 3.3, 3.5];
@@ -195,7 +195,7 @@ fn toutatis_has_the_published_energy() {
     assert!((1.895..1.905).contains(&over), "{over}");
 }
 
-/// The three angles make the attitude again, `R_z(φ) R_x(θ) R_z(ψ)`, and the motion through them is the one they are of.
+/// The three angles give the attitude again, `R_z(φ) R_x(θ) R_z(ψ)`, and so do the angles of the motion through them.
 #[test]
 fn euler_angles_are_those_of_the_attitude() {
     for (mode, xi, t) in

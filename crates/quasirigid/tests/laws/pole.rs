@@ -1,4 +1,4 @@
-//! Where the body is: the pole beside the centre of mass. (P7)
+//! Place of the body: the pole beside the centre of mass. (P7)
 
 use std::ops::ControlFlow;
 
@@ -65,7 +65,7 @@ impl Observer for Both {
     }
 }
 
-/// Centre of mass of the displaced parts, piece by piece, where the sample has the pole.
+/// Centre of mass of the displaced parts, piece by piece, with the pole of the sample.
 fn center(assembly: &Assembly, q: &[f64], sample: &Sample) -> V {
     let carrier = assembly.carrier.as_ref().unwrap();
     let rest = std::iter::once((carrier.mass, V::from(carrier.center_of_mass), V::zeros()));
@@ -78,8 +78,8 @@ fn center(assembly: &Assembly, q: &[f64], sample: &Sample) -> V {
     V::from(sample.pole) + V::from(inertial(sample.attitude, (moment / mass).into()))
 }
 
-/// Full and reduced, free and under drags, in both forms: the parts stand about the pole so that their centre of mass is the
-/// place of the sample. Where nothing acts that moves evenly.
+/// Full and reduced, free and under drags, in both forms: the parts are displaced about the pole so that their centre of mass is the place
+/// of the sample. Without forces that place moves evenly.
 #[test]
 fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
     let options = |form| Options { form, tolerance: 1e-12, ..Options::default() };
@@ -141,7 +141,7 @@ fn the_pole_accelerates_as_its_force_says() {
     assert!(gap < 1e-6 * norm(force), "{gap:e} of {:e}", norm(force));
 }
 
-/// The pole of the reduced motion is as good as its spin: its error falls as `ε^{p+1}`.
+/// The pole of the reduced motion is as accurate as its spin: its error falls as `ε^{p+1}`.
 #[test]
 fn the_pole_is_right_to_the_order() {
     for p in 2..=4 {

@@ -1,4 +1,4 @@
-//! What a propagation keeps, and what it accounts for. (P1)–(P6)
+//! Invariants and accounts of a propagation. (P1)–(P6)
 #![allow(clippy::print_stdout)]
 
 use std::f64::consts::TAU;
@@ -14,7 +14,7 @@ use quasirigid_math::vec3::norm;
 use super::wobbler::{attitude, inertial, reduced, times_to};
 use crate::support::{bodies, cases, direction};
 
-/// Where every deterministic run starts (rad/s).
+/// Start of every deterministic run (rad/s).
 const START: [f64; 3] = [0.5, -0.3, 0.9];
 
 fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
@@ -26,17 +26,17 @@ fn run(body: &ReducedBody, times: &[f64], options: Options) -> Vec<Sample> {
     samples
 }
 
-/// More steps than any run here needs: a run that goes astray ends.
+/// More steps than any run here needs: a diverging run ends.
 fn at(tolerance: f64) -> Options {
     Options { tolerance, most_steps: 1_000_000, ..Options::default() }
 }
 
-/// `|K|` is put back after each step, so only the rounding of one projection is left there; samples inside a step are
-/// as good as the tolerance of a step, which must be 1e-13 for thirteen digits. (P6)
+/// Projection on `|K|` after each step leaves only the rounding of one projection there; samples inside a step are as good as the tolerance
+/// of a step, which must be 1e-13 for thirteen digits. (P6)
 #[test]
 fn momentum_is_kept_through_ten_thousand_turns() {
     let body = reduced(3);
-    // The body turns more slowly as it loses energy.
+    // The body rotates more slowly as it loses energy.
     let times = times_to(1.1e4 * TAU / norm(START), 200);
     let G = norm(run(&body, &[0.0], at(1e-12))[0].angular_momentum);
     for tolerance in [1e-8, 1e-12, 1e-13] {
@@ -60,7 +60,7 @@ fn momentum_is_kept_through_ten_thousand_turns() {
     }
 }
 
-/// The inertial momentum is a constant vector, (P3).
+/// The inertial angular momentum is a constant vector, (P3).
 #[test]
 fn inertial_momentum_keeps_its_direction() {
     let body = reduced(3);
@@ -75,7 +75,7 @@ fn inertial_momentum_keeps_its_direction() {
     }
 }
 
-/// The angle about the momentum is the one that no constant fixes. A steady spin about an axis of symmetry turns it at a
+/// The angle about the angular momentum is the one that no constant fixes. A steady spin about an axis of symmetry advances it at a
 /// constant rate. (P3)
 #[test]
 fn a_steady_spin_turns_the_attitude_at_its_rate() {
@@ -96,7 +96,7 @@ fn a_steady_spin_turns_the_attitude_at_its_rate() {
     }
 }
 
-/// What the integrator makes of the energy stays a thousandth of what the dashpots take. (P4)
+/// The integrator's error of the energy stays a thousandth of the energy that the dashpots take. (P4)
 #[test]
 fn numerical_drift_stays_below_the_physical_dissipation() {
     let body = reduced(3);
@@ -105,8 +105,8 @@ fn numerical_drift_stays_below_the_physical_dissipation() {
     assert!(last.energy_drift.abs() < 1e-3 * last.dissipated, "{last:?}");
 }
 
-/// A loose run says how much energy it made, and the account closes: `E − E₀ = drift − dissipated` up to the truncation
-/// of the series, which is a few `|ω|/Ω` of the dissipation. (P4)
+/// A run of loose tolerance shows its error of the energy, and the account closes: `E − E₀ = drift − dissipated` up to the truncation of
+/// the series, which is a few `|ω|/Ω` of the dissipation. (P4)
 #[test]
 fn a_loose_tolerance_shows_in_the_account_of_energy() {
     let body = reduced(3);
@@ -140,7 +140,7 @@ fn a_rigid_body_keeps_its_energy() {
     }
 }
 
-/// Output at a time inside a step is as good as a step that ends there.
+/// Output at a time inside a step is as accurate as a step that ends there.
 #[test]
 fn dense_output_is_where_a_step_would_have_ended() {
     let body = reduced(3);
@@ -177,7 +177,7 @@ proptest! {
         let path = spin_path(&body, omega, &[0.5 * period, period], &at(1e-13)).unwrap();
         let gap = |i: usize| norm(std::array::from_fn(|k| path.omega[i][k] - omega[k])) / norm(omega);
         prop_assert!(gap(1) < 1e-8, "after a period {:e}, nome {}", gap(1), polhode.nome);
-        // Unless the spin stays next to an axis it is elsewhere after half a period.
+        // Unless the spin stays next to an axis, half a period takes it elsewhere.
         let K = times(body.J, omega);
         let moved = norm(quasirigid_math::vec3::cross(omega, K)) / (norm(omega) * norm(K));
         prop_assert!(gap(0) > 0.1 * moved, "after half a period {:e}", gap(0));

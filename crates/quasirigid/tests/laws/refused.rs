@@ -1,4 +1,4 @@
-//! What no body can have is refused, with the place and the value; nothing is repaired. Thresholds on both sides.
+//! Impossible bodies are refused, with the place and the value; nothing is repaired. Thresholds on both sides.
 
 use quasirigid::elements::{
     Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, Field, HingeCoefficient,
@@ -9,7 +9,7 @@ use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, 
 
 use super::wobbler;
 
-/// The error of the body with one change; [`Assembly::check`] finds the same one.
+/// Error of the body with one change; [`Assembly::check`] finds the same one.
 fn error(change: impl Fn(&mut Assembly)) -> Option<ElementError> {
     let mut assembly = wobbler::assembly();
     change(&mut assembly);
@@ -122,7 +122,7 @@ fn masses_must_be_positive() {
     assert_eq!(error(|a| a.points[0].mass = 1e-300), None);
 }
 
-/// In units of the largest moment, and in any unit. (I1)
+/// Thresholds are in units of the largest moment, and hold in any unit. (I1)
 #[test]
 fn inertia_tensors_are_judged_on_both_sides_of_the_line() {
     for unit in [1e-12, 1.0, 1e12] {
@@ -246,7 +246,7 @@ fn springs_need_two_ends_and_axial_ones_a_line() {
     assert_eq!(error(with(point, carrier, axial(Some([0.0; 3])))), None);
 }
 
-/// The appendage is a thin rod along x from its hinge: it has no inertia about its own line.
+/// Appendage that is a thin rod along x from its hinge: it has no inertia about its own line.
 fn rod(assembly: &mut Assembly, axes: Vec<[f64; 3]>) {
     let rod = &mut assembly.hinged[0];
     rod.hinge = [0.0; 3];
@@ -286,7 +286,7 @@ fn hinges_have_one_to_three_independent_axes_that_move_mass() {
         assembly.check()
     };
     assert_eq!(assembly(vec![y, [0.0, 1.0, 1.1e-6]]), []);
-    // A rod turns nothing about its own line; massive above 1e-12 of the largest moment, so for a sine above 1e-6.
+    // A rod has no inertia about its own line; an axis moves mass above 1e-12 of the largest moment, so for a sine above 1e-6.
     refused!(
         with(vec![[1.0, 0.0, 0.0]]),
         ElementKind::Hinged.at(0),
@@ -319,7 +319,7 @@ fn names_are_unique_among_points_and_appendages() {
     assert!(matches!(error(name).unwrap().problem, Problem::DuplicateName { name } if name == "mass"));
 }
 
-/// A dumb-bell turns about its own line without inertia. The line between the two is √ε of the largest moment.
+/// A dumb-bell rotates about its own line without inertia. The limit between the two is √ε of the largest moment.
 #[test]
 fn a_body_without_inertia_about_some_axis_is_refused() {
     let needle = |across: f64| {

@@ -1,4 +1,4 @@
-//! Forces that cannot be are refused, with the place and the value; and where the others act. Thresholds on both sides.
+//! Impossible forces are refused, with the place and the value; possible ones act at their places. Thresholds on both sides.
 
 use nalgebra::Vector3;
 use quasirigid::elements::{Assembly, ElementError, ElementId, ElementKind, End, Field, Problem, Station};
@@ -33,7 +33,7 @@ fn body(law: ForceLaw<Station>) -> Assembly {
     }
 }
 
-/// The error of a force; [`Assembly::check`] finds the same one and no other, and the body is none the worse for it.
+/// Error of a force; [`Assembly::check`] finds the same one and no other, and the body without the force is accepted.
 fn error(law: ForceLaw<Station>) -> Option<ElementError> {
     let assembly = body(law);
     assert!(assembly.body().is_ok());
@@ -145,7 +145,7 @@ fn the_start_of_a_driven_pole_is_finite() {
     assert_eq!(driven(GOOD, GOOD), None);
 }
 
-/// Places are from the pole, wherever the body is held, and those on a point move with it.
+/// Places are from the pole, wherever the body is fixed, and those on a point move with it.
 #[test]
 fn forces_act_at_their_stations() {
     let drag = |at| ForceLaw::Drag { at, coefficient: 1.0 };

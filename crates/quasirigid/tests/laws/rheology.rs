@@ -1,4 +1,4 @@
-//! Laws of material: their limits, what they must never do, and each against complex arithmetic written out here.
+//! Laws of material: their limits, their bounds, and each against complex arithmetic written out here.
 
 use nalgebra::Complex;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ fn laws() -> impl Strategy<Value = Rheology> {
     ]
 }
 
-/// The same modulus in complex numbers.
+/// Modulus in complex numbers.
 fn expected(law: &Rheology, frequency: f64) -> Complex<f64> {
     let (one, i) = (Complex::new(1.0, 0.0), Complex::new(0.0, 1.0));
     let at = |time: f64| i * (frequency * time);

@@ -1,4 +1,4 @@
-//! Bodies of extreme moments: every time is found with bounded work, and as exactly as it says.
+//! Bodies of extreme moments: every time is found with bounded work, and to the accuracy that is claimed.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 

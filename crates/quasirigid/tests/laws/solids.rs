@@ -87,7 +87,7 @@ fn faceted_ellipsoid_converges_to_the_ellipsoid() {
     }
 }
 
-/// A brick: axes turned, corners renumbered, units changed, and the same power.
+/// A brick: axes rotated, corners renumbered, units changed, and the same power.
 #[test]
 fn power_does_not_know_axes_or_units() {
     let corners: Vec<Vector3<f64>> = (0..8)
@@ -125,7 +125,7 @@ fn power_does_not_know_axes_or_units() {
     assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
 }
 
-/// Each degree adds to the compliance, ever less, and a body left to itself stops where it is enough.
+/// Each degree adds to the compliance, ever less, and the default choice stops where the compliance has converged.
 #[test]
 fn degrees_are_raised_until_the_compliance_has_converged() {
     let (vertices, triangles) = sphere(2);

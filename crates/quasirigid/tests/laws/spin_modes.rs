@@ -1,4 +1,4 @@
-//! Modes of the spinning body against the full system, which knows nothing of them. (M1)–(M5)
+//! Modes of the spinning body against the full system, an independent method. (M1)–(M5)
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
@@ -12,7 +12,7 @@ use quasirigid_math::vec3::norm;
 use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, units, vector};
 
-/// Size of the motion beside the steady spin: its square is left out.
+/// Size of the motion beside the steady spin, whose square is left out.
 const SMALL: f64 = 1e-5;
 /// Relative difference between a small motion and its mode: the square of its size, and a run at 1e-13.
 const DIFFERENCE: f64 = 1e-3;

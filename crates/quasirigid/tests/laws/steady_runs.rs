@@ -1,4 +1,4 @@
-//! Modes of bodies under moments against the full system, which knows nothing of them. (M6)–(M8)
+//! Modes of bodies under moments against the full system, an independent method. (M6)–(M8)
 
 use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
@@ -20,7 +20,7 @@ use crate::support::{assemblies, cases, direction, rotation};
 type V = Vector3<f64>;
 type C = Complex<f64>;
 
-/// Size of the motion beside the steady state: its square is left out.
+/// Size of the motion beside the steady state, whose square is left out.
 const SMALL: f64 = 1e-5;
 /// Relative difference between a small motion and its mode.
 const DIFFERENCE: f64 = 1e-3;
@@ -73,7 +73,7 @@ fn difference(
     let q = sum(&state.q, shape(0.0));
     let start =
         FullState { omega: [omega[0], omega[1], omega[2]], attitude, q, rate: rates, place, velocity };
-    // What else grows must not outgrow the mode.
+    // Other motions that grow must not outgrow the mode.
     let growth = modes.modes.iter().map(|mode| -mode.decay_rate).fold(0.0, f64::max);
     let t = (1.0 / rate).min(2.0 / growth);
     let mut last = Last::default();
@@ -85,7 +85,7 @@ fn difference(
     Some(scale(gap, &left) / SMALL)
 }
 
-/// A world with a steady state, as it may be: the support, forces, and the rate at which it is looked for.
+/// A world with a steady state: the support, the forces, and the rate at which the state is sought.
 fn world(
     assembly: &Assembly,
     kind: usize,

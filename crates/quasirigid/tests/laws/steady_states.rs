@@ -15,7 +15,7 @@ use crate::support::{cases, rotation, units};
 type V = Vector3<f64>;
 type C = Complex<f64>;
 
-/// A rigid body whose principal axes are turned in its file's axes, with its centre away from the origin.
+/// A rigid body whose principal axes are rotated in its file's axes, with its centre away from the origin.
 struct Rigid {
     mass: f64,
     moments: [f64; 3],
@@ -38,7 +38,7 @@ impl Rigid {
         Assembly { carrier: Some(self.carrier()), ..Assembly::default() }
     }
 
-    /// Held at a distance below the centre of mass along the third principal axis.
+    /// Body fixed at a distance below the centre of mass along the third principal axis.
     fn held(&self, below: f64) -> Assembly {
         let point = (self.center - below * self.axes.column(2)).into();
         Assembly { support: Support::FixedPoint { point }, ..self.free() }
@@ -87,7 +87,7 @@ fn apart(found: &[C], expected: &[C]) -> f64 {
     from(found, expected).max(from(expected, found)) / size
 }
 
-/// `a λ² + b λ + c = 0`.
+/// Roots of `a λ² + b λ + c = 0`.
 fn roots(a: f64, b: f64, c: f64) -> [C; 2] {
     let root = C::from(b * b - 4.0 * a * c).sqrt();
     [(-b + root) / (2.0 * a), (-b - root) / (2.0 * a)]
@@ -102,7 +102,7 @@ fn upper(lambda: &C) -> bool {
     lambda.im > -1e-12 * lambda.norm()
 }
 
-/// Turned axes with the third along a direction.
+/// Rotated axes with the third along a direction.
 fn frame(R: &Matrix3<f64>, tilt: f64) -> Matrix3<f64> {
     *Rotation3::from_axis_angle(&V::x_axis(), tilt).matrix() * R
 }
@@ -110,8 +110,8 @@ fn frame(R: &Matrix3<f64>, tilt: f64) -> Matrix3<f64> {
 proptest! {
     #![proptest_config(cases(48))]
 
-    /// A symmetric top upright at the spin `Ω`: in axes that do not turn with its own spin the axis obeys
-    /// `A ẍ − iCΩ ẋ − m g l x = 0`; in the body everything turns back at `Ω`. Critical: `C²Ω² = 4 A m g l`.
+    /// A symmetric top upright at the spin `Ω`: in axes that do not rotate with its own spin the axis obeys `A ẍ − iCΩ ẋ − m g l x = 0`; in
+    /// the body everything rotates backwards at `Ω`. Critical: `C²Ω² = 4 A m g l`.
     #[test]
     fn a_sleeping_top_has_the_motions_of_its_closed_form(
         R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..2.0f64, share in 0.3..1.9f64,
@@ -132,7 +132,7 @@ proptest! {
         let modes = found(&assembly, near(rate * axis, &attitude)).unwrap();
         let rate = rate * tilt.cos();
         prop_assert!((V::from(modes.state.omega) - rate * axis).norm() < 1e-9 * rate.abs(), "{:?}", modes.state);
-        // In the axes that stand still transverse motions e^{st}: A s² − iCΩ s − mgl = 0; in the body s − iΩ.
+        // In the axes at rest transverse motions e^{st}: A s² − iCΩ s − mgl = 0; in the body s − iΩ.
         let b = C3 * rate;
         let root = C::from(b * b - 4.0 * about * m * g * l).sqrt();
         let seen = [1.0, -1.0].map(|sign| C::i() * (b + sign * root) / (2.0 * about));
@@ -185,11 +185,11 @@ proptest! {
         let gap = apart(&eigenvalues(&modes), &[C::new(0.0, nods)]);
         prop_assert!(gap < 1e-9, "{gap:e} {:?} {nods}", eigenvalues(&modes));
         prop_assert!(modes.stable());
-        // Its turn about its own axis and the spin about it.
+        // Rotation about its own axis and the spin about it.
         prop_assert_eq!(modes.neutral, 2);
     }
 
-    /// Hanging at rest: `ν² = mgl/I` about each horizontal axis. Turned over: the same real. Weight or a support that accelerates.
+    /// Hanging at rest: `ν² = mgl/I` about each horizontal axis. Upside down: the same rates, real. Weight or an accelerated support.
     #[test]
     fn a_pendulum_swings_as_its_closed_form(
         R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..1.0f64, B in 0.5..1.0f64, l in 0.1..1.0f64,
@@ -273,8 +273,8 @@ proptest! {
         prop_assert!(gap < 1e-8, "{gap:e} {back:?}");
     }
 
-    /// A pivot carried round a circle: the body points outward, turns with it, and swings: in the plane `I₃ν² = mlRΩ²`; across it
-    /// with twist, `(I₁s² + (I₃−I₂)Ω²)(I₂s² + (I₃−I₁)Ω² + mlRΩ²) + (I₁+I₂−I₃)²Ω²s² = 0`.
+    /// A pivot moved round a circle: the body points outward, rotates with it, and swings: in the plane `I₃ν² = mlRΩ²`; across it with
+    /// twist, `(I₁s² + (I₃−I₂)Ω²)(I₂s² + (I₃−I₁)Ω² + mlRΩ²) + (I₁+I₂−I₃)²Ω²s² = 0`.
     #[test]
     fn a_centrifuge_pendulum_swings_as_its_closed_form(
         R in rotation(), S in rotation(), mass in 0.5..5.0f64, A in 0.5..1.0f64, B in 0.5..1.0f64, l in 0.1..1.0f64,
@@ -390,7 +390,7 @@ fn constant(value: f64) -> Expression {
     formula_of_t(&format!("{value:e}"))
 }
 
-/// A circular orbit of mean motion `n` whose plane is turned.
+/// A circular orbit of mean motion `n` whose plane is rotated.
 pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
     let (P, Q, W) = (S.column(0), S.column(1), S.column(2));
     let semi_major_axis = 7.0e6;
@@ -405,7 +405,7 @@ pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
     }
 }
 
-/// Why there is no steady state, of a held and of a free body with forces of these laws.
+/// Reason for which there is no steady state, of a fixed and of a free body with forces of these laws.
 fn refused(law: &[ForceLaw<Station>], free: bool, omega: V) -> String {
     let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
     let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };

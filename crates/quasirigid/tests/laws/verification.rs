@@ -14,7 +14,7 @@ use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
 
-/// Two sprung masses on a carrier, held and loaded as asked.
+/// Two sprung masses on a carrier, with a given support and given forces.
 fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
     let carrier = Carrier {
         mass: 40.0,
@@ -48,7 +48,7 @@ fn start(omega: [f64; 3]) -> Start {
     }
 }
 
-/// The orders of `p = 1, 2, …`, measured in the angular-momentum form; those of the angular-velocity form are reached too.
+/// Orders of `p = 1, 2, …`, measured in the angular-momentum form; those of the angular-velocity form are reached too.
 fn orders(assembly: &Assembly, omega: [f64; 3], highest: usize, rotations: f64) -> Vec<f64> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let system = Forced { body: &body, forces: &forces };
@@ -88,7 +88,7 @@ fn a_heavy_body_with_a_fixed_point_reaches_its_orders() {
     assert_orders(&orders(&assembly, [0.3, 0.2, 1.4], 3, 2.0));
 }
 
-/// Ten thousand times closer in time scale than a satellite, so that the gravity gradient matters within a turn.
+/// Ten thousand times closer in time scale than a satellite, so that the gravity gradient matters within a revolution.
 #[test]
 fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
     let orbit = Orbit {
@@ -104,7 +104,7 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
 }
 
-/// A drag, thrusters on a mass and on the carrier, turning torques, a dipole and a formula at once, on a body that flies.
+/// Drag, thrusters on a mass and on the carrier, torques, a dipole and a formula at once, on a body in flight.
 #[test]
 fn every_other_force_reaches_its_orders() {
     let tip = Station { on: End::Point(0), at: None };
@@ -182,7 +182,7 @@ fn averages_tend_to_the_full_system() {
     }
 }
 
-/// What has no average is refused, and a request to end is obeyed.
+/// A body without an average is refused, and a request to end is obeyed.
 #[test]
 fn averages_that_there_are_none_of_are_refused() {
     let refused = |assembly: &Assembly, omega: [f64; 3]| {

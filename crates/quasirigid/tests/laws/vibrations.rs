@@ -45,7 +45,7 @@ fn recoiling(body: &FlexibleBody) -> DMatrix<f64> {
 proptest! {
     #![proptest_config(cases(32))]
 
-    /// `Σ 1/Ω² = tr C⁻¹A`, held or free to recoil, and `Σ −Re λ = tr A⁻¹B`.
+    /// Sums over the vibrations: `Σ 1/Ω² = tr C⁻¹A`, fixed or free to recoil, and `Σ −Re λ = tr A⁻¹B`.
     #[test]
     fn sums_over_the_vibrations_are_traces(assembly in assemblies()) {
         let body = assembly.body().unwrap();
@@ -76,7 +76,7 @@ proptest! {
         prop_assert!(vibrations.decay_rates.iter().all(|rate| *rate > 0.0));
     }
 
-    /// At the lowest frequency `C − Ω²A` is singular and at no lower one, so it is the lowest. (V2)
+    /// Lowest frequency: `C − Ω²A` is singular there and at no lower one. (V2)
     #[test]
     fn the_lowest_frequency_is_the_lowest(assembly in assemblies()) {
         let body = assembly.body().unwrap();

@@ -9,7 +9,7 @@ use quasirigid_math::vec3::{add, cross, norm, scale};
 
 use super::evolution::tumbler;
 
-/// Rates of the full state: momentum, momenta of the coordinates, coordinates.
+/// Rates of the full state: angular momentum, momenta of the coordinates, coordinates.
 fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
     let n = body.coordinates().len();
     let (K, p, q) = ([state[0], state[1], state[2]], &state[3..3 + n], &state[3 + n..]);
@@ -47,7 +47,7 @@ fn eigenvalue_rate(body: &FlexibleBody, mode: Mode, G: f64) -> f64 {
     let omega = steady_spins(&reduced, G)[mode.circled()].unwrap().omega;
     let q = reduced.q.value(omega);
     let n = q.len();
-    // p = h(q)ω + A·0 of a steady state: what makes the rates of the coordinates vanish.
+    // p = h(q)ω + A·0 of a steady state, at which the rates of the coordinates vanish.
     let mut p = vec![0.0; n];
     let K = reduced.angular_momentum(omega);
     for _ in 0..30 {

@@ -46,7 +46,7 @@ pub fn assembly() -> Assembly {
     }
 }
 
-/// Its reduced equations.
+/// Reduced equations of the body.
 pub fn reduced(order: usize) -> ReducedBody {
     reduce(&assembly().body().unwrap(), order).unwrap()
 }

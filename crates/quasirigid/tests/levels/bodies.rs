@@ -22,7 +22,7 @@ pub fn with_tensor(J: Matrix3<f64>) -> Assembly {
     sprung_body(carrier, &[mass])
 }
 
-/// The same with moments `2(1 + δ·(0, 0.4, 1))` about turned axes.
+/// Free body with moments `2(1 + δ·(0, 0.4, 1))` about rotated axes.
 pub fn nearly_equal(difference: f64, turn: [f64; 3]) -> Assembly {
     let R = *Rotation3::new(Vector3::from(turn)).matrix();
     let moments = Vector3::new(2.0, 2.0 * (1.0 + 0.4 * difference), 2.0 * (1.0 + difference));

@@ -6,7 +6,7 @@ fn value(validity: &Validity, comparison: Comparison) -> f64 {
     validity.criteria.iter().find(|criterion| criterion.comparison == comparison).unwrap().value
 }
 
-/// The equations hold, the power of order 3 and averages along the rigid polhode do not; order 5 mends the power alone.
+/// Verdicts: the equations hold, the power of order 3 and averages along the rigid polhode do not; order 5 corrects the power alone.
 #[test]
 fn nearly_equal_moments_are_judged_in_three_parts() {
     let body = near_sphere().body().unwrap();

@@ -111,7 +111,7 @@ fn a_sphere_with_one_mass_ages_about_it() {
     assert_eq!(LevelEvolution::new(&flat, 1.0).err(), Some(LevelError::Flat));
 }
 
-/// Time, turns and angles of an evolution, with the axes of the file turned and its units changed.
+/// Time, revolutions and angles of an evolution, with the axes of the file rotated and its units changed.
 #[test]
 fn axes_and_units_change_nothing() {
     let aged = |assembly: &Assembly, omega: [f64; 3]| {
@@ -156,7 +156,7 @@ fn axes_and_units_change_nothing() {
     }
 }
 
-/// A weak wheel makes the two senses of every spin unlike: behind a separatrix the ways are listed, and each can be followed.
+/// A weak wheel makes the two senses of every spin unlike: behind a separatrix the continuations are listed, and each can be followed.
 #[test]
 fn ways_that_differ_are_both_told() {
     let speed = WheelSpeed::Constant { angular_momentum: 2e-4 };

@@ -1,4 +1,4 @@
-//! Where moments differ much, a level is nearly a rigid polhode.
+//! Limit of different moments: a level is nearly a rigid polhode.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::{Evolution, FreeRotation, LevelEvolution, PolynomialPower, RotationState, Until};
@@ -17,7 +17,7 @@ fn body(epsilon: f64) -> Assembly {
     stiffened(&distinct, epsilon.powi(-2), epsilon.powi(-1))
 }
 
-/// Time between two wobbles about the axis of greatest inertia, along levels and along polhodes: they close up as `ε²`.
+/// Time between two wobbles about the axis of greatest inertia, along levels and along polhodes: they converge as `ε²`.
 #[test]
 fn ageing_along_levels_tends_to_that_along_polhodes() {
     let gap = |epsilon: f64| {
@@ -47,7 +47,7 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
     }
 }
 
-/// From the axis of least inertia through the separatrix, time and turns as along polhodes.
+/// From the axis of least inertia through the separatrix, time and revolutions as along polhodes.
 #[test]
 fn the_way_leads_through_the_separatrix() {
     let reduced = reduce(&body(0.05).body().unwrap(), 3).unwrap();

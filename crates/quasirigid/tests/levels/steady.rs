@@ -1,3 +1,7 @@
+//! Steady spins of bodies with nearly equal moments: all zeros of the equations on a sphere of angular momentum.
+//! They are counted by the index theorem and matched with the critical points of the energy, so that none is missed or invented.
+//! Equations (N1) and (N2), docs/theory/17-levels.md.
+
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::averaging::LevelEvolution;
 use quasirigid::dynamics::{all_steady_spins, steady_spins};
@@ -7,8 +11,8 @@ use quasirigid_math::vec3::{cross, norm};
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
 
-/// Moments 2, 2, 1 kg m²: the mass off the axis breaks the symmetry, and leaves four steady spins of the equator. Azimuths found
-/// by an independent search for the zeros of `K × Ω(K)`.
+/// Body of moments 2, 2, 1 kg m²: the mass off the axis breaks the symmetry, and leaves four steady spins of the equator. Azimuths found by
+/// an independent search for the zeros of `K × Ω(K)`.
 #[test]
 fn a_mass_off_the_axis_leaves_four_steady_spins_of_the_equator() {
     let body = with_tensor(Matrix3::from_diagonal(&Vector3::new(2.0, 2.0, 1.0))).body().unwrap();

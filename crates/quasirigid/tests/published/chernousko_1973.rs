@@ -55,7 +55,7 @@ fn assert_close(name: &str, found: [f64; 3], expected: [f64; 3], tolerance: f64)
     }
 }
 
-/// The paper's own form (R15) gives these by hand.
+/// The angular-velocity form of the paper (R15) gives these by hand.
 #[test]
 fn triaxial_body_has_the_rational_torque() {
     let body = body([2.0, 3.0, 4.0], 0.1, [0.5, -0.3, 0.8], 1000.0, 2.0);
@@ -81,7 +81,7 @@ fn axial_mass_has_the_closed_torque() {
     }
 }
 
-/// The coefficients themselves, read off the derived polynomial.
+/// Coefficients themselves, read off the derived polynomial.
 #[test]
 fn axial_mass_has_the_closed_coefficients() {
     let reduced = reduce(&AXIAL.assembly().body().unwrap(), 3).unwrap();
@@ -117,8 +117,8 @@ fn tensors_contract_to_the_torque() {
     }
 }
 
-/// The whole passage from 79° to 5.7° off the axis. In the angular-velocity form the law is exact, so nothing but the integrator
-/// is between the two.
+/// Secular evolution from 79° to 5.7° off the axis. In the angular-velocity form the law is exact, so only the integrator is between the
+/// two.
 #[test]
 fn axial_mass_keeps_its_law_in_time() {
     let problem = AxialMass { c: 10.0, b: 3.0, ..AXIAL };
@@ -158,8 +158,8 @@ fn full_over_reduced(case: &AxialMass, order: usize) -> [f64; 2] {
     [samples[100].dissipated / mean, (precession - rigid) / (-case.F() * dot(K, K) * omega[2])]
 }
 
-/// Departures `4.09/Ω₀²` in the power and `2.1/Ω₀²` in the precession, as simulated by others. They do not say how heavy
-/// their body was; what is left of the departure at 2 kg altogether is of the next order.
+/// Departures `4.09/Ω₀²` in the power and `2.1/Ω₀²` in the precession, as simulated by others. They do not say how heavy their body was;
+/// the rest of the departure at 2 kg altogether is of the next order.
 #[test]
 fn full_dynamics_departs_from_the_closed_form_as_simulated() {
     for (frequency, power, rate) in

@@ -15,7 +15,7 @@ fn rows(table: &str) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// The largest differences from the table: of the spin, the attitude, and the energy.
+/// Largest differences from the table: of the spin, the attitude, and the energy.
 fn differences(table: &str, tolerance: f64) -> [f64; 3] {
     let rows = rows(table);
     let case = CommonProblem::named(table.trim_end_matches("_s")).unwrap();
@@ -59,7 +59,7 @@ fn full_system_follows_the_reference_for_thousands_of_turns() {
     assert!(spin < 1e-8 && attitude < 1e-6 && energy < 1e-9, "{spin:e} {attitude:e} {energy:e}");
 }
 
-/// The vibrations die out, and then the steps no longer know how stiff the springs are.
+/// The vibrations decay, and then the steps no longer depend on the stiffness of the springs.
 #[test]
 fn work_does_not_grow_with_the_stiffness() {
     let steps = |case: CommonProblem| {

@@ -48,7 +48,7 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() <= tolerance, "{what}: {found:e}, expected {expected:e}");
 }
 
-/// The entries of a compliance that a table prints: three on the diagonal, three beside it, three shears.
+/// Entries of a compliance that a table prints: three on the diagonal, three beside it, three shears.
 fn printed(S: [[f64; 6]; 6]) -> [f64; 9] {
     let shears: f64 = (0..6)
         .flat_map(|i| (3..6).map(move |j| (i, j)))
@@ -114,8 +114,8 @@ impl MeanPower for Stronger<'_> {
     }
 }
 
-/// Both methods to the power of the asteroid: the mean of the polynomial, and the sum over the harmonics, of a body so stiff
-/// and a Kelvin–Voigt time so short that the frequencies are as good as zero, scaled up.
+/// Two methods for the power of the asteroid: the mean of the polynomial, and the sum over the harmonics, of a body so stiff and a
+/// Kelvin–Voigt time so short that the frequencies are as good as zero, scaled up.
 fn both_roads(check: impl Fn(&dyn MeanPower)) {
     let polynomial = reduce(&asteroid(1e9, Rheology::KelvinVoigt { time: 100.0 }), 3).unwrap();
     check(&PolynomialPower::from_reduced(&polynomial));

@@ -72,7 +72,7 @@ fn reached(history: &[(f64, f64)], degrees: f64) -> f64 {
     t0 + (t1 - t0) * (degrees - a) / (b - a)
 }
 
-/// The reference turns its hinges by finite rotations, ours to second order: 0.1 rad of deflection, 1 % of the times.
+/// The reference rotates its hinges by finite rotations, ours to second order: 0.1 rad of deflection, 1 % of the times.
 #[test]
 fn the_satellite_that_flew_tips_over_as_the_reference_does() {
     let times: Vec<f64> = (0..=10_000).map(|i| f64::from(i) / 100.0).collect();
@@ -104,8 +104,8 @@ fn small_nutation_of_the_satellite_that_flew_grows_as_the_reference_says() {
     assert!((rate / 0.074_415_60 - 1.0).abs() < 1e-4, "{rate}");
 }
 
-/// Dissipation of a full run of the stiffened satellite over the closed form at the momentum across the tube, and growth of
-/// the nutation over its closed form.
+/// Dissipation of a full run of the stiffened satellite over the closed form at the angular momentum across the tube, and growth of the
+/// nutation over its closed form.
 fn over_closed_form(ratio: f64, zeta: f64) -> [f64; 2] {
     let satellite = Explorer1::stiffened(ratio, zeta);
     let body = satellite.assembly().body().unwrap();

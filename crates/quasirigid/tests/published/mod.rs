@@ -1,4 +1,4 @@
-//! Do we get the numbers that others printed?
+//! Published numbers against ours.
 
 mod chernousko_1973;
 mod common_problem;

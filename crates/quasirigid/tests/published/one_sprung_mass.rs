@@ -8,7 +8,7 @@ use quasirigid_math::polynomial::monomial::count;
 
 const TABLE: &str = include_str!("../../../../data/published/one_sprung_mass/mu_A.csv");
 
-/// Relative to the largest coefficient of the degree; the table has 17 digits and a coefficient some fifty operations.
+/// Tolerance relative to the largest coefficient of the degree; the table has 17 digits and a coefficient some fifty operations.
 const TOLERANCE: f64 = 1e-12;
 
 /// Degree, exponents and torque of every row.

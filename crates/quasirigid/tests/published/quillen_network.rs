@@ -1,4 +1,4 @@
-//! The same N-body runs against networks of the same recipe, solved by the discrete theory: no modulus is needed. The random
+//! N-body runs of the ellipsoid test against networks of the same recipe, solved by the discrete theory: no modulus is needed. The random
 //! places of the runs are not known, so each network is another of its kind.
 
 use std::collections::BTreeMap;
@@ -17,7 +17,7 @@ const REACH: f64 = 0.279;
 const YOUNG: f64 = 3.0;
 const TIME: f64 = 0.01;
 
-/// A network, its numbers of masses and springs, and the body it is for springs of the time [`TIME`].
+/// A network, its numbers of masses and springs, and the body of it for springs of the time [`TIME`].
 fn network(shape: [f64; 2]) -> ([usize; 2], FlexibleBody) {
     let network = Network {
         name: "rubble".into(),

@@ -1,4 +1,4 @@
-//! Runs of wobbling mass-spring bodies by other people, and what a body of ours loses in one. `data/published/quillen_2019`.
+//! Runs of wobbling mass-spring bodies by other people, and the loss of a body of ours in one. `data/published/quillen_2019`.
 
 use quasirigid::averaging::{FreeRotation, MeanPower, Response};
 use quasirigid::elements::{Assembly, Ellipsoid, Material};
@@ -13,11 +13,11 @@ pub struct SteadyRun {
     pub shape: [f64; 2],
     /// Spin in the principal axes of the figure.
     pub omega: [f64; 3],
-    /// Young's modulus of its outer parts, estimated.
+    /// Young's modulus of the outer parts of the body, estimated.
     pub outer: f64,
-    /// Relaxation time of its springs.
+    /// Relaxation time of the springs.
     pub time: f64,
-    /// Rate of its energy.
+    /// Rate of the energy.
     pub measured: f64,
 }
 
@@ -61,7 +61,7 @@ pub fn power(body: &FlexibleBody, omega: [f64; 3]) -> f64 {
     response.mean_power(&FreeRotation::through(principal.moments, omega).unwrap())
 }
 
-/// Median of ratios, and how many are within a fifth of one.
+/// Median of ratios, and the number within a fifth of one.
 pub fn summary(ratios: &mut [f64]) -> (f64, usize) {
     ratios.sort_by(f64::total_cmp);
     let near = ratios.iter().filter(|ratio| (0.8..1.2).contains(*ratio)).count();

@@ -9,7 +9,7 @@ use quasirigid_math::vec3::norm;
 const MODES: &str = include_str!("../../../../data/published/spin_modes/modes.csv");
 const EQUILIBRIA: &str = include_str!("../../../../data/published/spin_modes/equilibria.csv");
 
-/// Relative; the table is good to 1e-9 of the largest eigenvalue of a case.
+/// Relative tolerance; the table is good to 1e-9 of the largest eigenvalue of a case.
 const TOLERANCE: f64 = 1e-8;
 
 fn numbers(line: &str) -> Vec<f64> {

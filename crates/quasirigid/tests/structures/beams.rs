@@ -1,4 +1,4 @@
-//! A beam on a hub that is too heavy to feel it, with a name for every node; and the same with straight paths.
+//! A beam on a hub of nearly infinite inertia, with a name for every node; and the beam with straight paths.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
@@ -11,7 +11,7 @@ use quasirigid_math::sparse::SparseRows;
 
 use super::common::turned_axes;
 
-/// A beam from the centre of a hub outwards, along the first of the turned axes.
+/// A beam from the centre of a hub outwards, along the first of the rotated axes.
 #[derive(Clone)]
 pub struct Cantilever {
     pub length: f64,
@@ -19,12 +19,12 @@ pub struct Cantilever {
     pub elements: usize,
     pub section: SectionShape,
     pub material: Material,
-    /// Inertia of the hub, the same about each axis.
+    /// Inertia of the hub, equal about each axis.
     pub hub: f64,
     pub reduction: PartReduction,
 }
 
-/// Where the beam is clamped.
+/// Place at which the beam is clamped.
 const ROOT: [f64; 3] = [0.4, -1.1, 0.7];
 
 impl Cantilever {
@@ -98,8 +98,7 @@ impl Cantilever {
         .unwrap()
     }
 
-    /// Displacement of the tip in the turned axes: along the beam, across it in the plane of the turn, and along the
-    /// spin.
+    /// Displacement of the tip in the rotated axes: along the beam, across it in the plane of the rotation, and along the spin.
     pub fn tip(&self, body: &FlexibleBody, q: &[f64]) -> Vector3<f64> {
         let shapes = &body.markers()[self.elements].shapes;
         let displacement: Vector3<f64> = shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum();

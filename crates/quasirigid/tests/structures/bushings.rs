@@ -30,14 +30,14 @@ fn column(axis: usize) -> [f64; 3] {
     turned_axes().matrix().column(axis).into_owned().into()
 }
 
-/// Coefficient with these values along the turned axes.
+/// Coefficient with these values along the rotated axes.
 fn turned(values: [f64; 3]) -> Coefficient {
     let R = *turned_axes().matrix();
     let full = R * Matrix3::from_diagonal(&V::from(values)) * R.transpose();
     Coefficient::Full(std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (full[(i, j)] + full[(j, i)]))))
 }
 
-/// Between the carrier and an end, in the turned axes, without any coefficient.
+/// Bushing between the carrier and an end, in the rotated axes, without any coefficient.
 fn bushing(to: End) -> Bushing {
     Bushing {
         name: String::new(),
@@ -159,7 +159,7 @@ const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0
 const SECTION: SectionShape =
     SectionShape::General { area: 1e-4, second_y: 2e-9, second_z: 2e-9, torsion: 4e-9, shear: None };
 
-/// A straight beam in the turned axes, with a mass at its end.
+/// Straight beam in the rotated axes, with a mass at its end.
 fn beam(name: &str, turn: Rotation3<f64>, [from, to]: [V; 2], mass: Option<f64>, density: f64) -> Part {
     let node = |name: &str, place: V| FrameNode { name: name.into(), position: (turn * place).into() };
     let member = Member {
@@ -186,7 +186,7 @@ fn beam(name: &str, turn: Rotation3<f64>, [from, to]: [V; 2], mass: Option<f64>,
     }
 }
 
-/// A tip whose rotation a spring resists: `k = 12 EI/L³ − (6 EI/L²)²/(4 EI/L + κ)` for a mass on a light cantilever.
+/// A tip with a rotational spring: `k = 12 EI/L³ − (6 EI/L²)²/(4 EI/L + κ)` for a mass on a light cantilever.
 #[test]
 fn a_rotational_bushing_stiffens_the_tip_of_a_beam() {
     let (length, mass, EI) = (1.7, 0.8, 70e9 * 2e-9);
@@ -285,7 +285,7 @@ fn bushings_that_cannot_be_are_refused() {
     assert!(mad.field == Field::new("rotational_stiffness"), "{mad}");
 }
 
-/// A clamped beam whose tip a stiff bushing holds on the carrier is clamped at both ends: `4.730² √(EI/ρA)/L²`.
+/// A clamped beam whose tip a stiff bushing fixes to the carrier is clamped at both ends: `4.730² √(EI/ρA)/L²`.
 #[test]
 fn a_stiff_bushing_on_the_carrier_clamps_the_tip_of_a_beam() {
     let (length, density) = (1.7, 2700.0);
@@ -308,7 +308,7 @@ fn a_stiff_bushing_on_the_carrier_clamps_the_tip_of_a_beam() {
     assert!((held(1e8) / of(4.730041) - 1.0).abs() < 3e-3, "{}", held(1e8) / of(4.730041));
 }
 
-/// A node of a solid has no rotation: a bushing at it is a full spring, and gives the solid no coordinate more.
+/// A node of a solid has no rotations: a bushing at it is a full spring, and gives the solid no additional coordinate.
 #[test]
 fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.4, 0.0], [0.0, 0.4, 0.0]];
@@ -331,7 +331,7 @@ fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
         parts: vec![part],
         ..satellite(boom(vec![column(0)], vec![200.0], vec![1.0]), Vec::new())
     };
-    // the last node of the structure: nothing stands behind it
+    // the last node of the structure: nothing follows it
     let corner = End::Node(NodeRef { part: 0, node: 7 });
     let with_bushing =
         Assembly { bushings: vec![Bushing { stiffness: k, damping: b, ..bushing(corner) }], ..base.clone() };
@@ -342,4 +342,102 @@ fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
     let count = |assembly: &Assembly| assembly.body().unwrap().coordinates().len();
     assert_eq!(count(&with_bushing), count(&with_spring));
     assert!(difference(&with_bushing, &with_spring) < 1e-9, "{:e}", difference(&with_bushing, &with_spring));
+}
+
+/// Two booms about parallel axes: `K = Σ k_i E_i E_iᵀ` with `E = (−(a×(c−h₁), a), (a×(c−h₂), a))` over both inertias about the axis. (I11)
+#[test]
+fn a_bushing_between_two_booms_strains_by_the_difference() {
+    let axis = V::new(0.3, -0.8, 0.5).normalize();
+    let first = boom(vec![axis.into()], vec![70.0], vec![0.0]);
+    let second = Hinged {
+        name: "other".into(),
+        hinge: [-0.6, 0.5, 0.2],
+        mass: 1.9,
+        places: vec![("root".into(), [-0.6, 0.5, 0.2]), ("tip".into(), [1.4, 0.3, -0.7])],
+        ..first.clone()
+    };
+    let center = V::new(0.4, 0.1, 0.6);
+    let (k, kappa) = ([500.0, 800.0, 300.0], [12.0, 3.0, 30.0]);
+    let between = Bushing {
+        from: ON_BOOM,
+        center: Some(center.into()),
+        stiffness: k,
+        rotational_stiffness: kappa,
+        ..bushing(End::Hinged(PlaceRef { hinged: 1, place: 1 }))
+    };
+    let both = [&first, &second].map(Clone::clone);
+    let assembly = Assembly {
+        carrier: Some(ground()),
+        hinged: both.to_vec(),
+        ..satellite(first.clone(), vec![between])
+    };
+    let E = both.clone().map(|boom| turned_axes().inverse() * axis.cross(&(center - V::from(boom.hinge))));
+    let turn = turned_axes().inverse() * axis;
+    let entry = |i: usize, j: usize| -> f64 {
+        let sign = if i == j { 1.0 } else { -1.0 };
+        let strain: f64 = (0..3).map(|n| k[n] * E[i][n] * E[j][n] + kappa[n] * turn[n].powi(2)).sum();
+        sign * strain + if i == j { 70.0 } else { 0.0 }
+    };
+    let inertia = both.map(|boom| {
+        let arm = axis.cross(&(V::from(boom.center_of_mass) - V::from(boom.hinge)));
+        axis.dot(&(Matrix3::from(boom.inertia) * axis)) + boom.mass * arm.norm_squared()
+    });
+    let scaled = |i: usize, j: usize| entry(i, j) / (inertia[i] * inertia[j]).sqrt();
+    let (mean, half) = (0.5 * (scaled(0, 0) + scaled(1, 1)), 0.5 * (scaled(0, 0) - scaled(1, 1)));
+    let root = half.hypot(scaled(0, 1));
+    let found = frequencies(&assembly.body().unwrap()).unwrap();
+    for (frequency, square) in found.iter().zip([mean - root, mean + root]) {
+        assert!((frequency / square.sqrt() - 1.0).abs() < 1e-9, "{frequency} {}", square.sqrt());
+    }
+}
+
+/// Two points at one place: a bushing between them is a full spring, and pulls them in opposite senses.
+#[test]
+fn a_bushing_between_two_points_is_a_full_spring() {
+    let point = |name: &str, mass: f64| Point {
+        name: name.into(),
+        mass,
+        position: [0.7, 1.1, -0.6],
+        motion: PointMotion::Free,
+    };
+    let spatial = |from: End, to: End, k: [f64; 3], b: [f64; 3]| Spring {
+        name: "s".into(),
+        from,
+        to,
+        law: SpringLaw::Spatial { stiffness: turned(k), damping: turned(b) },
+        rheology: Rheology::Elastic,
+    };
+    let (k, b) = ([500.0, 800.0, 300.0], [4.0, 9.0, 2.0]);
+    let to_carrier = |index: usize, k: f64| spatial(End::Carrier, End::Point(index), [k; 3], [1.0; 3]);
+    let base = Assembly {
+        points: vec![point("a", 1.3), point("b", 0.4)],
+        springs: vec![to_carrier(0, 700.0), to_carrier(1, 200.0)],
+        ..satellite(boom(vec![column(0)], vec![200.0], vec![1.0]), Vec::new())
+    };
+    let mut with_spring = base.clone();
+    with_spring.springs.push(spatial(End::Point(0), End::Point(1), k, b));
+    let between = Bushing { from: End::Point(0), stiffness: k, damping: b, ..bushing(End::Point(1)) };
+    let with_bushing = Assembly { bushings: vec![between], ..base };
+    assert!(difference(&with_bushing, &with_spring) < 1e-12);
+}
+
+/// Nodes apart that a stiff bushing joins are one rigid piece, wherever its centre is, as if they were welded.
+#[test]
+fn a_stiff_bushing_between_nodes_apart_is_a_rigid_link() {
+    let lowest = |center: Option<V>| {
+        let mut assembly = corner(turned_axes(), center.map(|_| 3e8));
+        let PartKind::Frame(frame) = &mut assembly.parts[1].kind else { unreachable!("beams") };
+        for node in &mut frame.nodes {
+            node.position = (V::from(node.position) + V::new(0.3, -0.2, 0.5)).into();
+        }
+        if let (Some(bushing), Some(center)) = (assembly.bushings.first_mut(), center) {
+            bushing.center = Some(center.into());
+        }
+        frequencies(&assembly.body().unwrap()).unwrap()[0]
+    };
+    let weld = lowest(None);
+    for center in [V::new(0.3, -0.6, 0.8), V::new(-0.2, 0.5, 0.1)] {
+        let stiff = lowest(Some(center));
+        assert!((stiff / weld - 1.0).abs() < 1e-5, "{}", stiff / weld);
+    }
 }

@@ -1,4 +1,4 @@
-//! What the tests of structures share: turned axes, the compliance of a body, and the error beside another matrix.
+//! Common parts of the tests of structures: rotated axes, the compliance of a body, and the error relative to another matrix.
 
 use nalgebra::{Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3};
 use quasirigid::model::FlexibleBody;
@@ -49,7 +49,7 @@ pub fn vector_error(found: [f64; 3], expected: [f64; 3]) -> f64 {
     (Vector3::from(found) - Vector3::from(expected)).amax() / Vector3::from(expected).amax()
 }
 
-/// Numbers between −1 and 1 that are the same on every machine.
+/// Numbers between −1 and 1 that are equal on every machine.
 pub struct Numbers(pub u64);
 
 impl Numbers {

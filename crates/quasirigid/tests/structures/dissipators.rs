@@ -1,4 +1,4 @@
-//! What dissipates in a structure: names, and shares that sum to the whole.
+//! Dissipators of a structure: names, and shares that sum to the whole.
 
 use nalgebra::DMatrix;
 use quasirigid::elements::{
@@ -9,7 +9,7 @@ use quasirigid::model::{FlexibleBody, Rheology};
 
 use crate::support::matrices::dense;
 
-/// Relative to the largest entry of the whole.
+/// Rounding relative to the largest entry of the whole.
 const ROUNDING: f64 = 1e-12;
 
 fn boom(name: &str, from: [f64; 3], to: [f64; 3], rheologies: &[Rheology], rayleigh: [f64; 2]) -> Part {
@@ -125,7 +125,7 @@ fn dissipators_of_parts_sum_to_the_whole() {
     );
 }
 
-/// The share of a part is what the body dissipates when all others do not: the coordinates are kept, the losses left out.
+/// Share of a part: the dissipation of the body when all others dissipate nothing; the coordinates are kept, the losses left out.
 #[test]
 fn a_dissipator_alone_keeps_its_damping() {
     let whole = satellite().body().unwrap();
@@ -137,8 +137,8 @@ fn a_dissipator_alone_keeps_its_damping() {
         }
     });
     let twice = assembly.body().unwrap();
-    // The space of the coordinates holds the answers to each loss, and is the same for twice the dashpots up to rotations in it;
-    // traces over the stiffness are not.
+    // The space of the coordinates holds the responses to each loss, and is the same for twice the dashpots up to rotations in it; traces
+    // over the stiffness are not.
     let trace = |body: &FlexibleBody, name: &str| {
         let part = body.dissipators().iter().find(|part| part.name == name).unwrap();
         let stiffness = dense(body.stiffness()).cholesky().unwrap();

@@ -1,4 +1,4 @@
-//! Meshes of an ellipsoid against the exact ellipsoid: mass, inertia and compliance, and how fast they approach it.
+//! Meshes of an ellipsoid against the exact ellipsoid: mass, inertia and compliance, and their rate of convergence.
 
 use std::f64::consts::PI;
 
@@ -23,7 +23,7 @@ fn rock(poisson: f64) -> Material {
     Material { density: DENSITY, young, poisson, rheology: Rheology::Elastic }
 }
 
-/// An ellipsoid of cells, its axes turned, its centre off the origin.
+/// Ellipsoid of cells, its axes rotated, its centre off the origin.
 fn meshed(shape: Shape, n: usize, semi_axes: [f64; 3], poisson: f64) -> FlexibleBody {
     let axes = turned_axes();
     let place = |x: Vector3<f64>| {
@@ -89,7 +89,7 @@ fn every_cell_approaches_the_ellipsoid_at_its_order() {
     }
 }
 
-/// Two methods to the exact one: the table, and the element made of polynomials. The same mesh in both.
+/// Two methods against the exact one: the table, and the element made of polynomials. The same mesh in both.
 #[test]
 fn meshes_agree_with_the_element_and_the_table() {
     let axes = turned_axes();
@@ -115,7 +115,7 @@ fn meshes_agree_with_the_element_and_the_table() {
     }
 }
 
-/// A sphere that keeps its volume: Love's limit, and the closed form at Poisson's ratio 0.4999.
+/// An incompressible sphere: Love's limit, and the closed form at Poisson's ratio 0.4999.
 #[test]
 fn quadratic_cells_do_not_lock() {
     let poisson = 0.4999;

@@ -1,4 +1,4 @@
-//! A body as another program exports it: matrices between nodes that turn, and its modes.
+//! A body as another program exports it: matrices between nodes with rotations, and its modes.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::elements::{Matrices, NodalMass, PartKind};
@@ -18,8 +18,7 @@ pub const NODES: usize = 5;
 pub const RATIO: f64 = 0.03;
 
 impl Body {
-    /// Nodes that are small rigid bodies, with any stiffness between them; one that resists no motion of the whole if it
-    /// floats.
+    /// Nodes that are small rigid bodies, with any stiffness between them, or one that resists no rigid motion if the body floats.
     pub fn new(seed: u64, floats: bool) -> Self {
         let mut numbers = Numbers(seed);
         let mut next = || numbers.next();
@@ -48,7 +47,7 @@ impl Body {
         Self { mass, M, K }
     }
 
-    /// The same with the first node held by the program that it comes from: without its rows.
+    /// The body with its first node constrained by the program that it comes from: without its rows.
     pub fn held(mut self) -> Self {
         self.M = self.M.remove_rows(0, 6).remove_columns(0, 6);
         self.K = self.K.remove_rows(0, 6).remove_columns(0, 6);
@@ -61,7 +60,7 @@ impl Body {
         self.M.nrows()
     }
 
-    /// As matrices, with the damping ratio [`RATIO`] in the modes that leave the first nodes at rest.
+    /// Matrices of the body, with the damping ratio [`RATIO`] in the modes that leave the first nodes at rest.
     pub fn matrices(&self, still: usize) -> PartKind {
         let fixed = self.modes(still);
         let weights = DMatrix::from_diagonal(&fixed.frequencies.map(|frequency| 2.0 * RATIO * frequency));
@@ -92,7 +91,7 @@ impl Body {
         Found { shapes, frequencies: DVector::from_iterator(rest, frequencies) }
     }
 
-    /// Answers of the nodes beyond the first to displacements of these: constraint modes.
+    /// Responses of the nodes beyond the first to displacements of these: constraint modes.
     pub fn constraint_modes(&self, still: usize) -> DMatrix<f64> {
         let (first, rest) = (6 * still, self.size() - 6 * still);
         if still == 0 {
@@ -113,7 +112,7 @@ pub struct Found {
     pub frequencies: DVector<f64>,
 }
 
-/// The six motions as a rigid body.
+/// The six rigid motions.
 fn rigid(nodes: &[[f64; 3]]) -> DMatrix<f64> {
     let mut rigid = DMatrix::zeros(6 * nodes.len(), 6);
     for (node, place) in nodes.iter().enumerate() {

@@ -73,7 +73,7 @@ fn frequencies(body: &FlexibleBody, spin: f64) -> Vec<f64> {
     found
 }
 
-/// The booms stiffen by the spin as on a carrier, whose frame turns against that of the whole by what they bend. What is left
+/// The booms stiffen by the spin as on a carrier, whose frame rotates against that of the whole by the bending of the booms. The difference
 /// is of the third order in the displacements, which go with the square of the spin.
 #[test]
 fn a_frame_has_the_same_vibrations_floating_and_on_its_middle() {

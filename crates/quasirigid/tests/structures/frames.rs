@@ -9,7 +9,7 @@ use quasirigid::reduction::reduce;
 
 const ROOT: [f64; 3] = [0.6, -0.2, 0.4];
 const TIP: [f64; 3] = [1.9, 0.9, 1.1];
-/// Thick enough that the turning of the sections counts: a thousandth of the inertia.
+/// Radius large enough that the rotary inertia of the sections counts: a thousandth of the inertia.
 const RADIUS: f64 = 0.12;
 
 fn carrier() -> Carrier {
@@ -53,7 +53,7 @@ fn of_beams(axes: &[[f64; 3]], stiffness: f64, damping: f64, young: f64, order: 
     .unwrap()
 }
 
-/// The same as a rigid cylinder.
+/// The boom on a hinge, as a rigid cylinder.
 fn of_a_rod(axes: &[[f64; 3]], stiffness: f64, damping: f64) -> FlexibleBody {
     let line = [0, 1, 2].map(|axis| TIP[axis] - ROOT[axis]);
     let length = line.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
@@ -79,8 +79,9 @@ fn of_a_rod(axes: &[[f64; 3]], stiffness: f64, damping: f64) -> FlexibleBody {
     Assembly { carrier: Some(carrier()), hinged: vec![hinged], ..Assembly::default() }.body().unwrap()
 }
 
-/// Two methods to the same hinge: finite elements with a connection, their curved paths from the stress of the loads;
-/// and a rigid appendage with its paths in closed form. All degrees up to the seventh agree as the beams stiffen; with two axes, which gimbals and a rotation vector count differently, those up to the fifth.
+/// Two methods for one hinge: finite elements with a connection, their curved paths from the stress of the loads; and a rigid appendage
+/// with its paths in closed form. All degrees up to the seventh agree as the beams stiffen; with two axes, which gimbals and a rotation
+/// vector count differently, those up to the fifth.
 #[test]
 fn stiff_beams_on_a_hinge_are_a_hinged_appendage() {
     for (axes, order) in [(vec![[0.3, -0.8, 0.5]], 5), (vec![[0.3, -0.8, 0.5], [0.9, 0.4, 0.1]], 3)] {
@@ -93,7 +94,7 @@ fn stiff_beams_on_a_hinge_are_a_hinged_appendage() {
             (0..3).map(|axis| (found[axis] - expected[axis]).abs()).fold(0.0, f64::max) / largest
         };
         let errors = [1e9, 1e11].map(error);
-        // What bends is in proportion to the compliance of the beams.
+        // Bending is in proportion to the compliance of the beams.
         assert!(errors[1] < 1e-5 && (errors[1] / errors[0] / 0.01 - 1.0).abs() < 0.1, "{errors:?}");
     }
 }

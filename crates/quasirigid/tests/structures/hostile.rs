@@ -1,4 +1,5 @@
-//! Solids inside surfaces that no family of necks holds: rings, arcs, bowls, plates aslant; the error told bounds the true one there too.
+//! Solids inside surfaces outside the family of necks: rings, arcs, bowls, plates aslant; the estimated error bounds the true one there
+//! too.
 
 use std::f64::consts::{PI, TAU};
 
@@ -86,7 +87,7 @@ fn thin_at_one_place(angle: f64) -> f64 {
     0.3 * (1.0 - 0.7 * (-(angle - PI).powi(2) / 0.15).exp())
 }
 
-/// The approximation with the error that is told and the true one, or the refusal.
+/// Approximation with its estimated and its true error, or the refusal.
 fn judged(name: &str, mesh: &Mesh, surface: &ClosedSurface) -> Option<(Approximation, f64)> {
     let built = match element(surface, None, None).build() {
         Ok(built) => built,
@@ -107,7 +108,7 @@ fn judged(name: &str, mesh: &Mesh, surface: &ClosedSurface) -> Option<(Approxima
     Some((resolution.approximation, resolution.error))
 }
 
-/// Cells as wide as it is thin tear the ring there, and its compliance grows thirtyfold: it is refused, or right.
+/// Cells as wide as the thin place tear the ring there, and its compliance grows thirtyfold: it is refused, or right.
 #[test]
 fn a_ring_that_is_thin_at_one_place_is_not_torn() {
     let mesh = arc(30, TAU, thin_at_one_place, |x| 1e-4 * turned(x) + Place::new(2e-4, 0.0, -1e-4));

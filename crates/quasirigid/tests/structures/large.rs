@@ -17,7 +17,7 @@ struct Boom {
     young: f64,
     /// Damping in proportion to stiffness (s).
     damping: f64,
-    /// Off the axis of the stage (m).
+    /// Distance from the axis of the stage (m).
     aside: f64,
 }
 
@@ -94,8 +94,8 @@ fn least(body: &FlexibleBody, q: &[f64], momenta: &mut dyn FnMut(MotionState<f64
     scaled.symmetric_eigenvalues().min()
 }
 
-/// Issue 17: with momenta of the second order alone the kinetic energy has no lower bound once the boom bends by its radius. A twist
-/// of the bent boom swings its tip: what the momenta have of it, the mass matrix must have too.
+/// Issue 17: with momenta of the second order alone the kinetic energy has no lower bound once the boom bends by its radius. A twist of the
+/// bent boom swings its tip: the mass matrix must have the same order as the momenta.
 #[test]
 fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
     let body = TUBE.body();
@@ -116,7 +116,7 @@ fn the_kinetic_energy_stays_positive_far_beyond_the_section() {
     }
 }
 
-/// Two methods to the second order of the paths: explicit fields, and reciprocity (K6). The momenta differ in the third order alone.
+/// Two methods for the second order of the paths: explicit fields, and reciprocity (K6). The momenta differ in the third order alone.
 #[test]
 fn explicit_paths_agree_with_reciprocity_to_the_second_order() {
     let body = Boom { aside: 0.7, ..TUBE }.body();
@@ -184,11 +184,11 @@ fn issue_0017_booms_run_to_the_end() {
     }
 }
 
-/// A boom that goes beyond its range ends the run, and says which and how far.
+/// A boom beyond its range ends the run, with its name and its displacement.
 #[test]
 fn a_boom_beyond_its_range_ends_the_run() {
     let body = Boom { young: 1e9, ..TUBE }.body();
-    // The spin along the boom is five times its frequency: nothing holds it on the axis.
+    // The spin along the boom is five times its frequency: nothing keeps the boom on the axis.
     let (run, _) = run(&body, [0.0, 0.3, 1.047], 10.0, 1e-7);
     let Outcome::LeftRange(left) = run.outcome else { panic!("{:?}", run.outcome) };
     let Displaced::Place { reach, share } = left else { panic!("{left:?}") };
@@ -258,7 +258,7 @@ fn the_tip_follows_a_chain_of_rigid_links() {
     }
 }
 
-/// A thick undamped boom on a free stage, nutating: nothing but the integrator changes the energy. Over 100 turns the drift was
+/// A thick undamped boom on a free stage, nutating: nothing but the integrator changes the energy. Over 100 revolutions the drift was
 /// 7.5e-8 J of 30.5 J, in 80 s.
 #[test]
 fn energy_stays_over_many_turns() {

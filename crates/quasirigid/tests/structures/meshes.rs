@@ -1,4 +1,4 @@
-//! Structured meshes: blocks of hexahedra with all 27 nodes, from which the other cells take theirs.
+//! Structured meshes: blocks of hexahedra with all 27 nodes, of which the other cells use some.
 
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_4;

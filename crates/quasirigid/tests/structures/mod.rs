@@ -1,4 +1,4 @@
-//! Structures of finite elements: what they become on a carrier or floating, against other methods to the same body.
+//! Structures of finite elements: their reduction on a carrier or floating, against other methods for the same body.
 
 mod beams;
 mod bushings;

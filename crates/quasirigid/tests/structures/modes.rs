@@ -60,7 +60,7 @@ fn assert_same(found: &FlexibleBody, expected: &FlexibleBody, order: usize) {
     }
 }
 
-/// The scale of a shape is nobody's business.
+/// Part of modes; the scale of each shape is arbitrary.
 fn of_modes(body: &Body, found: &Found, kept: impl Fn(usize) -> bool) -> PartKind {
     let kept: Vec<usize> = (0..found.frequencies.len()).filter(|mode| kept(*mode)).collect();
     let shapes = found.shapes.select_columns(&kept);
@@ -95,15 +95,15 @@ fn all_free_modes_are_the_body_without_a_carrier() {
     let found = body.modes(0);
     let elastic = |mode: usize| found.frequencies[mode] > 1e-3;
     assert_eq!((0..6 * NODES).filter(|mode| elastic(*mode)).count(), 6 * NODES - 6);
-    // At order 4 the torque tells their frames apart, which differ by a rotation of the second degree in the coordinates.
+    // At order 4 the torque distinguishes their frames, which differ by a rotation of the second degree in the coordinates.
     let matrices = build(body.matrices(0), None, Vec::new(), 3).unwrap();
     let modes = build(of_modes(&body, &found, elastic), None, Vec::new(), 3).unwrap();
     assert_same(&modes, &matrices, 3);
 }
 
-/// Nodes on arms that turn carry the whole along by `½ J⁻¹ Σ Y_jk q_j q_k`, with `Y` the symmetric part of `Z`. Afloat the
-/// frame goes with it, the frame of modes does not. So the energy to the sixth degree is the same at spins that differ by
-/// this turn and its rate: what is left is of a higher one.
+/// Nodes on arms that rotate carry the whole along by `½ J⁻¹ Σ Y_jk q_j q_k`, with `Y` the symmetric part of `Z`. Of a floating body the
+/// frame goes with it, the frame of modes does not. So the energy to the sixth degree is the same at spins that differ by this rotation and
+/// its rate: the difference is of a higher one.
 #[test]
 fn a_floating_frame_follows_the_second_order() {
     let body = Body::new(8, true);
@@ -220,8 +220,8 @@ fn what_is_no_mode_is_refused() {
     assert_eq!(problem(massless, Vec::new()), Problem::EmptyMode { mode: 3 });
 }
 
-/// What the modes left out answer to a load that grows with the place is less than the bound, and the bound is nothing
-/// without them. (K11)
+/// The response of the omitted modes to a load that grows with the place is less than the bound, and the bound is zero when none is
+/// omitted. (K11)
 #[test]
 fn modes_left_out_add_less_than_the_bound() {
     let body = Body::new(12, false).held();
@@ -255,7 +255,7 @@ fn modes_left_out_add_less_than_the_bound() {
     assert_eq!(craig_bampton(&Body::new(12, true), 1).missing(pole), None);
 }
 
-/// A rigid body at a node is what the matrices would say of it, whether the node is free or moved by modes.
+/// A rigid body at a node equals its entries in the matrices, whether the node is free or moved by modes.
 #[test]
 fn a_rigid_body_at_a_node_adds_its_mass_and_inertia() {
     let inertia = [[0.3, 0.02, -0.01], [0.02, 0.4, 0.03], [-0.01, 0.03, 0.5]];

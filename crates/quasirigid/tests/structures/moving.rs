@@ -1,4 +1,4 @@
-//! Which parts of a structure move in a mode, whose coordinates are displacements of all of it. (M5)
+//! Parts of a structure that move in a mode, whose coordinates are displacements of all of it. (M5)
 
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 use quasirigid_math::vec3::dot;
@@ -38,7 +38,7 @@ fn masses_of_parts_add_up() {
     for j in 0..n {
         let mut unit = vec![0.0; n];
         unit[j] = 1.0;
-        // The mass matrix of a free body has the motion of its centre of mass taken out.
+        // The mass matrix of a free body is without the motion of its centre of mass.
         let (S, mass) = (&body.invariants().S, body.invariants().mass);
         let mut whole = body.mass_times(&unit);
         whole.iter_mut().zip(S).for_each(|(entry, own)| *entry += dot(*own, S[j]) / mass);

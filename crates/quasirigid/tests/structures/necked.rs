@@ -15,7 +15,7 @@ pub struct Necked {
     stations: Vec<[f64; 2]>,
     /// Corners of a polygon.
     around: usize,
-    /// What makes the body of the straight one.
+    /// Map from the straight body to the body.
     place: fn(Vector3<f64>) -> Vector3<f64>,
 }
 
@@ -24,7 +24,7 @@ impl Necked {
     pub fn mesh(&self, layers: usize) -> Mesh {
         let inner = &self.stations[1..self.stations.len() - 1];
         let size = 1 + layers * self.around;
-        // Of a section: its middle last, so that the order of two nodes on the surface does not know the layers.
+        // Within a section the middle is last, so that the order of two nodes on the surface does not depend on the layers.
         let number = |station: usize, layer: usize, step: usize| {
             let own = if layer == 0 { size - 1 } else { (layers - layer) * self.around + step % self.around };
             station * size + own
@@ -129,7 +129,7 @@ fn oval(neck: f64, steps: usize) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Tips have no radius, whatever rounding says.
+/// Tips of radius zero, whatever rounding says.
 fn tipped(mut stations: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let last = stations.len() - 1;
     stations[0][1] = 0.0;
@@ -141,7 +141,7 @@ fn turned(place: Vector3<f64>) -> Vector3<f64> {
     Rotation3::from_euler_angles(0.7, -0.4, 1.9) * place
 }
 
-/// Twelve of them: smooth and creased, equal and unequal, straight, bent and flat, off-centre, turned, in odd units.
+/// Twelve bodies: smooth and creased, equal and unequal, straight, bent and flat, off-centre, rotated, in odd units.
 pub fn family() -> Vec<Necked> {
     let necked = |name: &'static str, stations, around, place| {
         let creased = !name.contains("oval") && !name.contains("peanut");

@@ -1,4 +1,4 @@
-//! Solids inside surfaces with necks against meshes of the same facets: the error told bounds the true one.
+//! Solids inside surfaces with necks against meshes of the same facets: the estimated error bounds the true one.
 
 use nalgebra::Matrix6;
 use quasirigid::elements::{Approximation, Assembly, Material, Problem, Surface};
@@ -29,8 +29,8 @@ pub fn element(surface: &ClosedSurface, degree: Option<usize>, cells: Option<usi
     Assembly { surfaces: vec![element], ..Assembly::default() }
 }
 
-/// Largest difference of the energies at any products of the spin, over that of the first: written here, not imported. Products
-/// with next to no compliance are left out.
+/// Largest difference of the energies at any products of the spin, over that of the first: written here, not imported. Products with
+/// negligible compliance are left out.
 pub fn apart(found: &Matrix6<f64>, expected: &Matrix6<f64>) -> f64 {
     let eigen = found.symmetric_eigen();
     let most = eigen.eigenvalues.max();
@@ -39,8 +39,8 @@ pub fn apart(found: &Matrix6<f64>, expected: &Matrix6<f64>) -> f64 {
     (half.transpose() * (expected - found) * half).symmetric_eigenvalues().amax()
 }
 
-/// What meshes of the same facets tend to: the finer of two, and the value that their difference leads to at most. Its error falls
-/// at least with the width of the cells where an edge runs around the neck, with its square elsewhere.
+/// Limit of meshes of the same facets: the finer of two, and the extrapolation from their difference. The error falls at least with the
+/// width of the cells where an edge runs around the neck, with its square elsewhere.
 pub fn truth(coarse: &Mesh, creased: bool) -> [Matrix6<f64>; 2] {
     let fine = by_cells(with_middles(&refined(coarse)));
     let coarse = by_cells(with_middles(coarse));
@@ -48,7 +48,7 @@ pub fn truth(coarse: &Mesh, creased: bool) -> [Matrix6<f64>; 2] {
     [fine, fine + share * (fine - coarse)]
 }
 
-/// Whether the error that is told of a body bounds the true one.
+/// Whether the estimated error of a body bounds the true one.
 fn told_bounds_true(body: &Necked) -> bool {
     let surface = outer(&body.mesh(1));
     let built = match element(&surface, None, None).build() {
@@ -72,7 +72,7 @@ fn told_bounds_true(body: &Necked) -> bool {
     errors.iter().all(|error| *error <= resolution.error)
 }
 
-/// Of the family: a small one, one that touches in a crack, one off every axis, and the thinnest rod.
+/// Four of the family: a small one, one that touches in a crack, one off every axis, and the thinnest rod.
 const FOUR: [usize; 4] = [2, 6, 7, 9];
 
 fn lies(chosen: impl Fn(usize) -> bool) -> Vec<&'static str> {
@@ -91,7 +91,7 @@ fn the_error_told_bounds_the_true_one_on_eight_other_necks() {
     assert_eq!(lies(|number| !FOUR.contains(&number)), [""; 0]);
 }
 
-/// Polynomials that were asked for on a body with a neck are judged all the same.
+/// Given polynomials on a body with a neck are judged all the same.
 #[test]
 fn polynomials_that_were_asked_for_tell_their_error_too() {
     let body = &family()[4];

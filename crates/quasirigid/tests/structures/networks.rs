@@ -18,7 +18,7 @@ const STIFFNESS: f64 = 3.1e5;
 const TIME: f64 = 40.0;
 const OMEGA: [f64; 3] = [1.1e-4, -0.7e-4, 0.9e-4];
 
-/// Points in an ellipsoid with turned axes, no two of them close.
+/// Points in an ellipsoid with rotated axes, no two of them close.
 fn points() -> Vec<Vector3<f64>> {
     let mut numbers = Numbers(1901);
     let mut kept: Vec<Vector3<f64>> = Vec::new();
@@ -32,7 +32,7 @@ fn points() -> Vec<Vector3<f64>> {
     kept
 }
 
-/// Masses of the points: all the same, as in the simulations, or none like another.
+/// Masses of the points: all equal, as in the simulations, or all different.
 fn masses(count: usize, alike: bool) -> Vec<f64> {
     let mut numbers = Numbers(1839);
     (0..count).map(|_| if alike { MASS } else { MASS * (1.0 + 0.6 * numbers.next()) }).collect()
@@ -77,8 +77,8 @@ fn moments(masses: &[f64]) -> (Vec<Vector3<f64>>, Matrix3<f64>) {
     (arms, inertia)
 }
 
-/// Compliance by another method: every coordinate of every point, loads less the inertia that they wake, and the
-/// pseudo-inverse of the stiffness.
+/// Compliance by another method: every coordinate of every point, loads less the inertia that they cause, and the pseudo-inverse of the
+/// stiffness.
 fn exact_compliance(masses: &[f64]) -> Matrix6<f64> {
     let (arms, _) = moments(masses);
     let size = 3 * arms.len();
@@ -133,7 +133,7 @@ fn a_network_has_the_compliance_of_its_pseudo_inverse() {
     }
 }
 
-/// In the Tisserand frame no coordinate has momentum or angular momentum, though the origin is far away.
+/// In the Tisserand frame no coordinate has linear or angular momentum, though the origin is far away.
 #[test]
 fn a_network_floats_in_its_tisserand_frame() {
     let masses = masses(points().len(), false);

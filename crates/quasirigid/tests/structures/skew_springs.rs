@@ -1,5 +1,5 @@
-//! Springs that act across the line between their ends resist a rotation of the body as a whole, which floats in its Tisserand frame all
-//! the same. (K15)
+//! Springs that act across the line between their ends resist a rotation of the whole body, which floats in its Tisserand frame all the
+//! same. (K15)
 
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use quasirigid::elements::{
@@ -13,7 +13,7 @@ use quasirigid_math::eigen::{Dense, modes};
 use super::common::{Numbers, turned_axes};
 
 const POINTS: usize = 12;
-/// What its points leave to a body that floats.
+/// Number of coordinates of a floating body of these points.
 const COORDINATES: usize = 3 * POINTS - 6;
 
 /// Places (m) and masses (kg) of the points.
@@ -84,7 +84,7 @@ fn stiffness(points: &[(Vector3<f64>, f64)]) -> DMatrix<f64> {
     K
 }
 
-/// Frequencies of all displacements without momentum: an orthonormal basis of them in the inner product of the masses.
+/// Frequencies of all displacements without linear or angular momentum: an orthonormal basis of them in the inner product of the masses.
 fn frequencies_by_definition() -> Vec<f64> {
     let points = points();
     let total: f64 = points.iter().map(|(_, mass)| mass).sum();
@@ -106,7 +106,7 @@ fn frequencies_by_definition() -> Vec<f64> {
     squares[6..].iter().map(|square| square.sqrt()).collect()
 }
 
-/// Frequencies with the axes held, the lowest first.
+/// Frequencies with the axes fixed, the lowest first.
 fn held(body: &FlexibleBody) -> Vec<f64> {
     modes(&body.mass_matrix(), &Dense::of(body.stiffness())).unwrap().frequencies
 }
@@ -124,7 +124,8 @@ fn a_network_of_skew_springs_has_the_frequencies_of_its_definition() {
     }
 }
 
-/// Three equal masses in a triangle, an isotropic spring along each side: all displacements without momentum have `Ω² = 3k/m`.
+/// Three equal masses in a triangle, an isotropic spring along each side: all displacements without linear or angular momentum have `Ω² =
+/// 3k/m`.
 #[test]
 fn a_triangle_of_isotropic_springs_has_one_frequency_thrice() {
     let places = [[0.3, 0.0, 0.1], [1.7, 0.2, -0.4], [0.9, 1.6, 0.5]];
@@ -215,7 +216,7 @@ fn beams(kept: usize) -> FlexibleBody {
         .unwrap()
 }
 
-/// Two modes that are asked for are the lowest two of all that there are. The iteration finds an eigenvalue to the square of 1e-4.
+/// Two requested modes are the lowest two of all. The iteration finds an eigenvalue to the square of 1e-4.
 #[test]
 fn modes_of_beams_with_a_skew_spring_are_found() {
     let (two, forty) = (held(&beams(2)), held(&beams(40)));

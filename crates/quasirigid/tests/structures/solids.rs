@@ -1,4 +1,4 @@
-//! Solids of cells against other methods to the same body: polynomials inside a surface, a beam, all coordinates.
+//! Solids of cells against other methods for the same body: polynomials inside a surface, a beam, all coordinates.
 
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
@@ -59,7 +59,7 @@ fn cells_inside_a_surface_are_the_surface_element() {
     let J = Matrix3::from(bodies[3].inertia()) - Matrix3::from(high.inertia());
     let turn = J.amax() / Matrix3::from(high.inertia()).amax();
     println!("mass {mass:.1e}, inertia {turn:.1e}");
-    // The same facets: equal but for the rounding of polynomials of degree ten.
+    // Facets are equal, so the bodies are equal but for the rounding of polynomials of degree ten.
     assert!(mass.abs() < 1e-9 && turn < 1e-9, "{mass} {turn}");
     assert!(gaps[3] < 5e-3 && gaps[3] < 0.3 * gaps[2] && gaps[1] < 0.6 * gaps[0], "{gaps:?}");
 }
@@ -82,7 +82,7 @@ fn on_carrier(part: Part, reduction: PartReduction) -> FlexibleBody {
     Assembly { carrier: Some(carrier()), parts: vec![part], reduction, ..Assembly::default() }.body().unwrap()
 }
 
-/// A bar of cells along the first of the turned axes, with its clamped nodes.
+/// Bar of cells along the first of the rotated axes, with its clamped nodes.
 fn bar(shape: Shape, counts: [usize; 3]) -> (Mesh, Vec<usize>) {
     let mut block = Hexahedra::default();
     block.add(counts, |[x, y, z]| Vector3::new(LENGTH * x, WIDTH * (y - 0.5), HEIGHT * (z - 0.5)));
@@ -91,7 +91,7 @@ fn bar(shape: Shape, counts: [usize; 3]) -> (Mesh, Vec<usize>) {
     (block.mesh(shape, |place| turned_axes() * place + Vector3::from(ROOT)), clamped)
 }
 
-/// The same bar as a beam.
+/// The bar as a beam.
 fn beam(material: &Material) -> Part {
     let axes = turned_axes();
     let tip = axes * Vector3::new(LENGTH, 0.0, 0.0) + Vector3::from(ROOT);
@@ -117,7 +117,7 @@ fn torque(body: &ReducedBody, degree: usize) -> [f64; 3] {
     value
 }
 
-/// Beam theory leaves out that the clamp holds the section flat, which is worth about the width over the length.
+/// Beam theory leaves out that the clamp keeps the section flat, an effect of about the width over the length.
 #[test]
 fn a_bar_of_cells_is_a_beam() {
     let material = rock(Rheology::KelvinVoigt { time: 0.02 });
@@ -152,7 +152,7 @@ fn displaced((reduced, body): &(ReducedBody, FlexibleBody), degree: usize) -> DV
 #[test]
 fn losses_of_two_materials_are_those_of_all_coordinates() {
     let materials = [0.03, 0.2].map(|time| rock(Rheology::KelvinVoigt { time }));
-    // Thirty nodes, less the six that are clamped, or less six motions as a rigid body.
+    // Thirty nodes, less the six that are clamped, or less six rigid motions.
     for (floating, unknowns) in [(false, 72), (true, 84)] {
         let (mesh, clamped) = bar(Shape::Hex8, [4, 2, 1]);
         let half = |side: usize| (0..8).filter(|cell| cell % 4 / 2 == side).collect();
@@ -175,8 +175,7 @@ fn losses_of_two_materials_are_those_of_all_coordinates() {
         let [second, third] = places;
         println!("{counts:?} coordinates: torque of degree 5 {torque:.1e}, power {power:.1e}");
         println!("displacements of degree 2 {second:.1e}, 3 {third:.1e}");
-        // Torque and power need no more than the answers to the loads; the lag of the shape needs what losses make of
-        // them.
+        // Torque and power need no more than the responses to the loads; the lag of the shape needs the responses to their losses.
         assert!(second < 1e-8 && third < 1e-8, "{second} {third}");
         assert!(counts[0] < counts[1] && counts[1] == unknowns, "{counts:?}");
         assert!(torque < 1e-8 && power.abs() < 1e-8, "{torque} {power}");

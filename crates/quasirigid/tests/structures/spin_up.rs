@@ -20,7 +20,7 @@ const AXIAL: f64 = 2.8e7;
 /// Time of the spin-up (s) and the spin at its end (rad/s).
 const DURATION: f64 = 15.0;
 const SPIN: f64 = 6.0;
-/// A run starts with some spin; so little of it that nobody sees it.
+/// Spin at the start of a run: negligibly small, but not zero.
 const START: f64 = 1e-4;
 
 fn beam() -> Cantilever {
@@ -36,7 +36,7 @@ fn beam() -> Cantilever {
     Cantilever { length: LENGTH, elements: 20, section, material, hub: 1e7, reduction }
 }
 
-/// `J ψ̈ = J (6/15) (1 − cos(2πt/15))` about the third of the turned axes: a constant torque and a wave.
+/// Torques `J ψ̈ = J (6/15) (1 − cos(2πt/15))` about the third of the rotated axes: a constant torque and a wave.
 fn torques(inertia: f64) -> Vec<Force<Station>> {
     let amplitude = inertia * SPIN / DURATION;
     let waves = [(amplitude, 0.0), (-amplitude, TAU / DURATION)];
@@ -109,8 +109,8 @@ fn reference() -> Vec<[f64; 3]> {
     REFERENCE.lines().skip(1).map(row).collect()
 }
 
-/// Displacements are of first order, and what is left out is of the size of `(u/L)²`, 3.3e-3 of the largest lag: measured 1.05 times
-/// that at the largest and 1.13 at any time. (K14) The stretch under the steady load has a closed form.
+/// Displacements are of first order, and the error is of the size of `(u/L)²`, 3.3e-3 of the largest lag: measured 1.05 times that at the
+/// largest and 1.13 at any time. (K14) The stretch under the steady load has a closed form.
 #[test]
 fn the_tip_lags_as_geometrically_exact_beams_say() {
     let beam = beam();
@@ -119,7 +119,7 @@ fn the_tip_lags_as_geometrically_exact_beams_say() {
     let (up, after): (Vec<[f64; 3]>, Vec<[f64; 3]>) = rows.iter().partition(|row| row[0] < DURATION);
     let times = |rows: &[[f64; 3]]| rows.iter().map(|row| row[0]).collect::<Vec<f64>>();
     let (mut found, spins) = tips(&beam, &body, &times(&up), &times(&after));
-    // The state at the end of the spin-up stands between the two.
+    // The state at the end of the spin-up is between the two.
     found.remove(up.len());
     let largest = up.iter().map(|row| row[2]).fold(0.0, f64::min);
     let mut worst: f64 = 0.0;
@@ -149,7 +149,7 @@ fn the_tip_lags_as_geometrically_exact_beams_say() {
     assert!(spin.abs() < 4e-5, "{spin}");
 }
 
-/// Straight paths: at 6 rad/s, above the lowest frequency of the beam at rest, nothing holds it any more.
+/// Straight paths: at 6 rad/s, above the lowest frequency of the beam at rest, nothing keeps the tip in place any more.
 #[test]
 fn straight_paths_lose_the_tip() {
     let beam = beam();

@@ -1,4 +1,4 @@
-//! Vibrations of a beam that turns with its hub: eigenvalues of the whole system about the steady spin.
+//! Vibrations of a beam that rotates with its hub: eigenvalues of the whole system about the steady spin.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use quasirigid::elements::{Material, PartReduction, SectionShape};
@@ -28,7 +28,7 @@ const PUBLISHED: [(f64, [f64; 4]); 7] = [
 fn blade() -> Cantilever {
     let area = 3e-4;
     let second = area * (THIN * LENGTH).powi(2);
-    // A hair stiffer in one plane, so that the two are not mixed when nothing turns.
+    // Slightly stiffer in one plane, so that the two are not mixed when nothing rotates.
     let (second_y, second_z, torsion) = (second, second * (1.0 + 1e-5), second);
     let section = SectionShape::General { area, second_y, second_z, torsion, shear: None };
     let material = Material { density: 2700.0, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic };
@@ -41,7 +41,7 @@ fn unit() -> f64 {
     (70e9_f64 / 2700.0).sqrt() * THIN / LENGTH
 }
 
-/// Rates of the full state: momentum, momenta of the coordinates, coordinates.
+/// Rates of the full state: angular momentum, momenta of the coordinates, coordinates.
 fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
     let n = body.coordinates().len();
     let (K, p, q) = ([state[0], state[1], state[2]], &state[3..3 + n], &state[3 + n..]);
@@ -52,7 +52,7 @@ fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
     [&cross(K, velocities.omega)[..], &load, &rate].concat()
 }
 
-/// The steady state at a spin: the load is linear in the coordinates, and the springs balance it.
+/// Steady state at a spin: the load is linear in the coordinates, and the springs balance it.
 pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     let n = body.coordinates().len();
     let still = vec![0.0; n];
@@ -93,7 +93,7 @@ pub fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
 /// Squares of the frequencies over the unit, of vibrations whose tip moves along the spin, and across beam and spin.
 fn squares(blade: &Cantilever, body: &FlexibleBody, spin: f64) -> [Vec<f64>; 2] {
     let n = body.coordinates().len();
-    // Without any spin there is no steady momentum to turn about.
+    // Without any spin there is no steady angular momentum.
     let omega = (turned_axes() * (spin.max(1e-6) * unit() * Vector3::z())).into();
     let state = steady(body, omega);
     let A = body.mass_matrix();
@@ -121,7 +121,7 @@ fn squares(blade: &Cantilever, body: &FlexibleBody, spin: f64) -> [Vec<f64>; 2] 
     found
 }
 
-/// Through the whole program: elements, Krylov space, curved paths by reciprocity, equations of motion.
+/// Frequencies through the whole program: elements, Krylov space, curved paths by reciprocity, equations of motion.
 #[test]
 fn a_turning_beam_has_the_published_frequencies() {
     let blade = blade();
@@ -140,9 +140,8 @@ fn a_turning_beam_has_the_published_frequencies() {
     }
 }
 
-/// Straight paths lose the work of the centrifugal load on the shortening. What they leave has a closed form: flap
-/// does not know of the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam
-/// leaves its place.
+/// Straight paths lose the work of the centrifugal load on the shortening. Their frequencies have a closed form: flap does not depend on
+/// the spin, the square of lag falls by that of the spin, and beyond the lowest frequency the beam leaves its place.
 #[test]
 fn straight_paths_soften_where_the_beam_stiffens() {
     let blade = blade();

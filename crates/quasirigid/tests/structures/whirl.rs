@@ -1,4 +1,4 @@
-//! What grows in the equations of motion and what does not: materials that leave no dashpots, and a boom that whirls. (M4)
+//! Growing and decaying motions of the equations of motion: materials that leave no dashpots, and a boom that whirls. (M4)
 
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
@@ -61,7 +61,7 @@ fn a_body_of_viscoelastic_material_alone_has_no_motion_that_grows_in_its_equatio
     }
 }
 
-/// With a dashpot every one of them decays, and none grows below the critical spin.
+/// With a dashpot every internal motion decays, and none grows below the critical spin.
 #[test]
 fn a_dashpot_makes_every_internal_motion_decay() {
     let body = booms(1e-3);

@@ -1,4 +1,4 @@
-//! Matrices of a body in other dress.
+//! Matrices of a body in other formats.
 
 use nalgebra::DMatrix;
 use quasirigid_math::sparse::SparseRows;

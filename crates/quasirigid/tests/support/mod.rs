@@ -1,8 +1,8 @@
 //! Random bodies.
 //!
 //! In base units a body has a size of about one metre, a mass of a few kilograms and vibrations of 8 to 60 rad/s with
-//! damping ratios from 0.1 to 1, so that damping and stiffness both show in every degree. [`bodies`] then changes the
-//! units, because no law knows ours.
+//! damping ratios from 0.1 to 1, so that damping and stiffness both appear in every degree. [`bodies`] then changes the
+//! units, because no law depends on them.
 
 pub mod matrices;
 pub mod rotors;
@@ -29,7 +29,7 @@ pub struct Sprung {
     pub damping: [f64; 3],
 }
 
-/// A free body of a carrier and sprung masses, which are called by their numbers.
+/// Free body of a carrier and sprung masses, named by their numbers.
 pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
     let point = |(number, sprung): (usize, &Sprung)| Point {
         name: number.to_string(),
@@ -66,7 +66,7 @@ pub struct Massive {
     pub appendages: Vec<Vec<Mass>>,
 }
 
-/// How many bodies a law is tried on; the same ones in every run unless the environment says otherwise.
+/// Number of bodies on which a law is tried; the same ones in every run unless the environment says otherwise.
 pub fn cases(count: u32) -> ProptestConfig {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     ProptestConfig {
@@ -74,7 +74,7 @@ pub fn cases(count: u32) -> ProptestConfig {
         rng_seed: RngSeed::Fixed(number("PROPTEST_RNG_SEED").unwrap_or(1978)),
         // The failing body is printed in full and becomes a test of its own.
         failure_persistence: None,
-        // Shrinking leads to bodies without inertia, where everything fails: only who asks for it gets it.
+        // Shrinking leads to bodies without inertia, where everything fails: it is off unless asked for.
         max_shrink_iters: number("PROPTEST_MAX_SHRINK_ITERS").unwrap_or(0) as u32,
         ..ProptestConfig::default()
     }
@@ -119,7 +119,7 @@ pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     vector().prop_filter("a direction", |v| Vector3::from(*v).norm() > 0.3)
 }
 
-/// Bodies with the masses they are made of, in base units.
+/// Bodies with their point masses, in base units.
 pub fn massive() -> impl Strategy<Value = Massive> {
     let support = (any::<bool>(), vector());
     (cloud(0.3, 1.0), vec(sprung_point(), 1..4), vec(extra_spring(), 0..3), vec(hinged(), 0..3), support)

@@ -1,4 +1,4 @@
-//! Rotors that rub against the body they are in.
+//! Rotors with friction against the body that contains them.
 
 use quasirigid::elements::{Rotor, RotorKind};
 

@@ -1,4 +1,4 @@
-//! The same body described in another way.
+//! One body described in two ways.
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, PointMotion, Spring, SpringLaw};
@@ -19,7 +19,7 @@ impl Units {
     }
 }
 
-/// The same body in other units.
+/// The body in other units.
 pub fn rescaled(assembly: &Assembly, units: Units) -> Assembly {
     let mut scaled = assembly.clone();
     let place = |r: &mut [f64; 3]| *r = r.map(|x| units.length * x);
@@ -53,7 +53,7 @@ pub fn rescaled(assembly: &Assembly, units: Units) -> Assembly {
     scaled
 }
 
-/// The same body in a file whose axes are turned: every vector `v` becomes `R v`.
+/// The body in a file whose axes are rotated: every vector `v` becomes `R v`.
 pub fn rotated(assembly: &Assembly, R: &Matrix3<f64>) -> Assembly {
     let mut turned = assembly.clone();
     let vector = |r: &mut [f64; 3]| *r = (R * Vector3::from(*r)).into();

@@ -23,12 +23,12 @@ use page::{Block, Shown, blocks, commands, matches};
 /// Folder of the files that models of a page name, beside the page.
 const DATA: &str = "data";
 
-/// Everything wrong on the pages of a repository.
+/// Problems of the pages of a repository.
 fn problems(root: &Path) -> Vec<String> {
     pages(root).iter().flat_map(|page| problems_of(root, page)).collect()
 }
 
-/// The README and the chapters of the guide, as far as they are there.
+/// The README and the chapters of the guide, as far as they exist.
 fn pages(root: &Path) -> Vec<PathBuf> {
     let guide = root.join("docs/guide");
     let chapters = if guide.is_dir() { names(&guide) } else { Vec::new() };
@@ -58,7 +58,7 @@ fn problems_of(root: &Path, page: &Path) -> Vec<String> {
     found.map(|(line, problem)| format!("{}:{line}: {problem}", page.display())).collect()
 }
 
-/// What a command does otherwise than its page says.
+/// Difference between the output of a command and that on its page.
 fn wrong_output(shown: &Shown, folder: &Path) -> Option<(usize, String)> {
     let program = Path::new(env!("CARGO_BIN_EXE_quasirigid")).parent().unwrap();
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
@@ -81,7 +81,7 @@ fn wrong_output(shown: &Shown, folder: &Path) -> Option<(usize, String)> {
         .then(|| (shown.line, format!("`{command}` prints otherwise:\n{}", printed.join("\n"))))
 }
 
-/// What follows `# complete` in the first line of a model.
+/// Text after `# complete` in the first line of a model.
 fn heading(block: &Block) -> Option<&str> {
     let rest = block.text.lines().next()?.trim().strip_prefix("# complete")?;
     if rest.is_empty() { Some(rest) } else { rest.strip_prefix(": ") }
@@ -94,7 +94,7 @@ fn put_down(block: &Block, folder: &Path) {
     }
 }
 
-/// What is wrong with a complete model; the files that it names are looked for from the folder of its page.
+/// Problem of a complete model; the files that it names are looked for from the folder of its page.
 fn wrong_model(block: &Block, beside: &Path) -> Option<(usize, String)> {
     heading(block)?;
     let refused = match Model::parse(&beside.join("model.toml"), &block.text) {

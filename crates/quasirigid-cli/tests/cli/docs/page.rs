@@ -1,15 +1,18 @@
+//! Markdown pages: fenced blocks, commands with the output shown below them, and lines in which `...` stands for any.
+//! Apart from the running of commands, so that the reading of pages is tested on texts of which the truth is known.
+
 /// A fenced block of a Markdown page.
 #[derive(Debug, PartialEq)]
 pub struct Block {
     /// First word behind the fence.
     pub language: String,
-    /// Line of its first line, from 1.
+    /// Line of the first line of its text, from 1.
     pub line: usize,
-    /// What stands between the fences.
+    /// Text between the fences.
     pub text: String,
 }
 
-/// A command that a page shows, with what it prints there.
+/// A command that a page shows, with the output shown below.
 #[derive(Debug, PartialEq)]
 pub struct Shown {
     /// Line of the page, from 1.

@@ -116,7 +116,7 @@ pub(in crate::matrix) fn integer(field: Field, row: Row) -> Result<u64, At> {
     whole(field.text, row).map_err(|problem| (field.line, problem))
 }
 
-/// A real number, which has a decimal point: what has none was meant for another field.
+/// A real number, which has a decimal point: a number without one was meant for another field.
 pub(in crate::matrix) fn real(field: Field) -> Result<f64, At> {
     let value = if field.text.contains('.') {
         number(field.text, Row::NastranReal)

@@ -14,7 +14,7 @@ pub(super) struct Array<'a> {
     scalar: Scalar,
     big_endian: bool,
     numbers: &'a [u8],
-    /// Where the numbers begin.
+    /// First byte of the numbers.
     start: usize,
 }
 
@@ -125,7 +125,7 @@ impl<'a> Array<'a> {
         Ok(listed.sum())
     }
 
-    /// Says which shape the array should have.
+    /// Problem of an array that has not the wanted shape.
     pub fn misshapen(&self, wanted: &str) -> At {
         (self.start, MatrixProblem::NumpyShape { found: self.shape.clone(), wanted: wanted.to_owned() })
     }

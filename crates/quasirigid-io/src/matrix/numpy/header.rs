@@ -12,7 +12,7 @@ pub(super) struct Header {
     /// Whether the first index runs fastest.
     pub fortran_order: bool,
     pub shape: Vec<usize>,
-    /// Where the numbers begin.
+    /// First byte of the numbers.
     pub size: usize,
 }
 

@@ -14,7 +14,7 @@ pub(super) struct Binary<'a> {
     next: usize,
     /// First byte of the value read last.
     at: usize,
-    /// Where the record begins and ends, without its lengths.
+    /// First byte and end of the record, without its lengths.
     record: (usize, usize),
     double: bool,
 }

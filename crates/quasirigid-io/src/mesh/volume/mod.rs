@@ -39,7 +39,7 @@ pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
     mesh_of(file, &bytes_of(file, LARGEST)?)
 }
 
-/// The mesh in the bytes of a file, whose name tells where the files lie that it includes.
+/// The mesh in the bytes of a file, whose name gives the folder of included files.
 ///
 /// # Errors
 /// Those of [`read_mesh`].

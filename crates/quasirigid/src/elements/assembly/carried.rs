@@ -8,13 +8,13 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::part_graph::PartGraph;
 use super::{Assembly, Built, MovingBody};
-use crate::elements::affine::{Field as Shape, Piece};
-use crate::elements::attachment::{Attachment, Attachments};
+use crate::elements::assembly::affine::{Field as Shape, Piece};
+use crate::elements::assembly::attachment::{Attachment, Attachments};
+use crate::elements::assembly::internal::Internal;
+use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::element::{Grip, Preload, Role, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::internal::Internal;
-use crate::elements::part::NodeRef;
-use crate::elements::system_matrices::Matrices;
+use crate::elements::kinds::part::NodeRef;
 use crate::elements::{End, Hinged, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;

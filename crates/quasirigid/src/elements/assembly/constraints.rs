@@ -1,5 +1,5 @@
 //! Constraints: attachments and connections of parts as joints between nodes of one structure.
-//! A joint constrains a node to at most one other; a connection between many nodes gets a node of its own, so that no equation of
+//! A joint constrains a node to at most one other; a hinge between many nodes gets a node of its own, so that no equation of
 //! constraint is left to solve. Equation (K2), docs/theory/12-structures.md.
 
 use std::collections::BTreeSet;
@@ -8,9 +8,9 @@ use nalgebra::Vector3;
 
 use super::Assembly;
 use super::part_graph::PartGraph;
-use crate::elements::coefficient;
+use crate::elements::assembly::coefficient;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::part::{Anchor, Connection, NodeRef, Part};
+use crate::elements::kinds::part::{Anchor, Connection, NodeRef, Part};
 use crate::structure::{Constraint, Joint};
 
 /// Distance, as a share of the size of the structure, below which nodes of two sides are at the same place.

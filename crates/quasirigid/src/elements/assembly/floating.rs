@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 
 use super::part_graph::PartGraph;
 use super::{Assembly, Built};
-use crate::elements::attachment::Attachments;
+use crate::elements::assembly::attachment::Attachments;
+use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::part::{NodeRef, Part};
-use crate::elements::system_matrices::Matrices;
+use crate::elements::kinds::part::{NodeRef, Part};
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;

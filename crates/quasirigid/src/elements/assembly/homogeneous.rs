@@ -1,6 +1,6 @@
 use super::Assembly;
 use crate::elements::element::Role;
-use crate::elements::material::Material;
+use crate::elements::kinds::material::Material;
 
 impl Assembly {
     /// Material of a body that is a single ellipsoid, closed surface or solid of one material; none of any other.

@@ -1,28 +1,36 @@
 //! A body as the user describes it, and the flexible body made of it.
 
+pub(in crate::elements) mod affine;
+pub(in crate::elements) mod attachment;
 mod carried;
+pub(in crate::elements) mod coefficient;
+pub(in crate::elements) mod compliance;
 mod constraints;
 mod floating;
 mod homogeneous;
+pub(in crate::elements) mod internal;
 mod moving_body;
 mod names;
 mod part_graph;
 mod rheologies;
+pub(in crate::elements) mod ritz;
+pub(in crate::elements) mod single_element;
+pub(in crate::elements) mod system_matrices;
 #[cfg(test)]
 mod tests;
 
 use nalgebra::Vector3;
 
-pub(super) use floating::Exact;
-pub(super) use moving_body::MovingBody;
-pub(super) use part_graph::PartGraph;
+pub(in crate::elements) use floating::Exact;
+pub(in crate::elements) use moving_body::MovingBody;
+pub(in crate::elements) use part_graph::PartGraph;
 
-use super::attachment::Attachments;
-use super::element::{Element, Grip, Role};
-use super::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use super::part::NodeRef;
-use super::single_element::WholeBody;
-use super::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, coefficient, force};
+use crate::elements::assembly::attachment::Attachments;
+use crate::elements::assembly::single_element::WholeBody;
+use crate::elements::element::{Element, Grip, Role};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use crate::elements::kinds::part::NodeRef;
+use crate::elements::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, force};
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 
@@ -30,7 +38,7 @@ use crate::model::{FlexibleBody, Marker, Support};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartReduction {
-    /// Order to which their slow manifold is exact, 3 or more.
+    /// Order to which the slow manifold of the parts is exact, 3 or more.
     pub order: usize,
     /// Number of lowest modes of vibration beside these coordinates.
     pub modes: usize,
@@ -41,13 +49,13 @@ pub struct PartReduction {
 pub struct Built {
     /// The body.
     pub body: FlexibleBody,
-    /// External forces with their points of action, from its pole.
+    /// External forces with their points of action, from the pole of the body.
     pub forces: Vec<Force<Marker>>,
-    /// Condensation of its parts of finite elements; none if it has no such parts.
+    /// Condensation of the parts of finite elements; none of a body without such parts.
     pub condensation: Option<Condensation>,
     /// Rates of cyclic coordinates at the start (rad/s) where they are given, each with its coordinate.
     pub speeds: Vec<(usize, f64)>,
-    /// Effect of each of its liquids on a slow rotation.
+    /// Effect of each liquid on a slow rotation.
     pub liquids: Vec<SlowLiquid>,
     /// Approximation of a solid inside a surface; none of other bodies.
     pub resolution: Option<Resolution>,

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
-use crate::elements::affine::{Field as Shape, Piece};
-use crate::elements::attachment::Attachment;
+use crate::elements::assembly::affine::{Field as Shape, Piece};
+use crate::elements::assembly::attachment::Attachment;
 use crate::model::{Coordinate, Pair};
 
 /// A rigid piece placed on the body, with the coordinates that move it.
@@ -20,17 +20,17 @@ pub(in crate::elements) struct MovingBody {
     pub coordinates: Vec<Coordinate>,
     /// Place watched on the piece: its name, and its position from the base.
     pub marker: (String, Vector3<f64>),
-    /// Other places on it at which springs and forces may act.
+    /// Other places on the piece at which springs and forces may act.
     pub places: Vec<(String, Vector3<f64>)>,
 }
 
 impl MovingBody {
-    /// Position field of its piece from a pole.
+    /// Position field of the piece from a pole.
     pub fn position(&self, pole: Vector3<f64>) -> Shape {
         Shape::position(self.base - pole)
     }
 
-    /// Invariants of its coordinates with each other, numbered from `start`. (I4)–(I6)
+    /// Invariants of the coordinates of the piece with each other, numbered from `start`. (I4)–(I6)
     pub fn pairs(&self, pole: Vector3<f64>, start: usize) -> impl Iterator<Item = (usize, usize, Pair)> + '_ {
         let rho = self.position(pole);
         let count = self.shapes.len();

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::Assembly;
 use super::part_graph::PartGraph;
 use crate::elements::element::{Element, Role};
-use crate::elements::part::Anchor;
+use crate::elements::kinds::part::Anchor;
 use crate::elements::{ElementId, End};
 
 /// Name of the carrier.
@@ -19,7 +19,7 @@ impl Assembly {
         self.element(element).map(Element::name).filter(|name| !name.is_empty())
     }
 
-    /// An element as its user knows it: `beam "boom"`, by its number where it has no name, `the carrier` where there is one at most.
+    /// Description of an element for its user: `beam "boom"`, with a number in place of a missing name, `the carrier` for a single one.
     #[must_use]
     pub fn described(&self, element: ElementId) -> String {
         let words = self.element(element).and_then(Element::words).unwrap_or(element.kind.words());

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use nalgebra::Vector3;
 
 use super::constraints::constraints;
-use crate::elements::attachment::Attachment;
+use crate::elements::assembly::attachment::Attachment;
 use crate::elements::element::{Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::elements::part::{NodeRef, Part, PartKind, extremes};
+use crate::elements::kinds::part::{NodeRef, Part, PartKind, extremes};
 use crate::elements::{Assembly, End, PointMotion, coefficient};
 use crate::finite::Mass;
 use crate::model::{Reach, Rheology};

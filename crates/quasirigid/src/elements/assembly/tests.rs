@@ -4,7 +4,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::elements::system_matrices::Matrices;
+use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::{Assembly, Coefficient, End, SpringLaw};
 use crate::finite::{Link, Mass};
 use crate::math::sparse::SparseRows;

@@ -9,7 +9,7 @@ use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
-use crate::model::{InertiaError, RheologyError};
+use crate::model::{InertiaError, RheologyError, mechanism};
 use quasirigid_mesh::meshing::MeshingError;
 use quasirigid_mesh::{MeshFault, MeshNote};
 
@@ -71,7 +71,7 @@ pub enum Problem {
     /// Bodies that nothing joins.
     #[error("the surface encloses {bodies} bodies that nothing joins")]
     SeveralBodies {
-        /// How many.
+        /// Number of bodies.
         bodies: usize,
     },
     /// A shape that polynomials do not follow and that cannot be meshed.
@@ -402,7 +402,7 @@ pub enum Problem {
         "at rest the tensions of the springs pull {coordinate} with {force} N or N m; they must balance there"
     )]
     Unbalanced {
-        /// Coordinate that they pull, by name.
+        /// Coordinate with the residual force, by name.
         coordinate: String,
         /// Generalised force (N, N·m).
         force: f64,
@@ -478,7 +478,7 @@ pub enum Problem {
         name: String,
     },
     /// No spring resists a displacement.
-    #[error("a mechanism: no spring resists some motion of {coordinates}")]
+    #[error("{}", mechanism(coordinates))]
     Mechanism {
         /// The coordinates that move, by name.
         coordinates: String,

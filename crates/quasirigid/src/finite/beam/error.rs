@@ -12,7 +12,7 @@ pub enum BeamError {
     NotPositive {
         /// The quantity.
         quantity: Quantity,
-        /// Its value.
+        /// Value given.
         value: f64,
     },
     /// A wall for which the section has no room.
@@ -20,7 +20,7 @@ pub enum BeamError {
     NoRoom {
         /// The thickness.
         quantity: Quantity,
-        /// Its value (m).
+        /// Thickness given (m).
         value: f64,
         /// Upper bound of the thickness (m).
         room: f64,
@@ -39,7 +39,7 @@ pub enum BeamError {
     /// A Poisson's ratio that no stable material has.
     #[error("Poisson's ratio is {value}; it must be above -1 and below 0.5")]
     Poisson {
-        /// Its value.
+        /// Value given.
         value: f64,
     },
     /// Ends that are the same place, or none.

@@ -62,7 +62,7 @@ pub enum ShellError {
         ply: usize,
         /// The constant.
         name: Constant,
-        /// Its value.
+        /// Value given.
         value: f64,
     },
     /// Poisson's ratio of a layer would make energy negative.
@@ -72,7 +72,7 @@ pub enum ShellError {
         ply: usize,
         /// The ratio.
         value: f64,
-        /// Bound of its square.
+        /// Bound of the square of the ratio.
         limit: f64,
     },
     /// An angle or offset is not finite.
@@ -80,7 +80,7 @@ pub enum ShellError {
     NotFinite {
         /// The number.
         name: Constant,
-        /// Its value.
+        /// Value given.
         value: f64,
     },
 }
@@ -90,13 +90,13 @@ pub enum ShellError {
 pub enum Constant {
     /// Young's modulus along the fibres.
     E1,
-    /// Young's modulus across them.
+    /// Young's modulus across the fibres.
     E2,
     /// Shear modulus in the plane.
     G12,
     /// Transverse shear modulus along the fibres.
     G13,
-    /// Transverse shear modulus across them.
+    /// Transverse shear modulus across the fibres.
     G23,
     /// Density.
     Density,

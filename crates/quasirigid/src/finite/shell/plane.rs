@@ -5,7 +5,7 @@ use quasirigid_mesh::Shape;
 
 /// Plane of an element: that of a triangle, or the one midway between the diagonals of a quadrilateral.
 ///
-/// Its origin is the mean of the nodes, its first axis the projection of the reference direction.
+/// The origin is the mean of the nodes, its first axis the projection of the reference direction.
 pub(super) struct Plane {
     /// Axes as rows: from components along the body's axes to those along the element's.
     axes: Matrix3<f64>,

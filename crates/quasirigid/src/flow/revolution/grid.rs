@@ -21,7 +21,7 @@ pub(super) struct Grid {
 
 /// A patch of a meridian.
 pub(super) struct Patch {
-    /// Its nodes.
+    /// Nodes of the patch.
     pub nodes: Vec<usize>,
     /// Quadrature points.
     pub points: Vec<Point>,
@@ -29,7 +29,7 @@ pub(super) struct Patch {
 
 /// Quadrature point.
 pub(super) struct Point {
-    /// Its share of the area of the meridian (m²), or of the length of a wall (m).
+    /// Share of the area of the meridian (m²), or of the length of a wall (m).
     pub share: f64,
     /// Distance from the axis, and height (m).
     pub at: [f64; 2],

@@ -61,7 +61,7 @@ impl RevolvedFlow {
     /// Cavity with a given fineness.
     ///
     /// # Errors
-    /// [`StokesError::OutOfRange`] if floating point cannot tell its places apart.
+    /// [`StokesError::OutOfRange`] if floating point does not resolve its places.
     pub fn new(outline: &Outline, fineness: Fineness) -> Result<Self, StokesError> {
         let Fineness { degree, layers, harmonics: most } = fineness;
         let grid = Grid::new(outline, degree, layers);

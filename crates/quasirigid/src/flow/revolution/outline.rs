@@ -32,7 +32,7 @@ pub(crate) enum Outline {
     Spheroid {
         /// Semi-axis across the axis (m).
         across: f64,
-        /// Semi-axis along it (m).
+        /// Semi-axis along the axis (m).
         along: f64,
     },
     /// A space between two ellipsoids of revolution.
@@ -51,7 +51,7 @@ pub(super) enum Side {
     Wall,
     /// Part of the axis of revolution.
     Axis,
-    /// The same line as the opposite side.
+    /// A line that coincides with the opposite side.
     Seam,
     /// A single place.
     Point,

@@ -20,7 +20,7 @@ pub enum StokesError {
     OtherShape {
         /// The first such cell.
         cell: u64,
-        /// Its shape.
+        /// Shape of the cell.
         shape: Shape,
         /// Number of such cells.
         count: usize,
@@ -40,9 +40,9 @@ pub enum StokesError {
         ends[0], ends[1], middles[0], middles[1]
     )]
     TornEdge {
-        /// Its ends.
+        /// Ends of the edge.
         ends: [u64; 2],
-        /// Its middles.
+        /// Middle nodes of the edge.
         middles: [u64; 2],
     },
     /// A face of more than two cells.
@@ -51,9 +51,9 @@ pub enum StokesError {
         corners[0], corners[1], corners[2]
     )]
     CrowdedFace {
-        /// Its corners.
+        /// Corners of the face.
         corners: [u64; 3],
-        /// Number of cells that it belongs to.
+        /// Number of cells to which the face belongs.
         count: usize,
     },
     /// Cells between which no liquid passes.
@@ -78,7 +78,7 @@ pub enum StokesError {
         at[0], at[1], at[2]
     )]
     Singular {
-        /// A node of them (m).
+        /// Place of a node of these cells (m).
         at: [f64; 3],
     },
     /// The pressure is not found.

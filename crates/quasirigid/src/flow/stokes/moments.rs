@@ -6,7 +6,7 @@ use crate::math::vec3::{add, scale};
 pub(crate) struct Moments {
     /// Volume (m³).
     pub volume: f64,
-    /// Its centre (m).
+    /// Centre of volume (m).
     pub center: [f64; 3],
     /// `∫ r rᵀ dV` (m⁵) about the centre.
     pub second: [[f64; 3]; 3],

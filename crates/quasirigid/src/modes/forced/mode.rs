@@ -6,13 +6,13 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::error::SteadyError;
-use super::names::{NamedMotion, named};
 use super::pencil::{Pencil, form};
 use super::slopes::{DISPLACED, OMEGA, Slopes, THETA};
 use super::spectrum::{Eigenmotion, spectrum};
 use super::state::SteadyState;
 use super::system::System;
 use super::turning::{Turning, effective};
+use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{belongs, inverse_iteration};
@@ -156,7 +156,7 @@ impl About<'_> {
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
                 continue;
             }
-            // Where the iteration leads two motions to one, the eigenvalues before the iteration are kept.
+            // Eigenvalues before the iteration are kept where the iteration leads two motions to one.
             let (lambda, x) = refined.filter(|(lambda, _)| !apart(*lambda)).unwrap_or(start);
             kept.push(lambda);
             modes.push(self.mode(motion.lambda, lambda, &x));

@@ -8,7 +8,7 @@ use crate::text_file::{number, whole};
 
 /// Meaning of data lines.
 pub(super) enum Block {
-    /// Nothing of the mesh.
+    /// Data that are not part of the mesh.
     Skipped,
     Nodes {
         set: Option<Filling>,

@@ -54,7 +54,7 @@ impl Grid<'_> {
         Ok(indices.len() as u64)
     }
 
-    /// As many types as ends.
+    /// Refuses a grid with more or fewer types than ends.
     fn check_length(&self) -> Result<(), Fault> {
         let (found, expected) = (self.types.values.len() as u64, self.ends.values.len() as u64);
         let array = self.types.name.clone();

@@ -1,5 +1,5 @@
 //! XML files of VTK (`.vtu`): arrays as text, as base64, or as bytes appended after the XML.
-//! Appended raw bytes are no XML, so the file is split before it is parsed; decompression is limited by what the grid can need.
+//! Appended raw bytes are no XML, so the file is split before it is parsed; decompression is limited by the counts of the grid.
 
 use std::borrow::Cow;
 

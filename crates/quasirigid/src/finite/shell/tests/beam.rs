@@ -92,7 +92,7 @@ fn slanted_elements_are_stiff_in_the_plane() {
     }
 }
 
-/// Out of its plane the beam twists, and is twice as wide as it is thick: elements without flexibility in transverse
+/// Out of its plane the beam twists, and is twice as wide as thick: elements without flexibility in transverse
 /// shear take its section for thin and are 10 % too stiff, however small.
 #[test]
 fn curved_beams_bend_as_beams() {

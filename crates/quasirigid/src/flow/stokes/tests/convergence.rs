@@ -87,7 +87,7 @@ impl Eddy {
         [row(1.0, FIRST[1]), row(-1.0, FIRST[0]), [0.0; 3]]
     }
 
-    /// The force that drives it against the pressure `x y z / 1000`.
+    /// Force that drives the flow against the pressure `x y z / 1000`.
     fn force(&self, x: [f64; 3]) -> [f64; 3] {
         let laplacian = |own| FIRST.map(|axis| self.derivative(x, &[own, axis, axis])).iter().sum::<f64>();
         let pressure = scale(1e-3, [x[1] * x[2], x[2] * x[0], x[0] * x[1]]);

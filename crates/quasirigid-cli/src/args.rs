@@ -219,6 +219,10 @@ pub struct Evolve {
     /// Method of the evolution [default: the file's, or the one that holds]
     #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
+    /// Draws of the keys in [uncertainty], for intervals of the time and the revolutions
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    #[arg(conflicts_with_all = ["from", "to", "duration", "samples", "power", "method", "order"])]
+    pub samples_of_uncertainty: Option<u32>,
     /// Format of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,

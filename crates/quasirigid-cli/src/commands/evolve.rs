@@ -1,7 +1,6 @@
 use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
 use quasirigid_study::evolution::{self, Asked, Evolved};
-use serde_json::json;
 
 use super::{notes, open, seconds};
 use crate::args::{Evolve, EvolveFormat};
@@ -31,7 +30,8 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     };
     let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);
-    let Evolved { record, notes: remarks } = study.evolve(&asked, watch)?;
+    let evolved = study.evolve(&asked, watch)?;
+    let Evolved { record, notes: remarks } = &evolved;
     interrupt.forget();
     if !common.quiet {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));
@@ -41,16 +41,13 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
         None => true,
     };
     if common.json {
-        let mut object = json!(record);
-        object.as_object_mut().map(|entries| entries.remove("columns"));
-        object["mode"] = json!({ "start": record.mode_start, "end": record.mode_end });
-        output::print(&format!("{object:#}\n"))?;
+        output::print(&format!("{:#}\n", evolved.json()))?;
     } else if arguments.format == EvolveFormat::Csv {
         output::to_stdout(&interrupt, |out| history_csv(&record.columns, out))?;
     } else {
-        output::print(&evolution::text(&study.model.name, &record))?;
+        output::print(&evolution::text(&study.model.name, record))?;
     }
-    if record.status == "finished" {
+    if evolved.holds() {
         return Ok(if in_place { ExitStatus::Done } else { ExitStatus::CheckFailed });
     }
     remark(&record.message);

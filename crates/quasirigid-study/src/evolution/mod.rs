@@ -18,6 +18,7 @@ use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
+use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
@@ -66,6 +67,30 @@ pub struct Evolved {
     pub notes: Vec<String>,
 }
 
+impl Evolved {
+    /// Whether the evolution was followed to the end asked for, by a method that holds.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.record.status == "finished"
+    }
+
+    /// Whether the numbers of the record are those of the body: a method holds, whether or not the end was reached.
+    #[must_use]
+    pub fn has_numbers(&self) -> bool {
+        !matches!(self.record.status.as_str(), "refused" | "does-not-hold")
+    }
+
+    /// The answer without its rows, for machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let record = &self.record;
+        let mut object = json!(record);
+        object.as_object_mut().map(|entries| entries.remove("columns"));
+        object["mode"] = json!({ "start": record.mode_start, "end": record.mode_end });
+        object
+    }
+}
+
 impl Study {
     /// Request of the model file for an evolution.
     #[must_use]
@@ -87,6 +112,19 @@ impl Study {
     /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
     pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
         follow(self, self.initial()?, asked, watch)
+    }
+
+    /// Follows the averaged rotation from a rotation in the place of the model's own.
+    ///
+    /// # Errors
+    /// As [`evolve`](Self::evolve).
+    pub fn evolve_from(
+        &self,
+        start: Start,
+        asked: &Asked,
+        watch: &mut dyn Watch,
+    ) -> Result<Evolved, StudyError> {
+        follow(self, start, asked, watch)
     }
 }
 

@@ -1,0 +1,5 @@
+//! tmp
+/// tmp
+pub fn bibtex(_: &quasirigid_io::model::Model) -> String {
+    String::new()
+}

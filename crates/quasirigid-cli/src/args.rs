@@ -30,7 +30,7 @@ pub enum Command {
     /// Say how far the reduced equations hold, in words and numbers
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
     Check(Check),
-    /// Find the steady spin and the modes about it: time constants, stability, what dissipates
+    /// Find the steady spin and the modes about it: time constants, stability, shares of the dissipation
     #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
     Modes(ModesArgs),
     /// Print the reduced equations
@@ -46,14 +46,14 @@ pub enum Command {
     /// Follow the averaged rotation over any number of revolutions
     #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to 5deg")]
     Evolve(Evolve),
-    /// Set the full stiff system against the reduced equations, with the measured order
+    /// Compare the full system with the reduced equations and measure the order of convergence
     #[command(
         after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
     )]
     Verify(Verify),
 }
 
-/// The model, and what holds for every command.
+/// Model file and options of every command.
 #[derive(Args, Debug)]
 pub struct Common {
     /// Model file, or - for standard input
@@ -70,7 +70,7 @@ pub struct Common {
     pub quiet: bool,
 }
 
-/// What a propagation needs.
+/// Options of a propagation.
 #[derive(Args, Debug)]
 pub struct Propagation {
     /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred revolutions
@@ -82,10 +82,10 @@ pub struct Propagation {
     /// Number of output times, spread evenly from the start to the end
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<usize>,
-    /// Variable that is integrated: the momentum, which keeps |K| exactly, or the spin, as in the paper
+    /// Variable that is integrated: the angular momentum, which keeps |K| exactly, or the angular velocity, as in the paper
     #[arg(long, value_parser = named::<Form>())]
     pub form: Option<Form>,
-    /// How the full system is integrated [default: automatic]
+    /// Integrator of the full system [default: automatic]
     #[arg(long, value_parser = named::<Method>())]
     pub method: Option<Method>,
 }
@@ -127,7 +127,7 @@ pub struct ModesArgs {
 pub struct Derive {
     #[command(flatten)]
     pub common: Common,
-    /// Form of the result
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = DeriveFormat::Text)]
     pub format: DeriveFormat,
 }
@@ -148,7 +148,7 @@ pub struct Simulate {
     pub common: Common,
     #[command(flatten)]
     pub propagation: Propagation,
-    /// Which equations to integrate
+    /// System of equations to integrate
     #[arg(long, value_parser = named::<System>(), default_value = System::Reduced.name())]
     pub system: System,
     /// Add the internal coordinates and their rates to the table of the full system
@@ -161,7 +161,7 @@ pub struct Simulate {
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["duration", "samples"])]
     pub times: Option<Vec<f64>>,
-    /// Form of the table
+    /// Format of the table
     #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
     pub format: TableFormat,
     /// File for the table [default: standard output, or none with --json]
@@ -181,10 +181,10 @@ pub enum TableFormat {
 pub struct Verify {
     #[command(flatten)]
     pub common: Common,
-    /// Orders to verify, separated by commas [default: 1 to the model's order]
+    /// Orders to verify, separated by commas [default: 1 to the model's order; from 0 with rotors or liquids]
     #[arg(long, value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
     pub orders: Option<Vec<usize>>,
-    /// Turns that each history makes [default: 5]
+    /// Revolutions of each history [default: 5]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub rotations: Option<f64>,
     /// How often epsilon is halved [default: 4]
@@ -209,13 +209,13 @@ pub struct Evolve {
     /// Number of rows [default: the file's, or 201]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub samples: Option<u32>,
-    /// Where the mean power comes from [default: the file's, or harmonics where a material needs them]
+    /// Source of the mean power [default: the file's, or harmonics where a material needs them]
     #[arg(long, value_parser = named::<Power>())]
     pub power: Option<Power>,
-    /// By which method [default: the file's, or the one that holds]
+    /// Method of the evolution [default: the file's, or the one that holds]
     #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
-    /// Form of the result on standard output
+    /// Format of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,
     /// File for the whole table as CSV

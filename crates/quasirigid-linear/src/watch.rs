@@ -114,6 +114,8 @@ fn look(say: impl FnOnce(&Place)) {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Instant;
+
     use super::*;
 
     #[test]
@@ -139,8 +141,11 @@ mod tests {
             seen.push((name.to_owned(), share));
             ControlFlow::Continue(())
         };
+        let start = Instant::now();
         watched(watch, work).unwrap();
-        assert!(seen.len() >= 3 && seen.len() <= 9, "{seen:?}");
+        // one look at once, one a period, one at the end
+        let most = 2 + start.elapsed().as_millis() / PERIOD.as_millis();
+        assert!(seen.len() >= 3 && seen.len() as u128 <= most, "{} of {most}: {seen:?}", seen.len());
         assert!(
             seen[0].0.is_empty() && seen.iter().any(|(name, share)| name == "second" && *share > 0.4),
             "{seen:?}"

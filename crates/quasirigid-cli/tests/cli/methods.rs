@@ -299,6 +299,8 @@ fn a_forced_average_says_that_it_does_not_hold() {
     let ran = ran("evolve examples/nutation-damper/model.toml --method average");
     assert_eq!(ran.code, Some(1));
     assert!(ran.stdout.starts_with("nutation damper: THE AVERAGE DOES NOT HOLD"), "{}", ran.stdout);
+    let said = |text: &str| text.matches("THE AVERAGE DOES NOT HOLD").count();
+    assert_eq!((said(&ran.stdout), said(&ran.stderr)), (1, 0), "{}{}", ran.stdout, ran.stderr);
 }
 
 #[test]

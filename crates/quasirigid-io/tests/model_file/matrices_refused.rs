@@ -60,7 +60,10 @@ fn a_table_that_lacks_a_file_is_refused() {
     model.toml:9:8: `dofs`: M.mtx:1: 5 values; a degree of freedom is written node.component or node component
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
-    assert_snapshot!(refused(&format!("{KEYS}freedoms = \"rows.dof\"\n")), @"");
+    assert_snapshot!(refused(&format!("{KEYS}freedoms = \"rows.dof\"\n")), @r#"
+    model.toml:9:1: unknown key "freedoms" in [[matrices]]
+      did you mean `dofs`? the keys are name, nodes, dofs, mass, stiffness, damping, length_unit, mass_unit, rheology, masses, attach, rayleigh
+    "#);
     assert_snapshot!(refused(&format!("{KEYS}damping = {{ name = \"B\" }}\n")), @r#"
     model.toml:9:11: the matrix has no `file`
       add a line such as: file = "model.op4"
@@ -106,7 +109,7 @@ fn rows_that_are_about_nothing_are_refused() {
       say what each row is about: dofs = "bracket.dof", with lines node.component; without it the rows are the three or six components of each node in the order of the table
     "#);
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n8.3\n"), &listed), @"
-    model.toml:7:13: there is no freedom 8.3 of a node in the table `nodes`
+    model.toml:7:13: there is no degree of freedom 8.3 of a node in the table `nodes`
       every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
     ");
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n7.2\n"), &listed), @"
@@ -115,7 +118,7 @@ fn rows_that_are_about_nothing_are_refused() {
     ");
     let point = "DMIG,M,0,6,2,0\nDMIG,M,3,1,,3,1,2.\nDMIG,M,9,0,,9,0,2.\n";
     assert_snapshot!(with(("M.bdf", point), &KEYS.replace("M.mtx", "M.bdf")), @"
-    model.toml:8:8: there is no freedom 9.0 of a node in the table `nodes`
+    model.toml:8:8: there is no degree of freedom 9.0 of a node in the table `nodes`
       every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
     ");
 }

@@ -1,6 +1,6 @@
 //! The path of the angular momentum on its sphere, seen from the body.
 
-mod polhode;
+mod rigid_polhodes;
 mod stretches;
 mod vector;
 mod view;
@@ -8,7 +8,7 @@ mod view;
 use maud::{Markup, html};
 use quasirigid_io::record::{BodyRecord, HistoryRecord};
 
-use polhode::polhodes;
+use rigid_polhodes::polhodes;
 use stretches::{momentum_directions, pieces};
 use vector::{Vector, combined, dot};
 use view::{Halves, RADIUS, Spot, View};

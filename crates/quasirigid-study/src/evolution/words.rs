@@ -161,14 +161,17 @@ pub fn text(name: &str, record: &EvolutionRecord) -> String {
 }
 
 fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
-    let first = if record.status == "finished" { String::new() } else { format!("{} ", record.message) };
     if record.status == "refused" {
         return refused(out, name, record);
     }
-    let verdict = if record.verdict.is_empty() { String::new() } else { format!("{} ", record.verdict) };
-    let (before, after) =
-        if record.status == "does-not-hold" { (verdict, String::new()) } else { (String::new(), verdict) };
-    writeln!(out, "{}", paragraph(&format!("{name}: {before}{first}{}", record.sentence), "", "  "))?;
+    let spaced = |words: &str| if words.is_empty() { String::new() } else { format!("{words} ") };
+    let (before, after) = match record.status.as_str() {
+        // the message is the verdict
+        "does-not-hold" => (spaced(&record.message), String::new()),
+        "finished" => (String::new(), spaced(&record.verdict)),
+        _ => (spaced(&record.message), spaced(&record.verdict)),
+    };
+    writeln!(out, "{}", paragraph(&format!("{name}: {before}{}", record.sentence), "", "  "))?;
     if !after.is_empty() {
         writeln!(out, "{}", paragraph(after.trim_end(), "  ", "  "))?;
     }

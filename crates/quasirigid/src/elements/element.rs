@@ -83,7 +83,7 @@ pub(in crate::elements) trait Element {
     }
 
     /// Adds the finite elements of the element to the structure of a body without a carrier.
-    fn afloat(&self, _id: ElementId, _net: &mut PartGraph<'_>) -> Result<(), ElementError> {
+    fn afloat(&self, _id: ElementId, _graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
         Ok(())
     }
 }

@@ -2,21 +2,21 @@ use std::ops::Range;
 
 use crate::math::scalar::Scalar;
 
-/// Advection of a liquid, `ρ u·∇u` with its velocity `u` relative to the body, as it loads the liquid's coordinates. (L21)
+/// Advection of a liquid: load of `ρ u·∇u` on the coordinates of the liquid, with the velocity `u` relative to the body. (L21)
 ///
-/// It is known of a few flows; each coordinate has a share of each. No power is lost in it.
+/// Given by the terms of a few flows; each coordinate has a share of each flow. Advection takes no power.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advection {
     /// Coordinates of the liquid.
     pub coordinates: Range<usize>,
     /// Share of each flow in each coordinate: a row for each flow.
     pub shares: Vec<Vec<f64>>,
-    /// `ρ∫u_a·(u_b·∇)u_c dV` (kg·m²) of three flows `[a, b, c]`, the mean of both orders of the last two; those that are not zero.
+    /// `ρ∫u_a·(u_b·∇)u_c dV` (kg·m²) of three flows `[a, b, c]`, mean of both orders of the last two; nonzero terms only.
     pub terms: Vec<([usize; 3], f64)>,
 }
 
 impl Advection {
-    /// Adds the load `−ρ∫u_j·(u·∇)u dV` at the rates of all coordinates to the loads on all.
+    /// Adds the load `−ρ∫u_j·(u·∇)u dV` at the rates of all coordinates to the loads on all coordinates.
     pub fn add_load<T: Scalar>(&self, rates: &[T], loads: &mut [T]) {
         let zero = T::from(0.0);
         let sum = |row: &Vec<f64>| {
@@ -35,7 +35,7 @@ impl Advection {
         }
     }
 
-    /// The same of coordinates that begin earlier by so many.
+    /// Advection with its coordinates shifted down by `by`.
     #[must_use]
     pub fn moved(&self, by: usize) -> Self {
         let Range { start, end } = self.coordinates;

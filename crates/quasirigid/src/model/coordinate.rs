@@ -1,22 +1,23 @@
-//! Internal coordinates of a body, and the places that they move.
+//! Internal coordinates of a body, and markers: places that they displace.
 
-/// An internal coordinate.
+/// Internal coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
-    /// What moves, in words: `tip x`, `boom hinge 1`.
+    /// Name of the moving part or place: `tip x`, `boom hinge 1`.
     pub name: String,
-    /// Unit of its value, `m` or `rad`.
+    /// Unit of the value, `m` or `rad`.
     pub unit: &'static str,
 }
 
 impl Coordinate {
-    /// Whether it is a displacement of a whole structure, of which [`FlexibleBody::part_masses`](super::FlexibleBody::part_masses) says what moves.
+    /// True for a displacement of a whole structure; [`FlexibleBody::part_masses`](super::FlexibleBody::part_masses) then has the masses
+    /// of its parts.
     #[must_use]
     pub fn is_shape(&self) -> bool {
         self.name.starts_with("shape ")
     }
 
-    /// Name of the part that it moves, as the model file has it.
+    /// Name of the moving part, as in the model file.
     #[must_use]
     pub fn part(&self) -> &str {
         let mut quoted = self.name.split('"');
@@ -27,15 +28,15 @@ impl Coordinate {
     }
 }
 
-/// A place on the body: its displacement says whether the body stays nearly rigid, and a force may act there.
+/// Marker: a place on the body, for the displacement that tells whether the body stays nearly rigid, and for the action of forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// What it marks.
+    /// Name of the place.
     pub name: String,
     /// Equilibrium position from the pole (m).
     pub position: [f64; 3],
-    /// Coordinates that move it, with the displacement per unit `H_j` of each.
+    /// Coordinates that displace the place, each with the displacement per unit `H_j`.
     pub shapes: Vec<(usize, [f64; 3])>,
-    /// Curvature `G_jk` of its path for pairs of them, in both orders (m); none on straight paths. (I8)
+    /// Curvature `G_jk` of the path for pairs of coordinates, in both orders (m); none on straight paths. (I8)
     pub curvature: Vec<(usize, usize, [f64; 3])>,
 }

@@ -1,10 +1,15 @@
+//! Full equations along curved paths: momenta, velocities and loads with the fields of second order as extra coordinates.
+//! The body on straight paths has more coordinates, the last of which follow the others quadratically; the mass matrix then changes with
+//! `q` and is factored at each displacement.
+//! Equations (K12) and (K13), docs/theory/12-structures.md; (S6), docs/theory/01-system.md.
+
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
 use super::{CurvedPaths, FlexibleBody, Invariants, MotionState};
 use crate::math::sym3::{Sym, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
-/// The full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
+/// Full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
 #[derive(Clone, Debug)]
 pub(super) struct CurvedKinetics<'a> {
     body: &'a FlexibleBody,
@@ -16,19 +21,20 @@ pub(super) struct CurvedKinetics<'a> {
     /// Values and rates of all coordinates; values of cyclic ones are zero.
     z: Vec<f64>,
     z_rate: Vec<f64>,
-    /// `∂y_e/∂q_j`, a row for each field.
+    /// Slopes `∂y_e/∂q_j`, a row for each field.
     slopes: DMatrix<f64>,
-    /// `h(z)` of all coordinates, and `½∂J/∂z` of the body that does not recoil.
+    /// `h(z)` of all coordinates, and `½∂J/∂z` of the body without recoil in translation.
     h: Vec<[f64; 3]>,
     grown: Vec<Sym>,
     spin: [f64; 3],
-    /// Rate of the first moment of the displacement, and the same with that of the turn.
+    /// Rate of the first moment of the displacement, `ṡ`, and its inertial rate, `ṡ + ω × s`.
     drift: [f64; 3],
     u: [f64; 3],
     placed: Option<Placed>,
 }
 
-/// What displacements alone decide of the momenta: a Jacobian by differences asks for many momenta at the same displacements.
+/// Factors that depend on the displacements alone, kept because a Jacobian by differences evaluates many momenta at the same
+/// displacements.
 #[derive(Clone, Debug)]
 struct Placed {
     q: Vec<f64>,
@@ -71,7 +77,7 @@ impl<'a> CurvedKinetics<'a> {
         curved
     }
 
-    /// Takes displacements: what follows them, and the inertia tensor there with the first moment of the displacement.
+    /// Sets the displacements and the fields that follow them; returns the inertia tensor there and the first moment of the displacement.
     fn displace(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
         let CurvedPaths { coordinates, forms, .. } = self.paths;
         let (n, elastic) = (q.len(), self.body.elastic());
@@ -90,7 +96,7 @@ impl<'a> CurvedKinetics<'a> {
         self.straight()
     }
 
-    /// `J(z)` and the first moment of the displacement; `h(z)` and `½∂J/∂z` into their places.
+    /// Returns `J(z)` and the first moment of the displacement; stores `h(z)` and `½∂J/∂z`.
     fn straight(&mut self) -> (Sym, [f64; 3]) {
         let Invariants { J, J1, S, h, .. } = &self.paths.straight;
         let all = self.z.len();
@@ -122,14 +128,14 @@ impl<'a> CurvedKinetics<'a> {
         (J, s)
     }
 
-    /// A vector of each coordinate with what the fields that follow it have.
+    /// Vector of a coordinate with those of the fields that follow the coordinate.
     fn gathered(&self, vectors: &[[f64; 3]], j: usize) -> [f64; 3] {
         let n = self.body.coordinates().len();
         let fields = vectors[n..].iter().enumerate();
         fields.fold(vectors[j], |sum, (e, vector)| add(sum, scale(self.slopes[(e, j)], *vector)))
     }
 
-    /// Mass matrix of the coordinates at the displacements taken, the translation of a free body eliminated. (K13)
+    /// Mass matrix of the coordinates at the displacements set, the translation of a free body eliminated. (K13)
     fn mass(&self) -> DMatrix<f64> {
         let n = self.body.coordinates().len();
         let fields = self.paths.fields();
@@ -149,7 +155,7 @@ impl<'a> CurvedKinetics<'a> {
         mass
     }
 
-    /// Takes a motion whose displacements have been taken.
+    /// Sets the velocities of a motion whose displacements have been set.
     fn move_on(&mut self, omega: [f64; 3], rate: &[f64], s: [f64; 3]) {
         let n = rate.len();
         self.z_rate[..n].copy_from_slice(rate);
@@ -166,7 +172,7 @@ impl<'a> CurvedKinetics<'a> {
         }
     }
 
-    /// Takes displacements, unless they are those taken last.
+    /// Sets displacements, unless they are those set last.
     fn place(&mut self, q: &[f64]) -> Placed {
         if let Some(placed) = self.placed.take_if(|placed| placed.q == q) {
             return placed;
@@ -184,7 +190,7 @@ impl<'a> CurvedKinetics<'a> {
         Placed { q: q.to_vec(), s, mass, h, turned, inverse }
     }
 
-    /// Spin at these momenta; writes the rates of the coordinates.
+    /// Angular velocity at these momenta; writes the rates of the coordinates.
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> [f64; 3] {
         let placed = self.place(q);
         let load = placed
@@ -204,7 +210,7 @@ impl<'a> CurvedKinetics<'a> {
         omega
     }
 
-    /// Adds the centrifugal and Coriolis loads of the motion taken last to `sum`. (K13)
+    /// Adds the centrifugal and Coriolis loads of the motion set last to `sum`. (K13)
     pub fn add_loads(&self, sum: &mut [f64]) {
         let n = self.body.coordinates().len();
         let all = self.z.len();

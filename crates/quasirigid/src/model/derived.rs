@@ -1,4 +1,4 @@
-//! Bodies made of another one: stiffer, or with some of its coordinates locked.
+//! Bodies derived from another one: stiffened, or with some coordinates locked. Paper, (2.2).
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use super::flexible::BodyParts;
 use super::{FlexibleBody, FlexibleError, Invariants, Marker};
 
 impl FlexibleBody {
-    /// The same body with `C → C/ε²`, `B → B/ε`; paper, (2.2).
+    /// Stiffened body, `C → C/ε²`, `B → B/ε`; paper, (2.2).
     ///
     /// # Errors
     /// [`FlexibleError`] if the stiffness overflows.
@@ -29,13 +29,13 @@ impl FlexibleBody {
         })
     }
 
-    /// The same body with its cyclic coordinates locked.
+    /// Body with its cyclic coordinates locked.
     #[must_use]
     pub fn locked_inside(&self) -> Self {
         self.with(0..self.elastic())
     }
 
-    /// The same body with no more of its liquids than the coordinates that stand for them in the equations of motion.
+    /// Body without the frequency responses of its liquids, whose coordinates in the equations of motion stay.
     #[must_use]
     pub fn without_memories(&self) -> Self {
         let mut body = self.clone();
@@ -43,13 +43,13 @@ impl FlexibleBody {
         body
     }
 
-    /// The same body with its elastic coordinates locked.
+    /// Body with its elastic coordinates locked.
     #[must_use]
     pub fn stiff_outside(&self) -> Self {
         self.with(self.cyclic())
     }
 
-    /// The same body with some of its coordinates and the others locked: all elastic ones or all cyclic ones.
+    /// Body with a range of coordinates kept and the others locked: all elastic ones or all cyclic ones.
     fn with(&self, kept: Range<usize>) -> Self {
         let cyclic = if kept.start == 0 { 0 } else { kept.len() };
         let memories = self.memories().iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
@@ -78,7 +78,7 @@ impl FlexibleBody {
 }
 
 impl Invariants {
-    /// Those of the coordinates kept.
+    /// Invariants of the coordinates kept.
     fn block(&self, kept: &Range<usize>) -> Self {
         Self {
             S: self.S[kept.clone()].to_vec(),
@@ -91,7 +91,7 @@ impl Invariants {
 }
 
 impl Marker {
-    /// The same with all coordinates locked but those kept.
+    /// Marker with all coordinates locked but those kept.
     fn locked(&self, kept: &Range<usize>) -> Self {
         let place = |j: usize| kept.contains(&j).then(|| j - kept.start);
         let shapes = self.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H)));

@@ -1,4 +1,4 @@
-//! What takes energy from the motion of the coordinates: dashpots, and materials with a loss of their own. (D1)
+//! Dissipators: dashpots, and viscoelastic materials. (D1)
 
 use std::ops::Range;
 
@@ -9,16 +9,16 @@ use crate::math::sparse::SparseRows;
 /// part of finite elements, a rotor or a liquid. (D1)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dissipator {
-    /// Name, as the model file has it.
+    /// Name, as in the model file.
     pub name: String,
-    /// Its part of the damping matrix `B`.
+    /// Part of the damping matrix `B`.
     pub damping: SparseRows<f64>,
-    /// Its part of the stiffness whose loss is a material's, none in `B`.
+    /// Part of the stiffness with the loss of a material, which is not in `B`.
     pub loss: Option<Viscoelastic>,
 }
 
 impl Dissipator {
-    /// The same in a body with `C → C/ε²`, `B → B/ε`.
+    /// Dissipator of the body with `C → C/ε²`, `B → B/ε`.
     pub(super) fn stiffened(&self, epsilon: f64) -> Self {
         Self {
             name: self.name.clone(),
@@ -27,7 +27,7 @@ impl Dissipator {
         }
     }
 
-    /// The same with all coordinates but some locked; none if it dissipates no more.
+    /// Dissipator with all coordinates but those kept locked; none if nothing is left to dissipate.
     pub(super) fn block(&self, kept: Range<usize>) -> Option<Self> {
         let damping = self.damping.block(kept.clone());
         let loss = self.loss.as_ref().map(|loss| loss.block(kept));
@@ -37,15 +37,15 @@ impl Dissipator {
     }
 }
 
-/// Part of the stiffness whose loss no equation of motion holds: a material with a rheology of its own.
+/// Viscoelastic part of the stiffness: a material whose rheology has no equation of motion.
 ///
-/// The equations of motion take it as elastic; the response to a periodic load, which is what averaging asks for, has
-/// its [`modulus`](Rheology::modulus) at every frequency.
+/// Elastic in the equations of motion; the response to a periodic load, on which averages rest, has the [`modulus`](Rheology::modulus) of
+/// the material at every frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Viscoelastic {
-    /// How it answers periodic strain.
+    /// Rheology: response to periodic strain.
     pub rheology: Rheology,
-    /// Its part of `C`.
+    /// Part of `C`.
     pub stiffness: SparseRows<f64>,
 }
 

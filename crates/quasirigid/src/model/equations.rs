@@ -1,26 +1,25 @@
-//! The full equations (S2)–(S6) in numbers: momentum, generalised momentum, load and energy of any state.
+//! Full equations (S2)–(S6) at a state: angular momentum, generalised momenta, loads and energy.
 
 use super::{FlexibleBody, Invariants, Pair};
 use crate::math::scalar::Scalar;
 use crate::math::sym3::{Sym, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
-/// A state of the full system: spin (rad/s, body axes), internal coordinates and their rates.
+/// State of the full system: angular velocity (rad/s, body axes), internal coordinates and their rates.
 ///
-/// The numbers may be truncated Taylor series in time, which gives the rates of everything below.
+/// Components may be truncated Taylor series in time, which gives the rates of all quantities below.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionState<'a, T> {
-    /// Spin `ω` (rad/s).
+    /// Angular velocity `ω` (rad/s).
     pub omega: [T; 3],
-    /// Internal coordinates `q`; values of cyclic ones are not looked at.
+    /// Internal coordinates `q`; values of cyclic ones are not read.
     pub q: &'a [T],
     /// Rates `q̇`.
     pub rate: &'a [T],
 }
 
 impl FlexibleBody {
-    /// Inertia tensor at a displacement (kg·m²): about the pole of a held body, about the centre of mass of a free one.
-    /// (S2), (S6)
+    /// Inertia tensor at a displacement (kg·m²): about the pole of a constrained body, about the centre of mass of a free one. (S2), (S6)
     #[must_use]
     pub fn inertia_at<T: Scalar>(&self, q: &[T]) -> [T; 6] {
         let Invariants { J, J1, S, .. } = self.invariants();
@@ -125,7 +124,7 @@ impl FlexibleBody {
         0.5 * (kinetic + elastic)
     }
 
-    /// Pairs whose first coordinate is elastic: its value displaces mass.
+    /// Pairs whose first coordinate is elastic: the value of that coordinate displaces mass.
     fn displaced_pairs(&self) -> impl Iterator<Item = (usize, usize, &Pair)> {
         self.invariants().pairs.iter().take_while(|(j, ..)| *j < self.elastic())
     }

@@ -13,11 +13,11 @@ use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3;
 
-/// A body that bends and dissipates, as its dynamics sees it: the first core type.
+/// Flexible body: constants of the equations of motion of a body that bends and dissipates. The first core type.
 ///
-/// The body frame has the axes of the model file and its origin at the pole `O`. `n` internal coordinates `q` with
-/// mass, damping and stiffness matrices `A, B, C` (paper, (1.3)–(1.5)): first the elastic ones, whose values springs
-/// hold, then the cyclic ones, which no spring holds and whose rates friction slaves to the spin. (C1)
+/// The body frame has the axes of the model file and its origin at the pole `O`. `n` internal coordinates `q` with mass, damping and
+/// stiffness matrices `A, B, C` (paper, (1.3)–(1.5)): first the elastic ones, with springs, then the cyclic ones, without springs, whose
+/// rates friction slaves to the angular velocity. (C1)
 #[derive(Clone, Debug)]
 pub struct FlexibleBody {
     pub(super) parts: BodyParts,
@@ -27,19 +27,19 @@ pub struct FlexibleBody {
     pub(super) paths: Option<CurvedPaths>,
     /// Number of elastic coordinates.
     pub(super) elastic: usize,
-    /// Factor of the stiffness of the elastic coordinates, and of the damping of the others.
+    /// Factors: of the stiffness of the elastic coordinates, and of the damping of the cyclic ones.
     pub(super) factor: Cholesky,
     pub(super) friction: Cholesky,
 }
 
-/// The parts of a [`FlexibleBody`].
+/// Parts of a [`FlexibleBody`].
 #[derive(Clone, Debug)]
 pub struct BodyParts {
-    /// How the body is held.
+    /// Support of the body.
     pub support: Support,
-    /// Pole `O` (m), in the file's frame.
+    /// Pole `O` (m), in the frame of the model file.
     pub pole: [f64; 3],
-    /// Centre of mass of the frozen body (m), in the file's frame.
+    /// Centre of mass of the frozen body (m), in the frame of the model file.
     pub center_of_mass: [f64; 3],
     /// Inertia invariants about the pole.
     pub invariants: Invariants,
@@ -47,16 +47,16 @@ pub struct BodyParts {
     pub damping: SparseRows<f64>,
     /// Stiffness matrix `C`.
     pub stiffness: SparseRows<f64>,
-    /// Parts of `C` with a loss that is neither in `B` nor zero.
+    /// Viscoelastic parts of `C`: with a loss that is neither in `B` nor zero.
     pub viscoelastic: Vec<Viscoelastic>,
-    /// What takes energy: their parts of `B` sum to it, their losses to the viscoelastic parts of `C`. (D1)
+    /// Dissipators: their parts of `B` sum to `B`, their losses to the viscoelastic parts of `C`. (D1)
     pub dissipators: Vec<Dissipator>,
-    /// Liquids whose linear answer is known at every frequency.
+    /// Liquids whose linear response is known at every frequency.
     pub memories: Vec<LiquidMemory>,
-    /// One per coordinate.
+    /// Name and unit of each coordinate.
     pub coordinates: Vec<Coordinate>,
-    /// How many of them, the last ones, are cyclic: of these only the rates count, and `A`, `B`, `h` and the gyroscopic
-    /// coupling are all that the matrices hold.
+    /// Number of cyclic coordinates, the last ones: only their rates have an effect, and only `A`, `B`, `h` and the gyroscopic coupling
+    /// are nonzero.
     pub cyclic: usize,
     /// Momentum wheels.
     pub wheels: Wheels,
@@ -68,7 +68,7 @@ impl FlexibleBody {
     /// Joins the parts of a body.
     ///
     /// # Errors
-    /// [`FlexibleError`] names the coordinates that no spring holds, or no friction brakes.
+    /// [`FlexibleError`] names the coordinates that move without stiffness, or without friction.
     pub fn new(parts: BodyParts) -> Result<Self, FlexibleError> {
         let BodyParts { coordinates, stiffness, damping, .. } = &parts;
         let elastic = coordinates.len() - parts.cyclic;
@@ -90,25 +90,25 @@ impl FlexibleBody {
         })
     }
 
-    /// The same body with all that the second order of its paths does to the full equations. (K12)
+    /// Body with the complete second order of its paths in the full equations. (K12)
     #[must_use]
     pub fn along(self, paths: Option<CurvedPaths>) -> Self {
         Self { paths, ..self }
     }
 
-    /// The same body with the advection of its liquids. (L21)
+    /// Body with the advection of its liquids. (L21)
     #[must_use]
     pub fn advected(self, advections: Vec<Advection>) -> Self {
         Self { advections, ..self }
     }
 
-    /// Advection of its liquids, where it is known. (L21)
+    /// Advection of the liquids, where known. (L21)
     #[must_use]
     pub fn advections(&self) -> &[Advection] {
         &self.advections
     }
 
-    /// The same body with places and hinges whose displacements are watched.
+    /// Body with places and hinges whose displacements are watched.
     #[must_use]
     pub fn watching(self, watched: Watched) -> Self {
         Self { watched, ..self }
@@ -120,43 +120,43 @@ impl FlexibleBody {
         &self.watched
     }
 
-    /// The same body with the mass of each part of its structure.
+    /// Body with the mass of each part of its structure.
     #[must_use]
     pub fn made_of(self, part_masses: Vec<PartMass>) -> Self {
         Self { part_masses, ..self }
     }
 
-    /// Mass of each part of its structure. (M5)
+    /// Mass of each part of the structure. (M5)
     #[must_use]
     pub fn part_masses(&self) -> &[PartMass] {
         &self.part_masses
     }
 
-    /// What has left the range in which the equations hold at these coordinates; none if nothing has. (K14)
+    /// Place or hinge displaced beyond the range of the equations at these coordinates; none within the range. (K14)
     #[must_use]
     pub fn left_range(&self, q: &[f64]) -> Option<Displaced> {
         self.watched.left(q)
     }
 
-    /// Paths whose second order the full equations have in full; none where all paths are straight, or where only (I6) is known.
+    /// Curved paths with the complete second order in the full equations; none where all paths are straight, or where only (I6) is known.
     #[must_use]
     pub fn paths(&self) -> Option<&CurvedPaths> {
         self.paths.as_ref()
     }
 
-    /// How the body is held.
+    /// Support of the body.
     #[must_use]
     pub fn support(&self) -> &Support {
         &self.parts.support
     }
 
-    /// Pole `O` (m), in the file's frame.
+    /// Pole `O` (m), in the frame of the model file.
     #[must_use]
     pub fn pole(&self) -> [f64; 3] {
         self.parts.pole
     }
 
-    /// Centre of mass of the frozen body `S*` (m), in the file's frame.
+    /// Centre of mass of the frozen body `S*` (m), in the frame of the model file.
     #[must_use]
     pub fn center_of_mass(&self) -> [f64; 3] {
         self.parts.center_of_mass
@@ -174,7 +174,7 @@ impl FlexibleBody {
         sym3::rows(self.parts.invariants.J)
     }
 
-    /// Damping matrix `B`, as the springs give it.
+    /// Damping matrix `B`.
     #[must_use]
     pub fn damping(&self) -> &SparseRows<f64> {
         &self.parts.damping
@@ -186,19 +186,19 @@ impl FlexibleBody {
         &self.parts.stiffness
     }
 
-    /// Parts of the stiffness whose loss is neither in the damping matrix nor zero.
+    /// Viscoelastic parts of the stiffness: with a loss that is neither in the damping matrix nor zero.
     #[must_use]
     pub fn viscoelastic(&self) -> &[Viscoelastic] {
         &self.parts.viscoelastic
     }
 
-    /// What takes energy from the motion of the coordinates; their parts of the damping matrix sum to it. (D1)
+    /// Dissipators; their parts of the damping matrix sum to the damping matrix. (D1)
     #[must_use]
     pub fn dissipators(&self) -> &[Dissipator] {
         &self.parts.dissipators
     }
 
-    /// Liquids whose linear answer is known at every frequency.
+    /// Liquids whose linear response is known at every frequency.
     #[must_use]
     pub fn memories(&self) -> &[LiquidMemory] {
         &self.parts.memories
@@ -231,7 +231,7 @@ impl FlexibleBody {
         self.elastic
     }
 
-    /// The cyclic coordinates: the last ones. Only their rates count.
+    /// Cyclic coordinates: the last ones. Only their rates have an effect.
     #[must_use]
     pub fn cyclic(&self) -> Range<usize> {
         self.elastic..self.parts.coordinates.len()

@@ -1,34 +1,34 @@
-//! Motions of coordinates that meet no stiffness or no friction: a body with one has no equilibrium.
+//! Errors of a flexible body: motions without stiffness or without friction, with which a body has no equilibrium.
 
 use thiserror::Error;
 
 use super::Coordinate;
 
-/// Components of a null direction below this share of the largest are not named.
+/// Size from which a component of a null direction is named.
 const NAMED: f64 = 0.1;
-/// Coordinates named in an error, at most.
+/// Limit of the number of coordinates named in an error.
 const MOST_NAMES: usize = 6;
 
-/// Matrices that do not belong to a body with an equilibrium.
+/// Error of matrices that belong to no body with an equilibrium.
 #[non_exhaustive]
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FlexibleError {
-    /// Some motion of the coordinates meets no stiffness.
-    #[error("a mechanism: no spring resists some motion of {coordinates}")]
+    /// A motion of the coordinates meets no stiffness.
+    #[error("{}", mechanism(coordinates))]
     Mechanism {
-        /// The coordinates that move, by name.
+        /// Names of the coordinates that move.
         coordinates: String,
     },
-    /// A cyclic coordinate that nothing brakes.
+    /// A motion of the cyclic coordinates meets no friction.
     #[error("no friction brakes some motion of {coordinates}")]
     Frictionless {
-        /// The coordinates that move, by name.
+        /// Names of the coordinates that move.
         coordinates: String,
     },
 }
 
 impl FlexibleError {
-    /// The coordinates that move, by name.
+    /// Names of the coordinates that move.
     #[must_use]
     pub fn coordinates(self) -> String {
         match self {
@@ -37,7 +37,7 @@ impl FlexibleError {
     }
 }
 
-/// The coordinates that move along a direction, by name.
+/// Names of the coordinates that move along a direction.
 pub(super) fn named(coordinates: &[Coordinate], direction: &[f64]) -> String {
     let moving: Vec<_> = coordinates
         .iter()
@@ -50,4 +50,9 @@ pub(super) fn named(coordinates: &[Coordinate], direction: &[f64]) -> String {
         names.push_str(&format!(" and {} more", moving.len() - MOST_NAMES));
     }
     names
+}
+
+/// Message for motions without stiffness, with the names of their coordinates.
+pub(crate) fn mechanism(coordinates: &str) -> String {
+    format!("a mechanism: no spring resists some motion of {coordinates}")
 }

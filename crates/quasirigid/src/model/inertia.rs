@@ -1,20 +1,24 @@
+//! Inertia tensor of a mass distribution, checked for symmetry and for the triangle inequality of its moments.
+//! Tolerances are relative to the largest entry, 1e-12, so that tables with 13 significant digits pass and the unit of mass has no effect.
+//! Shift of the point of reference and second moments as in (I7), docs/theory/02-invariants.md.
+
 use nalgebra::{Matrix3, Vector3};
 use thiserror::Error;
 
-/// Inertia tensor (kg·m²) about a point the caller names, in axes the caller names.
+/// Inertia tensor (kg·m²), about a point and in axes known to the caller.
 ///
 /// Invariant: symmetric, with principal moments `0 ≤ J₁ ≤ J₂ ≤ J₃ ≤ J₁ + J₂`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia(Matrix3<f64>);
 
-/// A matrix that no mass distribution has as its inertia tensor.
+/// Error of a matrix that is the inertia tensor of no mass distribution.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum InertiaError {
     /// An entry is NaN or infinite.
     #[error("the inertia tensor has the entry {value}, which is not a finite number")]
     NotFinite {
-        /// The entry.
+        /// Entry.
         value: f64,
     },
     /// The matrix is not symmetric.
@@ -36,18 +40,17 @@ pub enum InertiaError {
     },
 }
 
-/// Entries that should agree may differ by this much relative to the largest entry: the last digit that a program
-/// writing 13 significant digits leaves open.
+/// Difference of equal entries, relative to the largest entry, that counts as rounding: the last digit of a table with 13 significant
+/// digits.
 const ROUNDING: f64 = 1e-12;
 
 impl Inertia {
-    /// Accepts `J` if a mass distribution with this tensor can exist; changes nothing but the rounding of its
-    /// symmetric part.
+    /// Accepts `J` if a mass distribution with this tensor can exist; takes its symmetric part.
     ///
-    /// Tolerances are relative to the largest entry, so a gram-sized body is judged exactly like a ship.
+    /// Tolerances are relative to the largest entry, so that bodies of any mass are judged alike.
     ///
     /// # Errors
-    /// [`InertiaError`] says which law `J` breaks.
+    /// [`InertiaError`] names the law that `J` breaks.
     pub fn new(J: [[f64; 3]; 3]) -> Result<Self, InertiaError> {
         let J = Matrix3::from(J);
         let tolerance = ROUNDING * J.amax();
@@ -81,8 +84,8 @@ impl Inertia {
         moments
     }
 
-    /// The tensor about a point at `offset` (m) from the centre of mass, for a tensor about the centre of mass of a
-    /// body of this `mass` (kg): `J + m (|d|² 1 − d dᵀ)`.
+    /// Tensor about a point at `offset` (m) from the centre of mass, for a tensor about the centre of mass of a body of this `mass` (kg):
+    /// `J + m (|d|² 1 − d dᵀ)`.
     #[must_use]
     pub fn shifted(&self, mass: f64, offset: [f64; 3]) -> Self {
         let d = Vector3::from(offset);

@@ -1,3 +1,8 @@
+//! Kinetics of the full system: velocities from momenta, and loads on the coordinates.
+//! The mass matrix is factored once, in blocks where coordinates fall apart; the translation of a free body is a correction of rank three
+//! and the angular velocity a system of size three.
+//! Equations (S2), (S4) and (S6), docs/theory/01-system.md; (T1), docs/theory/08-full-system.md.
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::curved::CurvedKinetics;
@@ -7,7 +12,7 @@ use crate::math::sparse::SparseRows;
 use crate::math::sym3::{self, Sym, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
-/// Velocities from momenta: solves (S2) and (S4) for the spin and the rates of the coordinates, at any displacement.
+/// Velocities from momenta: solves (S2) and (S4) for the angular velocity and the rates of the coordinates, at any displacement.
 ///
 /// The kinetic energy is `½ωᵀJ(q)ω + ω·h(q)q̇ + ½q̇ᵀAq̇`, for a free body with the translation eliminated. (S6)
 #[derive(Clone, Debug)]
@@ -17,19 +22,19 @@ pub struct Kinetics<'a> {
     /// `h_k(q)` in the first three columns, the generalised momenta in the last; then `A⁻¹` times both.
     rows: Vec<[f64; 4]>,
     solved: Vec<[f64; 4]>,
-    /// `½∂J/∂q_j` of the body that does not recoil.
+    /// `½∂J/∂q_j` of the body without recoil in translation.
     slopes: Vec<Sym>,
-    /// The same with paths that are curved point by point.
+    /// Kinetics along curved paths, where the body has them.
     curved: Option<CurvedKinetics<'a>>,
 }
 
-/// Spin of a state, and what its loads are computed from.
+/// Velocities of a state, with the data of its loads.
 #[derive(Clone, Copy, Debug)]
 pub struct Velocities<'k> {
-    /// Spin (rad/s), body axes.
+    /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     body: &'k FlexibleBody,
-    /// Inertial rate of the first moment of the displacement, `ṡ + ω × s` (N·s); zero where the body is held.
+    /// Inertial rate of the first moment of the displacement, `ṡ + ω × s` (N·s); zero for a constrained body.
     u: [f64; 3],
     slopes: &'k [Sym],
     curved: Option<&'k CurvedKinetics<'k>>,
@@ -37,7 +42,7 @@ pub struct Velocities<'k> {
 
 impl FlexibleBody {
     /// Angular momentum about the pole without that of the wheels (N·m·s, body axes), and generalised momenta, of a motion along curved
-    /// paths: what [`Kinetics::velocities`] takes. (S2), (S4), (K13)
+    /// paths: the arguments of [`Kinetics::velocities`]. (S2), (S4), (K13)
     #[must_use]
     pub fn full_momenta(&self, motion: MotionState<f64>) -> ([f64; 3], Vec<f64>) {
         match self.paths() {
@@ -57,7 +62,7 @@ impl FlexibleBody {
 }
 
 impl<'a> Kinetics<'a> {
-    /// Factors the mass matrix of a body; none if it is not positive, as where the carrier is too light to be told from none.
+    /// Factors the mass matrix of a body; none if that matrix is not positive, as with a carrier whose mass is lost in rounding.
     #[must_use]
     pub fn new(body: &'a FlexibleBody) -> Option<Self> {
         let n = body.coordinates().len();
@@ -67,13 +72,13 @@ impl<'a> Kinetics<'a> {
         Some(Self { body, inverse: MassInverse::new(body)?, solved: rows.clone(), rows, slopes, curved })
     }
 
-    /// The body.
+    /// Body.
     #[must_use]
     pub fn body(&self) -> &'a FlexibleBody {
         self.body
     }
 
-    /// Spin at these momenta (N·m·s, without the wheels; coordinates' own units) and coordinates; writes the rates of the
+    /// Angular velocity at these momenta (N·m·s, without the wheels; units of the coordinates) and coordinates; writes the rates of the
     /// coordinates.
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
         if let Some(curved) = &mut self.curved {
@@ -108,7 +113,7 @@ impl<'a> Kinetics<'a> {
         Velocities { omega, body: self.body, u, slopes: &self.slopes, curved: None }
     }
 
-    /// `J(q)` and the first moment of the displacement; `h_k(q)` into the rows, and the slopes.
+    /// Returns `J(q)` and the first moment of the displacement; stores `h_k(q)` in the rows, and the slopes.
     fn prepare(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
         let Invariants { J, J1, S, h, pairs, .. } = self.body.invariants();
         let mut J = *J;
@@ -143,8 +148,8 @@ impl<'a> Kinetics<'a> {
 }
 
 impl Velocities<'_> {
-    /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; the power that the
-    /// dashpots take (W). (S4)
+    /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; returns the power that the dashpots take
+    /// (W). (S4)
     pub fn add_loads(&self, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
         let Self { omega, body, u, slopes, curved } = *self;
         body.advections().iter().for_each(|advection| advection.add_load(rate, sum));
@@ -168,7 +173,7 @@ impl Velocities<'_> {
     }
 }
 
-/// Adds the loads of springs and dashpots; the power that the dashpots take (W).
+/// Adds the loads of springs and dashpots; returns the power that the dashpots take (W).
 fn add_internal(body: &FlexibleBody, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {
     let mut power = 0.0;
     for (j, sum) in sum.iter_mut().enumerate() {
@@ -180,27 +185,27 @@ fn add_internal(body: &FlexibleBody, q: &[f64], rate: &[f64], sum: &mut [f64]) -
     power
 }
 
-/// Inverse of the mass matrix `A − SSᵀ/m*` of a free body, `A` of a held one.
+/// Inverse of the mass matrix `A − SSᵀ/m*` of a free body, `A` of a constrained one.
 #[derive(Clone, Debug)]
 struct MassInverse {
     sparse: SparseInverse,
-    /// `A⁻¹S` and `(m* − SᵀA⁻¹S)⁻¹`, which join in for a free body.
+    /// `A⁻¹S` and `(m* − SᵀA⁻¹S)⁻¹`, the correction of rank three for a free body.
     recoil: Option<(Vec<[f64; 3]>, Matrix3<f64>)>,
     S: Vec<[f64; 3]>,
 }
 
 #[derive(Clone, Debug)]
 enum SparseInverse {
-    /// Of a matrix that falls into small blocks, which its inverse shares.
+    /// Inverse of a matrix of small blocks, itself of these blocks.
     Blocks(SparseRows<f64>),
     Factor(Cholesky),
 }
 
 /// Largest block that is inverted as a whole.
 const BLOCK: usize = 6;
-/// Up to so many coordinates the inverse is one block, with the recoil in it.
+/// Number of coordinates up to which the inverse is one block, recoil included.
 const SMALL: usize = 12;
-/// Share of the whole mass that is rounding.
+/// Share of the whole mass below which a recoiling mass is rounding.
 const LOST: f64 = 1e-13;
 
 impl MassInverse {
@@ -229,7 +234,7 @@ impl MassInverse {
         Some(if S.len() <= SMALL { inverse.joined() } else { inverse })
     }
 
-    /// The same inverse as one block.
+    /// Inverse as one block, recoil included.
     fn joined(self) -> Self {
         let n = self.S.len();
         let mut parts = Vec::new();
@@ -273,7 +278,7 @@ impl MassInverse {
     }
 }
 
-/// Inverse of a matrix whose blocks are contiguous and small; none if one is larger.
+/// Inverse of a matrix whose blocks are contiguous and small; none if a block is larger than `BLOCK`.
 fn blocks(A: &SparseRows<f64>) -> Option<SparseRows<f64>> {
     let mut parts = Vec::new();
     let mut start = 0;

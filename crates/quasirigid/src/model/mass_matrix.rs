@@ -19,7 +19,7 @@ impl FlexibleBody {
         force
     }
 
-    /// `(A − h J⁻¹ hᵀ) x`: the same with the body free to recoil in rotation. (V2)
+    /// `(A − h J⁻¹ hᵀ) x`: mass matrix of the body free to recoil in rotation, times a vector. (V2)
     #[must_use]
     pub fn recoiling_mass_times(&self, x: &[f64]) -> Vec<f64> {
         let Invariants { J, h, .. } = self.invariants();
@@ -59,7 +59,7 @@ impl FlexibleBody {
         A
     }
 
-    /// The same with the body free to recoil in rotation. (V2)
+    /// Mass matrix of the cyclic coordinates with the body free to recoil in rotation. (V2)
     #[must_use]
     pub fn recoiling_cyclic_mass(&self) -> Dense {
         let h = &self.invariants().h[self.cyclic()];
@@ -74,7 +74,7 @@ impl FlexibleBody {
         A
     }
 
-    /// The same with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
+    /// Mass matrix with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
     #[must_use]
     pub fn recoiling_mass_matrix(&self) -> Dense {
         let Invariants { J, h, .. } = self.invariants();

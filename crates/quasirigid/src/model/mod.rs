@@ -1,4 +1,4 @@
-//! What a body *is*.
+//! Bodies: flexible with internal coordinates, reduced without them, and their parts.
 
 mod advection;
 mod coordinate;
@@ -31,6 +31,7 @@ pub use dissipator::{Dissipator, Viscoelastic};
 pub use equations::MotionState;
 pub use flexible::{BodyParts, FlexibleBody};
 pub use flexible_error::FlexibleError;
+pub(crate) use flexible_error::mechanism;
 pub use inertia::{Inertia, InertiaError};
 pub use invariants::{Invariants, Pair};
 pub use kinetics::{Kinetics, Velocities};

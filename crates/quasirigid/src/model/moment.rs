@@ -21,7 +21,7 @@ pub(crate) fn straight_pair(W: &Matrix3<f64>) -> Pair {
     Pair { A: W.trace(), J2: inertia(W).map(|entry| 0.5 * entry), Z: cross(W), S2: [0.0; 3] }
 }
 
-/// The same with curved paths, `sum` = `∫ G_jk dm` and `G` = `∫ ρ G_jkᵀ dm`. (I6)
+/// Invariants of two coordinates with curved paths, `sum` = `∫ G_jk dm` and `G` = `∫ ρ G_jkᵀ dm`. (I6)
 pub(crate) fn curved_pair(straight: Pair, sum: [f64; 3], G: &Matrix3<f64>) -> Pair {
     let (bent, turned) = (inertia(G), cross(G));
     Pair {

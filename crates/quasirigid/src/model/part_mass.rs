@@ -7,12 +7,12 @@ use crate::math::sparse::SparseRows;
 pub struct PartMass {
     /// Name of the part.
     pub name: String,
-    /// Its mass over the coordinates of the body.
+    /// Mass matrix of the part over the coordinates of the body.
     pub mass: SparseRows<f64>,
 }
 
 impl PartMass {
-    /// The same in a body that keeps these coordinates and locks the others.
+    /// Part mass in a body with these coordinates kept and the others locked.
     pub(super) fn locked(&self, kept: Range<usize>) -> Self {
         Self { name: self.name.clone(), mass: self.mass.block(kept) }
     }

@@ -5,10 +5,10 @@ use crate::math::sparse::SparseRows;
 
 /// Curved paths point by point, for the full equations: `r = H_j q_j + Ψ_e y_e` with `y_e = ½ qᵀΓ^e q`. (K12)
 ///
-/// A body of more coordinates on straight paths, the last of which follow the others.
+/// Represented as a body of more coordinates on straight paths, the last of which follow the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvedPaths {
-    /// Invariants of the body on straight paths: its own coordinates, then the fields `Ψ_e`.
+    /// Invariants of the body on straight paths: coordinates of the body, then the fields `Ψ_e`.
     pub straight: Invariants,
     /// Coordinates that the fields follow.
     pub coordinates: Range<usize>,
@@ -23,7 +23,7 @@ impl CurvedPaths {
         self.forms.len()
     }
 
-    /// The same in a body that keeps these coordinates of `all` and locks the others; none if it locks those of the paths.
+    /// Paths in a body with these of `all` coordinates kept and the others locked; none if coordinates of the paths are locked.
     pub(super) fn locked(&self, all: usize, kept: &Range<usize>) -> Option<Self> {
         let Range { start, end } = self.coordinates;
         if !(kept.start <= start && end <= kept.end) {

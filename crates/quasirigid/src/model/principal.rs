@@ -1,3 +1,8 @@
+//! Principal axes of an inertia tensor, modes of rotation, and frequency and nome of the polhode.
+//! Axes of equal moments are not determined, and callers must ask; signs of axes are fixed, so that results do not depend on the eigenvalue
+//! solver.
+//! Equation (V8), docs/theory/04-validity.md.
+
 use nalgebra::Matrix3;
 
 use crate::math::elliptic;
@@ -14,27 +19,27 @@ pub struct Principal {
     pub axes: [[f64; 3]; 3],
 }
 
-/// Periodic motion of the spin of the frozen body in the body frame. (V8)
+/// Polhode: periodic motion of the angular velocity of the frozen body in the body frame. (V8)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polhode {
     /// Frequency `Ω_p` (rad/s).
     pub frequency: f64,
-    /// Nome: harmonic `n` of the loads is weaker by about its power `n/2`.
+    /// Nome: harmonic `n` of the loads is weaker by about the power `n/2` of the nome.
     pub nome: f64,
 }
 
-/// Which axis the angular momentum circles in the body.
+/// Mode of rotation: axis that the angular momentum circles in the body.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// The axis of greatest inertia: `|K|² > 2 E I₂`.
+    /// Short-axis mode, about the axis of greatest inertia: `|K|² > 2 E I₂`.
     ShortAxis,
-    /// The axis of least inertia: `|K|² < 2 E I₂`.
+    /// Long-axis mode, about the axis of least inertia: `|K|² < 2 E I₂`.
     LongAxis,
 }
 
 impl Mode {
-    /// Number of the axis that the momentum circles.
+    /// Index of the axis that the angular momentum circles.
     #[must_use]
     pub fn circled(self) -> usize {
         match self {
@@ -43,7 +48,7 @@ impl Mode {
         }
     }
 
-    /// The other mode.
+    /// Other mode.
     #[must_use]
     pub fn other(self) -> Self {
         match self {
@@ -52,8 +57,8 @@ impl Mode {
         }
     }
 
-    /// Whether a body with these principal moments (kg·m²), ascending, can wobble about the axis of this mode: not where the
-    /// moment of that axis is the middle one too.
+    /// True if a body with these principal moments (kg·m²), ascending, can wobble about the axis of this mode: false where that moment
+    /// equals the middle one.
     #[must_use]
     pub fn exists(self, [I1, I2, I3]: [f64; 3]) -> bool {
         let gap = match self {
@@ -64,7 +69,7 @@ impl Mode {
     }
 }
 
-/// Moments closer than this, relative to the largest, are those of a body of revolution.
+/// Difference of moments, relative to the largest, below which they are those of a body of revolution.
 const DISTINCT: f64 = 1e-9;
 
 impl Principal {
@@ -86,7 +91,7 @@ impl Principal {
         }
     }
 
-    /// Which axes are determined: not those of moments that are equal.
+    /// True for each axis that is determined: false for axes of equal moments.
     #[must_use]
     pub fn determined(&self) -> [bool; 3] {
         let [I1, I2, I3] = self.moments;
@@ -94,7 +99,7 @@ impl Principal {
         [lower, lower && upper, upper]
     }
 
-    /// Modes by the axis of extreme inertia that they circle: that next to a vector first.
+    /// Modes in the order of nearness of their axes to a vector.
     #[must_use]
     pub fn nearest(&self, vector: [f64; 3]) -> [Mode; 2] {
         let [least, _, greatest] = self.components(vector).map(f64::abs);
@@ -107,15 +112,15 @@ impl Principal {
         self.axes.map(|axis| dot(axis, vector))
     }
 
-    /// The vector with these components along the principal axes.
+    /// Vector with these components along the principal axes.
     #[must_use]
     pub fn vector(&self, components: [f64; 3]) -> [f64; 3] {
         let parts = self.axes.iter().zip(components);
         parts.fold([0.0; 3], |sum, (axis, component)| vec3::add(sum, vec3::scale(component, *axis)))
     }
 
-    /// Motion of the spin of the frozen body that starts with `omega` (rad/s); none if the spin does not move in the
-    /// body or takes for ever, as about a principal axis of a sphere and on the separatrix.
+    /// Polhode through `omega` (rad/s); none if the angular velocity is constant in the body or its period infinite, as in a sphere and
+    /// on the separatrix.
     #[must_use]
     pub fn polhode(&self, omega: [f64; 3]) -> Option<Polhode> {
         let [I1, I2, I3] = self.moments;

@@ -1,11 +1,15 @@
+//! Reduced equations of a nearly rigid body to order `p`, as polynomials in the angular velocity or the angular momentum.
+//! A plain record: validity, propagation and averages take it, and bodies known only by their equations can be built without a reduction.
+//! Equations (R1) to (R11), docs/theory/03-reduction.md; (P7), docs/theory/05-propagation.md; (C4) to (C6), docs/theory/13-inside.md.
+
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
 
-/// The reduced equations of a nearly rigid body to order `p`: the second core type.
+/// Reduced equations of a nearly rigid body to order `p`: the second core type.
 ///
-/// Polynomials in the spin `ω` (rad/s, body axes), kept degree by degree. Everything that uses the reduced equations
-/// takes this type and asks no more how it was made.
+/// Polynomials in the angular velocity `ω` (rad/s, body axes), stored degree by degree. Every use of the reduced equations takes this
+/// type, independent of its origin.
 ///
 /// ```
 /// use quasirigid::prelude::*;
@@ -27,36 +31,37 @@ pub struct ReducedBody {
     pub mass: f64,
     /// Inertia tensor `J` of the frozen body about the pole (kg·m²): xx, yy, zz, yz, zx, xy.
     pub J: Sym,
-    /// Spin rate `ω̇ = f(ω)` (rad/s²), degrees 2 to `p + 2`. With momentum wheels, whose momentum counts as degree one, each
-    /// degree holds the lower monomials too, and so in every polynomial below. (R2), (C4)
+    /// Angular acceleration `ω̇ = f(ω)` (rad/s²), degrees 2 to `p + 2`. With momentum wheels, whose angular momentum has degree one, each
+    /// degree contains lower monomials too, here and in every polynomial below. (R2), (C4)
     pub f: Series,
-    /// Angular momentum `K(ω)` (N·m·s), that of wheels included, degrees 1 to `p + 1`. (R5)
+    /// Angular momentum `K(ω)` (N·m·s) with that of wheels, degrees 1 to `p + 1`. (R5)
     pub K: Series,
-    /// Spin `Ω(K)` (rad/s) as a polynomial in the momentum (N·m·s), degrees 1 to `p + 1`. (R11)
+    /// Angular velocity `Ω(K)` (rad/s) as a polynomial in the angular momentum (N·m·s), degrees 1 to `p + 1`. (R11)
     pub Omega: Series,
     /// Energy (J) without that of the wheels, degrees 2 to `p + 2`. (R10), (C5)
     pub energy: Series,
-    /// Energy (J) as a polynomial in the momentum (N·m·s), degrees 2 to `p + 2`. (R11)
+    /// Energy (J) as a polynomial in the angular momentum (N·m·s), degrees 2 to `p + 2`. (R11)
     pub energy_of_momentum: Series,
     /// Power dissipated (W), a sum of squares: by elastic coordinates of degrees 6 to `2p`, none below `p = 3`; by cyclic ones
     /// of degrees 4 to `2p + 2`, none below `p = 1`. (R9), (C6)
     pub power: Series,
-    /// The same of each dissipator, by name; materials without equation of motion have none. (D3)
+    /// Power of each dissipator (W), by name; materials without equation of motion have none. (D3)
     pub power_shares: Vec<(String, Series)>,
-    /// Force `φ = −Σ m r̈` of the displacements (N), degrees 4 to `p + 2`: it moves the pole of a free body, and a support that
-    /// fixes the pole bears it. (R8)
+    /// Force `φ = −Σ m r̈` of the displacements (N), degrees 4 to `p + 2`: moves the pole of a free body, and acts on a support that
+    /// fixes the pole. (R8)
     pub phi: Series,
     /// Place of the pole of a free body from its centre of mass (m), body axes, `−s/m*`, degrees 2 to `p`; zero where a point
     /// is fixed or driven. (P7)
     pub pole: Series,
     /// Internal coordinates `q(ω)`, one row each, degrees 2 to `p`; zero for cyclic ones. (R4)
     pub q: Series,
-    /// Their rates `q̇(ω)`: of elastic ones of degrees 3 to `p + 1`, of cyclic ones of degrees 2 to `p + 1`. (R3), (C3)
+    /// Rates `q̇(ω)` of the coordinates: of elastic ones of degrees 3 to `p + 1`, of cyclic ones of degrees 2 to `p + 1`. (R3), (C3)
     pub rate: Series,
 }
 
 impl ReducedBody {
-    /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations; of degree 2 it is Euler's `−ω × Jω` itself. (R7)
+    /// Torque `μ_d = J f_d` (N·m), one degree of the deviation from Euler's equations; degree 2 is the torque `−ω × Jω` of Euler's
+    /// equations. (R7)
     ///
     /// # Panics
     /// If `degree` is above [`highest_degree`](Self::highest_degree).
@@ -71,17 +76,17 @@ impl ReducedBody {
         self.f.part(degree).contracted(&sym3::rows(self.J))
     }
 
-    /// Highest degree of the torque that is known, `p + 2`.
+    /// Highest known degree of the torque, `p + 2`.
     #[must_use]
     pub fn highest_degree(&self) -> usize {
         self.f.degree()
     }
 
-    /// Entry of the tensor of one degree of `μ`, symmetric in the indices of the spin: with indices `k, l, m, n` the
-    /// vector `D_{·klmn}` of the paper's (4.4), `μ₄ = D_{·klmn} ω_k ω_l ω_m ω_n`; with five indices `E`. (R7)
+    /// Entry of the tensor of one degree of `μ`, symmetric in the indices of `ω`: with indices `k, l, m, n` the vector `D_{·klmn}` of the
+    /// paper's (4.4), `μ₄ = D_{·klmn} ω_k ω_l ω_m ω_n`; with five indices `E`. (R7)
     ///
     /// # Panics
-    /// If there are fewer than two indices or more than `p + 2`, or one is above 2.
+    /// If there are fewer than two indices or more than `p + 2`, or an index is above 2.
     #[must_use]
     pub fn tensor(&self, indices: &[usize]) -> [f64; 3] {
         let degree = indices.len();
@@ -95,19 +100,19 @@ impl ReducedBody {
         [0, 1, 2].map(|row| mu.row(row)[index(exponents)] / orderings)
     }
 
-    /// Momentum `k` of the wheels relative to the body (N·m·s), body axes. (C4)
+    /// Angular momentum `k` of the wheels relative to the body (N·m·s), body axes. (C4)
     #[must_use]
     pub fn wheels(&self) -> [f64; 3] {
         [0, 1, 2].map(|row| self.K.coefficient(row, [0; 3]))
     }
 
-    /// Whether momentum wheels turn in the body.
+    /// True if the body has momentum wheels.
     #[must_use]
     pub fn has_wheels(&self) -> bool {
         self.wheels() != [0.0; 3]
     }
 
-    /// The whole deviation torque `μ(ω)` (N·m) at a spin (rad/s).
+    /// Total deviation torque `μ(ω)` (N·m) at an angular velocity (rad/s).
     #[must_use]
     pub fn torque(&self, omega: [f64; 3]) -> [f64; 3] {
         let mut f = [0.0; 3];
@@ -117,25 +122,25 @@ impl ReducedBody {
         sym3::times(self.J, f)
     }
 
-    /// Angular momentum (N·m·s, body axes) on the slow manifold at a spin (rad/s).
+    /// Angular momentum (N·m·s, body axes) on the slow manifold at an angular velocity (rad/s).
     #[must_use]
     pub fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {
         self.K.vector(omega)
     }
 
-    /// Energy (J) of the whole body on the slow manifold at a spin (rad/s).
+    /// Energy (J) of the whole body on the slow manifold at an angular velocity (rad/s).
     #[must_use]
     pub fn energy(&self, omega: [f64; 3]) -> f64 {
         self.energy.scalar(omega)
     }
 
-    /// Power (W) that each dissipator takes at a spin (rad/s), by name. (D3)
+    /// Power (W) that each dissipator takes at an angular velocity (rad/s), by name. (D3)
     #[must_use]
     pub fn power_budget(&self, omega: [f64; 3]) -> Vec<(String, f64)> {
         self.power_shares.iter().map(|(name, power)| (name.clone(), power.scalar(omega))).collect()
     }
 
-    /// Power (W) taken by the dashpots at a spin (rad/s); never negative.
+    /// Power (W) taken by the dashpots at an angular velocity (rad/s); never negative.
     #[must_use]
     pub fn dissipated_power(&self, omega: [f64; 3]) -> f64 {
         self.power.scalar(omega)

@@ -1,41 +1,46 @@
+//! Rheology of a viscoelastic material: complex modulus at a real frequency, and its continuation to complex ones.
+//! Relative to the elastic modulus, so that one stiffness matrix serves every law; only a Kelvin–Voigt law has an equation of motion, the
+//! others act in averages and modes.
+//! Equation (G1), docs/theory/11-materials.md; Andrade's law `[@andrade1910]`.
+
 use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::Complex;
 
 use thiserror::Error;
 
-/// How a material answers a strain that varies with time. (G1)
+/// Rheology: response of a material to a strain that varies with time. (G1)
 ///
-/// A strain `e^{iνt}` meets a stress that is [`modulus`](Self::modulus) times the elastic one.
+/// A strain `e^{iνt}` causes [`modulus`](Self::modulus) times the elastic stress.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Rheology {
-    /// No loss.
+    /// Elastic: no loss.
     #[default]
     Elastic,
-    /// A dashpot beside the spring, `1 + iντ`: the one law that equations of motion can hold.
+    /// Dashpot parallel to the spring, `1 + iντ`: the only law that equations of motion can contain.
     KelvinVoigt {
         /// Time `τ` (s).
         time: f64,
     },
-    /// The same loss at every frequency, `1 + i/Q`.
+    /// Constant loss at every frequency, `1 + i/Q`.
     QualityFactor {
         /// Quality factor `Q`.
         factor: f64,
     },
-    /// A dashpot behind the spring, `iντ/(1 + iντ)`: the modulus is that of fast strain, and slow strain flows.
+    /// Dashpot in series with the spring, `iντ/(1 + iντ)`: the modulus is that of fast strain, and slow strain flows.
     Maxwell {
         /// Time `τ` (s), viscosity over modulus.
         time: f64,
     },
-    /// A spring with a Maxwell element beside it, `1 + Δ iντ/(1 + iντ)`: the modulus is that of slow strain.
+    /// Spring parallel to a Maxwell element, `1 + Δ iντ/(1 + iντ)`: the modulus is that of slow strain.
     StandardLinear {
         /// Time `τ` (s) of the Maxwell element.
         time: f64,
-        /// Relaxation strength `Δ`: what fast strain meets beyond the modulus of slow strain.
+        /// Relaxation strength `Δ`: relative excess of the modulus of fast strain over that of slow strain.
         strength: f64,
     },
-    /// Transient creep beside a Maxwell element, `1/[1 + Γ(1+α)(iντ_A)^{−α} − i/ντ]` `[@andrade1910]`.
+    /// Transient creep in series with a Maxwell element, `1/[1 + Γ(1+α)(iντ_A)^{−α} − i/ντ]` `[@andrade1910]`.
     Andrade {
         /// Time `τ` (s) of the Maxwell element, viscosity over modulus.
         time: f64,
@@ -48,7 +53,7 @@ pub enum Rheology {
     Table(Measured),
 }
 
-/// A measured modulus and loss, straight lines in the logarithms between its rows, constant beyond them.
+/// Measured modulus and loss, interpolated linearly in the logarithms between rows, constant beyond them.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "Vec<[f64; 3]>", into = "Vec<[f64; 3]>"))]
 #[derive(Clone, Debug, PartialEq)]
@@ -56,31 +61,31 @@ pub struct Measured {
     rows: Vec<[f64; 3]>,
 }
 
-/// A law that no material has.
+/// Error of a law that no material has.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum RheologyError {
     /// A time, a factor or a strength is not a positive number.
     #[error("{value} is not a positive number")]
     NotPositive {
-        /// The number.
+        /// Number given.
         value: f64,
     },
-    /// An exponent outside of 0 to 1.
+    /// The exponent is outside of 0 to 1.
     #[error("an exponent lies between 0 and 1, not at {value}")]
     Exponent {
-        /// The number.
+        /// Number given.
         value: f64,
     },
-    /// A table without rows.
+    /// The table has no rows.
     #[error("a table needs at least one row of frequency, modulus and loss")]
     NoRows,
-    /// Frequencies that do not ascend.
+    /// The frequencies do not ascend.
     #[error("frequencies must ascend, but {next} rad/s follows {previous} rad/s")]
     NotAscending {
-        /// A frequency (rad/s).
+        /// Frequency (rad/s).
         previous: f64,
-        /// The one after it.
+        /// Next frequency (rad/s).
         next: f64,
     },
 }
@@ -130,8 +135,8 @@ impl Rheology {
         }
     }
 
-    /// Complex modulus at a complex frequency `s` (1/s), real and imaginary part: the law continued from the imaginary axis, where
-    /// it is [`modulus`](Self::modulus). A quality factor and a table are taken at the imaginary part of `s`.
+    /// Complex modulus at a complex frequency `s` (1/s), real and imaginary part: analytic continuation of the law from the imaginary
+    /// axis, where the value is [`modulus`](Self::modulus). A quality factor and a table are taken at the imaginary part of `s`.
     #[must_use]
     pub fn continued(&self, [re, im]: [f64; 2]) -> [f64; 2] {
         let s = Complex::new(re, im);
@@ -155,7 +160,7 @@ impl Rheology {
         [value.re, value.im]
     }
 
-    /// Frequencies (rad/s) that the law was measured at, first and last; none for a formula.
+    /// First and last frequency (rad/s) of a measured law; none for a formula.
     #[must_use]
     pub fn measured_between(&self) -> Option<[f64; 2]> {
         match self {
@@ -186,8 +191,8 @@ impl From<Measured> for Vec<[f64; 3]> {
 }
 
 impl Measured {
-    /// Rows of frequency (rad/s, ascending), modulus relative to that of the material, and loss: the tangent of the loss
-    /// angle, `1/Q`.
+    /// Law from rows of frequency (rad/s, ascending), modulus relative to that of the material, and loss: the tangent of the loss angle,
+    /// `1/Q`.
     ///
     /// # Errors
     /// [`RheologyError`] for no rows, for a number that is not positive, and for frequencies that do not ascend.

@@ -18,7 +18,7 @@ pub struct SpinCoefficients {
     pub slopes: Vec<[f64; 3]>,
     /// Gyroscopic matrix `G`, antisymmetric.
     pub gyroscopic: Dense,
-    /// Centrifugal stiffness `N`, symmetric: it is subtracted from `C`.
+    /// Centrifugal stiffness `N`, symmetric, to be subtracted from `C`.
     pub centrifugal: Dense,
 }
 
@@ -83,22 +83,22 @@ impl FlexibleBody {
         }
     }
 
-    /// Displacements in balance with a steady angular velocity (rad/s), `(C − N) q = ½ ωᵀJ_jω`, cyclic coordinates at zero; none
-    /// where the centrifugal load meets no stiffness. (M1)
+    /// Displacements in balance with a steady angular velocity (rad/s), `(C − N) q = ½ ωᵀJ_jω`, cyclic coordinates at zero; none where `C
+    /// − N` is singular. (M1)
     #[must_use]
     pub fn balanced(&self, omega: [f64; 3]) -> Option<BalancedSpin> {
         BalancedSpin::of(self, omega)
     }
 }
 
-/// Displacements in balance with a steady angular velocity, and how they change with it.
+/// Displacements in balance with a steady angular velocity, and the derivative of the angular momentum.
 #[derive(Clone, Debug)]
 pub struct BalancedSpin {
     /// Displacements of all coordinates.
     pub q: Vec<f64>,
     /// Angular momentum without that of wheels (N·m·s), body axes.
     pub angular_momentum: [f64; 3],
-    /// Its derivative by the angular velocity (kg·m²), rows.
+    /// Derivative of the angular momentum by the angular velocity (kg·m²), rows.
     pub slope: [[f64; 3]; 3],
 }
 

@@ -1,6 +1,6 @@
 use crate::math::expression::Expression;
 
-/// How the body is held, which chooses the pole `O`.
+/// Support of the body, which determines the pole `O`.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, Default, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a body has one")]
@@ -10,12 +10,12 @@ pub enum Support {
     Free,
     /// One point of the carrier is fixed in space and is the pole `O`.
     FixedPoint {
-        /// The point (m), in the file's frame.
+        /// Point (m), in the frame of the model file.
         point: [f64; 3],
     },
     /// One point of the carrier is driven on a given path and is the pole `O`. (F2)
     Prescribed {
-        /// The point (m), in the file's frame.
+        /// Point (m), in the frame of the model file.
         point: [f64; 3],
         /// Acceleration `R̈₀(t)` of the pole (m/s²), inertial axes: expressions of the single variable `t`.
         acceleration: [Expression; 3],

@@ -1,11 +1,11 @@
-//! How far the displacements of a body may go before its paths no longer hold.
+//! Range of validity of the paths: displacements of places and angles of hinges that are watched. (K14)
 
 use std::fmt;
 use std::ops::Range;
 
 use crate::math::vec3;
 
-/// Places and hinges whose displacements say how far the second order of the paths holds.
+/// Watched places and hinges, whose displacements limit the validity of the second order of the paths.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Watched {
     /// Places on parts.
@@ -14,45 +14,45 @@ pub struct Watched {
     pub hinges: Vec<Hinge>,
 }
 
-/// A place on a part whose displacement says how far the second order of the paths holds.
+/// Watched place on a part, whose displacement limits the validity of the second order of the paths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach {
-    /// What it is.
+    /// Name.
     pub name: String,
-    /// Its distance from where the part is held (m).
+    /// Distance from the attachment of the part (m).
     pub length: f64,
-    /// Coordinates that move it, with the displacement per unit of each.
+    /// Coordinates that displace the place, each with the displacement per unit.
     pub shapes: Vec<(usize, [f64; 3])>,
 }
 
-/// What has left the range in which the equations hold.
+/// Place or hinge displaced beyond the range of the equations.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Displaced {
-    /// A place on a part.
+    /// Place on a part.
     Place {
-        /// Its number.
+        /// Index in [`Watched`].
         reach: usize,
-        /// Its displacement over its distance from where the part is held.
+        /// Displacement over the distance from the attachment of the part.
         share: f64,
     },
-    /// An appendage on a hinge.
+    /// Appendage on a hinge.
     Hinge {
-        /// Its number.
+        /// Index in [`Watched`].
         hinge: usize,
-        /// Angle by which it turned (rad).
+        /// Angle of the hinge (rad).
         angle: f64,
     },
 }
 
-/// Displacement of a place over its distance from where its part is held up to which the second order of curved paths is taken for
-/// the whole: the third, `(u/L)²` of the first, is a few per cent there. (K14)
+/// Limit of the displacement of a place over its distance from the attachment of its part, for the second order of curved paths: the
+/// third order, `(u/L)²` of the first, is a few per cent there. (K14)
 pub const RANGE: f64 = 0.2;
-/// Angle (rad) of a hinge up to which the second order of its paths is taken for the whole: the third is a few per cent of what the
-/// turn changes there. (K14)
+/// Limit of the angle (rad) of a hinge, for the second order of its paths: the third order is a few per cent of the change by the
+/// rotation there. (K14)
 pub const HINGE_RANGE: f64 = 0.3;
 
-/// A hinge with its angles.
+/// Watched hinge with its axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hinge {
     /// Name of the appendage.
@@ -62,7 +62,7 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// Angle (rad) by which the appendage has turned, from the coordinates.
+    /// Angle (rad) of the rotation of the appendage at these coordinates.
     #[must_use]
     pub fn angle(&self, q: &[f64]) -> f64 {
         let turned = |sum: [f64; 3], (j, axis): &(usize, [f64; 3])| vec3::add(sum, vec3::scale(q[*j], *axis));
@@ -92,7 +92,7 @@ impl fmt::Display for Displaced {
 }
 
 impl Reach {
-    /// Displacement over the distance from where the part is held. (K14)
+    /// Displacement over the distance from the attachment of the part. (K14)
     #[must_use]
     pub fn share(&self, q: &[f64]) -> f64 {
         let moved =
@@ -102,7 +102,7 @@ impl Reach {
 }
 
 impl Watched {
-    /// What has left its range the farthest at these coordinates, hinges first; none if nothing has. (K14)
+    /// Place or hinge farthest beyond its range at these coordinates, hinges first; none within the range. (K14)
     #[must_use]
     pub fn left(&self, q: &[f64]) -> Option<Displaced> {
         let farthest = |sizes: &mut dyn Iterator<Item = f64>, range: f64| {
@@ -117,7 +117,7 @@ impl Watched {
         }
     }
 
-    /// The same in a body that keeps these coordinates and locks the others.
+    /// Watched places and hinges in a body with these coordinates kept and the others locked.
     pub(super) fn locked(&self, kept: &Range<usize>) -> Self {
         let moved = |shapes: &[(usize, [f64; 3])]| {
             let inside = shapes.iter().filter(|(j, _)| kept.contains(j));

@@ -3,18 +3,18 @@ use crate::math::scalar::Smooth;
 use crate::math::taylor::Taylor;
 use crate::math::vec3::{add, scale};
 
-/// The momentum wheels of a body: motors keep them at given speeds relative to it, whatever it does. (C4)
+/// Momentum wheels of a body: motors keep them at given speeds relative to the body. (C4)
 ///
-/// The inertia of the body counts them as locked; what they add is a momentum that does not depend on the spin.
+/// The inertia of the body includes the locked wheels; the wheels add an angular momentum independent of the angular velocity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wheels {
-    /// Momentum relative to the body of the wheels of constant speed (N·m·s), body axes.
+    /// Angular momentum relative to the body of the wheels of constant speed (N·m·s), body axes.
     pub constant: [f64; 3],
     /// Wheels of prescribed speed.
     pub driven: Vec<DrivenWheel>,
 }
 
-/// A momentum wheel of prescribed speed.
+/// Momentum wheel of prescribed speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivenWheel {
     /// Axial inertia times axis (kg·m²), body axes.
@@ -24,7 +24,7 @@ pub struct DrivenWheel {
 }
 
 impl Wheels {
-    /// Whether there is no momentum beside that of the body.
+    /// True if no wheel has an angular momentum relative to the body.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.constant == [0.0; 3] && self.driven.is_empty()
@@ -36,7 +36,7 @@ impl Wheels {
         self.driven.extend(other.driven);
     }
 
-    /// Momentum `k` relative to the body at a time (N·m·s), body axes. (C4)
+    /// Angular momentum `k` of the wheels relative to the body at a time (N·m·s), body axes. (C4)
     #[must_use]
     pub fn angular_momentum<T: Smooth>(&self, t: T) -> [T; 3] {
         let driven =
@@ -44,8 +44,8 @@ impl Wheels {
         driven.fold(self.constant.map(T::from), add)
     }
 
-    /// Rate `k̇` of the momentum relative to the body at a time (N·m): the torque of the motors on the wheels beyond what
-    /// turns them with the body.
+    /// Rate `k̇` of the angular momentum relative to the body at a time (N·m): the torque of the motors on the wheels beyond that of the
+    /// rotation with the body.
     #[must_use]
     pub fn torque(&self, t: f64) -> [f64; 3] {
         if self.driven.is_empty() {

@@ -10,8 +10,8 @@ use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
 /// Liquid whose impedance is known, with the eigenvalue and the angles about its axes.
 pub(super) type Turning<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
 
-/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against its own angular
-/// momentum.
+/// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against the momentum of its
+/// coordinates.
 pub(super) fn moving(
     body: &FlexibleBody,
     coefficients: &SpinCoefficients,
@@ -28,8 +28,8 @@ pub(super) fn moving(
     let mut of_structure = 0.0;
     for (j, coordinate) in body.coordinates().iter().enumerate() {
         let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
-        let angular_momentum = Complex::new(re[j], im[j]) + turned;
-        let energy = (rate[j].conj() * angular_momentum).re;
+        let momentum = Complex::new(re[j], im[j]) + turned;
+        let energy = (rate[j].conj() * momentum).re;
         (0..3).for_each(|axis| K[axis] += rate[j] * h[j][axis]);
         if coordinate.is_shape() {
             of_structure += energy;

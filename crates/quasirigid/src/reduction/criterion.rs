@@ -1,6 +1,6 @@
 //! Criteria of validity and their verdicts: ratios that should be small, each with two limits.
-//! Criteria of initial vibrations, dissipation and averages do not judge the motion; the limits are set so that the deviation from the rigid
-//! body is in error by about 2 % at the first one.
+//! Criteria of initial vibrations, dissipation and averages do not judge the motion; the limits are set so that the deviation from the
+//! rigid body is in error by about 2 % at the first one.
 //! Equations (V4) to (V11), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
 
 /// Comparison that a criterion of validity makes.

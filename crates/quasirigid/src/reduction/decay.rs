@@ -1,6 +1,6 @@
 //! Quadratic eigenvalue problem of damped vibrations: decay rates over any range of magnitudes.
-//! One linearisation for `λ` and one for `1/λ`, because each keeps the digits of one half of the eigenvalues; a single one loses slow decays
-//! beside fast ones.
+//! One linearisation for `λ` and one for `1/λ`, because each keeps the digits of one half of the eigenvalues; a single one loses slow
+//! decays beside fast ones.
 //! Equation (V3), docs/theory/04-validity.md; linearisation `[@tisseur2001]`.
 
 use crate::math::eigen::{Dense, Eigenmodes, NoConvergence, eigenvectors, squares};

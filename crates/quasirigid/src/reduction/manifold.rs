@@ -1,6 +1,6 @@
 //! Slow manifold of a body without external forces: recursion for displacements, rates and angular momentum, degree by degree.
-//! Each degree uses lower ones only, so `C` is factored once; elastic values and cyclic rates are slaved by the same steps. The order of the
-//! steps within a degree matters.
+//! Each degree uses lower ones only, so `C` is factored once; elastic values and cyclic rates are slaved by the same steps. The order of
+//! the steps within a degree matters.
 //! Equations (R1) to (R6) and (R13), docs/theory/03-reduction.md; (C3), (L21), docs/theory/13-inside.md; (S6), docs/theory/01-system.md.
 
 use crate::math::polynomial::{Homogeneous, Series};

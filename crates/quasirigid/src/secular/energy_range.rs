@@ -1,5 +1,5 @@
 //! Energy range at a given angular momentum: effective moments, equivalent polhode, and states of the deformed body.
-//! Energies of the deformed steady spins take the place of frozen moments, so that axes and separatrix lie where the deformed body has them.
+//! Energies of the deformed steady spins take the place of frozen moments, so that axes and separatrix are those of the deformed body.
 //! Equations (Q1) and (Q2), docs/theory/16-methods.md; (M1), docs/theory/15-modes.md.
 
 use crate::averaging::{FreeRotation, RotationState};

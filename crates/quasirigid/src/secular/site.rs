@@ -1,6 +1,6 @@
 //! Measurement of the mean power at a rotation state: settling time, windows and limits from the modes at the pole.
-//! Settling is eight of the slowest internal decays, clamped to 2 to 400 periods of the polhode; the window shrinks where the wobble changes
-//! fast.
+//! Settling is eight of the slowest internal decays, clamped to 2 to 400 periods of the polhode; the window shrinks where the wobble
+//! changes fast.
 //! Equations (Q3) and (Q4), docs/theory/16-methods.md.
 
 use std::ops::ControlFlow;

@@ -80,8 +80,8 @@ fn by_newton(cloud: &Cloud, free: bool, state: &State) -> (V, f64) {
         relative + omega.cross(&now[i].1)
     };
     let (mass, center, _) = moments(&now);
-    let angular_momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
-    let (center, drift) = if free { (center, angular_momentum / mass) } else { (V::zeros(), V::zeros()) };
+    let momentum: V = now.iter().enumerate().map(|(i, (m, _))| *m * velocity(i)).sum();
+    let (center, drift) = if free { (center, momentum / mass) } else { (V::zeros(), V::zeros()) };
     let mut K = V::zeros();
     let mut energy = 0.0;
     for (i, (m, u)) in now.iter().enumerate() {

@@ -135,8 +135,8 @@ impl<const N: usize> Flow<N> {
         let (body, cyclic) = (system.body, system.body.cyclic());
         let motion = MotionState { omega: self.omega, q, rate };
         let load = body.load(motion);
-        let angular_momentum = body.generalized_momentum(motion);
-        let free = |j: usize| load[j] + self.loads.generalized[j] - angular_momentum[j].derivative();
+        let momentum = body.generalized_momentum(motion);
+        let free = |j: usize| load[j] + self.loads.generalized[j] - momentum[j].derivative();
         let braked = |j: usize, by: &[Taylor<N>], but: Range<usize>| {
             let row = body.damping().row(j).filter(move |(k, _)| !but.contains(k));
             row.fold(free(j), |right, (k, damping)| right - Taylor::from(*damping) * by[k])

@@ -1,5 +1,5 @@
 //! Constraints: attachments and connections of parts as joints between nodes of one structure.
-//! A joint constrains a node to at most one other; a connection between many nodes gets a node of its own, so that no equation of
+//! A joint constrains a node to at most one other; a hinge between many nodes gets a node of its own, so that no equation of
 //! constraint is left to solve. Equation (K2), docs/theory/12-structures.md.
 
 use std::collections::BTreeSet;

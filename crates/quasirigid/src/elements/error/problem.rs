@@ -9,7 +9,7 @@ use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
-use crate::model::{InertiaError, RheologyError};
+use crate::model::{InertiaError, RheologyError, mechanism};
 use quasirigid_mesh::meshing::MeshingError;
 use quasirigid_mesh::{MeshFault, MeshNote};
 
@@ -478,7 +478,7 @@ pub enum Problem {
         name: String,
     },
     /// No spring resists a displacement.
-    #[error("a mechanism: no spring resists some motion of {coordinates}")]
+    #[error("{}", mechanism(coordinates))]
     Mechanism {
         /// The coordinates that move, by name.
         coordinates: String,

@@ -1,4 +1,4 @@
-//! Kinds of elements that a user describes, a file or a folder each. What several of them need to become a body is in
+//! Kinds of elements that a user describes, a file or a folder each. Code that several of them share to become a body is in
 //! [`assembly`](super::assembly); their list, which makes ids, words and the lists of an assembly, is in [`elements`](super).
 
 pub(in crate::elements) mod bushing;

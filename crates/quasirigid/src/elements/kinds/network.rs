@@ -1,5 +1,5 @@
 //! Random network of masses and springs that fills an ellipsoid, as simulations of rubble piles use it.
-//! Points and springs are ordinary elements; the random numbers are our own, so a seed gives the same network in every version.
+//! Points and springs are ordinary elements; the random numbers are our own, so a seed gives the same network on every machine.
 //! Random-spring networks `[@quillen2019]`, generator SplitMix64 `[@steele2014]`.
 
 use std::collections::HashMap;

@@ -1,3 +1,8 @@
+//! External loads: force, moment and generalised forces of all laws on a body in motion.
+//! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
+//! place, curvature included.
+//! Equations (F1), (F2), (F5), (F6), (F9), (F11) and (F12), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+
 use super::gravity::FirstMoment;
 use super::{Axes, Force, ForceLaw, Wave};
 use crate::math::rotation::Turn;
@@ -5,7 +10,7 @@ use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, dot, scale};
 use crate::model::{FlexibleBody, Marker, MotionState, Support};
 
-/// Where the body is and how it moves, as external forces see it.
+/// Kinematic state of a body for the evaluation of external forces: time, attitude, pole and motion.
 #[derive(Clone, Copy, Debug)]
 pub struct KinematicState<'a, T> {
     /// Time (s).
@@ -16,25 +21,25 @@ pub struct KinematicState<'a, T> {
     pub pole: [T; 3],
     /// Velocity of the pole `Ṙ₀` (m/s), inertial axes.
     pub pole_velocity: [T; 3],
-    /// Spin and internal coordinates.
+    /// Angular velocity and internal coordinates.
     pub motion: MotionState<'a, T>,
 }
 
-/// What external forces do to a body. (F1)
+/// Loads of external forces on a body. (F1)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loads<T> {
     /// Sum of the forces (N), body axes.
     pub force: [T; 3],
-    /// Their moment about the pole (N·m), body axes.
+    /// Moment of the forces about the pole (N·m), body axes.
     pub moment: [T; 3],
     /// Generalised force on each coordinate, `Q_j = Σ ∂u/∂q_j · F`.
     pub generalized: Vec<T>,
 }
 
 impl FlexibleBody {
-    /// What external forces do to the body, and the inertial force of a driven pole. (F1), (F2)
+    /// Loads of external forces on the body, with the inertial force of a driven pole. (F1), (F2)
     ///
-    /// The pole of a driven body accelerates as its support says, whatever the situation says of its velocity.
+    /// The acceleration of a driven pole is that of the support, independent of the velocity in `kinematics`.
     #[must_use]
     pub fn loads<T: Smooth>(&self, forces: &[Force<Marker>], kinematics: &KinematicState<T>) -> Loads<T> {
         let mut loads = Loads::none(self.coordinates().len());
@@ -58,8 +63,7 @@ impl<T: Smooth> Loads<T> {
         Self { force: [zero; 3], moment: [zero; 3], generalized: vec![zero; coordinates] }
     }
 
-    /// The loads on a free body about its true centre of mass, with the translation eliminated; those on a held body
-    /// as they are. (F11)
+    /// Loads on a free body about its true centre of mass, with the translation eliminated; unchanged for a constrained body. (F11)
     #[must_use]
     pub fn about_center(&self, body: &FlexibleBody, q: &[T]) -> Self {
         let mut loads = self.clone();
@@ -74,8 +78,7 @@ impl<T: Smooth> Loads<T> {
         loads
     }
 
-    /// Rate of work (W), `F·V + M·ω + Q·q̇`, where the point that the moment is about has the velocity `V` (m/s, body
-    /// axes). (F12)
+    /// Rate of work (W), `F·V + M·ω + Q·q̇`, with the velocity `V` (m/s, body axes) of the point of reference of the moment. (F12)
     #[must_use]
     pub fn power(&self, motion: MotionState<T>, velocity: [T; 3]) -> T {
         let rigid = dot(self.force, velocity) + dot(self.moment, motion.omega);
@@ -87,7 +90,7 @@ impl<T: Smooth> Loads<T> {
         self.moment = add(self.moment, torque);
     }
 
-    /// Adds a force (N, body axes) at a place that is at `u` (m) from the pole, with `∂u/∂q_j = H_j + G_jk q_k`. (F1)
+    /// Adds a force (N, body axes) at a place with the position `u` (m) from the pole, with `∂u/∂q_j = H_j + G_jk q_k`. (F1)
     fn add_force(&mut self, at: &Marker, q: &[T], u: [T; 3], force: [T; 3]) {
         self.force = add(self.force, force);
         self.add_torque(cross(u, force));
@@ -100,7 +103,7 @@ impl<T: Smooth> Loads<T> {
     }
 }
 
-/// A body in a situation.
+/// Body and kinematic state for the evaluation of laws.
 struct LoadContext<'a, T> {
     body: &'a FlexibleBody,
     kinematics: &'a KinematicState<'a, T>,
@@ -153,7 +156,7 @@ impl<T: Smooth> LoadContext<'_, T> {
         }
     }
 
-    /// What a formula sees, in the order of its variables. (F9)
+    /// Values of the variables of a formula, in their order. (F9)
     fn felt(&self, [x, y, z]: [T; 3], [vx, vy, vz]: [T; 3]) -> [T; 14] {
         let KinematicState { t, attitude: [qw, qx, qy, qz], motion, .. } = *self.kinematics;
         let [wx, wy, wz] = motion.omega;
@@ -178,7 +181,7 @@ impl<T: Smooth> LoadContext<'_, T> {
         (u, curved.fold(straight, |v, (j, k, G)| add(v, scale(q[*j] * rate[*k], G.map(T::from)))))
     }
 
-    /// An amplitude in body axes at the time. (F6)
+    /// Value of a varying amplitude at the time of the state, in body axes. (F6)
     fn varying(&self, amplitude: [f64; 3], axes: Axes, wave: Wave) -> [T; 3] {
         let phase = T::from(wave.frequency) * self.kinematics.t + T::from(wave.phase);
         let now = scale(phase.cos(), amplitude.map(T::from));
@@ -189,7 +192,7 @@ impl<T: Smooth> LoadContext<'_, T> {
     }
 }
 
-/// A vector plus the displacement, or rate, of a place.
+/// Vector plus the displacement, or rate, of a place.
 fn moved<T: Smooth>(at: &Marker, from: [T; 3], amounts: &[T]) -> [T; 3] {
     at.shapes.iter().fold(from, |sum, (j, H)| add(sum, scale(amounts[*j], H.map(T::from))))
 }

@@ -2,23 +2,23 @@ use super::Orbit;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, dot, scale};
 
-/// A magnetic field, inertial axes. (F8)
+/// Magnetic field, inertial axes. (F8)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MagneticField {
-    /// The same everywhere (T).
+    /// Uniform field (T).
     Uniform([f64; 3]),
-    /// Of a dipole at the centre of an orbit: `B = (3(m·n)n − m)/r³`, `n` from the centre to the body.
+    /// Field of a dipole at the centre of an orbit: `B = (3(m·n)n − m)/r³`, `n` from the centre to the body.
     Dipole {
         /// `μ₀/4π` times the dipole moment (T·m³), inertial axes.
         strength: [f64; 3],
-        /// The orbit on which the body passes through the field.
+        /// Orbit of the body through the field.
         orbit: Orbit,
     },
 }
 
 impl MagneticField {
-    /// The field (T, inertial axes) where the body is at a time (s).
+    /// Field (T, inertial axes) at the place of the body at a time (s).
     #[must_use]
     pub fn at<T: Smooth>(&self, t: T) -> [T; 3] {
         match self {

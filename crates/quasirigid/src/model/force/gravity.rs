@@ -1,4 +1,4 @@
-//! Uniform gravity and the gravity gradient: accelerations of mass elements, summed over a body.
+//! Loads of uniform gravity and of the gravity gradient, summed over a body by its invariants. (F3), (F4)
 
 use super::Loads;
 use crate::math::scalar::Smooth;
@@ -30,7 +30,7 @@ impl<T: Smooth> FirstMoment<T> {
 }
 
 impl<T: Smooth> Loads<T> {
-    /// Adds the loads of the same acceleration `g` (m/s², body axes) of every mass element. (F3)
+    /// Adds the loads of a uniform acceleration `g` (m/s², body axes) of every mass element. (F3)
     pub(super) fn add_uniform(&mut self, body: &FlexibleBody, q: &[T], g: [T; 3]) {
         let FirstMoment { s, slopes } = FirstMoment::of(body, q);
         let mass = body.invariants().mass;
@@ -43,8 +43,8 @@ impl<T: Smooth> Loads<T> {
         }
     }
 
-    /// Adds the loads of the acceleration `κ(3 n nᵀ − 1)d` of a mass element at `d` from the centre of mass of a free
-    /// body, from the pole of a held one; `n` unit vector in body axes, `κ` in 1/s². (F4)
+    /// Adds the loads of the acceleration `κ(3 n nᵀ − 1)d` of a mass element at `d` from the centre of mass of a free body, from the pole
+    /// of a constrained one; `n` unit vector in body axes, `κ` in 1/s². (F4)
     pub(super) fn add_gradient(&mut self, body: &FlexibleBody, q: &[T], n: [T; 3], kappa: T) {
         let invariants = body.invariants();
         let (two, three, half) = (T::from(2.0), T::from(3.0), T::from(0.5));

@@ -1,15 +1,20 @@
+//! Laws of external forces, generic in the description of their places.
+//! One type serves the assembly, where a place is an element, and the body, where a place is a marker; [`Force::try_map`] takes one to the
+//! other.
+//! Equations (F3) to (F9), docs/theory/07-forces.md.
+
 use super::{MagneticField, Orbit};
 use crate::math::expression::Expression;
 
-/// An external force: what it is called, and its law, with the places it acts at.
+/// External force: name and law, with its place of action.
 ///
-/// `P` is how a place is given: by the element's number in an assembly, by a [`Marker`](crate::model::Marker) on a body.
+/// `P` describes a place: by the number of an element in an assembly, by a [`Marker`](crate::model::Marker) on a body.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Force<P> {
     /// Name, for messages.
     pub name: String,
-    /// What it does.
+    /// Law.
     pub law: ForceLaw<P>,
 }
 
@@ -17,20 +22,20 @@ pub struct Force<P> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw<P> {
-    /// The same acceleration of every mass element (m/s²), inertial axes. (F3)
+    /// Uniform gravity: the same acceleration of every mass element (m/s²), inertial axes. (F3)
     UniformGravity {
         /// Acceleration (m/s²), inertial axes.
         acceleration: [f64; 3],
     },
-    /// Attraction of a distant centre, on a given orbit: the gravity gradient about the centre of mass of a free body,
-    /// about the pole of a held one. (F4)
+    /// Attraction of a distant centre, on a given orbit: the gravity gradient about the centre of mass of a free body, about the pole of
+    /// a constrained one. (F4)
     CentralGravity {
-        /// The orbit.
+        /// Orbit.
         orbit: Orbit,
     },
     /// Drag `−k Ṙ` of a place. (F5)
     Drag {
-        /// Where it acts.
+        /// Place of action.
         at: P,
         /// Coefficient `k` (N·s/m).
         coefficient: f64,
@@ -40,53 +45,52 @@ pub enum ForceLaw<P> {
         /// Coefficient `κ` (N·m·s).
         coefficient: f64,
     },
-    /// A torque on the carrier. (F6)
+    /// Torque on the carrier. (F6)
     Torque {
         /// Amplitude (N·m).
         torque: [f64; 3],
         /// Axes of the amplitude.
         axes: Axes,
-        /// How it varies.
+        /// Variation in time.
         wave: Wave,
     },
-    /// A force at a place, in body axes (a thruster) or inertial axes (a pull). (F7)
+    /// Force at a place, in body axes (a thruster) or inertial axes (a pull). (F7)
     Thrust {
-        /// Where it acts.
+        /// Place of action.
         at: P,
         /// Amplitude (N).
         force: [f64; 3],
         /// Axes of the amplitude.
         axes: Axes,
-        /// How it varies.
+        /// Variation in time.
         wave: Wave,
     },
     /// Torque on a magnetic dipole of the carrier. (F8)
     MagneticDipole {
         /// Dipole moment (A·m²), body axes.
         moment: [f64; 3],
-        /// The field it is in.
+        /// Magnetic field.
         field: MagneticField,
     },
-    /// A force of the user's own at a place, inertial axes (N): one expression per component in the inertial place
-    /// `x y z` and velocity `vx vy vz`, the time `t`, the spin `wx wy wz` (body axes) and the attitude `qw qx qy qz`, in this
-    /// order. (F9)
+    /// User-defined force at a place, inertial axes (N): one expression per component in the inertial place `x y z` and velocity `vx vy
+    /// vz`, the time `t`, the angular velocity `wx wy wz` (body axes) and the attitude `qw qx qy qz`, in this order. (F9)
     Expression {
-        /// Where it acts.
+        /// Place of action.
         at: P,
         /// Components.
         force: [Expression; 3],
     },
-    /// A torque of the user's own on the carrier (N·m), in the same variables with the place and the velocity of the pole. (F9)
+    /// User-defined torque on the carrier (N·m), in the same variables with the place and the velocity of the pole. (F9)
     TorqueExpression {
         /// Components.
         torque: [Expression; 3],
-        /// Their axes.
+        /// Axes of the components.
         axes: Axes,
     },
 }
 
 impl<P> Force<P> {
-    /// The same force with its place given in another way.
+    /// Force with its place mapped to another description.
     ///
     /// # Errors
     /// The error of the map.
@@ -96,7 +100,7 @@ impl<P> Force<P> {
 }
 
 impl<P> ForceLaw<P> {
-    /// Where the force acts; none for one that acts on the whole body or is a torque.
+    /// Place of action; none for a law that acts on the whole body or is a torque.
     #[must_use]
     pub fn place(&self) -> Option<&P> {
         match self {
@@ -110,7 +114,7 @@ impl<P> ForceLaw<P> {
         }
     }
 
-    /// The formulas of a law of the user's own.
+    /// Formulas of a user-defined law.
     #[must_use]
     pub fn formulas(&self) -> Option<&[Expression; 3]> {
         match self {
@@ -121,7 +125,7 @@ impl<P> ForceLaw<P> {
         }
     }
 
-    /// The same law with its place given in another way.
+    /// Law with its place mapped to another description.
     ///
     /// # Errors
     /// The error of the map.
@@ -152,10 +156,10 @@ impl<P> ForceLaw<P> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axes {
-    /// The body's.
+    /// Body axes.
     #[default]
     Body,
-    /// Inertial.
+    /// Inertial axes.
     Inertial,
 }
 

@@ -1,4 +1,4 @@
-//! External forces: what acts on a body from outside, in numbers that may be series in time.
+//! External forces on a body, for scalars that may be series in time. (F1) to (F12)
 
 mod apply;
 mod field;

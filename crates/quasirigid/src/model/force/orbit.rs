@@ -1,9 +1,14 @@
+//! Kepler orbit: place and velocity at any time, also as Taylor series.
+//! Kepler's equation is solved from above its root, where Newton's method descends without overshoot at any eccentricity; Newton's steps in
+//! series arithmetic then give the derivatives.
+//! Equation (F10), docs/theory/07-forces.md.
+
 use std::f64::consts::{PI, TAU};
 
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, scale};
 
-/// A Kepler orbit about a centre of attraction, which is the origin of the inertial axes. (F10)
+/// Kepler orbit about a centre of attraction, the origin of the inertial axes. (F10)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
@@ -23,7 +28,7 @@ pub struct Orbit {
     pub mean_anomaly: f64,
 }
 
-/// Where a body on an orbit is, inertial axes.
+/// Point of an orbit, inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitPoint<T> {
     /// Place from the centre (m).
@@ -66,7 +71,7 @@ impl Orbit {
         }
     }
 
-    /// Unit vectors towards the periapsis and, a quarter of a turn ahead, along the motion there.
+    /// Unit vectors towards the periapsis and along the motion there, a quarter of a revolution ahead.
     fn axes(&self) -> [[f64; 3]; 2] {
         let [(si, ci), (sn, cn), (sp, cp)] =
             [self.inclination, self.raan, self.argument_of_periapsis].map(|angle| angle.sin_cos());
@@ -77,7 +82,7 @@ impl Orbit {
     }
 }
 
-/// Root `E` of Kepler's equation `E − e sin E = M` (rad), less whole turns. (F10)
+/// Root `E` of Kepler's equation `E − e sin E = M` (rad), less whole revolutions. (F10)
 fn eccentric_anomaly<T: Smooth>(e: f64, M: T) -> T {
     let M = M - T::from(TAU * (M.value() / TAU).round());
     let mut E = T::from(kepler_root(e, M.value()));
@@ -92,8 +97,8 @@ fn eccentric_anomaly<T: Smooth>(e: f64, M: T) -> T {
 
 /// Root of Kepler's equation for `|M| ≤ π`.
 ///
-/// For positive `M` the equation is convex up to π, so Newton's steps from above the root descend to it; they end where
-/// rounding stops them. The start is the least of three bounds: `sin E ≤ 1`, `sin E ≤ E` and `E − sin E ≥ E³/π²`.
+/// For positive `M` the equation is convex up to π, so Newton's steps from above the root descend to it; the steps end where rounding
+/// stops the descent. The start is the least of three bounds: `sin E ≤ 1`, `sin E ≤ E` and `E − sin E ≥ E³/π²`.
 fn kepler_root(e: f64, M: f64) -> f64 {
     let height = M.abs();
     let mut E = (height + e).min(height / (1.0 - e)).min((PI * PI * height).cbrt());

@@ -5,16 +5,16 @@ use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, scale};
 use crate::model::{FlexibleBody, Marker, MotionState};
 
-/// Where a body is, apart from its spin.
+/// Pose of a body: time, attitude, place and velocity, without the angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<T> {
     /// Time (s).
     pub t: T,
     /// Attitude, `R_NB`.
     pub attitude: [T; 4],
-    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a held one.
+    /// Place (m), inertial axes: of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [T; 3],
-    /// Its velocity (m/s).
+    /// Velocity of that point (m/s).
     pub velocity: [T; 3],
 }
 
@@ -32,7 +32,7 @@ impl FlexibleBody {
         (scale(back, s), scale(back, stretched))
     }
 
-    /// The loads about the centre of mass of a free body, about the pole of a held one. (F1), (F11)
+    /// Loads about the centre of mass of a free body, about the pole of a constrained one. (F1), (F11)
     #[must_use]
     pub fn loads_at<T: Smooth>(
         &self,

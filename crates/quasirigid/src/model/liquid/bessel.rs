@@ -1,15 +1,15 @@
 use nalgebra::Complex;
 
-/// Terms of the continued fraction beyond the size of its argument.
+/// Terms of the continued fraction in addition to the size of its argument.
 const TERMS: usize = 30;
-/// Argument from which the asymptotic series is as exact.
+/// Argument from which the asymptotic series is exact to rounding.
 const LARGE: f64 = 400.0;
 
-/// Index of the flow along a slender ring, and of that in a ball that does not spin.
+/// Bessel index of the flow along a slender ring, and of the flow in a ball without spin.
 pub(super) const RING: f64 = 0.0;
 pub(super) const BALL: f64 = 1.5;
 
-/// Force per rate of a flow without the force of Coriolis, `σ/(1 − χ)` of the frequency `σ = s a²/ν`, per `I ν/a²`. (C11)
+/// Force per rate of a flow without Coriolis force, `σ/(1 − χ)` of the frequency `σ = s a²/ν`, per `I ν/a²`. (C11)
 pub(super) fn drag(index: f64, sigma: Complex<f64>) -> Complex<f64> {
     if sigma.norm() == 0.0 {
         return Complex::from(4.0 * (index + 1.0) * (index + 2.0));

@@ -1,19 +1,24 @@
+//! Galerkin equations of a spinning liquid: block-tridiagonal system of the flows of one harmonic, and its response.
+//! Groups are eliminated from the last on, so that the cost is linear in their number; a change of the basis must keep the coupling to
+//! neighbours.
+//! Equations (L15), (L16) and (L20), docs/theory/13-inside.md.
+
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::math::lu::{ComplexDense, ComplexLu};
 
 type C = Complex<f64>;
 
-/// Solenoidal flows of one harmonic round the spin, zero on the wall, in groups that only neighbours know. (L16), (L20)
+/// Solenoidal flows of one harmonic round the spin, zero on the wall, in groups that couple to neighbours only. (L16), (L20)
 pub(super) struct Fields {
-    /// Of each group, and between each group and the next.
+    /// Products of each group, and between each group and the next.
     pub groups: Vec<Products>,
     pub between: Vec<Products>,
-    /// `∫ū·(e × r) dV` with the flows of the first group for a unit of `∫|e × r|² dV`; the others have none.
+    /// `∫ū·(e × r) dV` with the flows of the first group for a unit of `∫|e × r|² dV`; zero for the other groups.
     pub load: DVector<f64>,
 }
 
-/// Products of flows: row by row those of one group with the columns of another.
+/// Products of flows: rows of one group, columns of another.
 #[derive(Clone)]
 pub(super) struct Products {
     /// `∫ū_j·u_k dV`.
@@ -24,16 +29,17 @@ pub(super) struct Products {
     pub turning: DMatrix<f64>,
 }
 
-/// Squares of the components `u_x + iu_y`, `u_x − iu_y` and `u_z` in that of a flow, and what the spin makes of them, per `i`.
+/// Weights of the components `u_x + iu_y`, `u_x − iu_y` and `u_z` in the square of a flow, and their factors in the Coriolis force, per
+/// `i`.
 pub(super) const WEIGHTS: [f64; 3] = [0.5, 0.5, 1.0];
 pub(super) const TURNED: [f64; 3] = [1.0, -1.0, 0.0];
-/// Products below this share of the largest are rounding.
+/// Share of the largest product below which others are rounding.
 const ROUNDING: f64 = 1e-14;
 
 impl Fields {
     /// `bᵀ(σM + K + 2iτG)⁻¹b` with the load `b`, the groups eliminated from the last on. (L16)
     ///
-    /// None if floating point finds no answer.
+    /// None if a matrix is singular to rounding.
     pub fn answer(&self, sigma: C, tau: f64) -> Option<C> {
         let mut matrix = self.groups.last()?.at(sigma, tau);
         for (own, between) in self.groups.iter().zip(&self.between).rev() {
@@ -47,7 +53,7 @@ impl Fields {
 }
 
 impl Products {
-    /// Without what is rounding.
+    /// Products with rounding set to zero.
     pub fn cleaned(mut self) -> Self {
         for matrix in [&mut self.mass, &mut self.friction, &mut self.turning] {
             let largest = matrix.amax();
@@ -73,7 +79,7 @@ fn factor(matrix: &DMatrix<C>) -> Option<ComplexLu> {
     ComplexLu::new(&dense)
 }
 
-/// `B S⁻¹ Bᵀ`, of a `B` with few entries.
+/// `B S⁻¹ Bᵀ` for a `B` with few entries.
 fn eliminated(S: &DMatrix<C>, B: &DMatrix<C>) -> Option<DMatrix<C>> {
     let (rows, size) = B.shape();
     let pair = |value: C| [value.re, value.im];

@@ -11,7 +11,7 @@ pub(super) fn jacobi(count: usize, [a, b]: [f64; 2], x: f64) -> Vec<[f64; 3]> {
     (0..count).map(entry).collect()
 }
 
-/// By the recurrence of three terms.
+/// Values by the three-term recurrence.
 fn values(count: usize, a: f64, b: f64, x: f64) -> Vec<f64> {
     let mut values = vec![1.0, 0.5 * (a - b + (a + b + 2.0) * x)];
     for n in 2..count {

@@ -1,4 +1,4 @@
-//! Liquids whose linear answer to small motions about a steady spin is known at every frequency.
+//! Liquids whose linear response to small motions about a steady spin is known at every frequency. (L15)
 
 mod ball;
 mod bessel;
@@ -11,15 +11,15 @@ use std::ops::Range;
 
 use nalgebra::{Complex, Matrix3, Vector3};
 
-/// A liquid whose linear answer about a steady spin is known at every frequency, beside the coordinates that stand for it in the
+/// Liquid whose linear response about a steady spin is known at every frequency, beside the coordinates that represent the liquid in the
 /// equations of motion. (L15)
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiquidMemory {
-    /// Its coordinates.
+    /// Coordinates of the liquid.
     pub coordinates: Range<usize>,
-    /// Axes about which it turns, unit vectors, body axes: one, or three of a ball.
+    /// Axes of rotation of the liquid, unit vectors, body axes: one, or three for a ball.
     pub axes: Vec<[f64; 3]>,
-    /// How it flows.
+    /// Flow.
     pub flow: LiquidFlow,
     /// Moment of inertia of the frozen liquid (kg·m²), of a spheroid about its axis.
     pub inertia: f64,
@@ -27,35 +27,35 @@ pub struct LiquidMemory {
     pub time: f64,
 }
 
-/// Flow of a liquid whose linear answer is known.
+/// Flow of a liquid whose linear response is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LiquidFlow {
-    /// Along a slender ring, where the force of Coriolis has no part. (C11)
+    /// Flow along a slender ring, where the Coriolis force has no part. (C11)
     Tube,
-    /// In a ball that spins. (L16)
+    /// Flow in a spinning ball. (L16)
     Ball,
-    /// In a spheroid that spins about its axis. (L16)
+    /// Flow in a spheroid that spins about its axis. (L16)
     Spheroid {
-        /// Its axis, a unit vector, body axes.
+        /// Axis of the cavity, a unit vector, body axes.
         axis: [f64; 3],
-        /// Square of the ratio of its semi-axes along the axis and across it.
+        /// Square of the ratio of the semi-axes along the axis and across the axis.
         stretch: f64,
     },
-    /// In a cylinder that spins about its axis. (L20)
+    /// Flow in a cylinder that spins about its axis. (L20)
     Cylinder {
-        /// Its axis, a unit vector, body axes.
+        /// Axis of the cavity, a unit vector, body axes.
         axis: [f64; 3],
-        /// Half its height over its radius.
+        /// Half the height over the radius.
         half: f64,
     },
 }
 
-/// Reynolds number from which on the spin counts in the answer.
+/// Reynolds number from which the spin is significant in the response.
 const COUNTS: f64 = 20.0;
 
 impl LiquidMemory {
-    /// Estimate of the relative error of the power that the answer about the mean spin leaves in a free rotation at a spin (rad/s) with a wobble
-    /// (rad): the periodic part of the spin is left out, whose effect is even in it. (L19)
+    /// Estimate of the relative error of the power from the response about the mean spin, in a free rotation at a spin (rad/s) with a
+    /// wobble (rad). The periodic part of the spin is left out, and its effect is even in the wobble. (L19)
     #[must_use]
     pub fn left_out(&self, spin: f64, wobble: f64) -> f64 {
         if self.flow == LiquidFlow::Tube {
@@ -76,8 +76,8 @@ impl LiquidMemory {
 /// Force on a liquid per rate relative to the body, `D = I²Π⁻¹`, at a complex frequency `s` (1/s) about a steady spin (rad/s, body axes).
 /// (L15)
 ///
-/// A ball knows no direction but that of the spin; a spheroid and a cylinder spin about their axes, and what is across is left out. Each answers on
-/// the axis and for each sense of circling it. Not a number where floating point finds no answer.
+/// A ball has no direction but that of the spin; a spheroid and a cylinder spin about their axes, and the component across is left out.
+/// There is one response along the axis and one for each sense of circling the axis. NaN where the fields have no finite solution.
 pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f64>) -> Matrix3<Complex<f64>> {
     let LiquidMemory { inertia, time, flow, .. } = *memory;
     let unit = inertia / time;
@@ -94,7 +94,7 @@ pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f6
     let [along, faster, slower] = [0, 1, -1].map(|m| unit * drag(flow, m, time * s, time * rate));
     let projection = (axis * axis.transpose()).map(Complex::from);
     let across = Matrix3::identity() - projection;
-    // (1, i, 0) about the spin turns into −i times itself.
+    // The rotation generator takes (1, i, 0) about the spin to −i times itself.
     let turn = axis.cross_matrix().map(|entry| Complex::new(0.0, entry));
     let half = Complex::from(0.5);
     projection * along + (across + turn) * (half * faster) + (across - turn) * (half * slower)
@@ -102,13 +102,13 @@ pub(crate) fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f6
 
 /// Force per rate of a motion `e^{imφ}` about the spin, per `I ν/a²` with the inertia about the axis.
 ///
-/// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`, which circles as the conjugate of the other at the conjugate frequency.
+/// `m` is 0 about the spin, 1 for `(1, i, 0)` and −1 for `(1, −i, 0)`, the conjugate of `m = 1` at the conjugate frequency.
 fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64> {
     if m < 0 {
         return drag(flow, -m, sigma.conj(), tau).conj();
     }
     let m = m as usize;
-    // The load squared of a motion across the axis over that of one about it.
+    // Ratio of the squared loads of motions across and about the axis.
     let across = |ratio: f64| if m == 0 { 1.0 } else { ratio };
     match flow {
         LiquidFlow::Tube => bessel::drag(bessel::RING, sigma),
@@ -132,8 +132,8 @@ mod tests {
         LiquidMemory { coordinates: 0..3, axes, flow: LiquidFlow::Ball, inertia: 1.3, time }
     }
 
-    /// A vector that rests in space, seen from a body that spins about z, circles as `(1, i, 0)e^{iΩt}`: the frozen liquid's part of it
-    /// alone feels the spin at rate zero, and a thin layer nearly so.
+    /// Motion at rest in inertial axes: seen from a body that spins about z, a fixed vector circles as `(1, i, 0)e^{iΩt}`, and the core
+    /// of a ball with a thin layer hardly resists that motion.
     #[test]
     fn the_core_of_a_ball_rests_in_space() {
         let (memory, rate) = (ball(1e6), 0.7);
@@ -149,7 +149,7 @@ mod tests {
         );
     }
 
-    /// The answer turns with the spin: axes that nothing distinguishes.
+    /// Isotropy of a ball: the response rotates with the spin, since no other axis is distinguished.
     #[test]
     fn a_ball_knows_the_axis_of_the_spin_alone() {
         let (memory, spin) = (ball(40.0), Vector3::new(0.4, -0.5, 0.8));
@@ -163,7 +163,7 @@ mod tests {
         assert!((D - opposite.transpose()).norm() < 1e-12 * D.norm(), "the other sense is the transpose");
     }
 
-    /// An iteration that went astray asks at no number.
+    /// Arguments that are not finite, as from an iteration without convergence, give NaN.
     #[test]
     fn what_is_asked_at_no_number_has_no_answer() {
         let axis = [0.0, 0.0, 1.0];
@@ -180,7 +180,7 @@ mod tests {
         }
     }
 
-    /// The fields of a ball that spins lead to the Bessel functions of one that does not.
+    /// Limit of zero spin: the fields of a spinning ball lead to the Bessel functions of a ball at rest.
     #[test]
     fn a_ball_that_hardly_spins_is_one_that_does_not() {
         for size in [0.3_f64, 40.0, 3e3, 1e5] {

@@ -2,7 +2,6 @@
 
 mod error;
 mod mode;
-mod names;
 mod newton;
 mod pencil;
 mod reduced;
@@ -12,6 +11,7 @@ mod state;
 mod steadiness;
 mod system;
 mod turning;
+mod whole_body_names;
 
 pub use error::SteadyError;
 pub use mode::SteadyModes;

@@ -6,13 +6,13 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::error::SteadyError;
-use super::names::{NamedMotion, named};
 use super::pencil::{Pencil, form};
 use super::slopes::{DISPLACED, OMEGA, Slopes, THETA};
 use super::spectrum::{Eigenmotion, spectrum};
 use super::state::SteadyState;
 use super::system::System;
 use super::turning::{Turning, effective};
+use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{belongs, inverse_iteration};

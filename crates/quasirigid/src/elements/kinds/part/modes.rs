@@ -1,4 +1,4 @@
-//! Part of given modes: shapes of another program over the nodes of its model, as generalized coordinates.
+//! Part of given modes: shapes of another program over the nodes of its model, as generalised coordinates.
 //! The nodes keep their mass, so inertia and loads follow from the shapes; stiffness and damping come from the spectrum alone.
 //! Equations (K10) and (K11), docs/theory/12-structures.md; interface modes of Craig and Bampton `[@craig1968]`.
 

@@ -18,7 +18,7 @@ struct Case {
     /// Stiffness times the pattern from −3.
     force: &'static [f64],
     /// Mass of one component times the pattern from −2.
-    angular_momentum: &'static [f64],
+    product: &'static [f64],
 }
 
 /// The reference cell sheared, off the origin, every node moved a little.
@@ -46,7 +46,7 @@ fn plain(shape: Shape, rule: Rule) -> DMatrix<f64> {
 
 #[test]
 fn stiffness_and_mass_are_those_of_calculix() {
-    for Case { name, shape, force, angular_momentum } in CASES {
+    for Case { name, shape, force, product } in CASES {
         let rule = if matches!(*name, "C3D20R" | "C3D6") { Rule::Reduced } else { Rule::Slopes };
         let close = |found: DVector<f64>, expected: &[f64]| {
             let error = (&found - DVector::from_column_slice(expected)).amax() / found.amax();
@@ -54,7 +54,7 @@ fn stiffness_and_mass_are_those_of_calculix() {
         };
         close(plain(*shape, rule) * pattern(3 * shape.nodes(), -3.0), force);
         let mass = mass::by_rule(*shape, &nodes(*shape), 2.5, rule);
-        close(mass * pattern(shape.nodes(), -2.0), angular_momentum);
+        close(mass * pattern(shape.nodes(), -2.0), product);
     }
 }
 
@@ -86,7 +86,7 @@ const CASES: &[Case] = &[
             -0.5874361907795,
             1.125786133154,
         ],
-        angular_momentum: &[0.01732185944779, 0.01732185944779, 0.01732185944779, 0.01732185944779],
+        product: &[0.01732185944779, 0.01732185944779, 0.01732185944779, 0.01732185944779],
     },
     Case {
         name: "C3D10",
@@ -123,7 +123,7 @@ const CASES: &[Case] = &[
             -2.053060285056,
             5.755639167932,
         ],
-        angular_momentum: &[
+        product: &[
             -0.03730115213287,
             0.01213398905053,
             -0.02745491127152,
@@ -159,7 +159,7 @@ const CASES: &[Case] = &[
             -1.232877271492,
             -2.763284797316,
         ],
-        angular_momentum: &[
+        product: &[
             0.2694144978055,
             0.2694144978055,
             0.2694144978055,
@@ -218,7 +218,7 @@ const CASES: &[Case] = &[
             11.95131851691,
             -7.363231141574,
         ],
-        angular_momentum: &[
+        product: &[
             0.01809184414136,
             0.05193304207045,
             0.05455854916521,
@@ -265,7 +265,7 @@ const CASES: &[Case] = &[
             1.106967511711,
             -9.08510331482,
         ],
-        angular_momentum: &[
+        product: &[
             0.5653143457068,
             1.804318573522,
             0.9454198316387,
@@ -341,7 +341,7 @@ const CASES: &[Case] = &[
             2.724144318555,
             -28.86048317006,
         ],
-        angular_momentum: &[
+        product: &[
             -3.93545742688,
             -3.11489969289,
             -3.271960297842,
@@ -429,7 +429,7 @@ const CASES: &[Case] = &[
             1.021543248745,
             -27.73974338095,
         ],
-        angular_momentum: &[
+        product: &[
             -3.463138872214,
             -2.995209884293,
             -3.010715107555,

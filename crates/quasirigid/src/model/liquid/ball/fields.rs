@@ -1,10 +1,15 @@
+//! Galerkin flows of a ball or spheroid of liquid in spherical harmonics: toroidal of odd degree, poloidal of even degree.
+//! Only these degrees are driven by a rotation; components `u_x ± iu_y`, `u_z` are harmonics themselves, so that products have few entries
+//! and the stretch couples no more than four degrees.
+//! Equation (L16), docs/theory/13-inside.md.
+
 use nalgebra::{DMatrix, DVector};
 
 use super::radial::Radial;
 use crate::math::quadrature::gauss_legendre;
 use crate::model::liquid::galerkin::{Fields, Products, TURNED, WEIGHTS};
 
-/// A component of the flows of a degree: `u_x + iu_y`, `u_x − iu_y` or `u_z`.
+/// Component of the flows of a degree: `u_x + iu_y`, `u_x − iu_y` or `u_z`.
 struct Part {
     component: usize,
     degree: usize,
@@ -12,26 +17,26 @@ struct Part {
     radial: usize,
 }
 
-/// The flows of a degree.
+/// Flows of a degree.
 struct Degree {
     radials: Vec<Radial>,
     parts: Vec<Part>,
-    /// `∂u/∂z`: component, degree, values.
+    /// Slopes `∂u/∂z`: component, degree, values.
     slopes: Vec<(usize, usize, DMatrix<f64>)>,
 }
 
-/// Degrees that a stretched ball couples.
+/// Number of degrees that a stretched ball couples.
 const STRETCHED: usize = 4;
-/// Flows of harmonic `m` round the spin in a spheroid about it, with the square `stretch` of the ratio of its semi-axes along and across: those
-/// in the ball of radius 1, toroidal of odd and poloidal of even degree, stretched as the ball is. So many degrees, `count` flows
-/// of each. (L16)
+/// Flows of harmonic `m` round the axis of a spheroid that spins about it, `degrees` degrees with `count` flows each; `stretch` is the
+/// square of the ratio of the semi-axes along and across. They are the flows in the ball of radius 1, toroidal of odd and poloidal of
+/// even degree, stretched like the ball. (L16)
 pub(super) fn fields(m: usize, degrees: usize, count: usize, stretch: f64) -> Fields {
     let unit = |[x, weight]: [f64; 2]| [0.5 * (1.0 + x), 0.5 * weight];
     let rule: Vec<[f64; 2]> = gauss_legendre(degrees + 2 * count + 6).into_iter().map(unit).collect();
     let all: Vec<Degree> = (1..=degrees).map(|l| Degree::new(m as i32, l, count, &rule)).collect();
     let width = if stretch == 1.0 { 1 } else { STRETCHED };
     let chunks: Vec<&[Degree]> = all.chunks(width).collect();
-    // The rigid turn is toroidal, of degree 1, with the radial function r and l(l+1)∫r⁴ dr = 2/5.
+    // The rigid rotation is toroidal, of degree 1, with the radial function r and l(l+1)∫r⁴ dr = 2/5.
     let turn = DVector::from_iterator(rule.len(), rule.iter().map(|[r, weight]| weight.sqrt() * r * r));
     let first = all[0].radials[0].value.tr_mul(&turn) * (2.0 / 0.4_f64.sqrt());
     let group = width.min(degrees) * count;
@@ -74,7 +79,7 @@ impl Degree {
     }
 }
 
-/// `∂/∂z` of a component, at the degrees above and below.
+/// Slope `∂/∂z` of a component, at the degrees above and below.
 fn slopes(m: i32, part: &Part, radial: &Radial) -> [(usize, usize, DMatrix<f64>); 2] {
     let (l, order) = (part.degree, m + [1, -1, 0][part.component]);
     let [above, below] = radial.along_axis(l);
@@ -84,13 +89,13 @@ fn slopes(m: i32, part: &Part, radial: &Radial) -> [(usize, usize, DMatrix<f64>)
     ]
 }
 
-/// `c_l` of `cosθ Y_l = c_{l+1} Y_{l+1} + c_l Y_{l−1}`, zero where there is no lower degree.
+/// `c_l` of `cosθ Y_l = c_{l+1} Y_{l+1} + c_l Y_{l−1}`, zero at the lowest degree.
 fn cosine(l: usize, m: i32) -> f64 {
     let (l, m) = (l as f64, f64::from(m));
     ((l * l - m * m).max(0.0) / (4.0 * l * l - 1.0)).sqrt()
 }
 
-/// Of the flows of some degrees with those of others.
+/// Products of the flows of some degrees with those of others.
 fn of(rows: &[Degree], columns: &[Degree], stretch: f64) -> Products {
     let count = rows[0].radials[0].value.ncols();
     let zero = DMatrix::zeros(rows.len() * count, columns.len() * count);
@@ -129,7 +134,7 @@ fn pair(row: &Degree, column: &Degree, stretch: f64) -> Products {
         for (component, degree, f) in &row.slopes {
             let like = |(c, l, _): &&(usize, usize, _)| (c, l) == (component, degree);
             for (.., g) in column.slopes.iter().filter(like) {
-                // Slopes along a stretched axis are less, those of the stretched component more.
+                // Slopes along a stretched axis are smaller, those of the stretched component larger.
                 let square = if *component == 2 { 1.0 - stretch } else { 1.0 / stretch - 1.0 };
                 own.friction += square * WEIGHTS[*component] * (f.transpose() * g);
             }

@@ -1,5 +1,5 @@
-//! A ball or a spheroid of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve, their ratio
-//! to the boundary layer beyond.
+//! Ball or spheroid of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve, beyond it
+//! the boundary layer scaled to them. (L16), (L17)
 
 mod fields;
 mod radial;
@@ -15,32 +15,33 @@ use super::known::{self, Key};
 
 type C = Complex<f64>;
 
-/// A liquid that spins, per the radius of its equator and its viscosity.
+/// Spinning liquid, in units of the radius of its equator and its viscosity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spinning {
     /// Square of the ratio of the semi-axes along the spin and across it.
     pub stretch: f64,
-    /// Spin, `τ = Ω a²/ν`: its Reynolds number.
+    /// Spin, `τ = Ω a²/ν`: the Reynolds number.
     pub tau: f64,
 }
 
-/// Radial functions per fourth root of `|σ| + 2τ`, as the boundary layer needs them, beside the least number.
+/// Radial functions per fourth root of `|σ| + 2τ`, from the thickness of the boundary layer, in addition to the least number.
 const PER_LAYER: f64 = 1.4;
-/// Degrees per fourth root of `τ`, beside the least number.
+/// Degrees per fourth root of `τ`, in addition to the least number.
 const PER_SPIN: f64 = 1.1;
 /// Least number of functions and of degrees.
 const LEAST: f64 = 4.0;
-/// Numbers of functions and of degrees are multiples of this.
+/// Step of the numbers of functions and of degrees, so that fields are reused.
 const STEP: usize = 4;
 
 impl Spinning {
-    /// `|σ| + 2τ` beyond which the ratio to the boundary layer is that of the same motion there: what takes some tenths of a second.
+    /// `|σ| + 2τ` up to which fields are computed, in some tenths of a second; beyond, the ratio to the boundary layer is that of the
+    /// same motion at this value.
     fn resolved(&self) -> f64 {
         if self.stretch == 1.0 { 4e6 } else { 4e5 }
     }
 
     /// Force per rate, per `I ν/a²` with the load of the flow squared in the place of `I`, of a motion `e^{imφ}` about the spin at the
-    /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L16)
+    /// frequency `σ = s a²/ν` in the body. NaN where the fields have no finite solution. (L16)
     ///
     /// `m` is 0 about the spin and 1 for `(1, i, 0)`.
     pub fn drag(self, m: usize, sigma: C) -> C {

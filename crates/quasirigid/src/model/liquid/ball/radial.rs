@@ -1,8 +1,13 @@
+//! Radial functions of the flows in a ball: toroidal and poloidal, by Jacobi polynomials.
+//! With these weights the friction matrix of a ball is the identity; values are stored times radius and root of the weight, so that an
+//! integral is one matrix product.
+//! Equation (L16), docs/theory/13-inside.md.
+
 use nalgebra::DMatrix;
 
 use crate::model::liquid::jacobi::jacobi;
 
-/// A radial function with its slope and itself over the radius, at the points of a rule, times the radius and the root of the weight.
+/// Radial functions `f` with `f′` and `f/r` at the points of a rule, times the radius and the root of the weight.
 #[derive(Clone)]
 pub(super) struct Radial {
     pub value: DMatrix<f64>,
@@ -11,7 +16,7 @@ pub(super) struct Radial {
 }
 
 impl Radial {
-    /// `r^l (1−r²) J_n^{(1, l+½)}(2r²−1)` of toroidal flows, with `l(l+1)∫|∇u|² = 1` of the flow in a ball: the Laplacian makes of it a
+    /// `r^l (1−r²) J_n^{(1, l+½)}(2r²−1)` of toroidal flows, with `l(l+1)∫|∇u|² = 1` of the flow in a ball: the Laplacian takes each to a
     /// polynomial orthogonal to the others.
     pub fn toroidal(l: usize, count: usize, rule: &[[f64; 2]]) -> Self {
         let [value, slope, _, laplacian] = functions(l, count, rule, 1);
@@ -24,8 +29,8 @@ impl Radial {
         own
     }
 
-    /// From `p = r^l (1−r²)² J_n^{(2, l+½)}(2r²−1)` of poloidal flows the functions `l(l p/r − p′)` of the degree above and
-    /// `(l+1)((l+1)p/r + p′)` of that below, scaled as the toroidal ones.
+    /// Poloidal flows: from `p = r^l (1−r²)² J_n^{(2, l+½)}(2r²−1)` the functions `l(l p/r − p′)` of the degree above and `(l+1)((l+1)p/r
+    /// + p′)` of the degree below, scaled as the toroidal ones.
     pub fn poloidal(l: usize, count: usize, rule: &[[f64; 2]]) -> [Self; 2] {
         let [p, first, second, laplacian] = functions(l, count, rule, 2);
         let share = over(&p, rule);
@@ -45,7 +50,7 @@ impl Radial {
         pair
     }
 
-    /// `f′ − l f/r` and `f′ + (l+1) f/r`: what the slope along the axis has at the degrees above and below.
+    /// `f′ − l f/r` and `f′ + (l+1) f/r`: parts of the slope along the axis at the degrees above and below.
     pub fn along_axis(&self, l: usize) -> [DMatrix<f64>; 2] {
         let degree = l as f64;
         [&self.slope - degree * &self.over, &self.slope + (degree + 1.0) * &self.over]

@@ -9,15 +9,15 @@ use crate::math::quadrature::gauss_legendre;
 
 type C = Complex<f64>;
 
-/// Points of the rule from pole to pole, and round the axis.
+/// Numbers of points of the rule from pole to pole, and round the axis.
 const POINTS: usize = 32;
 const ROUND: usize = 8;
 
-/// Force per rate of an ideal core of uniform vorticity and of its thin boundary layer with the force of Coriolis in both, in the units of
+/// Force per rate of an ideal core of uniform vorticity and of its thin boundary layer with the Coriolis force in both, in the units of
 /// [`Spinning::drag`]. (L17)
 pub(super) fn drag(liquid: Spinning, m: usize, sigma: C) -> [C; 2] {
     let Spinning { stretch, tau } = liquid;
-    // Inertia and turning of the slip per its load squared, with `∫|e × r|² dV = 1` in the ball.
+    // Inertia and Coriolis coupling of the slip per its load squared, with `∫|e × r|² dV = 1` in the ball.
     let shape = Slip::new(m, stretch);
     let core = shape.mass * sigma - C::new(0.0, m as f64 * 2.0 * tau * shape.turning);
     [core, over_wall(sigma, tau, |x| shape.at(x))]
@@ -33,15 +33,15 @@ struct Slip {
 }
 
 impl Slip {
-    /// With the semi-axes 1 and `c`: across the axis the load is `4c²/(1 + c²)·V/5` and `∫w² dV` the same, per `c² V·2/5`
-    /// of the load of (L16); about the axis the core turns as a whole.
+    /// Slip in a spheroid with the semi-axes 1 and `c`: across the axis the load is `4c²/(1 + c²)·V/5` and equals `∫w² dV`, per `c²
+    /// V·2/5` of the load of (L16); about the axis the core rotates as a whole.
     fn new(m: usize, stretch: f64) -> Self {
         let unit = 5.0 / (2.0 * (4.0 / 3.0 * std::f64::consts::PI) * stretch.sqrt());
         if m == 0 {
             return Self { m, stretch, mass: 1.0, turning: 0.0, scale: unit };
         }
         let share = 1.0 + stretch;
-        // Load over that of the unit turn of the stretched ball.
+        // Load over that of the unit rotation of the stretched ball.
         let load = 2.0 / share;
         let mass = 2.0 * stretch / share / (load * load * stretch);
         let turning = 2.0 * stretch / (share * share) / (load * load * stretch);
@@ -66,7 +66,7 @@ impl Slip {
         self.scale * round.sum::<C>()
     }
 
-    /// The slip at a place, and what is its conjugate on the wall.
+    /// Slip at a place, and the function that equals its conjugate on the wall.
     fn slip(&self, r: Vector3<C>) -> [[C; 3]; 2] {
         let zero = C::from(0.0);
         if self.m == 0 {
@@ -81,7 +81,7 @@ impl Slip {
     }
 }
 
-/// `∫ g(x) κ dx` from −1 to 1 with `κ = √(σ + 2iτx)`: with `κ` for `x` nothing is singular where `κ = 0`.
+/// `∫ g(x) κ dx` from −1 to 1 with `κ = √(σ + 2iτx)`: with `κ` as the variable the integrand is regular at `κ = 0`.
 fn over_wall(sigma: C, tau: f64, g: impl Fn(C) -> C) -> C {
     let turn = C::new(0.0, 2.0 * tau);
     let [first, last] = [(sigma - turn).sqrt(), (sigma + turn).sqrt()];

@@ -1,3 +1,7 @@
+//! Tests of the spinning ball and spheroid of liquid: closed forms at rest and for slow motions, the spin-over mode, convergence.
+//! Limits at both ends of the Reynolds number, and the transition from the fields to the scaled boundary layer without a step.
+//! Equations (C11), (L8), (L16) and (L17), docs/theory/13-inside.md; spin-over mode `[@greenspan1968]`.
+
 use std::f64::consts::PI;
 
 use super::*;
@@ -21,7 +25,7 @@ fn a_ball_at_rest_follows_its_wall_as_the_hyperbolic_functions_have_it() {
             let expected = sigma / (1.0 - share(sigma.sqrt()));
             for m in [-1, 0, 1] {
                 let found = drag(m, sigma, 0.0);
-                // What is dissipated is a share of `σ^{-1/2}` of it.
+                // The dissipation is a share `σ^{-1/2}` of the response: the error is measured against it.
                 let gap = (found - expected).norm() / (expected - sigma).norm();
                 assert!(gap < 2e-3, "{sigma} {m}: {gap:e}");
             }
@@ -29,7 +33,7 @@ fn a_ball_at_rest_follows_its_wall_as_the_hyperbolic_functions_have_it() {
     }
 }
 
-/// Slow motions begin as `1 − χ = z²/35 − 2z⁴/1575 + …` (C11).
+/// Slow motions follow the series `1 − χ = z²/35 − 2z⁴/1575 + …` (C11).
 #[test]
 fn a_slow_ball_begins_as_its_series() {
     let sigma = C::new(0.0, 1e-3);
@@ -37,7 +41,7 @@ fn a_slow_ball_begins_as_its_series() {
     for m in [-1, 0, 1] {
         assert!((sigma / drag(m, sigma, 0.0) / series - 1.0).norm() < 1e-9);
     }
-    // Coriolis' force turns shells as the body turns: to the first order the frequency is that in space.
+    // The Coriolis force rotates shells with the body: to the first order the frequency is that in inertial axes.
     let tau = 1e-4;
     let turned = drag(1, sigma, tau) / drag(1, sigma - C::new(0.0, tau), 0.0);
     assert!((turned - 1.0).norm() < 1e-8, "{turned}");
@@ -47,7 +51,7 @@ fn layer_of(stretch: f64, sigma: C, tau: f64) -> C {
     spinning_boundary_layer::drag(Spinning { stretch, tau }, 1, sigma).iter().sum()
 }
 
-/// More functions and degrees change nothing.
+/// Converged drag: more functions and degrees change nothing.
 #[test]
 fn what_is_resolved_is_settled() {
     for tau in [0.01, 1.0, 30.0, 1e3, 1e4, 1e5] {
@@ -78,8 +82,8 @@ fn spin_over(drag: &dyn Fn(C) -> C, tau: f64, frequency: f64) -> C {
     (sigma - C::new(0.0, frequency * tau)) / tau.sqrt()
 }
 
-/// The spin-over mode `D = 0`, which circles as a vector at rest in space: `2.6205 + 0.2585i` times `√(νΩ)/a` in the limit
-/// `[@greenspan1968]`, and above it by what the layer leaves out, which falls as `E^{0.3}`.
+/// Spin-over mode `D = 0`, which circles as a vector at rest in inertial space: `2.6205 + 0.2585i` times `√(νΩ)/a` in the limit
+/// `[@greenspan1968]`, and at finite Reynolds numbers above this limit by an amount that falls as `E^{0.3}`.
 #[test]
 fn spin_over_decays_as_greenspan_has_it() {
     let tau = 1e10;
@@ -90,8 +94,8 @@ fn spin_over_decays_as_greenspan_has_it() {
     assert!(gaps[0] < 0.2 && gaps[1] < 0.05 && gaps[2] < 0.025 && gaps[2] > 0.0, "{gaps:?}");
 }
 
-/// In a spheroid it turns at `2/(1 + c²/a²)` of the spin `[@greenspan1968]`, and the fields and the layer, two methods, come together as the
-/// spin grows.
+/// Spin-over mode of a spheroid: at `2/(1 + c²/a²)` of the spin `[@greenspan1968]`; fields and boundary layer, two methods, converge to
+/// each other as the spin grows.
 #[test]
 fn spin_over_of_a_spheroid_is_that_of_poincare() {
     for stretch in [0.25, 0.64, 2.56] {
@@ -106,7 +110,7 @@ fn spin_over_of_a_spheroid_is_that_of_poincare() {
     }
 }
 
-/// Slow motions: (L8) of the ellipsoid, about the axis and across it.
+/// Slow motions: (L8) of the ellipsoid, about the axis and across the axis.
 #[test]
 fn a_slow_spheroid_is_that_of_polynomials() {
     for stretch in [0.04_f64, 0.5, 3.0] {
@@ -126,7 +130,7 @@ fn a_slow_spheroid_is_that_of_polynomials() {
     }
 }
 
-/// A spheroid that is nearly a ball answers as the ball, whose degrees are coupled otherwise.
+/// Response of a nearly spherical spheroid: equal to that of the ball, whose degrees are coupled in another way.
 #[test]
 fn a_spheroid_becomes_a_ball() {
     for m in [0_usize, 1] {
@@ -136,7 +140,7 @@ fn a_spheroid_becomes_a_ball() {
     }
 }
 
-/// A ball takes energy from every motion.
+/// Dissipation: a ball of liquid takes energy from every motion.
 #[test]
 fn every_motion_is_braked() {
     for tau in [0.1, 10.0, 1e3, 1e5, 1e6, 1e8] {
@@ -149,7 +153,7 @@ fn every_motion_is_braked() {
     }
 }
 
-/// Where the fields end, the ratio takes over without a step.
+/// Transition from the fields to the scaled boundary layer: without a step.
 #[test]
 fn the_ratio_joins_the_fields() {
     for frequency in [-1.1, 0.3, 0.9] {

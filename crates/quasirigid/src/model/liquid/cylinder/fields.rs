@@ -1,28 +1,33 @@
+//! Galerkin flows of a cylinder of liquid: products of functions of radius and height, zero on the wall and free of divergence.
+//! Conservation of volume is built in by `u_θ` across the axis and by a stream function about it; heights couple to near neighbours only,
+//! so that groups are eliminated one by one.
+//! Equation (L20), docs/theory/13-inside.md.
+
 use nalgebra::{DMatrix, DVector};
 
 use super::lines::{Line, Values, axial, radial};
 use crate::math::quadrature::gauss_legendre;
 use crate::model::liquid::galerkin::{Fields, Products, TURNED, WEIGHTS};
 
-/// A component of the flows of a kind: each function of the radius times each of the height.
+/// Component of the flows of a kind: each function of the radius times each of the height.
 struct Part {
     component: usize,
     across: Line,
     along: Line,
 }
 
-/// Points and weights across and along the axis, and half the height over the radius. What is integrated is even in the height.
+/// Points and weights across and along the axis, and half the height over the radius. Integrands are even in the height.
 struct Rules {
     across: Vec<[f64; 2]>,
     along: Vec<[f64; 2]>,
     half: f64,
 }
 
-/// Functions of the height that know each other are next neighbours in groups of so many.
+/// Size of the groups of functions of the height; only neighbouring groups are coupled.
 const WIDTH: usize = 2;
 
-/// Flows of harmonic `m` round the axis in a cylinder of radius 1 and half height `half`, with so many functions of the radius and of the
-/// height in each of two kinds. (L20)
+/// Flows of harmonic `m` round the axis in a cylinder of radius 1 and half height `half`, with `radial` functions of the radius and
+/// `axial` of the height in each of two kinds. (L20)
 pub(super) fn fields(m: usize, half: f64, [radial, axial]: [usize; 2]) -> Fields {
     let Flows { rules, kinds, sums, scales } = Flows::new(m, half, [radial, axial]);
     let heights: Vec<usize> = (0..axial).collect();
@@ -35,7 +40,7 @@ pub(super) fn fields(m: usize, half: f64, [radial, axial]: [usize; 2]) -> Fields
     }
 }
 
-/// The flows of both kinds with their products.
+/// Flows of both kinds with their products.
 struct Flows {
     rules: Rules,
     kinds: [Vec<Part>; 2],
@@ -75,7 +80,7 @@ impl Rules {
         }
     }
 
-    /// `u_r = f g` and `u_z = f g`, each with the `u_θ = i(∂_r(r u_r) + r ∂_z u_z)` that keeps the volume.
+    /// Flows across the axis: `u_r = f g` and `u_z = f g`, each with the `u_θ = i(∂_r(r u_r) + r ∂_z u_z)` of conserved volume.
     fn across_axis(&self, [n, k]: [usize; 2]) -> [Vec<Part>; 2] {
         let Self { across: rule, along, half } = self;
         let times = |matrix: &DMatrix<f64>| powered(rule, matrix, 1);
@@ -97,7 +102,7 @@ impl Rules {
         [first, second]
     }
 
-    /// `u_θ = i f g`, and `u_r = −f g′`, `u_z = (r f)′g/r`.
+    /// Flows about the axis: `u_θ = i f g`, and `u_r = −f g′`, `u_z = (r f)′g/r`.
     fn about_axis(&self, [n, k]: [usize; 2]) -> [Vec<Part>; 2] {
         let Self { across: rule, along, half } = self;
         let [f, f1, _]: Values = radial(n, [1, 1], rule);
@@ -115,7 +120,7 @@ impl Rules {
         [first, second]
     }
 
-    /// With the rigid turn, `u_− z − u_z r` across the axis and `u_θ r` about it; of greater heights it has nothing.
+    /// Load of the rigid rotation, `u_− z − u_z r` across the axis and `u_θ r` about the axis; zero for higher functions of the height.
     fn load(
         &self,
         m: usize,
@@ -159,7 +164,7 @@ impl Rules {
     }
 }
 
-/// A matrix times a power of the radius.
+/// Matrix times a power of the radius.
 fn powered(rule: &[[f64; 2]], matrix: &DMatrix<f64>, power: i32) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
         matrix[(row, column)] * rule[row][0].powi(power)
@@ -193,7 +198,7 @@ impl Sum {
         own
     }
 
-    /// Roots of the squares in the friction.
+    /// Roots of the diagonal of the friction matrix, for normalisation.
     fn roots(&self, [n, k]: [usize; 2]) -> DMatrix<f64> {
         DMatrix::from_fn(n, k, |n, k| {
             self.friction.iter().map(|[R, Z]| R[(n, n)] * Z[(k, k)]).sum::<f64>().sqrt()
@@ -228,7 +233,7 @@ fn products(sums: &[[Sum; 2]; 2], scales: &[DMatrix<f64>; 2], rows: &[usize], co
     found.cleaned()
 }
 
-/// Largest product of flows whose heights are in groups that are no neighbours, over the largest friction.
+/// Largest product of flows whose heights are in groups that are not neighbours, and largest load beyond the first groups.
 #[cfg(test)]
 pub(super) fn beyond_neighbours(m: usize, half: f64, counts: [usize; 2]) -> f64 {
     let Flows { rules, kinds, sums, scales } = Flows::new(m, half, counts);

@@ -40,7 +40,7 @@ pub(super) fn radial(count: usize, [power, order]: [i32; 2], rule: &[[f64; 2]]) 
     found
 }
 
-/// `(1−ζ²)^k J_n^{(k,k)}(ζ)` of the height `z = hζ`, even ones or odd ones.
+/// `(1−ζ²)^k J_n^{(k,k)}(ζ)` of the height `z = hζ`, the even or the odd ones.
 pub(super) fn axial(count: usize, [power, odd]: [i32; 2], rule: &[[f64; 2]], half: f64) -> Values {
     let mut found = [(); 3].map(|()| DMatrix::zeros(rule.len(), count));
     for (row, [x, _]) in rule.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A cylinder of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve.
+//! Cylinder of liquid that spins about its axis: exact solenoidal fields at every Reynolds number that they resolve. (L20)
 
 mod fields;
 mod lines;
@@ -14,26 +14,26 @@ use fields::fields;
 
 type C = Complex<f64>;
 
-/// A liquid that spins, per its radius and viscosity.
+/// Spinning liquid, in units of its radius and viscosity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spinning {
     /// Half the height over the radius.
     pub half: f64,
-    /// Spin, `τ = Ω a²/ν`: its Reynolds number.
+    /// Spin, `τ = Ω a²/ν`: the Reynolds number.
     pub tau: f64,
 }
 
-/// Functions of the radius per fourth root of `|σ| + 2τ`, as the boundary layer needs them, beside the least number; of the height as many
-/// per that of its layer.
+/// Functions of the radius per fourth root of `|σ| + 2τ`, from the thickness of the boundary layer, in addition to the least number;
+/// functions of the height likewise, times `√h`.
 const PER_LAYER: f64 = 1.3;
 const LEAST: f64 = 5.0;
-/// Numbers of functions are multiples of this, and at most so many: what takes a second.
+/// Step of the numbers of functions, and their limit, at which a response takes a second.
 const STEP: usize = 4;
 const MOST: usize = 44;
 
 impl Spinning {
-    /// Force per rate, per `I ν/a²` with the frozen inertia `I` about the axis in question, of a motion `e^{imφ}` about the spin at the
-    /// frequency `σ = s a²/ν` in the body. Not a number where floating point finds none. (L20)
+    /// Force per rate, per `I ν/a²` with the frozen inertia `I` about the axis of the motion, for a motion `e^{imφ}` about the spin at
+    /// the frequency `σ = s a²/ν` in the body. NaN where the fields have no finite solution. (L20)
     ///
     /// `m` is 0 about the spin and 1 for `(1, i, 0)`.
     pub fn drag(self, m: usize, sigma: C) -> C {

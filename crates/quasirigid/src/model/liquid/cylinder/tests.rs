@@ -1,10 +1,14 @@
+//! Tests of the spinning cylinder of liquid: slow motions, series at rest, coupling of heights, convergence, inertial waves.
+//! Expected values come from another method or from closed forms; the coupling test guards the elimination of groups of heights.
+//! Equation (L20), docs/theory/13-inside.md; inertial waves `[@greenspan1968]`.
+
 use std::f64::consts::PI;
 
 use super::fields::beyond_neighbours;
 use super::*;
 
-/// `P` of polynomials of the meridian with 12 as their degree, by `check` of a cylinder of radius 1 m and height 4 m of unit density: 0.354646
-/// across the axis and 0.229563 about it, in error by 1e-7.
+/// Slow motions against `P` from polynomials of degree 12 in the meridian, by `check` of a cylinder of radius 1 m and height 4 m of unit
+/// density: 0.354646 across the axis and 0.229563 about the axis, with errors of 1e-7.
 #[test]
 fn a_slow_cylinder_is_that_of_the_meridian() {
     let half = 2.0_f64;
@@ -16,7 +20,7 @@ fn a_slow_cylinder_is_that_of_the_meridian() {
     }
 }
 
-/// About the axis at rest the series of sines, unsteady: `∫r×u = −s Σ …`.
+/// Unsteady rotation about the axis at rest, against the series of sines `∫r×u = −s Σ …`.
 #[test]
 fn a_cylinder_at_rest_lags_as_its_series() {
     // I_1(x) and I_2(x) by the power series.
@@ -38,14 +42,14 @@ fn a_cylinder_at_rest_lags_as_its_series() {
             let ratio = if x.norm() > 80.0 { C::from(1.0) - 1.5 / x } else { bessel(2, x) / bessel(1, x) };
             2.0 * 4.0 * PI / (half * n * n * x * x) * (0.25 - ratio / x)
         };
-        // Of the velocity r across each slice: ∫u_θ r dV per unit of inertia.
+        // Response to the velocity r in each slice: ∫u_θ r dV per unit of inertia.
         let found = (0..4000).map(term).sum::<C>() / (PI * half);
         let answer = Spinning { half, tau: 0.0 }.drag(0, sigma).inv();
         assert!((answer / found - 1.0).norm() < 2e-3, "{frequency}: {answer} {found}");
     }
 }
 
-/// Groups of heights know their neighbours alone, and the rigid turn acts on the first.
+/// Coupling: groups of heights couple to their neighbours alone, and the rigid rotation loads the first groups.
 #[test]
 fn heights_know_their_neighbours() {
     for (m, half) in [(0, 1.0), (1, 1.0), (1, 0.3)] {
@@ -54,7 +58,7 @@ fn heights_know_their_neighbours() {
     }
 }
 
-/// More functions change nothing.
+/// Converged drag: more functions change nothing.
 #[test]
 fn what_is_resolved_is_settled() {
     for (half, tau) in [(1.0, 0.1), (1.0, 100.0), (0.3, 3e3), (3.0, 1e3), (0.8, 2e4)] {
@@ -73,8 +77,8 @@ fn what_is_resolved_is_settled() {
     }
 }
 
-/// The free modes of the first harmonic, `D = 0`, come to the inertial waves `λξJ₁′(ξ) + 2J₁(ξ) = 0`, `λ = 2/√(1 + ξ²/k²)`, `k = (2j+1)π/2h`
-/// `[@greenspan1968]`, by the layer's `τ^{-1/2}`.
+/// Free modes of the first harmonic, `D = 0`, tend to the inertial waves `λξJ₁′(ξ) + 2J₁(ξ) = 0`, `λ = 2/√(1 + ξ²/k²)`, `k = (2j+1)π/2h`
+/// `[@greenspan1968]`, with a remainder `τ^{-1/2}` from the boundary layer.
 #[test]
 fn free_modes_come_to_inertial_waves() {
     let bessel = |n: i32, x: f64| {
@@ -91,7 +95,7 @@ fn free_modes_come_to_inertial_waves() {
         let rate = |xi: f64| 2.0 / (1.0 + (xi / k).powi(2)).sqrt();
         let slope = |xi: f64| bessel(0, xi) - bessel(1, xi) / xi;
         let gap = |xi: f64| rate(xi) * xi * slope(xi) + 2.0 * bessel(1, xi);
-        // The first zero: where the pressure has no node but the axis.
+        // First zero: the pressure has no node but the axis.
         let (mut low, mut high) = (0.5, 0.5);
         while gap(high) > 0.0 {
             low = high;
@@ -112,7 +116,7 @@ fn free_modes_come_to_inertial_waves() {
             }
             sigma / tau
         });
-        // What the layer changes halves.
+        // The change by the boundary layer halves.
         let limit = 2.0 * found[1] - found[0];
         assert!((limit - C::new(0.0, expected)).norm() < 0.01 * expected, "{half}: {expected} {found:?}");
         assert!(found[1].re < 0.0 && (found[0].re / found[1].re - 2.0).abs() < 0.5, "{half}: {found:?}");

@@ -1,4 +1,5 @@
-//! The inertial waves of a cylinder of liquid in Stewartson's top `[@stewartson1959]`, each with its layer, against the poles of the response.
+//! Inertial waves of a cylinder of liquid in Stewartson's top `[@stewartson1959]`, with their boundary layers, against the poles of the
+//! response. (L22)
 
 use std::f64::consts::{PI, TAU};
 
@@ -21,7 +22,7 @@ fn slope(x: f64) -> f64 {
     bessel(0, x) - if x > 0.0 { bessel(1, x) / x } else { 0.5 }
 }
 
-/// An inertial wave `J₁(ξr) sin kz e^{i(θ + λt)}` in a cylinder of radius 1 that spins at the rate 1.
+/// Inertial wave `J₁(ξr) sin kz e^{i(θ + λt)}` in a cylinder of radius 1 that spins at the rate 1.
 #[derive(Clone, Copy, Debug)]
 struct Wave {
     half: f64,
@@ -31,7 +32,7 @@ struct Wave {
 }
 
 impl Wave {
-    /// With `2j + 1` half waves along the axis, that of the first root of `λξJ₁′(ξ) + 2J₁(ξ) = 0`, `λ = ±2/√(1 + ξ²/k²)`.
+    /// Wave with `2j + 1` half waves along the axis, at the first root of `λξJ₁′(ξ) + 2J₁(ξ) = 0`, `λ = ±2/√(1 + ξ²/k²)`.
     fn new(half: f64, j: usize, sign: f64) -> Self {
         let k = (2 * j + 1) as f64 * PI / (2.0 * half);
         let rate = |xi: f64| sign * 2.0 / (1.0 + (xi / k).powi(2)).sqrt();
@@ -57,7 +58,7 @@ impl Wave {
         [u_r, C::from((rate * p_over_r + 2.0 * p_r) / determinant), C::new(0.0, k * p / rate)]
     }
 
-    /// Eigenvalue over the spin at a Reynolds number, with the layer and the friction in the core. (L22)
+    /// Eigenvalue over the spin at a Reynolds number, with the boundary layer and the friction in the core. (L22)
     fn damped(&self, tau: f64) -> C {
         let Self { half, k, xi, rate } = *self;
         let s = C::new(0.0, rate);
@@ -79,8 +80,8 @@ impl Wave {
     }
 }
 
-/// The free mode of the liquid next to a place, over the spin: the zero of `D` by quotients `(s − s₀)/(α + βs)` through three points, since next to
-/// the zero of a wave that a turn hardly drives there is a pole.
+/// Free mode of the liquid nearest to a starting value, over the spin: zero of `D` by quotients `(s − s₀)/(α + βs)` through three points,
+/// since a wave that a rotation hardly drives has a pole next to its zero.
 fn pole(half: f64, tau: f64, near: C) -> C {
     let at = |s: C| (s, Spinning { half, tau }.drag(1, s * tau));
     let mut points = [C::from(1.0), C::new(1.0, 3e-3), C::new(1.003, 0.0)].map(|factor| at(near * factor));
@@ -100,8 +101,8 @@ fn pole(half: f64, tau: f64, near: C) -> C {
     points[2].0
 }
 
-/// Flat and high cylinders, one to five half waves along them, both senses: the frequency to 0.2 % of itself, the decay to 5 %. What is left
-/// is of the order `1/τ`.
+/// Flat and high cylinders, one to five half waves along them, both senses: the frequency to 0.2 % of itself, the decay to 5 %. The
+/// remainder is of the order `1/τ`.
 #[test]
 fn free_modes_are_the_waves_with_their_layers_in_flat_and_high_cylinders() {
     let mut gaps = [0.0; 2];

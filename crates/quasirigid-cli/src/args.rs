@@ -51,6 +51,9 @@ pub enum Command {
         after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
     )]
     Verify(Verify),
+    /// Print the references of what the model uses, as BibTeX
+    #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
+    Cite(Cite),
 }
 
 /// Model file and options of every command.
@@ -106,6 +109,12 @@ pub struct RunArgs {
 
 #[derive(Args, Debug)]
 pub struct Check {
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Args, Debug)]
+pub struct Cite {
     #[command(flatten)]
     pub common: Common,
 }

@@ -42,6 +42,7 @@ fn main() -> ExitCode {
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),
+        Command::Cite(cite) => commands::cite::cite(cite),
     };
     match result {
         Ok(ExitStatus::Done) => ExitCode::SUCCESS,

@@ -96,11 +96,15 @@ pub fn simulate(
     let left_out = LeftOut::at(study, start.omega, None);
     let history = study.simulate_from(start, propagation, table, &mut shared)?;
     let (holds, json) = (history.holds(&left_out), history.json());
-    let notes = [shared.remarks(), left_out.notes(), study.model.notes.clone(), history.notes].concat();
+    let doubts = [shared.remarks(), left_out.notes()].concat();
+    // A history to its end that does not hold has its reason in the doubts.
+    let ended = matches!(history.status, "finished" | "event");
+    let sentence = if ended && !holds { doubts.join(" ") } else { history.message };
+    let notes = [doubts, study.model.notes.clone(), history.notes].concat();
     Ok(Answer {
         json: Json(json),
-        text: format!("{}: {}\n", study.model.name, history.message),
-        sentence: history.message,
+        text: format!("{}: {sentence}\n", study.model.name),
+        sentence,
         holds,
         notes,
         numbers: BTreeMap::new(),
@@ -117,7 +121,12 @@ pub fn evolve(study: &Study, asked: &Asked, mut shared: &Shared) -> Result<Answe
     Ok(Answer {
         json: Json(json),
         text: evolution::text(&study.model.name, &record),
-        sentence: record.sentence.clone(),
+        // What does not hold is not told as if it did.
+        sentence: if answers || record.status == "refused" {
+            record.sentence.clone()
+        } else {
+            record.message.clone()
+        },
         holds,
         notes: [shared.remarks(), study.model.notes.clone(), evolved.notes].concat(),
         numbers: BTreeMap::from([

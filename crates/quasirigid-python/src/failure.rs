@@ -5,6 +5,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
+use quasirigid_study::visible::visible;
 use quasirigid_study::{Setting, StudyError};
 
 /// A failure on its way to Python.
@@ -49,12 +50,13 @@ impl Failure {
 
     /// The text for a row of many.
     pub fn text(&self) -> String {
-        match self {
+        visible(&match self {
+            Self::Study(StudyError::Interrupted) => "the work was told to end".to_owned(),
             Self::Study(error) => error.told(&argument),
             Self::Input(text) | Self::File(text) => text.clone(),
             Self::Panic(text) => format!("{OURS}: {text}"),
             Self::Raised(error) => error.to_string(),
-        }
+        })
     }
 }
 
@@ -130,7 +132,7 @@ fn diagnosed<'py>(py: Python<'py>, diagnostic: &Diagnostic, text: &str) -> PyRes
     let place = PyDict::new(py);
     place.set_item("line", line)?;
     place.set_item("column", column)?;
-    place.set_item("message", &diagnostic.message)?;
+    place.set_item("message", visible(&diagnostic.message))?;
     place.set_item("label", &diagnostic.label)?;
     place.set_item("help", diagnostic.help.as_deref())?;
     py.import("quasirigid._errors")?.getattr("Diagnostic")?.call((), Some(&place))

@@ -87,16 +87,17 @@ class Answer:
         return str(self._parts["text"])
 
     def __repr__(self) -> str:
-        kind = f"quasirigid.{type(self).__name__}"
-        notes = self.notes
-        warned = "".join(f"\nNote: {note}" for note in notes) if not self.holds else ""
-        counted = f", {len(notes)} notes" if notes and self.holds else ""
-        state = "holds" if self.holds else "DOES NOT HOLD"
-        return f"{self.sentence}{warned}\n({kind}, {state}{counted})"
+        kind, notes = f"quasirigid.{type(self).__name__}", self.notes
+        if self.holds:
+            counted = f", {len(notes)} note{'s' * (len(notes) > 1)}" if notes else ""
+            return f"{self.sentence}\n({kind}{counted})"
+        told = "".join(f"\nNote: {note}" for note in notes if note not in self.sentence)
+        return f"DOES NOT HOLD: {self.sentence}{told}\n({kind})"
 
     def _repr_html_(self) -> str:
+        verdict = "" if self.holds else f"<p><strong>DOES NOT HOLD:</strong> {html.escape(self.sentence)}</p>"
         notes = "".join(f"<p>Note: {html.escape(note)}</p>" for note in self.notes)
-        return f"{notes}<pre>{html.escape(str(self))}</pre>"
+        return f"{verdict}{notes}<pre>{html.escape(str(self))}</pre>"
 
     def __reduce__(self) -> tuple[object, ...]:
         columns = None if self._table is None else self._table

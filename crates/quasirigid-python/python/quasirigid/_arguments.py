@@ -76,7 +76,7 @@ def array(value: ArrayLike, name: str) -> NDArray[np.float64]:
         raise InputError(f"{name}: rows of different length are no array") from error
     if found.dtype.kind not in "fiu":
         raise InputError(f"{name} has the type {found.dtype}; give real numbers")
-    return np.ascontiguousarray(found, dtype=np.float64)
+    return np.asarray(found, dtype=np.float64, order="C")
 
 
 def vectors(value: ArrayLike, name: str) -> NDArray[np.float64]:

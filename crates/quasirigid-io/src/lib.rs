@@ -12,5 +12,7 @@ pub mod mesh;
 pub mod model;
 mod nearest;
 pub mod record;
+pub mod study_file;
+pub mod table_file;
 pub mod text_file;
 pub mod units;

@@ -1,9 +1,10 @@
-//! Dictionaries of Python as the text of a model file.
+//! Dictionaries of Python as the text of a model file, and changes of such a text.
 //! The vocabulary is the file's: tables are dictionaries, arrays of tables are lists of them. NumPy's numbers and arrays count as
 //! numbers and lists. What TOML has no word for is refused with its place.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use quasirigid_io::model::{Given, changed};
 use toml::{Table, Value};
 
 use crate::failure::Failure;
@@ -16,6 +17,38 @@ const DEEPEST: usize = 32;
 pub fn to_toml(model: &Bound<'_, PyDict>) -> PyResult<String> {
     let table = table(model, "", 0)?;
     Ok(toml::to_string(&table).map_err(|error| Failure::Input(format!("no TOML: {error}")))?)
+}
+
+/// Text of a model with values replaced by path, as `spring.boom.stiffness`.
+#[pyfunction]
+pub fn with_changes(text: &str, changes: &Bound<'_, PyDict>) -> PyResult<String> {
+    let mut given = Vec::with_capacity(changes.len());
+    for (path, item) in changes {
+        let Ok(path) = path.cast::<PyString>() else {
+            return Ok(refuse(format!("the path {} is not a text", shown(&path)))?);
+        };
+        let path = path.to_cow()?.into_owned();
+        let item = value(&item, &path, 0)?;
+        given.push((path, self::given(item)));
+    }
+    let given: Vec<(&str, Given)> =
+        given.iter().map(|(path, given)| (path.as_str(), given.clone())).collect();
+    Ok(changed(text, &given).map_err(|error| Failure::Input(error.to_string()))?)
+}
+
+/// A value of TOML for a key of a model.
+fn given(value: Value) -> Given {
+    match value {
+        Value::Float(number) => Given::Number(number),
+        Value::Integer(number) => Given::Integer(number),
+        Value::Boolean(truth) => Given::Bool(truth),
+        Value::String(text) => Given::Text(text),
+        Value::Datetime(time) => Given::Text(time.to_string()),
+        Value::Array(items) => Given::List(items.into_iter().map(given).collect()),
+        Value::Table(entries) => {
+            Given::Table(entries.into_iter().map(|(key, item)| (key, given(item))).collect())
+        }
+    }
 }
 
 fn table(dictionary: &Bound<'_, PyDict>, place: &str, depth: usize) -> Result<Table, Failure> {

@@ -26,7 +26,7 @@ mod _core {
     #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]
-    use crate::dictionary::to_toml;
+    use crate::dictionary::{to_toml, with_changes};
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]

@@ -68,6 +68,36 @@ def test_dictionaries_have_the_vocabulary_of_the_file() -> None:
     assert Model.from_dict(whole).check().to_dict() == model.check().to_dict()
 
 
+def test_changed_copies() -> None:
+    model = Model(BOOM)
+    changed = model.with_({"spring.1.stiffness": "600 N/m", 'point."tip 1".mass': np.float64(4), "run.order": 5})
+    by_hand = BOOM.replace("stiffness = 500.0", 'stiffness = "600 N/m"', 1).replace("mass = 5.0", "mass = 4.0", 1)
+    by_hand = by_hand.replace("order = 3", "order = 5")
+    assert changed.text == by_hand and changed.file == model.file and model.text == BOOM
+    assert changed == Model(by_hand) and changed.check().to_dict() != model.check().to_dict()
+    assert model.with_({}) == model
+    turned = model.with_({"initial.angular_velocity": [0.1, 1.2, 0.0], "carrier.inertia.3": 15.0})
+    assert turned.text.count("15.0") == 1
+    with pytest.raises(quasirigid.ModelError) as caught:
+        model.with_({"spring.1.stiffness": "600 kg"})
+    assert caught.value.line == BOOM.splitlines().index("stiffness = 500.0") + 1
+    for path, message in (
+        ("sprong.1.stiffness", "sprong"),
+        ("spring.3.stiffness", "3"),
+        ('point."tip 9".mass', "tip 9"),
+        ("", "path"),
+        ("carrier.mass.x", "x"),
+    ):
+        with pytest.raises(quasirigid.InputError, match=message):
+            model.with_({path: 1.0})
+    with pytest.raises(quasirigid.InputError, match="is None"):
+        model.with_({"carrier.mass": None})
+    with pytest.raises(quasirigid.InputError, match="not a text"):
+        model.with_({3: 1.0})  # type: ignore[dict-item]
+    with pytest.raises(quasirigid.InputError, match="dictionary"):
+        model.with_([("carrier.mass", 1.0)])  # type: ignore[arg-type]
+
+
 class Odd:
     pass
 

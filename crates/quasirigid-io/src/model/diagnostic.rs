@@ -21,11 +21,11 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub(super) fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Self {
+    pub(crate) fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Self {
         Self { span, message: message.into(), label: label.into(), help: None }
     }
 
-    pub(super) fn help(self, help: impl Into<String>) -> Self {
+    pub(crate) fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }
 
@@ -41,17 +41,17 @@ impl Diagnostic {
 
 /// The diagnostics found so far in a file. All its readers share one, so that none stops at the first.
 #[derive(Debug)]
-pub(super) struct Problems<'a> {
+pub(crate) struct Problems<'a> {
     text: &'a str,
     found: RefCell<Vec<Diagnostic>>,
 }
 
 impl<'a> Problems<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    pub(crate) fn new(text: &'a str) -> Self {
         Self { text, found: RefCell::default() }
     }
 
-    pub(super) fn report(&self, diagnostic: Diagnostic) {
+    pub(crate) fn report(&self, diagnostic: Diagnostic) {
         let mut found = self.found.borrow_mut();
         if found.len() <= MOST {
             found.push(diagnostic);
@@ -59,22 +59,22 @@ impl<'a> Problems<'a> {
     }
 
     /// Whether the list is full, so that no more are kept.
-    pub(super) fn full(&self) -> bool {
+    pub(crate) fn full(&self) -> bool {
         self.found.borrow().len() > MOST
     }
 
     /// Text of the file at a span.
-    pub(super) fn text(&self, span: Range<usize>) -> Option<&'a str> {
+    pub(crate) fn text(&self, span: Range<usize>) -> Option<&'a str> {
         self.text.get(span)
     }
 
     /// Line of the file, from 1, at which a span starts.
-    pub(super) fn line(&self, span: Range<usize>) -> usize {
+    pub(crate) fn line(&self, span: Range<usize>) -> usize {
         Diagnostic::new(span, "", "").position(self.text).0
     }
 
     /// The diagnostics in the order of the file, each once.
-    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
+    pub(crate) fn into_diagnostics(self) -> Vec<Diagnostic> {
         let mut found = self.found.into_inner();
         found.sort_by_key(|diagnostic| diagnostic.span.start);
         let full = found.len() > MOST;

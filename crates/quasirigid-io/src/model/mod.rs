@@ -6,12 +6,14 @@
 mod body;
 mod bushing;
 mod cavity;
-mod diagnostic;
+mod change;
+pub(crate) mod diagnostic;
 mod ellipsoid;
 mod error;
 mod evolve;
 mod force;
 mod formula;
+mod given;
 mod hinged;
 mod initial;
 mod kinds;
@@ -31,13 +33,13 @@ mod rotor;
 mod section;
 mod settings;
 mod source;
-mod spans;
+pub(crate) mod spans;
 mod spring;
 mod support;
 mod surface;
-mod syntax;
-mod table;
-mod value;
+pub(crate) mod syntax;
+pub(crate) mod table;
+pub(crate) mod value;
 mod wheel;
 
 use std::io::Read;
@@ -45,9 +47,11 @@ use std::path::Path;
 
 use quasirigid::elements::{Assembly, ElementError};
 
+pub use change::{ChangeError, Found, Path as KeyPath, Template, changed};
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
 pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
+pub use given::Given;
 pub use initial::{Displacements, Initial};
 pub use named::Named;
 pub use rotation::Rotation;

@@ -21,13 +21,13 @@ pub struct Source {
 }
 
 impl Source {
-    pub(super) fn new(file: &Path, text: String) -> Self {
+    pub(crate) fn new(file: &Path, text: String) -> Self {
         let sha256 = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
         Self { file: file.to_owned(), text, sha256 }
     }
 
     /// Reads a file, up to the size that a model file may have.
-    pub(super) fn read(file: &Path) -> Result<Self, ModelError> {
+    pub(crate) fn read(file: &Path) -> Result<Self, ModelError> {
         Self::of(file, stream_of(file, LARGEST))
     }
 

@@ -20,11 +20,11 @@ pub(super) struct NetworkSpans {
 
 /// Places of an element and of its values.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct ElementSpans {
+pub(crate) struct ElementSpans {
     /// Header of the element's table.
-    pub(super) header: Range<usize>,
+    pub(crate) header: Range<usize>,
     /// Values of the element, by key.
-    pub(super) values: Vec<(&'static str, Range<usize>)>,
+    pub(crate) values: Vec<(&'static str, Range<usize>)>,
 }
 
 impl Spans {

@@ -13,7 +13,7 @@ use super::diagnostic::Problems;
 /// for each.
 const LONGEST_KEY: usize = 16;
 /// The tree of tables in a TOML text, if the text is TOML.
-pub(super) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable<'a>> {
+pub(crate) fn tree<'a>(text: &'a str, problems: &Problems<'_>) -> Option<DeTable<'a>> {
     if let Some(span) = overlong_key(text) {
         let message = format!("a key with more than {LONGEST_KEY} parts");
         let help = "the longest keys of a model have two, as in carrier.mass";

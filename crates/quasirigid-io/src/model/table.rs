@@ -13,13 +13,13 @@ use crate::nearest::nearest;
 use crate::units::Dimension;
 
 /// The keys a table can have.
-pub(super) struct Keys {
+pub(crate) struct Keys {
     /// Names of the keys.
-    pub(super) known: &'static [&'static str],
+    pub(crate) known: &'static [&'static str],
 }
 
 /// A table of the file whose keys have been checked.
-pub(super) struct Table<'a> {
+pub(crate) struct Table<'a> {
     title: &'static str,
     header: Range<usize>,
     entries: &'a DeTable<'a>,
@@ -31,7 +31,7 @@ pub(super) struct Table<'a> {
 
 impl<'a> Table<'a> {
     /// Reports every key that is not one of `keys`; `others` names the kinds of table that such a key is for.
-    pub(super) fn new(
+    pub(crate) fn new(
         title: &'static str,
         header: Range<usize>,
         entries: &'a DeTable<'a>,
@@ -57,24 +57,24 @@ impl<'a> Table<'a> {
     }
 
     /// Span of the start of the table.
-    pub(super) fn header(&self) -> Range<usize> {
+    pub(crate) fn header(&self) -> Range<usize> {
         self.header.clone()
     }
 
     /// Places of the values of the table.
-    pub(super) fn spans(&self) -> ElementSpans {
+    pub(crate) fn spans(&self) -> ElementSpans {
         let values = self.keys.known.iter().filter_map(|key| Some((*key, self.get(key)?.span()))).collect();
         ElementSpans { header: self.header(), values }
     }
 
     /// The value of a key, if the table has it.
-    pub(super) fn get(&self, key: &'static str) -> Option<Value<'a>> {
+    pub(crate) fn get(&self, key: &'static str) -> Option<Value<'a>> {
         let value = self.entries.get(key)?;
         Some(Value::new(key, value, self.problems))
     }
 
     /// The value of a key that must be there; a table without it is told to add a line such as `example`.
-    pub(super) fn required(&self, key: &'static str, example: &str) -> Option<Value<'a>> {
+    pub(crate) fn required(&self, key: &'static str, example: &str) -> Option<Value<'a>> {
         let value = self.get(key);
         if value.is_none() && !self.misspelt.contains(&key) {
             let message = format!("{} has no `{key}`", self.title);
@@ -86,12 +86,12 @@ impl<'a> Table<'a> {
     }
 
     /// Three quantities, zero if the key is absent.
-    pub(super) fn vector_or_zero(&self, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
+    pub(crate) fn vector_or_zero(&self, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
         self.get(key).map_or(Some([0.0; 3]), |value| value.vector(dimension))
     }
 
     /// The table under a key that stands once, as in `[carrier]`.
-    pub(super) fn table(
+    pub(crate) fn table(
         &self,
         key: &'static str,
         title: &'static str,
@@ -101,7 +101,7 @@ impl<'a> Table<'a> {
     }
 
     /// The value under a key that stands once.
-    pub(super) fn single(&self, key: &'static str, title: &'static str) -> Option<Value<'a>> {
+    pub(crate) fn single(&self, key: &'static str, title: &'static str) -> Option<Value<'a>> {
         let value = self.get(key)?;
         if value.is_array() {
             let message = format!("there is one {title}, not a list of them");
@@ -113,7 +113,7 @@ impl<'a> Table<'a> {
     }
 
     /// The values under a key that can stand any number of times.
-    pub(super) fn several(&self, key: &'static str, title: &'static str) -> Vec<Value<'a>> {
+    pub(crate) fn several(&self, key: &'static str, title: &'static str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else {
             return Vec::new();
         };
@@ -127,7 +127,7 @@ impl<'a> Table<'a> {
     }
 
     /// The named tables under a key, as in `[material.rock]`; `help` shows one.
-    pub(super) fn named(&self, key: &'static str, help: &str) -> Vec<Value<'a>> {
+    pub(crate) fn named(&self, key: &'static str, help: &str) -> Vec<Value<'a>> {
         let Some(value) = self.get(key) else { return Vec::new() };
         let Some(named) = value.entries() else {
             value.mismatch::<()>(&format!("a table for each {key}"), help);

@@ -9,6 +9,7 @@ use toml::de::{DeInteger, DeValue};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::given::Given;
 use super::literal;
 use super::named::Named;
 use super::spans::ElementSpans;
@@ -18,29 +19,29 @@ use crate::units::{Dimension, quantity};
 
 /// A value of the file and the key above it. Every failed reading reports a diagnostic and returns none.
 #[derive(Clone, Copy)]
-pub(super) struct Value<'a> {
+pub(crate) struct Value<'a> {
     key: &'a str,
     inner: &'a Spanned<DeValue<'a>>,
     problems: &'a Problems<'a>,
 }
 
 impl<'a> Value<'a> {
-    pub(super) fn new(key: &'a str, inner: &'a Spanned<DeValue<'a>>, problems: &'a Problems<'a>) -> Self {
+    pub(crate) fn new(key: &'a str, inner: &'a Spanned<DeValue<'a>>, problems: &'a Problems<'a>) -> Self {
         Self { key, inner, problems }
     }
 
     /// The key above the value.
-    pub(super) fn key(&self) -> &'a str {
+    pub(crate) fn key(&self) -> &'a str {
         self.key
     }
 
     /// Span of the value.
-    pub(super) fn span(&self) -> Range<usize> {
+    pub(crate) fn span(&self) -> Range<usize> {
         self.inner.span()
     }
 
     /// Span of a part of the value, given by the bytes of that part in a text.
-    pub(super) fn span_of(&self, part: Range<usize>) -> Range<usize> {
+    pub(crate) fn span_of(&self, part: Range<usize>) -> Range<usize> {
         let Range { start, end } = self.span();
         match self.problems.text(start..end).and_then(|literal| literal::place(literal, part)) {
             Some(place) => start + place.start..start + place.end,
@@ -48,37 +49,37 @@ impl<'a> Value<'a> {
         }
     }
 
-    pub(super) fn is_array(&self) -> bool {
+    pub(crate) fn is_array(&self) -> bool {
         self.inner.get_ref().is_array()
     }
 
     /// Whether the value is an array without elements.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.inner.get_ref().as_array().is_some_and(|items| items.is_empty())
     }
 
     /// Whether the value is this text.
-    pub(super) fn is_word(&self, word: &str) -> bool {
+    pub(crate) fn is_word(&self, word: &str) -> bool {
         self.inner.get_ref().as_str() == Some(word)
     }
 
-    pub(super) fn is_table(&self) -> bool {
+    pub(crate) fn is_table(&self) -> bool {
         self.inner.get_ref().is_table()
     }
 
     /// The elements of an array.
-    pub(super) fn items(&self) -> Option<Vec<Self>> {
+    pub(crate) fn items(&self) -> Option<Vec<Self>> {
         let items = self.inner.get_ref().as_array()?;
         Some(items.iter().map(|inner| Self { inner, ..*self }).collect())
     }
 
     /// A table.
-    pub(super) fn table(&self, title: &'static str, keys: &'static Keys) -> Option<Table<'a>> {
+    pub(crate) fn table(&self, title: &'static str, keys: &'static Keys) -> Option<Table<'a>> {
         self.table_among(title, keys, &|_| None)
     }
 
     /// A table of one of several kinds; `others` names those that an unknown key is for.
-    pub(super) fn table_among(
+    pub(crate) fn table_among(
         &self,
         title: &'static str,
         keys: &'static Keys,
@@ -91,34 +92,56 @@ impl<'a> Value<'a> {
     }
 
     /// The values of a table, without a look at its keys.
-    pub(super) fn entries(&self) -> Option<impl Iterator<Item = (Range<usize>, Self)>> {
+    pub(crate) fn entries(&self) -> Option<impl Iterator<Item = (Range<usize>, Self)>> {
         let (entries, problems) = (self.inner.get_ref().as_table()?, self.problems);
         Some(entries.iter().map(move |(key, inner)| (key.span(), Value::new(key.get_ref(), inner, problems))))
     }
 
     /// The value under a key of a table, without a look at the others.
-    pub(super) fn entry(&self, key: &'static str) -> Option<Self> {
+    pub(crate) fn entry(&self, key: &'static str) -> Option<Self> {
         let inner = self.inner.get_ref().as_table()?.get(key)?;
         Some(Self { key, inner, ..*self })
     }
 
     /// Places of a table and of its values.
-    pub(super) fn spans(&self, keys: &Keys) -> ElementSpans {
+    pub(crate) fn spans(&self, keys: &Keys) -> ElementSpans {
         let values = keys.known.iter().filter_map(|key| Some((*key, self.entry(key)?.span()))).collect();
         ElementSpans { header: self.span(), values }
     }
 
     /// A text as it is, empty or not.
-    pub(super) fn words(&self) -> Option<&'a str> {
+    pub(crate) fn words(&self) -> Option<&'a str> {
         self.inner.get_ref().as_str()
     }
 
-    pub(super) fn is_number(&self) -> bool {
+    pub(crate) fn is_number(&self) -> bool {
         matches!(self.inner.get_ref(), DeValue::Integer(_) | DeValue::Float(_))
     }
 
+    /// The value as a program would give it; dates are refused.
+    pub(crate) fn given(&self) -> Option<Given> {
+        match self.inner.get_ref() {
+            DeValue::String(text) => Some(Given::Text(text.to_string())),
+            DeValue::Boolean(boolean) => Some(Given::Bool(*boolean)),
+            DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
+                Ok(integer) => Some(Given::Integer(integer)),
+                Err(_) => self.refuse("an integer beyond 64 bits".to_owned(), "too large", None),
+            },
+            DeValue::Float(_) => self.quantity(Dimension::NUMBER).map(Given::Number),
+            DeValue::Array(_) => self.list("a list of values", |item| item.given()).map(Given::List),
+            DeValue::Table(_) => {
+                let entries =
+                    self.entries()?.map(|(_, value)| Some((value.key().to_owned(), value.given()?)));
+                all(entries.collect()).map(Given::Table)
+            }
+            DeValue::Datetime(_) => {
+                self.mismatch("a number, a text, true or false, a list or a table", "write one of these")
+            }
+        }
+    }
+
     /// A text.
-    pub(super) fn text(&self) -> Option<&'a str> {
+    pub(crate) fn text(&self) -> Option<&'a str> {
         let help = format!("write the {} in quotes", self.key);
         match self.inner.get_ref().as_str() {
             Some("") => self.refuse(format!("`{}` is empty", self.key), "an empty text", Some(help)),
@@ -128,7 +151,7 @@ impl<'a> Value<'a> {
     }
 
     /// One of several words.
-    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Option<T> {
+    pub(crate) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Option<T> {
         let text = self.text()?;
         if let Some((_, value)) = choices.iter().find(|(word, _)| *word == text) {
             return Some(*value);
@@ -143,12 +166,12 @@ impl<'a> Value<'a> {
     }
 
     /// A setting that is one of a few.
-    pub(super) fn named<T: Named>(&self) -> Option<T> {
+    pub(crate) fn named<T: Named>(&self) -> Option<T> {
         self.choice(&T::VALUES.iter().map(|(word, value, _)| (*word, *value)).collect::<Vec<_>>())
     }
 
     /// `true` or `false`.
-    pub(super) fn boolean(&self) -> Option<bool> {
+    pub(crate) fn boolean(&self) -> Option<bool> {
         match self.inner.get_ref().as_bool() {
             Some(boolean) => Some(boolean),
             None => self.mismatch("true or false", "write true or false, without quotes"),
@@ -156,7 +179,7 @@ impl<'a> Value<'a> {
     }
 
     /// Refuses a value that makes elements, so many of these bytes each, for which there is no room.
-    pub(super) fn room(&self, elements: f64, bytes: f64) -> Option<()> {
+    pub(crate) fn room(&self, elements: f64, bytes: f64) -> Option<()> {
         match memory::ask(elements * bytes) {
             Ok(()) => Some(()),
             Err(cause) => self.refuse(
@@ -168,7 +191,7 @@ impl<'a> Value<'a> {
     }
 
     /// An integer in a range.
-    pub(super) fn integer(&self, range: RangeInclusive<usize>) -> Option<usize> {
+    pub(crate) fn integer(&self, range: RangeInclusive<usize>) -> Option<usize> {
         let expected = format!("an integer from {} to {}", range.start(), range.end());
         let DeValue::Integer(integer) = self.inner.get_ref() else {
             return self.mismatch(&expected, &format!("write {expected}"));
@@ -184,7 +207,7 @@ impl<'a> Value<'a> {
     }
 
     /// A finite number: plain in SI units, or a text with its unit.
-    pub(super) fn quantity(&self, dimension: Dimension) -> Option<f64> {
+    pub(crate) fn quantity(&self, dimension: Dimension) -> Option<f64> {
         let (number, written) = match self.inner.get_ref() {
             DeValue::Float(float) => (float.as_str().parse().unwrap_or(f64::NAN), float.to_string()),
             DeValue::Integer(integer) => (nearest_number(integer), integer.to_string()),
@@ -200,7 +223,7 @@ impl<'a> Value<'a> {
     }
 
     /// A quantity above zero.
-    pub(super) fn positive(&self, dimension: Dimension) -> Option<f64> {
+    pub(crate) fn positive(&self, dimension: Dimension) -> Option<f64> {
         let number = self.quantity(dimension)?;
         if number > 0.0 {
             Some(number)
@@ -210,7 +233,7 @@ impl<'a> Value<'a> {
     }
 
     /// A quantity that is zero or above.
-    pub(super) fn non_negative(&self, dimension: Dimension) -> Option<f64> {
+    pub(crate) fn non_negative(&self, dimension: Dimension) -> Option<f64> {
         let number = self.quantity(dimension)?;
         let help = "a positive value resists the motion, as every spring and dashpot does";
         if number >= 0.0 {
@@ -221,7 +244,7 @@ impl<'a> Value<'a> {
     }
 
     /// A quantity between two bounds and equal to neither; `allowed` says so in words.
-    pub(super) fn between(
+    pub(crate) fn between(
         &self,
         dimension: Dimension,
         [lower, upper]: [f64; 2],
@@ -236,22 +259,22 @@ impl<'a> Value<'a> {
     }
 
     /// Three quantities.
-    pub(super) fn vector(&self, dimension: Dimension) -> Option<[f64; 3]> {
+    pub(crate) fn vector(&self, dimension: Dimension) -> Option<[f64; 3]> {
         self.numbers(dimension)
     }
 
     /// An array of exactly `N` quantities.
-    pub(super) fn numbers<const N: usize>(&self, dimension: Dimension) -> Option<[f64; N]> {
+    pub(crate) fn numbers<const N: usize>(&self, dimension: Dimension) -> Option<[f64; N]> {
         self.array("numbers", |item| item.quantity(dimension))
     }
 
     /// Three rows of three quantities.
-    pub(super) fn matrix(&self, dimension: Dimension) -> Option<[[f64; 3]; 3]> {
+    pub(crate) fn matrix(&self, dimension: Dimension) -> Option<[[f64; 3]; 3]> {
         self.array("rows", |row| row.vector(dimension))
     }
 
     /// An array of exactly `N` values, each read by `read`.
-    pub(super) fn array<T, const N: usize>(
+    pub(crate) fn array<T, const N: usize>(
         &self,
         noun: &str,
         read: impl Fn(Self) -> Option<T>,
@@ -267,7 +290,7 @@ impl<'a> Value<'a> {
     }
 
     /// An array of any number of values, each read by `read`.
-    pub(super) fn list<T>(&self, expected: &str, read: impl Fn(Self) -> Option<T>) -> Option<Vec<T>> {
+    pub(crate) fn list<T>(&self, expected: &str, read: impl Fn(Self) -> Option<T>) -> Option<Vec<T>> {
         match self.items() {
             Some(items) => all(items.into_iter().map(read).collect()),
             None => self.mismatch(expected, &format!("write {expected}")),
@@ -275,7 +298,7 @@ impl<'a> Value<'a> {
     }
 
     /// Reports that the value is of another kind than expected.
-    pub(super) fn mismatch<T>(&self, expected: &str, help: &str) -> Option<T> {
+    pub(crate) fn mismatch<T>(&self, expected: &str, help: &str) -> Option<T> {
         let found = self.found();
         self.refuse(
             format!("`{}`: found {found}, expected {expected}", self.key),
@@ -285,12 +308,12 @@ impl<'a> Value<'a> {
     }
 
     /// Reports a problem of the value.
-    pub(super) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
+    pub(crate) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
         self.refuse_at(self.span(), message, label, help)
     }
 
     /// Reports a problem at a place that belongs to the value.
-    pub(super) fn refuse_at<T>(
+    pub(crate) fn refuse_at<T>(
         &self,
         span: Range<usize>,
         message: String,
@@ -302,7 +325,7 @@ impl<'a> Value<'a> {
     }
 
     /// Kind of the value, in words.
-    pub(super) fn found(&self) -> String {
+    pub(crate) fn found(&self) -> String {
         match self.inner.get_ref() {
             DeValue::String(_) => "a text".to_owned(),
             DeValue::Integer(_) => "an integer".to_owned(),
@@ -339,7 +362,7 @@ fn all<T>(values: Vec<Option<T>>) -> Option<Vec<T>> {
 }
 
 /// Words with commas between them, and "or" before the last.
-pub(super) fn alternatives(words: &[String]) -> String {
+pub(crate) fn alternatives(words: &[String]) -> String {
     match words {
         [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
         _ => words.concat(),

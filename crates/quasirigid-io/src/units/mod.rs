@@ -56,6 +56,37 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     }
 }
 
+/// Number with a unit of any dimension, for values that are handed on with their unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measure<'a> {
+    /// The number in the unit.
+    pub(crate) number: f64,
+    /// The unit as written.
+    pub(crate) unit: &'a str,
+    expression: Expression,
+}
+
+impl<'a> Measure<'a> {
+    /// Reads a number with a unit that exists.
+    pub(crate) fn parse(text: &'a str) -> Result<Self, UnitError> {
+        if text.len() > LONGEST_TEXT {
+            return Err(UnitError::TooLong { length: text.len() });
+        }
+        let (number, unit) = split(text.trim(), Dimension::NUMBER)?;
+        Ok(Self { number, unit, expression: Expression::parse(unit)? })
+    }
+
+    /// The number in the unit of another measure; none where the two measure different things.
+    pub(crate) fn in_unit_of(&self, other: &Self) -> Option<f64> {
+        let (own, theirs) = (&self.expression, &other.expression);
+        if self.unit == other.unit {
+            return Some(self.number);
+        }
+        let alike = own.exponents == theirs.exponents && own.hertz == theirs.hertz;
+        alike.then(|| own.in_si(self.number) / theirs.in_si(1.0))
+    }
+}
+
 /// The number at the start of a text, and the unit after it.
 fn split(text: &str, dimension: Dimension) -> Result<(f64, &str), UnitError> {
     if text.is_empty() {

@@ -2,6 +2,7 @@
 
 mod beams;
 mod bodies;
+mod change;
 mod connections;
 mod connections_refused;
 mod elements;

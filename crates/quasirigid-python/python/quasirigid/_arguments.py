@@ -105,7 +105,8 @@ def times(value: ArrayLike | None) -> list[float] | None:
     found = array(value, "times")
     if found.ndim != 1 or found.size == 0:
         raise InputError(f"times has the shape {found.shape}; give a list of at least one time (s)")
-    return found.tolist()
+    instants: list[float] = found.tolist()
+    return instants
 
 
 def counts(value: Iterable[Any] | None, name: str) -> list[int] | None:

@@ -7,6 +7,8 @@ from typing import Any, Final, TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = ["EXAMPLE", "VERSION", "Columns", "Model", "Reduced", "RunAnswer", "to_toml", "with_changes"]
+
 EXAMPLE: Final[str]
 VERSION: Final[str]
 
@@ -15,6 +17,7 @@ _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
 def to_toml(model: dict[str, Any]) -> str: ...
+def with_changes(text: str, changes: dict[str, Any]) -> str: ...
 @final
 class Columns:
     def __new__(cls, names: list[str], units: list[str], values: list[Any]) -> Columns: ...

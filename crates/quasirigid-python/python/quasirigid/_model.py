@@ -93,6 +93,27 @@ class Model:
             raise InputError(f"a model is a dictionary, not {type(model).__name__}")
         return cls(_core.to_toml(dict(model)), file=file)
 
+    def with_(self, changes: Mapping[str, Any]) -> Model:
+        """Changed copy of the model, values replaced by path: ``{"spring.boom.stiffness": "600 N/m"}``.
+
+        A path is a table, the name or the number (from 1) of an entry where the table is a list, and a key; further segments are
+        keys of inner tables and numbers (from 1) of components. Names with blanks or dots stand in quotes, as in TOML. The last
+        segment may be a new key.
+
+        Raises:
+            InputError: for a path that leads nowhere.
+            ModelError: for a model that cannot be.
+
+        >>> import quasirigid
+        >>> model = quasirigid.Model(quasirigid.EXAMPLE)
+        >>> stiffer = model.with_({"spring.1.stiffness": "600 N/m", 'point."tip 1".mass': 4.0, "run.order": 5})
+        >>> stiffer.order, model.order
+        (5, 3)
+        """
+        if not isinstance(changes, Mapping):
+            raise InputError(f"changes are a dictionary of paths and values, not {type(changes).__name__}")
+        return type(self)(_core.with_changes(self.text, dict(changes)), file=self.file)
+
     @property
     def text(self) -> str:
         """Text of the model file."""

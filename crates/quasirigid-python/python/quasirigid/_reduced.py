@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from quasirigid import _arguments, _core
 
 if TYPE_CHECKING:
-    import sympy
+    import sympy as _sympy
 
     from quasirigid._model import Model
 
@@ -39,17 +39,17 @@ class Part(NamedTuple):
 class SympyEquations(NamedTuple):
     """The reduced equations as expressions of SymPy."""
 
-    omega: tuple[sympy.Symbol, sympy.Symbol, sympy.Symbol]
+    omega: tuple[_sympy.Symbol, _sympy.Symbol, _sympy.Symbol]
     """Angular velocity (rad/s), body axes: ``wx``, ``wy``, ``wz``."""
-    torque: sympy.Matrix
+    torque: _sympy.Matrix
     """Deviation torque μ(ω) (N·m)."""
-    angular_momentum: sympy.Matrix
+    angular_momentum: _sympy.Matrix
     """Angular momentum K(ω) (N·m·s)."""
-    rate: sympy.Matrix
+    rate: _sympy.Matrix
     """Rate of the angular velocity (rad/s²), without forces."""
-    power: sympy.Expr
+    power: _sympy.Expr
     """Power dissipated (W)."""
-    energy: sympy.Expr
+    energy: _sympy.Expr
     """Energy (J)."""
 
 

@@ -1,0 +1,143 @@
+use std::ops::Range;
+
+use crate::model::table::Keys;
+use crate::model::value::Value;
+use crate::model::{KeyPath, Named, System};
+use crate::nearest::nearest;
+use crate::units::Dimension;
+
+const ANSWER: Keys = Keys { known: &["quantities", "times", "system", "percentiles"] };
+
+/// Percentiles of a summary unless the study names others.
+const PERCENTILES: [f64; 3] = [16.0, 50.0, 84.0];
+
+/// Command whose answer a quantity is read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Command {
+    /// Validity of the reduced equations.
+    Check,
+    /// Modes about the steady spin.
+    Modes,
+    /// Secular evolution.
+    Evolve,
+    /// History of the spin.
+    Simulate,
+    /// Verification against the full system.
+    Verify,
+}
+
+impl Named for Command {
+    const VALUES: &'static [(&'static str, Self, &'static str)] = &[
+        ("check", Self::Check, ""),
+        ("modes", Self::Modes, ""),
+        ("evolve", Self::Evolve, ""),
+        ("simulate", Self::Simulate, ""),
+        ("verify", Self::Verify, ""),
+    ];
+}
+
+/// Quantity that is asked of every row: a path into the JSON object that a command prints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The path as written.
+    pub name: String,
+    /// Command that prints the object.
+    pub command: Command,
+    /// Segments below the command.
+    pub path: Vec<String>,
+    /// Place in the study.
+    pub span: Range<usize>,
+}
+
+/// Quantities of every row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The quantities.
+    pub quantities: Vec<Quantity>,
+    /// Times (s) at which the quantities of `simulate` are taken, each as written; the end alone if there are none.
+    pub times: Vec<(String, f64)>,
+    /// System that `simulate` follows.
+    pub system: System,
+    /// Percentiles of the summary, from 0 to 100.
+    pub percentiles: Vec<f64>,
+}
+
+/// Reads `[answer]`.
+pub(super) fn answer(value: &Value<'_>) -> Option<Answer> {
+    let table = value.table("[answer]", &ANSWER)?;
+    let list = table.required("quantities", "quantities = [\"evolve.time\", \"check.valid\"]");
+    let quantities = list.and_then(|list| {
+        let read = list.list("a list of paths", quantity)?;
+        if read.is_empty() {
+            return list.refuse(
+                "there are no quantities".to_owned(),
+                "empty",
+                Some("name at least one".to_owned()),
+            );
+        }
+        Some(read)
+    });
+    let times = table.get("times").map_or(Some(Vec::new()), |value| times(&value));
+    let system = table.get("system").map_or(Some(System::Reduced), |value| value.named());
+    let percentiles = table.get("percentiles").map_or(Some(PERCENTILES.to_vec()), |value| {
+        value.list("a list of percentiles", |item| {
+            item.between(Dimension::NUMBER, [0.0, 100.0], "between 0 and 100")
+        })
+    });
+    let quantities = quantities?;
+    for (index, one) in quantities.iter().enumerate() {
+        if quantities[..index].iter().any(|other| other.name == one.name) {
+            let message = format!("the quantity `{}` is asked for twice", one.name);
+            return value.refuse_at(one.span.clone(), message, "again", Some("name each once".to_owned()));
+        }
+    }
+    Some(Answer { quantities, times: times?, system: system?, percentiles: percentiles? })
+}
+
+fn quantity(value: Value<'_>) -> Option<Quantity> {
+    let name = value.text()?.to_owned();
+    let path = match name.parse::<KeyPath>() {
+        Ok(path) => path,
+        Err(error) => return value.refuse(error.to_string(), "not a path", None),
+    };
+    let mut names = path.names();
+    let first = names.next().unwrap_or_default();
+    let Some(command) = Command::of(first) else {
+        let words = Command::VALUES.iter().map(|(word, _, _)| *word);
+        let meant =
+            nearest(first, words.clone()).map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
+        let list = words.collect::<Vec<_>>().join(", ");
+        return value.refuse(
+            format!("a quantity begins with a command, and `{first}` is none"),
+            "no command",
+            Some(format!("{meant}the commands are {list}")),
+        );
+    };
+    let path: Vec<String> = names.map(str::to_owned).collect();
+    if path.is_empty() {
+        let help =
+            format!("write such as {first}.name; `quasirigid {first} MODEL.toml --json` shows what there is");
+        return value.refuse(
+            format!("`{first}` is a command; name a quantity of its answer"),
+            "a command",
+            Some(help),
+        );
+    }
+    Some(Quantity { name, command, path, span: value.span() })
+}
+
+/// Reads times that ascend.
+fn times(value: &Value<'_>) -> Option<Vec<(String, f64)>> {
+    let read = value.list("a list of times", |item| {
+        let seconds = item.positive(Dimension::TIME)?;
+        Some((item.words().map_or_else(|| format!("{seconds} s"), str::to_owned), seconds))
+    })?;
+    if read.windows(2).any(|pair| !(pair[0].1 < pair[1].1)) {
+        return value.refuse(
+            "the times do not ascend".to_owned(),
+            "in this order",
+            Some("write the earliest first".to_owned()),
+        );
+    }
+    Some(read)
+}

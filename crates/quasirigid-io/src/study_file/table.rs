@@ -1,0 +1,86 @@
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use crate::model::KeyPath;
+use crate::model::table::Keys;
+use crate::model::value::Value;
+use crate::units::Measure;
+
+const TABLE: Keys = Keys { known: &["file", "columns", "keep"] };
+const COLUMN: Keys = Keys { known: &["key", "unit"] };
+
+/// Table of bodies, a row each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableSource {
+    /// The file, CSV or Parquet.
+    pub file: PathBuf,
+    /// Place of its name in the study.
+    pub span: Range<usize>,
+    /// Columns that are keys of the model under another name, or in another unit.
+    pub columns: Vec<TableColumn>,
+    /// Columns that are carried through unread, each with its place in the study.
+    pub keep: Vec<(String, Range<usize>)>,
+}
+
+/// Column of a table that gives a key of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableColumn {
+    /// Name of the column.
+    pub name: String,
+    /// Key of the model.
+    pub key: KeyPath,
+    /// Unit of its numbers; none for plain ones and for texts.
+    pub unit: Option<String>,
+    /// Place in the study.
+    pub span: Range<usize>,
+}
+
+/// Reads `[table]`.
+pub(super) fn table(value: &Value<'_>, folder: &Path) -> Option<TableSource> {
+    let table = value.table("[table]", &TABLE)?;
+    let file = table.required("file", "file = \"bodies.csv\"");
+    let columns = match table.get("columns") {
+        None => Some(Vec::new()),
+        Some(columns) => match columns.entries() {
+            None => columns.mismatch(
+                "a table",
+                "write { \"a_km\" = { key = \"ellipsoid.1.semi_axes.1\", unit = \"km\" } }",
+            ),
+            Some(entries) => {
+                entries.map(|(_, value)| column(&value)).collect::<Vec<_>>().into_iter().collect()
+            }
+        },
+    };
+    let keep = match table.get("keep") {
+        None => Some(Vec::new()),
+        Some(keep) => {
+            keep.list("a list of names of columns", |name| Some((name.text()?.to_owned(), name.span())))
+        }
+    };
+    let file = file?;
+    Some(TableSource { file: folder.join(file.text()?), span: file.span(), columns: columns?, keep: keep? })
+}
+
+fn column(value: &Value<'_>) -> Option<TableColumn> {
+    let (key, unit) = if value.is_table() {
+        let table = value.table("a column", &COLUMN)?;
+        (table.required("key", "key = \"ellipsoid.1.semi_axes.1\"")?, table.get("unit"))
+    } else {
+        (*value, None)
+    };
+    let path = match key.text()?.parse::<KeyPath>() {
+        Ok(path) => path,
+        Err(error) => return key.refuse(error.to_string(), "not a path", None),
+    };
+    let unit = match unit {
+        None => None,
+        Some(unit) => {
+            let text = unit.text()?;
+            if let Err(error) = Measure::parse(&format!("1 {text}")) {
+                return unit.refuse(format!("`unit`: {error}"), "no unit", Some(error.advice()));
+            }
+            Some(text.to_owned())
+        }
+    };
+    Some(TableColumn { name: value.key().to_owned(), key: path, unit, span: value.span() })
+}

@@ -1,0 +1,55 @@
+use std::io::ErrorKind;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// Table that cannot be read or written.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum TableError {
+    /// A file that the operating system refuses.
+    #[error("{}: {}", file.display(), refused(*kind))]
+    File {
+        /// The file.
+        file: PathBuf,
+        /// Error kind that the operating system reports.
+        kind: ErrorKind,
+    },
+    /// A CSV file that cannot be read.
+    #[error("{}: {cause}", file.display())]
+    Csv {
+        /// The file.
+        file: PathBuf,
+        /// Message of the reader.
+        cause: String,
+    },
+    /// A Parquet file that cannot be read or written.
+    #[error("{}: {cause}; files without compression or with Snappy are read", file.display())]
+    Parquet {
+        /// The file.
+        file: PathBuf,
+        /// Message of the library.
+        cause: String,
+    },
+    /// A table without rows.
+    #[error("{}: the table has no rows; give one for each body", file.display())]
+    Empty {
+        /// The file.
+        file: PathBuf,
+    },
+    /// Two columns of one name.
+    #[error("{}: two columns are named {name:?}; rename one", file.display())]
+    SameName {
+        /// The file.
+        file: PathBuf,
+        /// The name.
+        name: String,
+    },
+}
+
+fn refused(kind: ErrorKind) -> String {
+    match kind {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        kind => kind.to_string(),
+    }
+}

@@ -16,7 +16,7 @@
 //! - [`modes`] has the small motions about a steady spin,
 //! - [`averaging`] follows the secular evolution by dissipation over millions of revolutions,
 //! - [`verification`] compares full and reduced motions,
-//! - [`secular`] chooses the method of a secular evolution, and measures the mean power where no average holds,
+//! - [`secular`] judges whether an average holds over many revolutions, and measures the mean power where none does,
 //! - [`problems`] are bodies with known answers.
 //!
 //! A hub with a damped mass on a spring, from its parts to a history of its nutation:

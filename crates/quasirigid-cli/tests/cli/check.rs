@@ -64,7 +64,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       decay of initial vibrations     T2/T3                  0.531      1  holds
 
     Vibrations
-      frequencies, attitude held (rad/s): 20.14 20.14 20.14
+      frequencies, attitude fixed (rad/s): 20.14 20.14 20.14
       frequencies, body free (rad/s): 20.14 20.40 20.40
       decay rates (1/s): 2.029 2.029 2.029 2.029 2.029 2.029
 

@@ -129,13 +129,13 @@ fn vibrations(out: &mut String, validity: &Validity) -> fmt::Result {
     }
     if !vibrations.frequencies.is_empty() {
         writeln!(out, "\nVibrations")?;
-        list(out, "frequencies, attitude held", &vibrations.frequencies, "rad/s")?;
+        list(out, "frequencies, attitude fixed", &vibrations.frequencies, "rad/s")?;
         list(out, "frequencies, body free", &vibrations.free_frequencies, "rad/s")?;
         list(out, "decay rates", &vibrations.decay_rates, "1/s")?;
     }
     if !relaxations.is_empty() {
         writeln!(out, "\nRelaxations of internal rotors and liquids")?;
-        list(out, "times, attitude held", relaxations, "s")?;
+        list(out, "times, attitude fixed", relaxations, "s")?;
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use crate::math::vec3::norm;
 pub struct EulerAngles {
     /// Precession `φ` (rad).
     pub precession: f64,
-    /// Nutation `θ` (rad), from 0 to a half turn.
+    /// Nutation `θ` (rad), from 0 to π.
     pub nutation: f64,
     /// Rotation `ψ` (rad).
     pub rotation: f64,

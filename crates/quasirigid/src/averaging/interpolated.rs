@@ -123,7 +123,8 @@ mod tests {
         }
     }
 
-    /// Times and powers equal those of the source, with a fraction of the calls; at another angular momentum the source itself answers.
+    /// Times and powers equal those of the source, with a fraction of the calls; at another angular momentum they are computed by the
+    /// source itself.
     #[test]
     fn times_are_those_of_the_source() {
         let response = Response::compute(&ring_of_points(4).body().unwrap()).unwrap();

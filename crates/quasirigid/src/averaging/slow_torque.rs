@@ -42,7 +42,7 @@ impl SlowTorque {
         Ok(sum)
     }
 
-    /// Whether there is no torque.
+    /// True if there is no torque.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         *self == Self::default()

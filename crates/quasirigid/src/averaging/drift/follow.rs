@@ -43,7 +43,7 @@ struct Way<'f, P> {
     start: DriftState,
     times: &'f [f64],
     limits: &'f DriftLimits,
-    /// Whether `D` lies below the target at the start.
+    /// True if `D` lies below the target at the start.
     below: bool,
     steady: bool,
     history: DriftHistory,

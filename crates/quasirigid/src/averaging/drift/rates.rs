@@ -20,7 +20,7 @@ pub(super) struct Rates<'d, P> {
     pub side: f64,
     /// Angular momentum that the logarithm is counted from.
     pub angular_momentum: f64,
-    /// Whether the wobble has died out, and stays so.
+    /// True if the wobble has died out, and stays so.
     pub steady: bool,
 }
 

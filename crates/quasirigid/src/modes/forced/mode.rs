@@ -156,7 +156,7 @@ impl About<'_> {
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
                 continue;
             }
-            // Where the iteration leads two motions to one, the eigenvalues before the iteration are kept.
+            // Eigenvalues before the iteration are kept where the iteration leads two motions to one.
             let (lambda, x) = refined.filter(|(lambda, _)| !apart(*lambda)).unwrap_or(start);
             kept.push(lambda);
             modes.push(self.mode(motion.lambda, lambda, &x));

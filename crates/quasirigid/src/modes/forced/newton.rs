@@ -121,7 +121,7 @@ impl Problem<'_> {
         }
         let mut rest = start.clone();
         let (found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
-        // Where the moments grow with the square of the rate, Newton's method approaches rest but never reaches it.
+        // Newton's method approaches rest without end where the moments grow with the square of the rate.
         if norm(found.at.omega) <= SLOW * rate {
             (rest.at.omega, rest.at.velocity) = ([0.0; 3], found.at.velocity);
             if norm(found.at.velocity) <= SLOW * (length(self.body) * rate + norm(self.near.velocity)) {

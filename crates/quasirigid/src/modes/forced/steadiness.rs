@@ -12,7 +12,7 @@ use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
 
-/// Later times of the test, in revolutions: no simple fractions alone, which waves could meet at equal phases.
+/// Later times of the test, in revolutions.
 const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1237];
 /// Change below which a load or slope counts as constant, relative to the largest one.
 const SAME: f64 = 1e-8;

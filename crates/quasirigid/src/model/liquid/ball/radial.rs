@@ -29,8 +29,8 @@ impl Radial {
         own
     }
 
-    /// Poloidal flows: from `p = r^l (1−r²)² J_n^{(2, l+½)}(2r²−1)` the functions `l(l p/r − p′)` of the degree above and `(l+1)((l+1)p/r
-    /// + p′)` of the degree below, scaled as the toroidal ones.
+    /// Poloidal flows: from `p = r^l (1−r²)² J_n^{(2, l+½)}(2r²−1)` the functions `l(l p/r − p′)` of the degree above and
+    /// `(l+1)((l+1)p/r + p′)` of the degree below, scaled as the toroidal ones.
     pub fn poloidal(l: usize, count: usize, rule: &[[f64; 2]]) -> [Self; 2] {
         let [p, first, second, laplacian] = functions(l, count, rule, 2);
         let share = over(&p, rule);

@@ -30,8 +30,8 @@ class Diagnostic(NamedTuple):
     >>> try:
     ...     quasirigid.Model("[carrier]\\nmas = 40.0")
     ... except quasirigid.ModelError as error:
-    ...     error.diagnostics[0].line
-    2
+    ...     error.diagnostics[-1].line, error.diagnostics[-1].help.splitlines()[0].split(";")[0]
+    (2, 'did you mean `mass`?')
     """
 
     line: int
@@ -65,7 +65,7 @@ class ModelError(Error, ValueError):
     ...     quasirigid.Model("[carrier]\\nmas = 40.0")
     ... except quasirigid.ModelError as error:
     ...     print(error.message)
-    unknown key `mas` in [carrier]
+    [carrier] has no `center_of_mass`
     """
 
     def __init__(self, text: str, file: str = "", diagnostics: list[Diagnostic] | None = None) -> None:

@@ -1,10 +1,14 @@
 //! Many starts of one body in one call, on every core.
 //! A row is computed from its own start alone, so that the threads and their number change no bit. A row that fails, even by a panic,
-//! is a row with its reason; only a signal ends the whole.
+//! is a row with its reason; only a signal ends the whole. Rows in work when it comes are left to end by themselves, so that nobody
+//! waits for them.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -44,29 +48,55 @@ pub fn starts(initial: &PyReadonlyArray2<'_, f64>) -> Result<Vec<[f64; 3]>, Fail
 }
 
 /// Computes every row, in the order of the starts.
-fn each<T: Send>(
-    study: &Study,
+fn each<T: Send + 'static>(
+    study: &Arc<Study>,
     starts: &[[f64; 3]],
-    shared: &Shared,
-    row: impl Fn(Start, &mut RowWatch) -> Result<T, Failure> + Sync,
+    shared: &Arc<Shared>,
+    row: impl Fn(&Study, Start, &mut RowWatch) -> Result<T, Failure> + Send + Sync + 'static,
 ) -> Result<Vec<Result<T, Failure>>, Failure> {
-    let done = AtomicUsize::new(0);
-    let attitude = study.model.initial.attitude;
-    let one = |omega: &[f64; 3]| {
-        if shared.stopped() {
-            return Err(StudyError::Interrupted.into());
+    let (study, own, starts) = (Arc::clone(study), Arc::clone(shared), starts.to_vec());
+    let (answer, answers) = mpsc::channel();
+    pool()?.spawn(move || {
+        let (done, count) = (AtomicUsize::new(0), starts.len());
+        let rows = starts.par_iter().map(|omega| {
+            let found = one(&study, *omega, &own, &row);
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            own.tell("rows", done as f64 / count as f64);
+            found
+        });
+        // Nobody listens once a signal has come.
+        let _ = answer.send(rows.collect());
+    });
+    loop {
+        match answers.recv_timeout(LOOK) {
+            Ok(found) => return Ok(found),
+            Err(RecvTimeoutError::Timeout) if !shared.stopped() => {}
+            Err(RecvTimeoutError::Timeout) => return Err(StudyError::Interrupted.into()),
+            Err(RecvTimeoutError::Disconnected) => return Err(Failure::Panic("a row was lost".into())),
         }
-        if !omega.iter().all(|rate| rate.is_finite()) {
-            return Err(Failure::Input(format!("the angular velocity {omega:?} is not finite")));
-        }
-        let mut watch = RowWatch { shared, remarks: Vec::new() };
-        let work = AssertUnwindSafe(|| row(Start::new(*omega, attitude), &mut watch));
-        let found = catch_unwind(work).unwrap_or_else(|cause| Err(Failure::panicked(&*cause)));
-        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        shared.tell("rows", count as f64 / starts.len() as f64);
-        found
-    };
-    Ok(pool()?.install(|| starts.par_iter().map(one).collect()))
+    }
+}
+
+/// Time between two looks whether the rows are to end.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// Computes one row.
+fn one<T>(
+    study: &Study,
+    omega: [f64; 3],
+    shared: &Shared,
+    row: &impl Fn(&Study, Start, &mut RowWatch) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    if shared.stopped() {
+        return Err(StudyError::Interrupted.into());
+    }
+    if !omega.iter().all(|rate| rate.is_finite()) {
+        return Err(Failure::Input(format!("the angular velocity {omega:?} is not finite")));
+    }
+    let mut watch = RowWatch { shared, remarks: Vec::new() };
+    let start = Start::new(omega, study.model.initial.attitude);
+    catch_unwind(AssertUnwindSafe(|| row(study, start, &mut watch)))
+        .unwrap_or_else(|cause| Err(Failure::panicked(&*cause)))
 }
 
 /// Columns of numbers of the secular evolutions, with their units.
@@ -94,13 +124,13 @@ struct EvolutionRow {
 
 /// The secular evolution from each start: one row each. A number that no method gives is NaN.
 pub fn evolve(
-    study: &Study,
+    study: &Arc<Study>,
     starts: &[[f64; 3]],
-    asked: &Asked,
-    shared: &Shared,
+    asked: Asked,
+    shared: &Arc<Shared>,
 ) -> Result<Columns, Failure> {
-    let found = each(study, starts, shared, |start, watch| {
-        let evolved = study.evolve_from(start, asked, watch)?;
+    let found = each(study, starts, shared, move |study, start, watch| {
+        let evolved = study.evolve_from(start, &asked, watch)?;
         let answers = evolved.has_numbers();
         let record = evolved.record;
         let number = |value: f64| if answers { value } else { f64::NAN };
@@ -170,24 +200,24 @@ struct HistoryRow {
 
 /// A history from each start.
 pub fn simulate(
-    study: &Study,
+    study: &Arc<Study>,
     starts: &[[f64; 3]],
     propagation: &Propagation,
-    table: &Table,
-    shared: &Shared,
+    table: Table,
+    shared: &Arc<Shared>,
 ) -> Result<Histories, Failure> {
     let samples = table.times.as_ref().map_or_else(|| propagation.samples(study, SAMPLES), Vec::len);
     let propagation = Propagation { samples: Some(samples), ..*propagation };
     // Rows and the array made of them stand in memory together.
     let kept = if table.coordinates || table.displacements { study.body.coordinates().len() } else { 0 };
     room(samples, 2 * starts.len(), kept)?;
-    let found = each(study, starts, shared, |start, watch| {
+    let found = each(study, starts, shared, move |study, start, watch| {
         let left_out = if table.system == System::Rigid {
             LeftOut { materials: None, liquids: None }
         } else {
             LeftOut::at(study, start.omega, None)
         };
-        let history = study.simulate_from(start, &propagation, table, watch)?;
+        let history = study.simulate_from(start, &propagation, &table, watch)?;
         Ok(HistoryRow {
             holds: history.holds(&left_out),
             notes: [watch.remarks.clone(), left_out.notes(), history.notes].concat(),

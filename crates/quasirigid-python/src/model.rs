@@ -149,7 +149,7 @@ impl Model {
         let starts = ensemble::starts(&initial)?;
         let (propagation, table) = (settings.propagation()?, table.table()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            ensemble::simulate(&*self.study(order)?, &starts, &propagation, &table, shared)
+            ensemble::simulate(&self.study(order)?, &starts, &propagation, table, shared)
         })?)
     }
 
@@ -182,7 +182,7 @@ impl Model {
         let (starts, asked) = (ensemble::starts(&initial)?, wish.read()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
             let study = self.study(order)?;
-            ensemble::evolve(&study, &starts, &asked(&study), shared)
+            ensemble::evolve(&study, &starts, asked(&study), shared)
         })?)
     }
 

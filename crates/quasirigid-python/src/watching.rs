@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::prelude::*;
 use quasirigid_study::{StudyError, Watch, watched};
@@ -90,9 +90,9 @@ impl Watch for Caller<'_> {
 pub fn interruptible<T: Send>(
     py: Python<'_>,
     observer: Option<&Py<PyAny>>,
-    work: impl FnOnce(&Shared) -> Result<T, Failure> + Send,
+    work: impl FnOnce(&Arc<Shared>) -> Result<T, Failure> + Send,
 ) -> Result<T, Failure> {
-    let shared = Shared::default();
+    let shared = Arc::new(Shared::default());
     let mut caller = Caller { shared: &shared, observer, raised: None };
     // The study's watch hands on its own errors alone, so that the answer stands beside.
     let mut answer = None;

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable
 from typing import Any
 
@@ -91,14 +90,3 @@ def test_refusals_of_the_study_have_their_own_kind(call: Callable[[], Any], kind
     with pytest.raises(kind) as caught:
         call()
     assert isinstance(caught.value, quasirigid.Error) and str(caught.value)
-
-
-def test_every_public_name_has_a_docstring() -> None:
-    for name in quasirigid.__all__:
-        value = getattr(quasirigid, name)
-        if isinstance(value, str):
-            continue
-        assert value.__doc__, name
-        for member, found in vars(value).items() if inspect.isclass(value) else ():
-            if not member.startswith("_") and (callable(found) or isinstance(found, property)):
-                assert found.__doc__, f"{name}.{member}"

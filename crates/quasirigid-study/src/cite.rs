@@ -127,10 +127,10 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
 fn entry(key: &str) -> Option<&'static str> {
     let starts = BIBLIOGRAPHY.match_indices("\n@").map(|(at, _)| at + 1);
     starts
-        .filter_map(|at| {
+        .map(|at| {
             let rest = &BIBLIOGRAPHY[at..];
             let end = rest[1..].find("\n@").map_or(rest.len(), |end| end + 1);
-            Some(rest[..end].trim_end())
+            rest[..end].trim_end()
         })
         .find(|entry| {
             let head = entry.lines().next().unwrap_or_default();

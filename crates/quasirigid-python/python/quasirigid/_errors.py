@@ -30,7 +30,7 @@ class Diagnostic(NamedTuple):
     >>> try:
     ...     quasirigid.Model("[carrier]\\nmas = 40.0")
     ... except quasirigid.ModelError as error:
-    ...     error.diagnostics[-1].line, error.diagnostics[-1].help.splitlines()[0].split(";")[0]
+    ...     error.diagnostics[-1].line, error.diagnostics[-1].help[:20]
     (2, 'did you mean `mass`?')
     """
 

@@ -175,7 +175,7 @@ class Model:
 
         >>> import quasirigid
         >>> modes = quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")
-        >>> modes.time_constants[0] > 0
+        >>> bool(modes.time_constants[0] > 0)
         True
         """
         vector = _arguments.vector(spin, "spin")

@@ -246,3 +246,36 @@ fn range(
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::path::Path;
+
+    use super::*;
+
+    const BOOM: &str = include_str!("../../../../examples/boom-satellite/model.toml");
+
+    /// Ends the work at its first report, or at a later one.
+    struct Stopped(usize);
+
+    impl Watch for Stopped {
+        fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
+            self.0 = self.0.saturating_sub(1);
+            if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn an_evolution_that_is_ended_at_any_report_says_so() {
+        let study = Study::read_from(Path::new("boom"), BOOM.as_bytes(), None).unwrap();
+        let start = Start::new([0.345, 0.822, 0.330], [1.0, 0.0, 0.0, 0.0]);
+        for method in [None, Some(EvolveMethod::Direct), Some(EvolveMethod::MicroRuns)] {
+            for reports in [1, 2, 7] {
+                let asked = Asked { method, ..study.evolution_asked() };
+                let evolved = study.evolve_from(start, &asked, &mut Stopped(reports)).unwrap();
+                assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message);
+            }
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Automation of the workspace, all of it in Rust: `cargo xtask check`.
+//! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod contents;
@@ -8,6 +8,7 @@ mod labels;
 mod layers;
 mod markdown;
 mod paths;
+mod test;
 mod tree;
 
 use std::path::PathBuf;
@@ -27,7 +28,10 @@ const CHECKS: [(&str, Check); 5] = [
 ];
 
 const HELP: &str = "\
-usage: cargo xtask <check>
+usage: cargo xtask test [--require-python]
+       cargo xtask <check>
+
+  test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python
 
   check    all of the following
   layers   who imports whom, and no foreign type in a public signature
@@ -40,16 +44,19 @@ exit code: 0 nothing found, 1 something found, 2 could not run";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [name] = arguments.as_slice() else {
-        return refuse(HELP);
+    let name = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["test"] => return test(false),
+        ["test", "--require-python"] => return test(true),
+        [name] => name,
+        _ => return refuse(HELP),
     };
-    if ["help", "--help", "-h"].contains(&name.as_str()) {
+    if ["help", "--help", "-h"].contains(&name) {
         println!("{HELP}");
         return ExitCode::SUCCESS;
     }
     let chosen: Vec<Check> = CHECKS
         .iter()
-        .filter(|(check, _)| name == "check" || name == check)
+        .filter(|(check, _)| name == "check" || name == *check)
         .map(|&(_, check)| check)
         .collect();
     if chosen.is_empty() {
@@ -58,6 +65,20 @@ fn main() -> ExitCode {
     match workspace_root().and_then(|root| Tree::load(&root)) {
         Ok(tree) => report(name, chosen.iter().flat_map(|check| check(&tree)).collect()),
         Err(error) => refuse(&format!("xtask: cannot read the workspace: {error}")),
+    }
+}
+
+/// Runs every test.
+fn test(python_is_required: bool) -> ExitCode {
+    let done = workspace_root()
+        .map_err(|error| format!("cannot read the workspace: {error}"))
+        .and_then(|root| test::run(&root, python_is_required));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("\nxtask test: {message}");
+            ExitCode::FAILURE
+        }
     }
 }
 

@@ -55,6 +55,9 @@ pub enum Command {
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
+    /// Print the references of what the model uses, as BibTeX
+    #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
+    Cite(Cite),
 }
 
 /// Model file and options of every command.
@@ -110,6 +113,12 @@ pub struct RunArgs {
 
 #[derive(Args, Debug)]
 pub struct Check {
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Args, Debug)]
+pub struct Cite {
     #[command(flatten)]
     pub common: Common,
 }

@@ -22,6 +22,12 @@ pub struct Equations<'a> {
 }
 
 impl Equations<'_> {
+    /// The polynomials.
+    #[must_use]
+    pub fn reduced(&self) -> &ReducedBody {
+        &self.reduced
+    }
+
     /// Tables for people.
     #[must_use]
     pub fn text(&self) -> String {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Run, Sample};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Outcome, Run, Sample, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies, reduce};
 use quasirigid_io::model::{Named, Stop, System};
@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::error::{Setting, StudyError};
 use crate::history_columns::{columns, coordinate_columns, displacement_columns};
+use crate::left_out::LeftOut;
 use crate::motion::Motion;
 use crate::record::status;
 use crate::study::Study;
@@ -100,7 +101,10 @@ pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
 }
 
 /// Refuses histories that have no room in memory, with so many internal coordinates kept in each row.
-pub(crate) fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), StudyError> {
+///
+/// # Errors
+/// [`StudyError::History`].
+pub fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), StudyError> {
     let numbers = (ROW + 4 * coordinates) as f64 * samples as f64 * histories as f64;
     memory::ask(numbers * size_of::<f64>() as f64).map_err(|cause| StudyError::History { samples, cause })
 }
@@ -187,9 +191,23 @@ pub struct History {
     pub budget: Vec<(String, f64)>,
     /// Notes to read before the numbers: the drift of the integrator may imitate dissipation.
     pub notes: Vec<String>,
+    /// Verdict on the reduced equations at the start; none of other systems, and of a body at rest under forces.
+    pub verdict: Option<Verdict>,
 }
 
 impl History {
+    /// Whether the history is that of the body to the end asked for: the integration reached the last time or an event of the file,
+    /// the reduced equations do not fail at the start, and the effect of the liquids is right.
+    #[must_use]
+    pub fn holds(&self, left_out: &LeftOut) -> bool {
+        let ended = matches!(
+            self.run.outcome,
+            Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
+        );
+        let liquids = self.system == System::Rigid || left_out.liquids.is_none();
+        ended && liquids && self.verdict != Some(Verdict::Fails)
+    }
+
     /// The last state and the integration, for machines.
     #[must_use]
     pub fn json(&self) -> Value {
@@ -235,8 +253,21 @@ impl Study {
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
+        self.simulate_from(self.initial()?, propagation, table, watch)
+    }
+
+    /// Follows one system of equations from a rotation in the place of the model's own.
+    ///
+    /// # Errors
+    /// As [`simulate`](Self::simulate).
+    pub fn simulate_from(
+        &self,
+        spin: Start,
+        propagation: &Propagation,
+        table: &Table,
+        watch: &mut dyn Watch,
+    ) -> Result<History, StudyError> {
         let body = &self.body;
-        let spin = self.initial()?;
         let options = propagation.options(self, stop_axis(self, spin.omega)?)?;
         let times = match &table.times {
             Some(times) => times.clone(),
@@ -256,9 +287,11 @@ impl Study {
         }
         let motion = Motion::new(self, spin);
         let judged = spin.omega != [0.0; 3] || !motion.system().acts();
+        let mut judgement = None;
         if table.system == System::Reduced && judged {
             let reduced = reduce(body, self.order)?;
             let validity = Validity::assess_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
+            judgement = Some(validity.verdict());
             if validity.verdict() != Verdict::Holds {
                 watch.remark(&format!("{} The check says why.", verdict(&validity)));
             }
@@ -280,7 +313,7 @@ impl Study {
         let energies = [last.energy_drift, last.dissipated];
         let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
         let (status, message) = status(body, run.outcome, last.t);
-        Ok(History { system: table.system, status, message, columns, run, budget, notes })
+        Ok(History { system: table.system, status, message, columns, run, budget, notes, verdict: judgement })
     }
 }
 

@@ -55,6 +55,7 @@ struct ReadmeOfCrate;
 struct Library;
 
 pub mod check;
+pub mod cite;
 pub mod derive;
 mod error;
 pub mod evolution;

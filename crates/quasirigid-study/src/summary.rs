@@ -9,14 +9,19 @@ use crate::layout::paragraph;
 use crate::verification;
 use crate::words::{dissipation, significant, time};
 
-/// The answer of a run for a terminal of 80 columns.
+/// The answer of a run for a terminal of 80 columns, and the place of its record.
 pub fn text(record: &RunRecord, path: &Path) -> String {
+    format!("{}\nRecord and report: {}\n", answer(record), path.join("report.html").display())
+}
+
+/// The answer of a run for a terminal of 80 columns.
+pub fn answer(record: &RunRecord) -> String {
     let mut text = String::new();
-    write(&mut text, record, path).expect("a string takes any text");
+    write(&mut text, record).expect("a string takes any text");
     text
 }
 
-fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
+fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{}: {}", record.model.name, record.validity.verdict), "", "  "))?;
     for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
         writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
@@ -42,7 +47,7 @@ fn write(out: &mut String, record: &RunRecord, path: &Path) -> fmt::Result {
     if let Some(verification) = &record.verification {
         write!(out, "\n{}", verification::text("Verification", verification))?;
     }
-    writeln!(out, "\nRecord and report: {}", path.join("report.html").display())
+    Ok(())
 }
 
 fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {

@@ -47,7 +47,7 @@ const MODULES: [(&str, &[&str]); 14] = [
 ];
 
 /// Modules that each crate may use of the others.
-const CRATES: [(&str, &[&str]); 8] = [
+const CRATES: [(&str, &[&str]); 9] = [
     ("quasirigid-linear", &[]),
     ("quasirigid-math", &["quasirigid_linear"]),
     ("quasirigid-mesh", &["quasirigid_math"]),
@@ -66,6 +66,7 @@ const CRATES: [(&str, &[&str]); 8] = [
     ("quasirigid-report", &["quasirigid_io::record"]),
     ("quasirigid-study", &["quasirigid", "quasirigid_math", "quasirigid_io", "quasirigid_report"]),
     ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
+    ("quasirigid-python", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
 ];
 
 /// Libraries that only one folder may name.

@@ -60,7 +60,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
             output::print(&uncertainty_text(uncertainty))?;
         }
     }
-    if record.status == "finished" {
+    if evolved.holds() {
         return Ok(if in_place { ExitStatus::Done } else { ExitStatus::CheckFailed });
     }
     let told = !common.json && arguments.format == EvolveFormat::Text;

@@ -1,6 +1,7 @@
 //! Commands, one a file: each takes its arguments to the study and prints the answer.
 
 pub mod check;
+pub mod cite;
 pub mod derive;
 pub mod evolve;
 pub mod modes;

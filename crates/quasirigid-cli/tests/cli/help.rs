@@ -1,6 +1,6 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 7] = ["run", "check", "modes", "derive", "simulate", "evolve", "verify"];
+const COMMANDS: [&str; 8] = ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {

@@ -15,7 +15,7 @@ use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::{criterion, reasons, shares, word};
+use crate::words::{criterion, reasons, shares, verdict, word};
 use crate::{record, steady, steady_state};
 
 /// Validity of the reduced equations of a study at its spin.
@@ -91,6 +91,12 @@ impl CheckReport<'_> {
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);
         !fails && self.left_out.liquids.is_none()
+    }
+
+    /// The verdict in a sentence or two.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        verdict(&self.validity)
     }
 
     /// For a terminal of 80 columns.

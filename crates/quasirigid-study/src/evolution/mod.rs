@@ -68,7 +68,19 @@ pub struct Evolved {
 }
 
 impl Evolved {
-    /// The record without its columns, for machines.
+    /// Whether the evolution was followed to the end asked for, by a method that holds.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.record.status == "finished"
+    }
+
+    /// Whether the numbers of the record are those of the body: a method holds, whether or not the end was reached.
+    #[must_use]
+    pub fn has_numbers(&self) -> bool {
+        !matches!(self.record.status.as_str(), "refused" | "does-not-hold")
+    }
+
+    /// The answer without its rows, for machines.
     #[must_use]
     pub fn json(&self) -> Value {
         let record = &self.record;
@@ -100,6 +112,19 @@ impl Study {
     /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
     pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
         follow(self, self.initial()?, asked, watch)
+    }
+
+    /// Follows the averaged rotation from a rotation in the place of the model's own.
+    ///
+    /// # Errors
+    /// As [`evolve`](Self::evolve).
+    pub fn evolve_from(
+        &self,
+        start: Start,
+        asked: &Asked,
+        watch: &mut dyn Watch,
+    ) -> Result<Evolved, StudyError> {
+        follow(self, start, asked, watch)
     }
 }
 
@@ -220,4 +245,37 @@ fn range(
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::path::Path;
+
+    use super::*;
+
+    const BOOM: &str = include_str!("../../../../examples/boom-satellite/model.toml");
+
+    /// Ends the work at its first report, or at a later one.
+    struct Stopped(usize);
+
+    impl Watch for Stopped {
+        fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
+            self.0 = self.0.saturating_sub(1);
+            if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn an_evolution_that_is_ended_at_any_report_says_so() {
+        let study = Study::read_from(Path::new("boom"), BOOM.as_bytes(), None).unwrap();
+        let start = Start::new([0.345, 0.822, 0.330], [1.0, 0.0, 0.0, 0.0]);
+        for method in [None, Some(EvolveMethod::Direct), Some(EvolveMethod::MicroRuns)] {
+            for reports in [1, 2, 7] {
+                let asked = Asked { method, ..study.evolution_asked() };
+                let evolved = study.evolve_from(start, &asked, &mut Stopped(reports)).unwrap();
+                assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message);
+            }
+        }
+    }
 }

@@ -345,7 +345,8 @@ impl SecularEvolution {
             ratio_start: evolution.ratio(from),
             ratio_end: evolution.ratio(to),
             start: observed(&columns, 0),
-            end: observed(&columns, rows.states.len() - 1),
+            // Work that was told to end before its first row has none.
+            end: rows.states.len().checked_sub(1).and_then(|last| observed(&columns, last)),
             time: if ages { last.t } else { f64::INFINITY },
             time_error: self.verdict.error,
             time_range,

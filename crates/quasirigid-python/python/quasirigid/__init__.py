@@ -1,0 +1,80 @@
+"""How internal dissipation changes the rotation of almost rigid bodies.
+
+A model (TOML, or a dictionary) answers questions: whether the reduced equations of Chernousko (1978) hold, its modes, its spin
+history, its secular evolution over millions of revolutions.
+
+>>> import quasirigid
+>>> model = quasirigid.Model(quasirigid.EXAMPLE)
+>>> evolution = model.evolve()
+>>> evolution.holds, round(evolution.time / 3600, 2)
+(True, 10.72)
+
+Units are SI throughout. An answer that does not hold is false, begins with the reason, and has ``None`` for its numbers.
+"""
+
+from quasirigid._answers import Answer, Check, Evolution, History, Modes, Run, Verification
+from quasirigid._core import EXAMPLE
+from quasirigid._core import VERSION as __version__
+from quasirigid._ensemble import Evolutions, Histories
+from quasirigid._errors import (
+    Diagnostic,
+    Error,
+    FileError,
+    InputError,
+    InternalError,
+    Interrupted,
+    MissingFileError,
+    ModelError,
+    PropagationError,
+    ReductionError,
+    Refused,
+    StartError,
+    TooLargeError,
+    UnsupportedError,
+    VerificationError,
+)
+from quasirigid._model import Model, cite
+from quasirigid._reduced import Part, Reduced, SympyEquations
+from quasirigid._table import Table
+
+__all__ = [
+    "EXAMPLE",
+    "Answer",
+    "Check",
+    "Diagnostic",
+    "Error",
+    "Evolution",
+    "Evolutions",
+    "FileError",
+    "Histories",
+    "History",
+    "InputError",
+    "InternalError",
+    "Interrupted",
+    "MissingFileError",
+    "Model",
+    "ModelError",
+    "Modes",
+    "Part",
+    "PropagationError",
+    "Reduced",
+    "ReductionError",
+    "Refused",
+    "Run",
+    "StartError",
+    "SympyEquations",
+    "Table",
+    "TooLargeError",
+    "UnsupportedError",
+    "Verification",
+    "VerificationError",
+    "__version__",
+    "cite",
+]
+
+# Classes are shown and pickled by the names that users import.
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "quasirigid"
+cite.__module__ = "quasirigid"
+del _name

@@ -1,0 +1,557 @@
+"""Answers of the study: validity, modes, histories, evolution, verification, records."""
+
+from __future__ import annotations
+
+import copy
+import html
+import math
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasirigid import _core
+from quasirigid._errors import FileError, Refused
+from quasirigid._table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
+
+
+class Answer:
+    """Answer of a study, which says first whether it holds.
+
+    An answer that does not hold is false (``if not answer: ...``), begins its text with the reason, and has ``None`` for
+    numbers that the program does not give either. ``require()`` turns it into an exception.
+
+    >>> import quasirigid
+    >>> answer = quasirigid.Model(quasirigid.EXAMPLE).check()
+    >>> answer.holds, answer.sentence
+    (True, 'The reduced equations hold at this spin.')
+    """
+
+    __slots__ = ("_parts", "_table")
+
+    def __init__(self, parts: dict[str, Any]) -> None:
+        self._parts = parts
+        columns = parts.get("columns")
+        self._table = None if columns is None else Table(columns)
+
+    @property
+    def holds(self) -> bool:
+        """Whether the answer holds; the program's exit code is 0 then."""
+        return bool(self._parts["holds"])
+
+    @property
+    def sentence(self) -> str:
+        """The answer in one or two sentences."""
+        return str(self._parts["sentence"])
+
+    @property
+    def notes(self) -> list[str]:
+        """Notes to read before the numbers."""
+        return list(self._parts["notes"])
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that the program prints with ``--json``, SI units throughout; a copy.
+
+        >>> import quasirigid
+        >>> sorted(quasirigid.Model(quasirigid.EXAMPLE).check().to_dict())[:3]
+        ['T1', 'T2', 'T3']
+        """
+        answer: dict[str, Any] = copy.deepcopy(self._parts["json"])
+        return answer
+
+    def require(self) -> Self:
+        """The answer itself, if it holds.
+
+        Raises:
+            Refused: with the sentence, if it does not.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).check().require().T3 > 0
+        True
+        """
+        if not self.holds:
+            raise Refused(self.sentence)
+        return self
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __str__(self) -> str:
+        return str(self._parts["text"])
+
+    def __repr__(self) -> str:
+        kind, notes = f"quasirigid.{type(self).__name__}", self.notes
+        if self.holds:
+            counted = f", {len(notes)} note{'s' * (len(notes) > 1)}" if notes else ""
+            return f"{self.sentence}\n({kind}{counted})"
+        told = "".join(f"\nNote: {note}" for note in notes if note not in self.sentence)
+        return f"DOES NOT HOLD: {self.sentence}{told}\n({kind})"
+
+    def _repr_html_(self) -> str:
+        verdict = "" if self.holds else f"<p><strong>DOES NOT HOLD:</strong> {html.escape(self.sentence)}</p>"
+        notes = "".join(f"<p>Note: {html.escape(note)}</p>" for note in self.notes)
+        return f"{verdict}{notes}<pre>{html.escape(str(self))}</pre>"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        columns = None if self._table is None else self._table
+        return _answer, (type(self), {**self._parts, "columns": None}, columns)
+
+    def _number(self, name: str) -> float | None:
+        value = float(self._parts["numbers"][name])
+        return None if math.isnan(value) else value
+
+
+def _answer(kind: type[Answer], parts: dict[str, Any], table: Table | None) -> Answer:
+    answer = kind(parts)
+    answer._table = table
+    return answer
+
+
+def _array(values: list[float | None]) -> NDArray[np.float64]:
+    return np.array([math.nan if value is None else value for value in values], dtype=np.float64)
+
+
+class Check(Answer):
+    """Validity of the reduced equations at the spin of the start.
+
+    >>> import quasirigid
+    >>> check = quasirigid.Model(quasirigid.EXAMPLE).check()
+    >>> check.verdict, check.frequencies.shape
+    ('holds', (6,))
+    """
+
+    __slots__ = ()
+
+    @property
+    def valid(self) -> bool:
+        """Whether no criterion of the motion fails."""
+        return bool(self._parts["json"]["valid"])
+
+    @property
+    def verdict(self) -> str:
+        """``holds``, ``marginal`` or ``fails``, of the motion."""
+        return str(self._parts["json"]["verdict"])
+
+    @property
+    def dissipation_verdict(self) -> str:
+        """The same of the power that is dissipated."""
+        return str(self._parts["json"]["dissipation_verdict"])
+
+    @property
+    def averages(self) -> str:
+        """The same of averages along rigid polhodes."""
+        return str(self._parts["json"]["averages"])
+
+    @property
+    def reasons(self) -> list[str]:
+        """Sentences of the criteria that do not hold, the worst first."""
+        return list(self._parts["json"]["reasons"])
+
+    @property
+    def T1(self) -> float:
+        """Longest period of free vibration (s)."""
+        return float(self._parts["numbers"]["T1"])
+
+    @property
+    def T2(self) -> float:
+        """Time in which the slowest free vibration decays by e (s); infinite without damping."""
+        return float(self._parts["numbers"]["T2"])
+
+    @property
+    def T3(self) -> float:
+        """Time of the spin, 1/|ω| (s)."""
+        return float(self._parts["numbers"]["T3"])
+
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """Elastic frequencies (rad/s), ascending, ``(n,)``."""
+        return _array(self._parts["json"]["frequencies"])
+
+    @property
+    def free_frequencies(self) -> NDArray[np.float64]:
+        """The same of the body that is free to turn (rad/s), ``(n,)``."""
+        return _array(self._parts["json"]["free_frequencies"])
+
+    @property
+    def decay_rates(self) -> NDArray[np.float64]:
+        """Decay rates of the free vibrations (1/s), ``(n,)``."""
+        return _array(self._parts["json"]["decay_rates"])
+
+    @property
+    def relaxation_times(self) -> NDArray[np.float64]:
+        """Times in which rotors and liquids come to rest (s), descending, ``(n,)``."""
+        return _array(self._parts["json"]["relaxation_times"])
+
+    @property
+    def criteria(self) -> list[dict[str, Any]]:
+        """Every criterion: ``name``, ``symbol``, ``value``, ``limit``, ``verdict``, ``sentence``."""
+        return copy.deepcopy(self._parts["json"]["criteria"])
+
+    @property
+    def dissipation(self) -> dict[str, float]:
+        """Shares of the dissipators in the power, by name."""
+        return dict(self._parts["json"]["dissipation"])
+
+    @property
+    def optimal_order(self) -> int:
+        """Order at which the terms of the series are smallest at this spin."""
+        return int(self._parts["json"]["optimal_order"])
+
+    @property
+    def steady_spins(self) -> list[dict[str, Any]]:
+        """Steady spins with the modes about them."""
+        return copy.deepcopy(self._parts["json"]["steady_spins"])
+
+
+class Modes(Answer):
+    """Steady spins and the small motions about them.
+
+    >>> import quasirigid
+    >>> modes = quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")
+    >>> modes.stable, modes.modes[0]["name"]
+    (True, 'nutation')
+    """
+
+    __slots__ = ()
+
+    @property
+    def steady_spins(self) -> list[dict[str, Any]]:
+        """Every steady spin, with ``sentence``, ``axis``, ``spin``, ``momentum``, ``energy``, ``stable`` and ``modes``."""
+        return copy.deepcopy(self._parts["json"]["steady_spins"])
+
+    @property
+    def spin(self) -> NDArray[np.float64] | None:
+        """Angular velocity of the first steady spin (rad/s), body axes, ``(3,)``; ``None`` if none was found."""
+        spin = self._parts["json"]["spin"]
+        return None if spin is None else _array(spin)
+
+    @property
+    def stable(self) -> bool:
+        """Whether no small motion about the first steady spin grows."""
+        return bool(self._parts["json"]["stable"])
+
+    @property
+    def modes(self) -> list[dict[str, Any]]:
+        """Modes about the first steady spin, the nutation first: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s),
+        ``time_constant`` (s), ``damping_ratio``, ``seen_from_outside`` (rad/s), shares ``moves`` and ``dissipation``."""
+        return copy.deepcopy(self._parts["json"]["modes"])
+
+    @property
+    def decay_rates(self) -> NDArray[np.float64]:
+        """Decay rates of the modes (1/s), negative for one that grows, ``(n,)``."""
+        return _array([mode["decay_rate"] for mode in self._parts["json"]["modes"]])
+
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """Frequencies of the modes in body axes (rad/s), ``(n,)``."""
+        return _array([mode["frequency"] for mode in self._parts["json"]["modes"]])
+
+    @property
+    def time_constants(self) -> NDArray[np.float64]:
+        """Times in which the modes fall by e (s), negative for one that grows, NaN for a neutral one, ``(n,)``."""
+        return _array([mode["time_constant"] for mode in self._parts["json"]["modes"]])
+
+    def plot(self) -> Figure:
+        """Decay rates against frequencies of the modes of every steady spin (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.modes(self)
+
+
+class _Tabled(Answer):
+    """Answer with a table."""
+
+    __slots__ = ()
+
+    @property
+    def table(self) -> Table:
+        """The table, with every column."""
+        assert self._table is not None
+        return self._table
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI units of the columns."""
+        return self.table.units
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        """Times of the rows (s), ``(rows,)``."""
+        return self._column("t")
+
+    @property
+    def energy(self) -> NDArray[np.float64]:
+        """Energy (J), ``(rows,)``."""
+        return self._column("energy")
+
+    def _column(self, name: str) -> NDArray[np.float64]:
+        column: NDArray[np.float64] = self.table[name]
+        return column
+
+    def __arrow_c_schema__(self) -> object:
+        """The types of the columns of the table, for libraries that speak Arrow."""
+        return self.table.__arrow_c_schema__()
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """The rows of the table, for libraries that speak Arrow."""
+        return self.table.__arrow_c_stream__(requested_schema)
+
+
+class History(_Tabled):
+    """A history of the spin.
+
+    It does not hold if the integration broke off, if the reduced equations fail at the start, or if the equations of motion get
+    the liquids wrong; ``notes`` say which.
+
+    >>> import quasirigid
+    >>> history = quasirigid.Model(quasirigid.EXAMPLE).simulate(duration="1 min", samples=7)
+    >>> history.t.shape, history.angular_velocity.shape
+    ((7,), (7, 3))
+    """
+
+    __slots__ = ()
+
+    @property
+    def system(self) -> str:
+        """``full``, ``reduced`` or ``rigid``."""
+        return str(self._parts["json"]["system"])
+
+    @property
+    def status(self) -> str:
+        """``finished``, ``event``, or why the history ended early."""
+        return str(self._parts["json"]["status"])
+
+    @property
+    def angular_velocity(self) -> NDArray[np.float64]:
+        """Angular velocity (rad/s), body axes, ``(rows, 3)``."""
+        return self.table.stack("wx", "wy", "wz")
+
+    @property
+    def attitude(self) -> NDArray[np.float64]:
+        """Attitude: unit quaternion, scalar first, that turns body components into inertial ones, ``(rows, 4)``."""
+        return self.table.stack("qw", "qx", "qy", "qz")
+
+    @property
+    def momentum(self) -> NDArray[np.float64]:
+        """Size of the angular momentum (N·m·s), ``(rows,)``."""
+        return self._column("momentum")
+
+    @property
+    def dissipated(self) -> NDArray[np.float64]:
+        """Energy dissipated since the start (J), ``(rows,)``."""
+        return self._column("dissipated")
+
+    @property
+    def energy_drift(self) -> NDArray[np.float64]:
+        """Change of energy made by the integrator alone since the start (J), ``(rows,)``."""
+        return self._column("energy_drift")
+
+    @property
+    def dissipation(self) -> dict[str, float]:
+        """Shares of the dissipators in the energy dissipated, by name."""
+        return dict(self._parts["json"]["dissipation"])
+
+    @property
+    def turns(self) -> float:
+        """Revolutions made, ∫|ω|dt / 2π."""
+        return float(self._parts["json"]["turns"])
+
+    def plot(self) -> Figure:
+        """Angular velocity and energy against time (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.history(self)
+
+
+class Evolution(_Tabled):
+    """Secular evolution of the rotation, averaged over its wobble.
+
+    Where no method holds, the sentence says so and why, and ``time``, ``turns`` and ``power`` are ``None``. An evolution that
+    ended before its target (``status`` is ``held``, ``rest``, ``spun-up``, ...) does not hold either, and has the numbers up to there.
+
+    >>> import quasirigid
+    >>> evolution = quasirigid.Model(quasirigid.EXAMPLE).evolve()
+    >>> evolution.mode_start, evolution.mode_end
+    ('long-axis', 'short-axis')
+    >>> round(evolution.require().time / 3600, 2)
+    10.72
+    """
+
+    __slots__ = ()
+
+    @property
+    def status(self) -> str:
+        """``finished``, ``refused``, ``does-not-hold``, or how the evolution ended before its target."""
+        return str(self._parts["json"]["status"])
+
+    @property
+    def message(self) -> str:
+        """End of the evolution, in a sentence."""
+        return str(self._parts["json"]["message"])
+
+    @property
+    def time(self) -> float | None:
+        """Time from the start to the end (s); infinite where the end is never reached, ``None`` where no method holds."""
+        return self._number("time")
+
+    @property
+    def turns(self) -> float | None:
+        """Revolutions about the angular momentum; infinite or ``None`` as ``time``."""
+        return self._number("turns")
+
+    @property
+    def power(self) -> float | None:
+        """Mean power dissipated at the start (W); ``None`` where no method holds."""
+        return self._number("power")
+
+    @property
+    def damping_time(self) -> float | None:
+        """Time in which a small wobble about the axis of greatest inertia decays by e (s); ``None`` if not known."""
+        return self._number("damping_time")
+
+    @property
+    def growth_time(self) -> float | None:
+        """Time in which a small wobble about the axis of least inertia grows by e (s); ``None`` if not known."""
+        return self._number("growth_time")
+
+    @property
+    def time_error(self) -> float | None:
+        """Estimate of the relative error of ``time``; ``None`` if not known."""
+        error: float | None = self._parts["json"]["time_error"]
+        return error
+
+    @property
+    def time_range(self) -> tuple[float, float] | None:
+        """Least and greatest ``time`` (s) over the ranges of the materials; ``None`` without ranges."""
+        ends = self._parts["json"]["time_range"]
+        if ends is None or self.time is None:
+            return None
+        least, greatest = (math.inf if end is None else float(end) for end in ends)
+        return least, greatest
+
+    @property
+    def separatrix_time(self) -> float | None:
+        """Time from the start to the separatrix (s); ``None`` if it is not passed."""
+        time: float | None = self._parts["json"]["separatrix_time"]
+        return None if self.time is None else time
+
+    @property
+    def mode_start(self) -> str:
+        """``short-axis`` or ``long-axis``, at the start."""
+        return str(self._parts["json"]["mode"]["start"])
+
+    @property
+    def mode_end(self) -> str:
+        """The same at the end."""
+        return str(self._parts["json"]["mode"]["end"])
+
+    @property
+    def method(self) -> str:
+        """Method by which the evolution was followed, in words."""
+        return str(self._parts["json"]["method"])
+
+    @property
+    def dissipation(self) -> dict[str, float]:
+        """Shares of the dissipators in ``power``, by name."""
+        return dict(self._parts["json"]["dissipation"])
+
+    def plot(self) -> Figure:
+        """Wobble and energy against time (needs matplotlib).
+
+        Raises:
+            Refused: if there is no row to draw.
+        """
+        from quasirigid import _plot
+
+        return _plot.evolution(self)
+
+
+class Verification(Answer):
+    """The reduced equations against the full system, with the measured order of convergence.
+
+    >>> import quasirigid
+    >>> verification = quasirigid.Model(quasirigid.EXAMPLE).verify(orders=[3], rotations=1, halvings=2)
+    >>> verification.reached, verification.orders[0]["p"]
+    (True, 3)
+    """
+
+    __slots__ = ()
+
+    @property
+    def reached(self) -> bool:
+        """Whether every order was reached."""
+        return bool(self._parts["json"]["reached"])
+
+    @property
+    def orders(self) -> list[dict[str, Any]]:
+        """One entry for each order: ``p``, ``order`` (measured), ``expected``, ``reached``, ``epsilons``, ``errors``."""
+        return copy.deepcopy(self._parts["json"]["orders"])
+
+    def plot(self) -> Figure:
+        """Differences against ε, with their orders (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.verification(self)
+
+
+class Run(Answer):
+    """Record of a run: everything that the model asks for in ``[run]``.
+
+    >>> import quasirigid
+    >>> run = quasirigid.Model(quasirigid.EXAMPLE).run(duration="1 min", samples=11)
+    >>> run.histories["reduced"].rows
+    11
+    """
+
+    __slots__ = ("_run",)
+
+    def __init__(self, run: _core.RunAnswer) -> None:
+        self._run = run
+        parts = {name: getattr(run, name) for name in ("json", "text", "sentence", "holds", "notes")}
+        super().__init__({**parts, "columns": run.evolution})
+
+    @property
+    def histories(self) -> dict[str, Table]:
+        """Tables of the histories by system: ``reduced``, ``rigid``, ``full``."""
+        return {system: Table(columns) for system, columns in self._run.histories}
+
+    @property
+    def evolution(self) -> Table | None:
+        """Table of the secular evolution; ``None`` where the model asks for none."""
+        return self._table
+
+    def write(self, folder: str | os.PathLike[str]) -> None:
+        """Writes the record, the reduced equations and the report into a new folder, which appears only when complete.
+
+        Raises:
+            FileError: if the folder is there already, or cannot be written.
+        """
+        self._run.write(os.fspath(folder))
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes the report, one self-contained HTML page; a file of that name is replaced.
+
+        Raises:
+            FileError: if the file cannot be written.
+        """
+        page = dict(self._run.files())["report.html"]
+        try:
+            Path(path).write_text(page, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"cannot write {os.fspath(path)}: {error.strerror or error}") from error
+
+    def plot(self) -> Figure:
+        """Angular velocity and energy of every history against time (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.run(self)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        raise TypeError("a Run is not pickled: write its record with write(folder), or send the model")

@@ -1,0 +1,507 @@
+"""Models: immutable values that answer every question."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, NoReturn, overload
+
+from numpy.typing import ArrayLike
+
+from quasirigid import _arguments, _core
+from quasirigid._answers import Check, Evolution, History, Modes, Run, Verification
+from quasirigid._ensemble import Evolutions, Histories
+from quasirigid._errors import InputError
+from quasirigid._progress import Progress, observer
+from quasirigid._reduced import Reduced
+
+__all__ = ["Model", "cite"]
+
+# Name of a model without a file, in messages.
+_NAMELESS = "model"
+
+
+class Model:
+    """Model of an almost rigid body: the text of a model file, read and checked.
+
+    A model is an immutable value: equal to another with the same text and file, hashable, and pickled as its text. Its body is
+    assembled at the first question.
+
+    Every question takes ``order``, the order of the reduced equations (0 to 12; the model's own by default), and ``progress``:
+    ``True`` for a bar of tqdm, or a function of the stage and the share done, which ends the work by returning ``False``.
+    Ctrl-C ends any question within about a second. Durations are seconds, or texts such as ``"2 h"``.
+
+    Args:
+        text: Text of a model file (TOML).
+        file: Name that stands for the file in messages; paths in the text are relative to its folder.
+
+    Raises:
+        ModelError: with the place and the reason of every mistake.
+
+    >>> import quasirigid
+    >>> model = quasirigid.Model(quasirigid.EXAMPLE)
+    >>> model.name
+    'boom satellite'
+    >>> model == quasirigid.Model(quasirigid.EXAMPLE)
+    True
+    """
+
+    __slots__ = ("_core",)
+    _core: _core.Model
+
+    def __init__(self, text: str, *, file: str | os.PathLike[str] = _NAMELESS) -> None:
+        if not isinstance(text, str):
+            raise InputError(f"the text of a model is a str, not {type(text).__name__}; for a file: Model.from_file")
+        _set(self, _core.Model(text, _path(file, "file")))
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Model:
+        """Model of a file.
+
+        Raises:
+            MissingFileError, FileError: for a file that cannot be read.
+            ModelError: with the place and the reason of every mistake.
+
+        >>> import quasirigid, pathlib, tempfile
+        >>> path = pathlib.Path(tempfile.mkdtemp(), "boom.toml")
+        >>> _ = path.write_text(quasirigid.EXAMPLE)
+        >>> quasirigid.Model.from_file(path).name
+        'boom satellite'
+        """
+        model = cls.__new__(cls)
+        _set(model, _core.Model.read(os.path.abspath(_path(path, "path"))))
+        return model
+
+    @classmethod
+    def from_dict(cls, model: Mapping[str, Any], *, file: str | os.PathLike[str] = _NAMELESS) -> Model:
+        """Model of a dictionary in the vocabulary of the model file.
+
+        Raises:
+            InputError: for what a model file has no word for.
+            ModelError: as for a text.
+
+        >>> import quasirigid
+        >>> model = quasirigid.Model.from_dict({
+        ...     "carrier": {"mass": 40.0, "center_of_mass": [0, 0.1, 0], "inertia": [9, 13, 16]},
+        ...     "initial": {"angular_velocity": ["12 rpm", 0.35, 0.2]},
+        ... })
+        >>> model.check().valid
+        True
+        """
+        if not isinstance(model, Mapping):
+            raise InputError(f"a model is a dictionary, not {type(model).__name__}")
+        return cls(_core.to_toml(dict(model)), file=file)
+
+    def with_(self, changes: Mapping[str, Any]) -> Model:
+        """Changed copy of the model, values replaced by path: ``{"spring.boom.stiffness": "600 N/m"}``.
+
+        A path is a table, the name or the number (from 1) of an entry where the table is a list, and a key; further segments are
+        keys of inner tables and numbers (from 1) of components. Names with blanks or dots stand in quotes, as in TOML. The last
+        segment may be a new key.
+
+        Raises:
+            InputError: for a path that leads nowhere.
+            ModelError: for a model that cannot be.
+
+        >>> import quasirigid
+        >>> model = quasirigid.Model(quasirigid.EXAMPLE)
+        >>> stiffer = model.with_({"spring.1.stiffness": "600 N/m", 'point."tip 1".mass': 4.0, "run.order": 5})
+        >>> stiffer.order, model.order
+        (5, 3)
+        """
+        if not isinstance(changes, Mapping):
+            raise InputError(f"changes are a dictionary of paths and values, not {type(changes).__name__}")
+        return type(self)(_core.with_changes(self.text, dict(changes)), file=self.file)
+
+    @property
+    def text(self) -> str:
+        """Text of the model file."""
+        return self._core.text
+
+    @property
+    def file(self) -> Path:
+        """File of the model, or the name that stands for it."""
+        return self._core.file
+
+    @property
+    def name(self) -> str:
+        """Name of the body."""
+        return self._core.name
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of the text, in hexadecimal."""
+        return self._core.sha256
+
+    @property
+    def order(self) -> int:
+        """Order of the reduced equations that the model chooses."""
+        return self._core.order
+
+    def check(self, *, order: int | None = None, progress: Progress = False) -> Check:
+        """Judges the reduced equations at the spin of the start.
+
+        Raises:
+            StartError: for a start that is none.
+            ReductionError: where the reduction fails.
+
+        >>> import quasirigid
+        >>> print(quasirigid.Model(quasirigid.EXAMPLE).check())  # doctest: +ELLIPSIS
+        boom satellite: The reduced equations hold at this spin.
+        ...
+        """
+        with observer(progress) as watch:
+            return Check(self._core.check(_arguments.count(order, "order"), watch))
+
+    def modes(
+        self,
+        spin: ArrayLike | None = None,
+        *,
+        axis: str | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Modes:
+        """Finds steady spins and the small motions about them.
+
+        Args:
+            spin: Angular velocity (rad/s), ``(3,)``: the steady spin nearest to its direction, with its size. By default both
+                poles, with the angular momentum of the start.
+            axis: Principal axis to spin about: ``least``, ``middle`` or ``greatest``.
+
+        Raises:
+            StartError: for a start that is none.
+            InputError: for an axis of a body that moments act on.
+
+        >>> import quasirigid
+        >>> modes = quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")
+        >>> bool(modes.time_constants[0] > 0)
+        True
+        """
+        vector = _arguments.vector(spin, "spin")
+        name = _arguments.word(axis, "axis")
+        with observer(progress) as watch:
+            return Modes(self._core.modes(vector, name, _arguments.count(order, "order"), watch))
+
+    def reduce(self, order: int | None = None, *, progress: Progress = False) -> Reduced:
+        """Derives the reduced equations.
+
+        Raises:
+            ReductionError: for an order above 12, and a body that no spring holds.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).reduce(5)
+        quasirigid.Reduced: boom satellite, order 5
+        """
+        whole = _arguments.count(order, "order")
+        with observer(progress) as watch:
+            return Reduced(self, whole, self._core.reduce(whole, watch))
+
+    @overload
+    def simulate(
+        self,
+        system: str = "reduced",
+        *,
+        initial: None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        times: ArrayLike | None = None,
+        tolerance: float | None = None,
+        form: str | None = None,
+        method: str | None = None,
+        coordinates: bool = False,
+        displacements: bool = False,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> History: ...
+
+    @overload
+    def simulate(
+        self,
+        system: str = "reduced",
+        *,
+        initial: ArrayLike,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        times: ArrayLike | None = None,
+        tolerance: float | None = None,
+        form: str | None = None,
+        method: str | None = None,
+        coordinates: bool = False,
+        displacements: bool = False,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Histories: ...
+
+    def simulate(
+        self,
+        system: str = "reduced",
+        *,
+        initial: ArrayLike | None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        times: ArrayLike | None = None,
+        tolerance: float | None = None,
+        form: str | None = None,
+        method: str | None = None,
+        coordinates: bool = False,
+        displacements: bool = False,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> History | Histories:
+        """Follows the spin in time.
+
+        Args:
+            system: ``reduced``, ``full`` or ``rigid``.
+            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in the place
+                of the model's own start. A row that fails has its reason.
+            duration: Duration (s); the model's own, or a hundred revolutions.
+            samples: Number of rows, spread evenly; the model's own, or 1001.
+            times: Output times (s), ascending, in the place of ``duration`` and ``samples``.
+            tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
+            form: Variable that is integrated: ``momentum`` or ``paper``.
+            method: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
+            coordinates: Internal coordinates and their rates in the table, too.
+            displacements: Displacements of points, appendages and nodes, too.
+
+        Raises:
+            StartError, PropagationError: for a start that is none, unless it is a row of ``initial``.
+            InputError: for settings out of range.
+            TooLargeError: for histories that have no room in memory.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).simulate("rigid", times=[0, 10, 20]).energy.shape
+        (3,)
+        """
+        if times is not None and (duration is not None or samples is not None):
+            raise InputError("times stand in the place of duration and samples; give the one or the others")
+        settings = _settings(duration, samples, tolerance, form, method)
+        table = {
+            "system": _arguments.word(system, "system") or "",
+            "coordinates": bool(coordinates),
+            "displacements": bool(displacements),
+            "times": _arguments.times(times),
+        }
+        whole = _arguments.count(order, "order")
+        with observer(progress) as watch:
+            if initial is None:
+                return History(self._core.simulate(settings, table, whole, watch))
+            return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
+
+    @overload
+    def evolve(
+        self,
+        *,
+        initial: None = None,
+        start: float | str | None = None,
+        until: float | str | None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        power: str | None = None,
+        method: str | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Evolution: ...
+
+    @overload
+    def evolve(
+        self,
+        *,
+        initial: ArrayLike,
+        start: float | str | None = None,
+        until: float | str | None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        power: str | None = None,
+        method: str | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Evolutions: ...
+
+    def evolve(
+        self,
+        *,
+        initial: ArrayLike | None = None,
+        start: float | str | None = None,
+        until: float | str | None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        power: str | None = None,
+        method: str | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Evolution | Evolutions:
+        """Follows the averaged rotation over any number of revolutions.
+
+        Args:
+            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one evolution each, on every core, in the place
+                of the model's own start. A row that fails has its reason.
+            start: Where to start: the ratio ``D/I₃`` as ``0.9`` or ``"90% of I3"``, or the greatest wobble about the axis of
+                greatest inertia as ``"20 deg"``. By default the model's start.
+            until: Where to end, in the same form. By default the model's own, or 1 % of the energy of the wobble left.
+            duration: Longest time (s).
+            samples: Number of rows, 2 to 1000000; 201 by default.
+            power: Source of the mean power: ``polynomial`` or ``harmonics``.
+            method: ``average``, ``micro-runs``, ``direct`` or ``modes``; by default the one that holds.
+
+        Raises:
+            StartError: for a start that is none or does not evolve, unless it is a row of ``initial``.
+            InputError: for a target that is not ahead.
+            UnsupportedError: for momentum wheels, a driven pole, and torques without an average.
+
+        >>> import quasirigid
+        >>> evolution = quasirigid.Model(quasirigid.EXAMPLE).evolve(until="10 deg")
+        >>> evolution.holds, evolution.time > 0
+        (True, True)
+        """
+        wish = {
+            "start": _arguments.quantity(start, "start"),
+            "until": _arguments.quantity(until, "until"),
+            "duration": _arguments.duration(duration),
+            "samples": _arguments.rows(samples, "samples"),
+            "power": _arguments.word(power, "power"),
+            "method": _arguments.word(method, "method"),
+        }
+        whole = _arguments.count(order, "order")
+        with observer(progress) as watch:
+            if initial is None:
+                return Evolution(self._core.evolve(wish, whole, watch))
+            return Evolutions(self._core.evolve_all(_starts(initial), wish, whole, watch))
+
+    def verify(
+        self,
+        *,
+        orders: Iterable[int] | None = None,
+        rotations: float | None = None,
+        halvings: int | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Verification:
+        """Sets the full system against the reduced equations, with the measured order of convergence.
+
+        Args:
+            orders: Orders to verify; every one up to the model's by default.
+            rotations: Revolutions of each history; 5 by default.
+            halvings: How often ε is halved; 4 by default.
+
+        Raises:
+            StartError: for a start that is none.
+            VerificationError: for a plan that means nothing.
+        """
+        with observer(progress) as watch:
+            return Verification(
+                self._core.verify(
+                    _arguments.counts(orders, "orders"),
+                    _arguments.number(rotations, "rotations"),
+                    _arguments.count(halvings, "halvings"),
+                    _arguments.count(order, "order"),
+                    watch,
+                )
+            )
+
+    def run(
+        self,
+        folder: str | os.PathLike[str] | None = None,
+        *,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        tolerance: float | None = None,
+        form: str | None = None,
+        method: str | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Run:
+        """Does everything that the model asks for in ``[run]``: check, reduce, propagate, follow, verify.
+
+        Args:
+            folder: New folder for the record and its report; it appears only when the record is complete. Without one nothing
+                is written.
+
+        Raises:
+            FileError: for a folder that is there already, before any work.
+            StartError: for a start that is none.
+        """
+        path = None if folder is None else _path(folder, "folder")
+        settings = _settings(duration, samples, tolerance, form, method)
+        with observer(progress) as watch:
+            return Run(self._core.run(path, settings, _arguments.count(order, "order"), watch))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Model):
+            return NotImplemented
+        return (self.text, self.file) == (other.text, other.file)
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.file))
+
+    def __repr__(self) -> str:
+        return f"quasirigid.Model: {self.name} ({self.file}, sha256 {self.sha256[:12]})"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<details><summary>{html.escape(repr(self))}</summary><pre>{html.escape(self.text)}</pre></details>"
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"a model never changes; {name} cannot be set")
+
+    def __delattr__(self, name: str) -> NoReturn:
+        raise AttributeError(f"a model never changes; {name} cannot be deleted")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _model, (type(self), self.text, os.fspath(self.file))
+
+
+def cite(model: Model) -> str:
+    """BibTeX entries of what a model uses: its elements, materials, liquids, forces and the questions of its ``[run]``.
+
+    Chernousko (1978), whose reduction everything rests on, is always the first.
+
+    >>> import quasirigid
+    >>> quasirigid.cite(quasirigid.Model(quasirigid.EXAMPLE)).splitlines()[0]
+    '@article{chernousko1978,'
+    """
+    if not isinstance(model, Model):
+        raise InputError(f"cite takes a Model, not {type(model).__name__}")
+    return model._core.cite()
+
+
+def _set(model: Model, core: _core.Model) -> None:
+    object.__setattr__(model, "_core", core)
+
+
+def _model(kind: type[Model], text: str, file: str) -> Model:
+    return kind(text, file=file)
+
+
+def _path(path: str | os.PathLike[str], name: str) -> str:
+    try:
+        found = os.fspath(path)
+    except TypeError as error:
+        raise InputError(f"{name} = {path!r} is not a path") from error
+    if not isinstance(found, str) or not found or "\0" in found:
+        raise InputError(f"{name} = {path!r} is not a path")
+    return found
+
+
+def _settings(
+    duration: float | str | None,
+    samples: int | None,
+    tolerance: float | None,
+    form: str | None,
+    method: str | None,
+) -> dict[str, Any]:
+    return {
+        "duration": _arguments.duration(duration),
+        "samples": _arguments.count(samples, "samples"),
+        "tolerance": _arguments.number(tolerance, "tolerance"),
+        "form": _arguments.word(form, "form"),
+        "method": _arguments.word(method, "method"),
+    }
+
+
+def _starts(initial: ArrayLike) -> Any:
+    starts = _arguments.vectors(initial, "initial")
+    if starts.ndim != 2:
+        raise InputError(f"initial has the shape {starts.shape}; give one angular velocity a row, (n, 3)")
+    return starts

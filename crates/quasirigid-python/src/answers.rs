@@ -1,0 +1,283 @@
+//! Answers of the study, each as one object: the JSON of the program, its text, the verdict, notes and tables.
+//! Infinite and unknown numbers are both `null` in JSON, so that numbers which may be either go beside it.
+
+use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use pyo3::prelude::*;
+use quasirigid_io::model::Verify;
+use quasirigid_study::evolution::{self, Asked};
+use quasirigid_study::histories::{Propagation, Table};
+use quasirigid_study::layout::paragraph;
+use quasirigid_study::modes::AskedSpin;
+use quasirigid_study::run::RunOutcome;
+use quasirigid_study::{LeftOut, Study, StudyError, beyond, summary, verification};
+use serde_json::{Value, json};
+
+use crate::columns::Columns;
+use crate::failure::Failure;
+use crate::values::object;
+use crate::watching::Shared;
+
+/// A JSON value on its way to Python.
+pub struct Json(Value);
+
+impl<'py> IntoPyObject<'py> for Json {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
+        object(py, &self.0)
+    }
+}
+
+/// An answer: a dictionary in Python.
+#[derive(IntoPyObject)]
+pub struct Answer {
+    /// The object that the program prints with `--json`.
+    json: Json,
+    /// The text that the program prints.
+    text: String,
+    /// The verdict or the result in a sentence.
+    sentence: String,
+    /// Whether the answer holds.
+    holds: bool,
+    /// Notes to read before the numbers.
+    notes: Vec<String>,
+    /// Numbers that may be infinite; NaN where they are not known.
+    numbers: BTreeMap<&'static str, f64>,
+    /// The table, where the answer has one.
+    columns: Option<Columns>,
+}
+
+/// Validity of the reduced equations.
+pub fn check(study: &Study) -> Result<Answer, Failure> {
+    let report = study.check()?;
+    let validity = &report.validity;
+    Ok(Answer {
+        json: Json(report.json()),
+        text: report.text(),
+        sentence: report.sentence(),
+        holds: report.holds(),
+        notes: study.model.notes.iter().cloned().chain(report.left_out.notes()).collect(),
+        numbers: BTreeMap::from([("T1", validity.T1), ("T2", validity.T2), ("T3", validity.T3)]),
+        columns: None,
+    })
+}
+
+/// Modes about steady spins.
+pub fn modes(study: &Study, asked: AskedSpin) -> Result<Answer, Failure> {
+    let found = study.modes(asked)?;
+    let name = &study.model.name;
+    let sentences: Vec<&str> = found.spins.iter().map(|spin| spin.sentence.as_str()).collect();
+    Ok(Answer {
+        json: Json(found.json(name)),
+        text: found.text(name),
+        sentence: sentences.join(" "),
+        holds: found.found(),
+        notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// A history of the spin.
+pub fn simulate(
+    study: &Study,
+    propagation: &Propagation,
+    table: &Table,
+    mut shared: &Shared,
+) -> Result<Answer, Failure> {
+    let start = study.initial()?;
+    let left_out = LeftOut::at(study, start.omega, None);
+    let history = study.simulate_from(start, propagation, table, &mut shared)?;
+    let (holds, json) = (history.holds(&left_out), history.json());
+    let doubts = [shared.remarks(), left_out.notes()].concat();
+    // A history to its end that does not hold has its reason in the doubts.
+    let ended = matches!(history.status, "finished" | "event");
+    let sentence = if ended && !holds { doubts.join(" ") } else { history.message };
+    let notes = [doubts, study.model.notes.clone(), history.notes].concat();
+    Ok(Answer {
+        json: Json(json),
+        text: format!("{}: {sentence}\n", study.model.name),
+        sentence,
+        holds,
+        notes,
+        numbers: BTreeMap::new(),
+        columns: Some(Columns::of_record(history.columns)),
+    })
+}
+
+/// The secular evolution.
+pub fn evolve(study: &Study, asked: &Asked, mut shared: &Shared) -> Result<Answer, Failure> {
+    let evolved = study.evolve(asked, &mut shared)?;
+    let (holds, answers, json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
+    let record = evolved.record;
+    let number = |value: f64| if answers { value } else { f64::NAN };
+    Ok(Answer {
+        json: Json(json),
+        text: evolution::text(&study.model.name, &record),
+        // What does not hold is not told as if it did.
+        sentence: if answers || record.status == "refused" {
+            record.sentence.clone()
+        } else {
+            record.message.clone()
+        },
+        holds,
+        notes: [shared.remarks(), study.model.notes.clone(), evolved.notes].concat(),
+        numbers: BTreeMap::from([
+            ("time", number(record.time)),
+            ("turns", number(record.revolutions)),
+            ("power", number(record.power)),
+            ("damping_time", record.damping_time),
+            ("growth_time", record.growth_time),
+        ]),
+        columns: Some(Columns::of_record(record.columns)),
+    })
+}
+
+/// The reduced equations against the full system.
+pub fn verify(study: &Study, asked: Verify, mut shared: &Shared) -> Result<Answer, Failure> {
+    let plan = study.verification_plan(asked);
+    let highest = plan.orders.iter().copied().max().unwrap_or_default();
+    let left_out = LeftOut::at(study, study.initial()?.omega, None);
+    let Some(record) = study.verify(&plan, &mut shared)? else {
+        return Err(StudyError::Interrupted.into());
+    };
+    let beyond = beyond(&study.model.assembly, highest);
+    let mut text = verification::text(&study.model.name, &record);
+    if let Some(note) = &beyond {
+        text.push_str(&format!("{}\n", paragraph(note, "", "  ")));
+    }
+    let sentence = text.lines().find(|line| line.contains("is reached") || line.contains("IS REACHED"));
+    let mut notes = [left_out.notes(), shared.remarks(), study.model.notes.clone()].concat();
+    notes.extend(beyond.filter(|note| !study.model.notes.contains(note)));
+    Ok(Answer {
+        sentence: sentence.unwrap_or_default().trim().to_owned(),
+        json: Json(json!(record)),
+        holds: record.reached,
+        text,
+        notes,
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// The record of a run.
+#[pyclass(frozen, module = "quasirigid._core")]
+#[derive(Debug)]
+pub struct RunAnswer(RunOutcome);
+
+/// The main job; the record goes into a new folder, if one is named.
+pub fn run(
+    study: &Study,
+    propagation: &Propagation,
+    folder: Option<&Path>,
+    mut shared: &Shared,
+) -> Result<RunAnswer, Failure> {
+    folder.map_or(Ok(()), vacant)?;
+    let answer = RunAnswer(study.run(propagation, &mut shared)?);
+    if shared.stopped() {
+        return Err(StudyError::Interrupted.into());
+    }
+    folder.map_or(Ok(()), |folder| answer.place(folder))?;
+    Ok(answer)
+}
+
+/// Refuses a folder that is there.
+fn vacant(folder: &Path) -> Result<(), Failure> {
+    if folder.symlink_metadata().is_ok() {
+        let shown = folder.display();
+        return Err(Failure::File(format!(
+            "{shown} is there already; choose another folder, or remove it first"
+        )));
+    }
+    Ok(())
+}
+
+impl RunAnswer {
+    /// Writes the record into a folder that appears only when it is complete.
+    fn place(&self, folder: &Path) -> Result<(), Failure> {
+        vacant(folder)?;
+        let Some(name) = folder.file_name() else {
+            return Err(Failure::File(format!("{} is no name for a folder", folder.display())));
+        };
+        let building = folder.with_file_name(format!(".{}.{}", name.to_string_lossy(), std::process::id()));
+        let failed = |cause: std::io::Error| {
+            let advice =
+                if cause.kind() == ErrorKind::NotFound { "; make the folder above it first" } else { "" };
+            Failure::File(format!("cannot write {}: {cause}{advice}", folder.display()))
+        };
+        fs::create_dir(&building).map_err(failed)?;
+        let placed = self.0.write(&building).map_err(Failure::from);
+        let placed = placed.and_then(|()| fs::rename(&building, folder).map_err(failed));
+        if placed.is_err() {
+            // The failure that is told matters more than a folder left over.
+            let _ = fs::remove_dir_all(&building);
+        }
+        placed
+    }
+}
+
+#[pymethods]
+impl RunAnswer {
+    #[getter]
+    fn json(&self) -> Json {
+        Json(json!(self.0.record))
+    }
+
+    #[getter]
+    fn text(&self) -> String {
+        summary::answer(&self.0.record)
+    }
+
+    #[getter]
+    fn sentence(&self) -> &str {
+        &self.0.record.validity.verdict
+    }
+
+    #[getter]
+    fn holds(&self) -> bool {
+        self.0.holds
+    }
+
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.0.record.notes.clone()
+    }
+
+    /// The histories: the name of each system, and its table.
+    #[getter]
+    fn histories(&self) -> Vec<(String, Columns)> {
+        let histories = self.0.record.histories.iter();
+        histories.map(|each| (each.system.clone(), Columns::of_record(each.columns.clone()))).collect()
+    }
+
+    /// The table of the secular evolution, where the model asks for it.
+    #[getter]
+    fn evolution(&self) -> Option<Columns> {
+        let evolution = self.0.record.evolution.as_ref();
+        evolution.map(|each| Columns::of_record(each.columns.clone()))
+    }
+
+    /// The files beside the record: the reduced equations, the report and its picture.
+    fn files(&self, py: Python<'_>) -> Vec<(&'static str, String)> {
+        py.detach(|| self.0.files())
+    }
+
+    /// Writes record and report into a new folder.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        Ok(py.detach(|| self.place(&folder))?)
+    }
+}
+
+/// Numbers never fail to become Python's.
+impl From<Infallible> for Failure {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
+}

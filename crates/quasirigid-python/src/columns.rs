@@ -1,0 +1,142 @@
+//! Tables of named columns, each with its unit: NumPy arrays and Arrow streams on the memory of the study, without a copy.
+//! Arrays are read-only, since all of them share that memory.
+
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArrayMethods, ndarray::ArrayView1};
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::{PyCapsule, PyList};
+use quasirigid_io::record::Column;
+
+use crate::arrow;
+use crate::failure::Failure;
+
+/// Values of a column.
+#[derive(Clone, Debug)]
+pub enum Values {
+    /// Numbers.
+    Numbers(Arc<Vec<f64>>),
+    /// Texts.
+    Texts(Arc<Vec<String>>),
+}
+
+/// A named column.
+#[derive(Clone, Debug)]
+pub struct Series {
+    pub name: String,
+    /// SI unit; `1` for a pure number, empty for texts.
+    pub unit: String,
+    pub values: Values,
+}
+
+impl Series {
+    pub fn numbers(name: &str, unit: &str, values: Vec<f64>) -> Self {
+        Self { name: name.into(), unit: unit.into(), values: Values::Numbers(Arc::new(values)) }
+    }
+
+    pub fn texts(name: &str, values: Vec<String>) -> Self {
+        Self { name: name.into(), unit: String::new(), values: Values::Texts(Arc::new(values)) }
+    }
+
+    fn rows(&self) -> usize {
+        match &self.values {
+            Values::Numbers(values) => values.len(),
+            Values::Texts(values) => values.len(),
+        }
+    }
+}
+
+/// A table of columns of equal length.
+#[pyclass(frozen, module = "quasirigid._core")]
+#[derive(Debug)]
+pub struct Columns {
+    series: Arc<Vec<Series>>,
+    rows: usize,
+}
+
+impl Columns {
+    pub fn new(series: Vec<Series>) -> Self {
+        let rows = series.iter().map(Series::rows).min().unwrap_or(0);
+        Self { series: Arc::new(series), rows }
+    }
+
+    /// The columns of a history or an evolution.
+    pub fn of_record(columns: Vec<Column>) -> Self {
+        let series = columns.into_iter().map(|column| Series {
+            name: column.name,
+            unit: column.unit,
+            values: Values::Numbers(Arc::new(column.values)),
+        });
+        Self::new(series.collect())
+    }
+}
+
+#[pymethods]
+impl Columns {
+    /// Columns from names, units and values: lists of texts, or arrays of numbers, of equal length.
+    #[new]
+    fn from_parts(names: Vec<String>, units: Vec<String>, values: Vec<Bound<'_, PyAny>>) -> PyResult<Self> {
+        if names.len() != units.len() || names.len() != values.len() {
+            return Err(Failure::Input("names, units and values of a table differ in number".into()).into());
+        }
+        let mut series = Vec::with_capacity(names.len());
+        for ((name, unit), values) in names.into_iter().zip(units).zip(values) {
+            let values = if values.is_instance_of::<PyList>() {
+                Values::Texts(Arc::new(values.extract()?))
+            } else {
+                Values::Numbers(Arc::new(values.extract()?))
+            };
+            series.push(Series { name, unit, values });
+        }
+        let columns = Self::new(series);
+        if columns.series.iter().any(|each| each.rows() != columns.rows) {
+            return Err(Failure::Input("the columns of a table differ in length".into()).into());
+        }
+        Ok(columns)
+    }
+
+    #[getter]
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    #[getter]
+    fn names(&self) -> Vec<&str> {
+        self.series.iter().map(|series| series.name.as_str()).collect()
+    }
+
+    #[getter]
+    fn units(&self) -> Vec<&str> {
+        self.series.iter().map(|series| series.unit.as_str()).collect()
+    }
+
+    /// The values of a column by its number: a read-only array, or a list of texts.
+    fn values<'py>(this: &Bound<'py, Self>, column: usize) -> PyResult<Bound<'py, PyAny>> {
+        let columns = this.get();
+        let Some(series) = columns.series.get(column) else {
+            return Err(Failure::Input(format!("no column {column}")).into());
+        };
+        match &series.values {
+            Values::Texts(texts) => texts.as_slice().into_bound_py_any(this.py()),
+            Values::Numbers(numbers) => {
+                let view = ArrayView1::from(numbers.as_slice());
+                // SAFETY: the array keeps this object alive, which is frozen and never changes or moves the numbers.
+                let array = unsafe { PyArray1::borrow_from_array(&view, this.clone().into_any()) };
+                array.readwrite().make_nonwriteable();
+                Ok(array.into_any())
+            }
+        }
+    }
+
+    /// The table as a stream of the Arrow C interface.
+    fn arrow_stream<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        let stream = arrow::Stream::new(Arc::clone(&self.series), self.rows);
+        PyCapsule::new_with_value(py, stream, arrow::STREAM)
+    }
+
+    /// The types of the columns as a schema of the Arrow C interface.
+    fn arrow_schema<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        PyCapsule::new_with_value(py, arrow::Schema::of(&self.series), arrow::SCHEMA)
+    }
+}

@@ -1,0 +1,139 @@
+//! Errors of the study as exceptions of Python.
+//! One class stands for each kind of failure, so that a program can catch the one it can mend; the message is the study's own, with the
+//! names that the arguments have in Python. The classes are in python/quasirigid/_errors.py.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
+use quasirigid_study::visible::visible;
+use quasirigid_study::{Setting, StudyError};
+
+/// A failure on its way to Python.
+#[derive(Debug)]
+pub enum Failure {
+    /// An error of the study.
+    Study(StudyError),
+    /// An argument that means nothing.
+    Input(String),
+    /// A file that is in the way, or cannot be made.
+    File(String),
+    /// A panic: an error of ours.
+    Panic(String),
+    /// Python itself: the exception that a signal or an observer raised.
+    Raised(PyErr),
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        Self::Study(error)
+    }
+}
+
+impl From<PyErr> for Failure {
+    fn from(error: PyErr) -> Self {
+        Self::Raised(error)
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        Python::attach(|py| exception(py, failure).unwrap_or_else(|error| error))
+    }
+}
+
+impl Failure {
+    /// A panic with its message.
+    pub fn panicked(cause: &(dyn std::any::Any + Send)) -> Self {
+        let text = cause.downcast_ref::<&str>().map(ToString::to_string);
+        Self::Panic(text.or_else(|| cause.downcast_ref::<String>().cloned()).unwrap_or_default())
+    }
+
+    /// The text for a row of many.
+    pub fn text(&self) -> String {
+        visible(&match self {
+            Self::Study(StudyError::Interrupted) => "the work was told to end".to_owned(),
+            Self::Study(error) => error.told(&argument),
+            Self::Input(text) | Self::File(text) => text.clone(),
+            Self::Panic(text) => format!("{OURS}: {text}"),
+            Self::Raised(error) => error.to_string(),
+        })
+    }
+}
+
+const OURS: &str = "quasirigid broke off by an error of its own; please report it with the model";
+
+/// The name of a setting among the arguments.
+fn argument(setting: Setting) -> &'static str {
+    match setting {
+        Setting::Duration | Setting::EvolutionDuration => "duration",
+        Setting::Samples => "samples",
+        Setting::System => "system",
+        Setting::Coordinates => "coordinates",
+        Setting::Displacements => "displacements",
+        Setting::Axis => "axis",
+        Setting::Spin => "spin",
+        Setting::From => "start",
+        Setting::Until => "until",
+    }
+}
+
+/// The class of an error of the study.
+fn class(error: &StudyError) -> &'static str {
+    match error {
+        StudyError::Model(ModelError::Unreadable { problem: FileProblem::Missing, .. }) => "MissingFileError",
+        StudyError::Model(ModelError::Unreadable { .. })
+        | StudyError::Record(_)
+        | StudyError::Write { .. } => "FileError",
+        StudyError::Model(_) | StudyError::Extreme { .. } => "ModelError",
+        StudyError::Reduction(_) | StudyError::Validity(_) | StudyError::Vibration(_) => "ReductionError",
+        StudyError::Propagate(_) => "PropagationError",
+        StudyError::Verification(_) => "VerificationError",
+        StudyError::History { .. } => "TooLargeError",
+        StudyError::NoSpin { .. }
+        | StudyError::NoStart(_)
+        | StudyError::Observed { .. }
+        | StudyError::NoWobble { .. }
+        | StudyError::Nutation { .. }
+        | StudyError::FreeRotation(_)
+        | StudyError::Steady
+        | StudyError::AtRest
+        | StudyError::BoundlessSpin => "StartError",
+        StudyError::Unaveraged(_)
+        | StudyError::DrivenPole
+        | StudyError::Wheels
+        | StudyError::NoShortAxis { .. } => "UnsupportedError",
+        StudyError::Interrupted => "Interrupted",
+        _ => "InputError",
+    }
+}
+
+fn exception(py: Python<'_>, failure: Failure) -> PyResult<PyErr> {
+    let text = failure.text();
+    let of = |name: &str| py.import("quasirigid._errors")?.getattr(name);
+    let class = match &failure {
+        Failure::Raised(error) => return Ok(error.clone_ref(py)),
+        Failure::Study(StudyError::Model(ModelError::Invalid { model, diagnostics })) => {
+            let file = model.file.display().to_string();
+            let found = diagnostics.iter().map(|each| diagnosed(py, each, &model.text));
+            let found = found.collect::<PyResult<Vec<_>>>()?;
+            return Ok(PyErr::from_value(of("ModelError")?.call1((text, file, found))?));
+        }
+        Failure::Study(error) => class(error),
+        Failure::Input(_) => "InputError",
+        Failure::File(_) => "FileError",
+        Failure::Panic(_) => "InternalError",
+    };
+    Ok(PyErr::from_value(of(class)?.call1((text,))?))
+}
+
+/// A diagnostic with its place in the text.
+fn diagnosed<'py>(py: Python<'py>, diagnostic: &Diagnostic, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    let (line, column) = diagnostic.position(text);
+    let place = PyDict::new(py);
+    place.set_item("line", line)?;
+    place.set_item("column", column)?;
+    place.set_item("message", visible(&diagnostic.message))?;
+    place.set_item("label", &diagnostic.label)?;
+    place.set_item("help", diagnostic.help.as_deref())?;
+    py.import("quasirigid._errors")?.getattr("Diagnostic")?.call((), Some(&place))
+}

@@ -1,0 +1,41 @@
+//! The extension module `quasirigid._core`: a door to the study, as the command line is one.
+//! Nothing is computed or decided here: arguments are read, the study is called, its answers become Python's objects.
+//! The classes that users see, with their documentation, are in python/quasirigid.
+#![allow(non_snake_case)]
+
+mod answers;
+mod arguments;
+mod arrow;
+mod columns;
+mod dictionary;
+mod ensemble;
+mod failure;
+mod model;
+mod pool;
+mod reduced;
+mod values;
+mod watching;
+
+use pyo3::prelude::*;
+
+/// The compiled part of quasirigid.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use crate::answers::RunAnswer;
+    #[pymodule_export]
+    use crate::columns::Columns;
+    #[pymodule_export]
+    use crate::dictionary::{to_toml, with_changes};
+    #[pymodule_export]
+    use crate::model::Model;
+    #[pymodule_export]
+    use crate::reduced::Reduced;
+
+    /// Text of a model to begin with: a satellite with two damped booms.
+    #[pymodule_export]
+    const EXAMPLE: &str = include_str!("../../../examples/boom-satellite/model.toml");
+    /// Version of the program and of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

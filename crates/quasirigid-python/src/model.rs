@@ -1,0 +1,302 @@
+//! A model with its studies, and every question of a user.
+//! The body of a model is assembled at the first question, once for each order, since that may take long; a model that was read is
+//! never changed. Each method reads its arguments, calls the study and hands the answer on.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use quasirigid_io::model::{self as file, EvolveMethod, Power, System, Verify};
+use quasirigid_study::evolution::Asked;
+use quasirigid_study::histories::{Propagation, Table};
+use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
+use quasirigid_study::{Study, StudyError};
+
+use crate::answers::{self, Answer, RunAnswer};
+use crate::arguments::{Quantity, named};
+use crate::columns::Columns;
+use crate::ensemble::{self, Histories};
+use crate::failure::Failure;
+use crate::reduced::Reduced;
+use crate::watching::interruptible;
+
+/// A model file that was read.
+#[pyclass(frozen, module = "quasirigid._core")]
+#[derive(Debug)]
+pub struct Model {
+    parsed: file::Model,
+    /// Studies by the order asked for.
+    studies: Mutex<BTreeMap<Option<usize>, Arc<Study>>>,
+}
+
+type Observer = Option<Py<PyAny>>;
+
+impl Model {
+    fn of(read: Result<file::Model, file::ModelError>) -> Result<Self, Failure> {
+        let parsed = read.map_err(StudyError::from)?;
+        let errors = parsed.assembly.check();
+        if !errors.is_empty() {
+            return Err(StudyError::from(parsed.diagnose_all(&errors)).into());
+        }
+        Ok(Self { parsed, studies: Mutex::default() })
+    }
+
+    /// The study at an order, or at the model's own.
+    pub fn study(&self, order: Option<usize>) -> Result<Arc<Study>, Failure> {
+        let kept = || self.studies.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(study) = kept().get(&order) {
+            return Ok(Arc::clone(study));
+        }
+        let study = Arc::new(Study::new(self.parsed.clone(), order)?);
+        Ok(Arc::clone(kept().entry(order).or_insert(study)))
+    }
+}
+
+#[pymethods]
+impl Model {
+    /// Reads the text of a model file; `file` stands in messages, and paths in the text are relative to its folder.
+    #[new]
+    fn new(py: Python<'_>, text: String, file: PathBuf) -> PyResult<Self> {
+        Ok(interruptible(py, None, |_| Self::of(file::Model::parse(&file, &text)))?)
+    }
+
+    /// Reads a model file.
+    #[staticmethod]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        Ok(interruptible(py, None, |_| Self::of(file::Model::read(&file)))?)
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        &self.parsed.source.text
+    }
+
+    #[getter]
+    fn file(&self) -> PathBuf {
+        self.parsed.source.file.clone()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.parsed.name
+    }
+
+    #[getter]
+    fn sha256(&self) -> &str {
+        &self.parsed.source.sha256
+    }
+
+    #[getter]
+    fn order(&self) -> usize {
+        self.parsed.run.order
+    }
+
+    /// Validity of the reduced equations.
+    #[pyo3(signature = (order, observer))]
+    fn check(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Answer> {
+        Ok(interruptible(py, observer.as_ref(), |_| answers::check(&*self.study(order)?))?)
+    }
+
+    /// Modes about steady spins.
+    #[pyo3(signature = (spin, axis, order, observer))]
+    fn modes(
+        &self,
+        py: Python<'_>,
+        spin: Option<[f64; 3]>,
+        axis: Option<&str>,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let asked = AskedSpin { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
+        Ok(interruptible(py, observer.as_ref(), |_| answers::modes(&*self.study(order)?, asked))?)
+    }
+
+    /// The reduced equations.
+    #[pyo3(signature = (order, observer))]
+    fn reduce(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Reduced> {
+        Ok(interruptible(py, observer.as_ref(), |_| Reduced::of(self.study(order)?))?)
+    }
+
+    /// A history of the spin.
+    #[pyo3(signature = (settings, table, order, observer))]
+    fn simulate(
+        &self,
+        py: Python<'_>,
+        settings: Settings,
+        table: Contents,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let (propagation, table) = (settings.propagation()?, table.table()?);
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            answers::simulate(&*self.study(order)?, &propagation, &table, shared)
+        })?)
+    }
+
+    /// Histories from many angular velocities.
+    #[pyo3(signature = (initial, settings, table, order, observer))]
+    fn simulate_all(
+        &self,
+        py: Python<'_>,
+        initial: PyReadonlyArray2<'_, f64>,
+        settings: Settings,
+        table: Contents,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Histories> {
+        let starts = ensemble::starts(&initial)?;
+        let (propagation, table) = (settings.propagation()?, table.table()?);
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            ensemble::simulate(&self.study(order)?, &starts, &propagation, table, shared)
+        })?)
+    }
+
+    /// The secular evolution.
+    #[pyo3(signature = (wish, order, observer))]
+    fn evolve(
+        &self,
+        py: Python<'_>,
+        wish: Wish,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let asked = wish.read()?;
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            let study = self.study(order)?;
+            answers::evolve(&study, &asked(&study), shared)
+        })?)
+    }
+
+    /// The secular evolution from many angular velocities.
+    #[pyo3(signature = (initial, wish, order, observer))]
+    fn evolve_all(
+        &self,
+        py: Python<'_>,
+        initial: PyReadonlyArray2<'_, f64>,
+        wish: Wish,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Columns> {
+        let (starts, asked) = (ensemble::starts(&initial)?, wish.read()?);
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            let study = self.study(order)?;
+            ensemble::evolve(&study, &starts, asked(&study), shared)
+        })?)
+    }
+
+    /// The reduced equations against the full system.
+    #[pyo3(signature = (orders, rotations, halvings, order, observer))]
+    fn verify(
+        &self,
+        py: Python<'_>,
+        orders: Option<Vec<usize>>,
+        rotations: Option<f64>,
+        halvings: Option<usize>,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let asked = Verify { orders, rotations, halvings };
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            answers::verify(&*self.study(order)?, asked, shared)
+        })?)
+    }
+
+    /// The main job, and its record.
+    #[pyo3(signature = (folder, settings, order, observer))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        folder: Option<PathBuf>,
+        settings: Settings,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<RunAnswer> {
+        let propagation = settings.propagation()?;
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            answers::run(&*self.study(order)?, &propagation, folder.as_deref(), shared)
+        })?)
+    }
+
+    /// BibTeX entries of what the model uses.
+    fn cite(&self) -> String {
+        quasirigid_study::cite::bibtex(&self.parsed)
+    }
+}
+
+/// Settings of a propagation, as a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Settings {
+    duration: Option<Quantity>,
+    samples: Option<usize>,
+    tolerance: Option<f64>,
+    form: Option<String>,
+    method: Option<String>,
+}
+
+impl Settings {
+    fn propagation(&self) -> Result<Propagation, Failure> {
+        Ok(Propagation {
+            duration: self.duration.as_ref().map(|time| time.seconds("duration")).transpose()?,
+            tolerance: self.tolerance,
+            samples: self.samples,
+            form: named(self.form.as_deref(), "form")?,
+            method: named(self.method.as_deref(), "method")?,
+        })
+    }
+}
+
+/// Contents of a table, as a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Contents {
+    system: String,
+    coordinates: bool,
+    displacements: bool,
+    times: Option<Vec<f64>>,
+}
+
+impl Contents {
+    fn table(self) -> Result<Table, Failure> {
+        let system = named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced);
+        let Self { coordinates, displacements, times, .. } = self;
+        Ok(Table { system, coordinates, displacements, times })
+    }
+}
+
+/// Request for an evolution, as a dictionary; what is absent is the model's own.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Wish {
+    start: Option<Quantity>,
+    until: Option<Quantity>,
+    duration: Option<Quantity>,
+    samples: Option<usize>,
+    power: Option<String>,
+    method: Option<String>,
+}
+
+impl Wish {
+    /// The request, once the study has the model's own.
+    fn read(&self) -> Result<impl Fn(&Study) -> Asked + Send + use<>, Failure> {
+        let from = self.start.as_ref().map(|at| at.target("start")).transpose()?;
+        let until = self.until.as_ref().map(|at| at.target("until")).transpose()?;
+        let duration = self.duration.as_ref().map(|time| time.seconds("duration")).transpose()?;
+        let power = named::<Power>(self.power.as_deref(), "power")?;
+        let method = named::<EvolveMethod>(self.method.as_deref(), "method")?;
+        let samples = self.samples;
+        Ok(move |study: &Study| {
+            let file = study.evolution_asked();
+            Asked {
+                from,
+                until: until.or(file.until),
+                duration: duration.or(file.duration),
+                samples: samples.unwrap_or(file.samples),
+                power: power.or(file.power),
+                method: method.or(file.method),
+            }
+        })
+    }
+}

@@ -1,0 +1,141 @@
+"""Answers are the program's, number by number, and say first whether they hold."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import EXAMPLES, QUICK
+
+import quasirigid
+from quasirigid import Model
+
+
+def model(example: str) -> Model:
+    return Model.from_file(EXAMPLES / example / "model.toml")
+
+
+@pytest.mark.parametrize("example", QUICK)
+def test_check_and_modes_are_those_of_the_program(told: Any, example: str) -> None:
+    check = model(example).check()
+    assert check.to_dict() == told("check", example)
+    assert check.valid == check.to_dict()["valid"]
+    assert model(example).modes().to_dict() == told("modes", example)
+
+
+@pytest.mark.parametrize("example", ["three-masses", "nutation-damper"])
+def test_reduced_equations_are_those_of_the_program(told: Any, example: str) -> None:
+    assert model(example).reduce(4).to_dict() == told("derive", example, "--order", "4")
+
+
+@pytest.mark.parametrize("system", ["reduced", "rigid", "full"])
+def test_a_history_is_that_of_the_program(told: Any, system: str, tmp_path: Path) -> None:
+    table = tmp_path / "history.csv"
+    options = ["--system", system, "--duration", "1 min", "--samples", "11", "--out", str(table)]
+    object = told("simulate", "three-masses", *options)
+    history = model("three-masses").simulate(system, duration="1 min", samples=11)
+    assert history.to_dict() == object and history.holds
+    written = np.genfromtxt(table, delimiter=",", names=True)
+    assert list(written.dtype.names) == list(history.table)
+    for name in history.table:
+        np.testing.assert_array_equal(written[name], history.table[name])
+    np.testing.assert_array_equal(history.angular_velocity[:, 2], written["wz"])
+
+
+@pytest.mark.parametrize("example", ["boom-satellite", "duende", "three-masses", "explorer1"])
+def test_an_evolution_is_that_of_the_program(told: Any, example: str) -> None:
+    evolution = model(example).evolve()
+    object = told("evolve", example)
+    assert evolution.to_dict() == object
+    if evolution.time is not None and math.isfinite(evolution.time):
+        assert evolution.time == object["time"]
+    assert evolution.holds == (object["status"] == "finished")
+
+
+def test_a_verification_is_that_of_the_program(told: Any) -> None:
+    verification = model("three-masses").verify(orders=[2, 3], rotations=1, halvings=2)
+    options = ["--orders", "2,3", "--rotations", "1", "--halvings", "2"]
+    assert verification.to_dict() == told("verify", "three-masses", *options)
+    assert verification.sentence == "Every order is reached."
+
+
+def test_citations_are_those_of_the_program(told: Any) -> None:
+    entries = quasirigid.cite(model("apophis"))
+    assert entries == told("cite", "apophis")["bibtex"]
+    assert entries.startswith("@article{chernousko1978,") and "breiter2012" in entries
+
+
+def test_an_answer_that_does_not_hold_is_no_number() -> None:
+    """Explorer 1 spins twelve times as fast as its whips vibrate: the reduced equations say nothing about it."""
+    explorer = model("explorer1")
+    check = explorer.check()
+    assert not check and repr(check).startswith("DOES NOT HOLD: The reduced equations DO NOT HOLD")
+    with pytest.raises(quasirigid.Refused, match="DO NOT HOLD"):
+        check.require()
+    with pytest.raises(quasirigid.PropagationError):
+        explorer.simulate(duration=1, samples=3)
+    fast = Model(quasirigid.EXAMPLE.replace("11.88 rpm", "50 rpm"))
+    history = fast.simulate(duration=1, samples=3)
+    assert not history and any("DO NOT HOLD" in note for note in history.notes)
+    assert "DO NOT HOLD" in repr(history) and "DO NOT HOLD" in history._repr_html_()
+
+
+# Booms as soft as these follow no average, and an average asked for by name is told not to hold.
+SOFT = quasirigid.EXAMPLE.replace("stiffness = 500.0", "stiffness = 5.0")
+
+
+def test_a_refused_evolution_has_no_time() -> None:
+    evolution = Model(SOFT).evolve(method="average")
+    assert not evolution.holds
+    assert evolution.status in ("refused", "does-not-hold")
+    assert evolution.time is None and evolution.turns is None and evolution.power is None
+    assert repr(evolution).startswith(f"DOES NOT HOLD: {evolution.sentence}")
+    assert evolution.to_dict()["sentence"] not in repr(evolution)
+    with pytest.raises(quasirigid.Refused):
+        evolution.plot()
+    rows = Model(SOFT).evolve(initial=[[-0.168, 1.244, -0.05]], method="average")
+    assert not rows and np.isnan(rows.time).all() and rows.message[0]
+
+
+def test_a_run_is_written_once(tmp_path: Path, told: Any) -> None:
+    folder = tmp_path / "run"
+    run = model("three-masses").run(folder, samples=21)
+    object = told("run", "three-masses", "--samples", "21", "-o", str(tmp_path / "program"))
+    ours = run.to_dict()
+    assert ours == object
+    for name in ("record.json", "reduced.json", "report.html", "history-reduced.csv"):
+        assert (folder / name).read_bytes() == (tmp_path / "program" / name).read_bytes(), name
+    with pytest.raises(quasirigid.FileError, match="already"):
+        model("three-masses").run(folder)
+    run.report(tmp_path / "page.html")
+    assert (tmp_path / "page.html").read_bytes() == (folder / "report.html").read_bytes()
+    with pytest.raises(quasirigid.FileError, match="make the folder above"):
+        run.write(tmp_path / "no" / "such")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["page.html", "program", "run"]
+
+
+def test_html_is_escaped() -> None:
+    named = Model(quasirigid.EXAMPLE.replace('name = "boom satellite"', 'name = "<script>&"'))
+    for shown in (named.check()._repr_html_(), named._repr_html_(), named.reduce()._repr_html_()):
+        assert "<script>" not in shown and "&lt;script&gt;&amp;" in shown
+
+
+def test_answers_are_pickled() -> None:
+    boom = Model(quasirigid.EXAMPLE)
+    for answer in (boom.check(), boom.simulate(duration=60, samples=7), boom.evolve(until="10 deg")):
+        copy = pickle.loads(pickle.dumps(answer))
+        assert repr(copy) == repr(answer) and copy.to_dict() == answer.to_dict()
+        if hasattr(answer, "table"):
+            np.testing.assert_array_equal(copy.table["t"], answer.table["t"])
+    many = boom.evolve(initial=[[0.1, 1.2, 0.0]])
+    assert pickle.loads(pickle.dumps(many)).time.tolist() == many.time.tolist()
+    histories = boom.simulate(initial=[[0.1, 1.2, 0.0]], duration=60, samples=3)
+    assert pickle.loads(pickle.dumps(histories)).energy.tolist() == histories.energy.tolist()
+    reduced = boom.reduce(4)
+    assert pickle.loads(pickle.dumps(reduced)).torque([0, 0, 1]).tolist() == reduced.torque([0, 0, 1]).tolist()
+    with pytest.raises(TypeError, match="write"):
+        pickle.dumps(boom.run(duration=10, samples=2))

@@ -1,0 +1,189 @@
+//! References for what a model uses: elements, materials, liquids, forces, and the questions of its `[run]`.
+//! A paper that rests on a computation should name the methods behind it, and nobody remembers them all: the table here says which
+//! keys of the bibliography belong to which capability.
+//! Keys: docs/references.bib; the equations themselves name them in docs/theory.
+
+use quasirigid::elements::{CavityShape, PartKind};
+use quasirigid::model::Rheology;
+use quasirigid::model::force::ForceLaw;
+use quasirigid_io::model::{Model, System};
+
+const BIBLIOGRAPHY: &str = include_str!("../../../docs/references.bib");
+
+/// The reduction itself, and why a slow manifold exists.
+const REDUCTION: &[&str] = &["chernousko1978", "carr1981"];
+const BEAMS: &[&str] =
+    &["kane1987", "przemieniecki1968", "friedman1993", "cowper1966", "eldarwish1965", "simo1985"];
+const SHELLS: &[&str] = &[
+    "kane1987",
+    "dvorkin1984",
+    "batoz1980",
+    "felippa2003",
+    "belytschko1991",
+    "flanagan1981",
+    "hughes1989",
+    "jones1999",
+];
+const SOLIDS: &[&str] = &["kane1987", "taylor1976", "hughes1980", "walkington2000"];
+const MATRICES: &[&str] = &["kane1987"];
+const MODES: &[&str] = &["kane1987", "craig1968"];
+const NETWORKS: &[&str] = &["quillen2019", "steele2014"];
+const ELLIPSOIDS: &[&str] = &["breiter2012"];
+const SURFACES: &[&str] = &["labelle2007", "baerentzen2005", "freudenthal1942", "walkington2000"];
+const LIQUIDS: &[&str] = &["zhukovsky1885", "chernousko1968"];
+const BALLS: &[&str] = &["poincare1910", "greenspan1968"];
+const CYLINDERS: &[&str] = &["stewartson1959", "greenspan1968", "bernardi1999"];
+const REVOLUTIONS: &[&str] = &["bernardi1999"];
+const STOKES: &[&str] = &["taylor1973", "cahouet1988", "zienkiewicz1992"];
+const CREEP: &[&str] = &["andrade1910"];
+const ORBITS: &[&str] = &["battin1999", "hughes1986"];
+const WHEELS: &[&str] = &["hughes1986"];
+const HISTORIES: &[&str] = &["hairer1993"];
+const FULL_SYSTEM: &[&str] = &["hairer1993", "hairer1999"];
+const EVOLUTION: &[&str] = &["bulirsch1965", "neishtadt1991", "magnus1954", "saad1986"];
+const DAMPING_TIMES: &[&str] = &["burns1973", "harris1994", "breiter2012"];
+
+/// Keys of the references of a model, each once: the reduction first, then in the order of the table.
+///
+/// ```
+/// use std::path::Path;
+/// use quasirigid_io::model::Model;
+///
+/// # fn main() -> Result<(), quasirigid_io::model::ModelError> {
+/// # let file = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/three-masses/model.toml"));
+/// let keys = quasirigid_study::cite::keys(&Model::read(file)?);
+/// assert_eq!(keys[0], "chernousko1978");
+/// # Ok(())
+/// # }
+/// ```
+#[must_use]
+pub fn keys(model: &Model) -> Vec<&'static str> {
+    let mut keys: Vec<&str> = Vec::new();
+    for (uses, references) in capabilities(model) {
+        let new = references.iter().filter(|_| uses);
+        for key in new {
+            if !keys.contains(key) {
+                keys.push(key);
+            }
+        }
+    }
+    keys
+}
+
+/// BibTeX entries of the references of a model.
+#[must_use]
+pub fn bibtex(model: &Model) -> String {
+    let entries: Vec<&str> = keys(model).into_iter().filter_map(entry).collect();
+    entries.join("\n\n") + "\n"
+}
+
+/// Whether a model uses a capability, with the references of the capability.
+fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
+    let Model { assembly, run, source, .. } = model;
+    let part = |of: fn(&PartKind) -> bool| assembly.parts.iter().any(|part| of(&part.kind));
+    let cavity = |of: fn(&CavityShape) -> bool| assembly.cavities.iter().any(|cavity| of(&cavity.shape));
+    let mut owned = assembly.clone();
+    let rheologies: Vec<&Rheology> = owned.rheologies_mut().map(|(_, rheology)| &*rheology).collect();
+    let material = |of: fn(&Rheology) -> bool| rheologies.iter().any(|rheology| of(rheology));
+    // Only the secular evolution counts the losses of these materials.
+    let evolves = run.evolve.is_some()
+        || material(|rheology| !matches!(rheology, Rheology::Elastic | Rheology::KelvinVoigt { .. }));
+    let full = run.verify.is_some() || run.systems.as_ref().is_some_and(|all| all.contains(&System::Full));
+    let network = source.text.lines().any(|line| line.trim_start().starts_with("[[network]]"));
+    vec![
+        (true, REDUCTION),
+        (part(|kind| matches!(kind, PartKind::Frame(_))), BEAMS),
+        (part(|kind| matches!(kind, PartKind::Panel(_))), SHELLS),
+        (part(|kind| matches!(kind, PartKind::Solid(_))), SOLIDS),
+        (part(|kind| matches!(kind, PartKind::Matrices(_))), MATRICES),
+        (part(|kind| matches!(kind, PartKind::Modes(_))), MODES),
+        (network, NETWORKS),
+        (!assembly.ellipsoids.is_empty(), ELLIPSOIDS),
+        (!assembly.surfaces.is_empty(), SURFACES),
+        (!assembly.cavities.is_empty(), LIQUIDS),
+        (cavity(|shape| matches!(shape, CavityShape::Ellipsoid { .. })), BALLS),
+        (cavity(|shape| matches!(shape, CavityShape::Cylinder { .. })), CYLINDERS),
+        (
+            cavity(|shape| matches!(shape, CavityShape::Annulus { .. } | CavityShape::Ring { .. })),
+            REVOLUTIONS,
+        ),
+        (
+            cavity(|shape| {
+                matches!(shape, CavityShape::Cuboid { .. } | CavityShape::Shell { .. } | CavityShape::Mesh(_))
+            }),
+            STOKES,
+        ),
+        (material(|rheology| matches!(rheology, Rheology::Andrade { .. })), CREEP),
+        (assembly.forces.iter().any(|force| matches!(force.law, ForceLaw::CentralGravity { .. })), ORBITS),
+        (!assembly.wheels.is_empty() || !assembly.rotors.is_empty(), WHEELS),
+        (true, HISTORIES),
+        (full, FULL_SYSTEM),
+        (evolves, EVOLUTION),
+        (evolves && material(|rheology| matches!(rheology, Rheology::QualityFactor { .. })), DAMPING_TIMES),
+    ]
+}
+
+/// The entry of a key in the bibliography.
+fn entry(key: &str) -> Option<&'static str> {
+    let starts = BIBLIOGRAPHY.match_indices("\n@").map(|(at, _)| at + 1);
+    starts
+        .map(|at| {
+            let rest = &BIBLIOGRAPHY[at..];
+            let end = rest[1..].find("\n@").map_or(rest.len(), |end| end + 1);
+            rest[..end].trim_end()
+        })
+        .find(|entry| {
+            let head = entry.lines().next().unwrap_or_default();
+            head.split_once('{').is_some_and(|(_, name)| name.trim_end_matches(',') == key)
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn cited(example: &str) -> Vec<&'static str> {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(example);
+        keys(&Model::read(&file.join("model.toml")).unwrap())
+    }
+
+    #[test]
+    fn every_key_of_the_table_has_an_entry() {
+        let model = Model::parse(
+            Path::new("x"),
+            "[carrier]\nmass = 1\ncenter_of_mass = [0, 0, 0]\ninertia = [1, 1, 1]\n",
+        );
+        for (_, keys) in capabilities(&model.unwrap()) {
+            for key in keys {
+                let found = entry(key).unwrap_or_default();
+                assert!(
+                    found.starts_with('@') && found.contains(key) && found.ends_with('}'),
+                    "{key}: {found}"
+                );
+                assert_eq!(found.matches("\n@").count(), 0, "{found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_model_cites_what_it_uses_and_no_more() {
+        assert_eq!(cited("three-masses")[..2], ["chernousko1978", "carr1981"]);
+        for (example, uses, others) in [
+            (
+                "apophis",
+                &["breiter2012", "burns1973", "bulirsch1965"][..],
+                &["kane1987", "zhukovsky1885"][..],
+            ),
+            ("solar-panels", &["kane1987", "dvorkin1984"], &["cowper1966", "breiter2012"]),
+            ("spherical-tank", &["zhukovsky1885", "poincare1910"], &["stewartson1959", "taylor1973"]),
+            ("quillen-network", &["quillen2019"], &["breiter2012"]),
+            ("gravity-gradient", &["hughes1986"], &["zhukovsky1885"]),
+        ] {
+            let keys = cited(example);
+            assert!(uses.iter().all(|key| keys.contains(key)), "{example}: {keys:?}");
+            assert!(others.iter().all(|key| !keys.contains(key)), "{example}: {keys:?}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Every test, of Rust and of Python, by one command.
+//! The tests of the Python package need an interpreter and libraries, which not every machine has; a missing one is told with the
+//! way to get it, and is no failure unless Python is required, as it is on the server.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Versions of what the tests of Python need.
+const REQUIREMENTS: &str = "requirements-test.txt";
+/// Interpreter that `PYTHON` may replace.
+const INTERPRETER: &str = "python3";
+/// A program that an interpreter which can do the work runs in silence.
+const PROBE: &str = "\
+import sys
+if sys.version_info < (3, 11): sys.exit('Python 3.11 or newer, not %d.%d' % sys.version_info[:2])
+try: import ensurepip, venv
+except ImportError as error: sys.exit('the module %s of Python' % error.name)";
+
+type Step = Result<(), String>;
+
+/// Runs the tests of Rust, then those of Python.
+pub fn run(root: &Path, python_is_required: bool) -> Step {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    step(root, &cargo, ["test", "--workspace"])?;
+    match interpreter(root) {
+        Ok(python) => of_python(root, &target, &python),
+        Err(missing) if python_is_required => Err(missing),
+        Err(missing) => {
+            println!("\nxtask test: the tests of Python were LEFT OUT: {missing}");
+            Ok(())
+        }
+    }
+}
+
+/// An interpreter with what the tests need, or a sentence on what is missing.
+fn interpreter(root: &Path) -> Result<PathBuf, String> {
+    let python = std::env::var_os("PYTHON").map_or_else(|| INTERPRETER.into(), PathBuf::from);
+    let asked = Command::new(&python).args(["-c", PROBE]).current_dir(root).output();
+    let advice = "; install Python 3.11 or newer with its venv module (Debian: apt install python3-venv), or name one \
+                  with the environment variable PYTHON";
+    match asked {
+        Ok(answer) if answer.status.success() => Ok(python),
+        Ok(answer) => {
+            let missing = String::from_utf8_lossy(&answer.stderr);
+            Err(format!("missing is {}{advice}", missing.trim()))
+        }
+        Err(error) => Err(format!("{} does not run ({error}){advice}", python.display())),
+    }
+}
+
+/// The wheel, built and installed into an environment of its own, and its tests.
+fn of_python(root: &Path, target: &Path, python: &Path) -> Step {
+    let environment = target.join("python-venv");
+    let own = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    install_requirements(root, python, &environment, &own)?;
+    let wheels = target.join("python-wheel");
+    // A wheel of an earlier version would be installed with the new one.
+    if wheels.exists() {
+        fs::remove_dir_all(&wheels).map_err(|error| format!("cannot empty {}: {error}", wheels.display()))?;
+    }
+    let wheel = ["-m", "maturin", "build", "--profile", "dev", "--interpreter"].map(OsStr::new);
+    let wheel = wheel.into_iter().chain([own.as_os_str(), "--out".as_ref(), wheels.as_os_str()]);
+    step(root, &own, wheel)?;
+    let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--force-reinstall"];
+    let found = ["--find-links".as_ref(), wheels.as_os_str(), "quasirigid".as_ref()];
+    step(root, &own, install.map(OsStr::new).into_iter().chain(found))?;
+    let suite = ["-m", "pytest", "-q", "crates/quasirigid-python/tests"];
+    step(root, &own, suite)?;
+    step(root, &own, ["-m", "mypy", "-p", "quasirigid"])?;
+    step(root, &own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])
+}
+
+/// Makes the environment, unless the one that is there has these requirements.
+fn install_requirements(root: &Path, python: &Path, environment: &Path, own: &Path) -> Step {
+    let file = root.join(REQUIREMENTS);
+    let wanted =
+        fs::read_to_string(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
+    let stamp = environment.join(REQUIREMENTS);
+    if own.exists() && fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
+        return Ok(());
+    }
+    let made = ["-m", "venv", "--clear"].map(OsStr::new).into_iter().chain([environment.as_os_str()]);
+    step(root, python, made)?;
+    step(root, own, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS])?;
+    fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))
+}
+
+/// Runs a program in the root of the workspace, and says which one failed.
+fn step<S: AsRef<OsStr>>(
+    root: &Path,
+    program: impl AsRef<OsStr>,
+    arguments: impl IntoIterator<Item = S>,
+) -> Step {
+    let mut command = Command::new(&program);
+    command.args(arguments).current_dir(root);
+    // Python prints at once, and reads the package that is installed alone.
+    command.env("PYTHONUNBUFFERED", "1").env_remove("PYTHONPATH");
+    let shown = format!("{command:?}").replace('"', "");
+    println!("\nxtask test: {shown}");
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("failed, {status}: {shown}")),
+        Err(error) => Err(format!("does not run ({error}): {shown}")),
+    }
+}

@@ -281,6 +281,31 @@ fn folder_of_something_else_is_left_alone() {
     assert_eq!(files(&folder.path().join("out")), before);
 }
 
+#[test]
+fn names_that_would_stand_twice_are_refused() {
+    let study = |vary: &str| {
+        format!(
+            "model = \"model.toml\"\n{vary}[table]\nfile = \"t.csv\"\nkeep = [\"status\"]\n[answer]\nquantities = [\"check.T1\"]\n"
+        )
+    };
+    let folder = folder_of_study(&study(""));
+    fs::write(folder.path().join("t.csv"), "status,carrier.mass\ngood,40\n").unwrap();
+    assert!(
+        one_line(ran_in(folder.path(), "sweep study.toml").refusal()).contains("would be named \"status\"")
+    );
+    fs::write(folder.path().join("study.toml"), study("[vary]\n\"carrier.mass\" = { list = [40, 41] }\n"))
+        .unwrap();
+    assert!(
+        one_line(ran_in(folder.path(), "sweep study.toml").refusal())
+            .contains("given by the table and varied")
+    );
+    let deep = ran_in(folder.path(), "sweep study.toml -o none/out");
+    assert_eq!(
+        (deep.code, names(&folder)),
+        (Some(2), vec!["model.toml".into(), "study.toml".into(), "t.csv".into()])
+    );
+}
+
 /// The spin, by `simulate`, and the wobble, by `evolve`, of one row beside the commands themselves.
 #[test]
 fn states_at_times_and_refused_evolutions() {

@@ -51,6 +51,11 @@ impl Interrupt {
         pressed
     }
 
+    /// Says that the work keeps what it has written, to go on with it later.
+    pub fn keep(&self) {
+        self.0.resumable.store(true, Ordering::SeqCst);
+    }
+
     /// Forgets the last Ctrl-C and waits for the next.
     pub fn forget(&self) {
         self.0.pressed.store(false, Ordering::SeqCst);

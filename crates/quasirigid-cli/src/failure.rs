@@ -41,6 +41,8 @@ pub enum Failure {
     Signals(#[from] ctrlc::Error),
     #[error("interrupted; the table breaks off here")]
     Interrupted,
+    #[error("interrupted; the rows answered so far are kept, go on with --resume")]
+    Left,
     #[error("interrupted; no file was written or changed")]
     Abandoned,
     #[error("the reader of the output went away")]

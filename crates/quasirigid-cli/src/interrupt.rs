@@ -17,6 +17,8 @@ struct State {
     pressed: AtomicBool,
     /// Whether the work has seen Ctrl-C, and is about to end with its partial result.
     heard: AtomicBool,
+    /// Whether what the work has written is kept, and gone on with later.
+    resumable: AtomicBool,
 }
 
 /// Time in which the work must see Ctrl-C: longer than between any two questions of a propagation.
@@ -32,7 +34,7 @@ impl Interrupt {
         let seen = Arc::clone(&state);
         ctrlc::set_handler(move || {
             if seen.pressed.swap(true, Ordering::SeqCst) {
-                end();
+                seen.end();
             }
             let waiting = Arc::clone(&seen);
             thread::spawn(move || waiting.wait());
@@ -47,6 +49,11 @@ impl Interrupt {
             self.0.heard.store(true, Ordering::SeqCst);
         }
         pressed
+    }
+
+    /// Says that the work keeps what it has written, to go on with it later.
+    pub fn keep(&self) {
+        self.0.resumable.store(true, Ordering::SeqCst);
     }
 
     /// Forgets the last Ctrl-C and waits for the next.
@@ -66,15 +73,17 @@ impl State {
             }
             thread::sleep(LOOK);
         }
-        end();
+        self.end();
     }
-}
 
-/// Ends the program. Results appear only when they are whole, so the files on the disk stay as they were.
-#[allow(clippy::exit)] // the work does not return in time
-fn end() {
-    abandon(|| {
-        message::print(&Failure::Abandoned);
-        process::exit(1)
-    });
+    /// Ends the program. Results appear only when they are whole, so what stands on the disk is what stood there before, or what a
+    /// study goes on from.
+    #[allow(clippy::exit)] // the work does not return in time
+    fn end(&self) {
+        let resumable = self.resumable.load(Ordering::SeqCst);
+        abandon(|| {
+            message::print(if resumable { &Failure::Left } else { &Failure::Abandoned });
+            process::exit(1)
+        });
+    }
 }

@@ -25,6 +25,7 @@ pub fn sweep(arguments: &SweepArgs) -> Result<ExitStatus, Failure> {
         shard: arguments.shard,
         threads: arguments.threads.map(usize::from),
     };
+    interrupt.keep();
     let finished = sweep.run(&folder, &options, &mut terminal)?;
     drop(terminal);
     interrupt.forget();

@@ -281,6 +281,31 @@ fn folder_of_something_else_is_left_alone() {
     assert_eq!(files(&folder.path().join("out")), before);
 }
 
+#[test]
+fn names_that_would_stand_twice_are_refused() {
+    let study = |vary: &str| {
+        format!(
+            "model = \"model.toml\"\n{vary}[table]\nfile = \"t.csv\"\nkeep = [\"status\"]\n[answer]\nquantities = [\"check.T1\"]\n"
+        )
+    };
+    let folder = folder_of_study(&study(""));
+    fs::write(folder.path().join("t.csv"), "status,carrier.mass\ngood,40\n").unwrap();
+    assert!(
+        one_line(ran_in(folder.path(), "sweep study.toml").refusal()).contains("would be named \"status\"")
+    );
+    fs::write(folder.path().join("study.toml"), study("[vary]\n\"carrier.mass\" = { list = [40, 41] }\n"))
+        .unwrap();
+    assert!(
+        one_line(ran_in(folder.path(), "sweep study.toml").refusal())
+            .contains("given by the table and varied")
+    );
+    let deep = ran_in(folder.path(), "sweep study.toml -o none/out");
+    assert_eq!(
+        (deep.code, names(&folder)),
+        (Some(2), vec!["model.toml".into(), "study.toml".into(), "t.csv".into()])
+    );
+}
+
 /// The spin, by `simulate`, and the wobble, by `evolve`, of one row beside the commands themselves.
 #[test]
 fn states_at_times_and_refused_evolutions() {
@@ -302,4 +327,54 @@ fn states_at_times_and_refused_evolutions() {
     assert_eq!(row["answers"]["evolve.time"].is_null(), !finished || evolved["time"].is_null());
     assert_eq!(row["answers"]["evolve.status"], evolved["status"]);
     assert_eq!(summary["rows"], 2);
+}
+
+const ROCK: &str = "\
+[material.rock]
+density = \"2 g/cm^3\"
+shear = \"0.5 GPa\"
+poisson = 0.25
+rheology = { kind = \"quality-factor\", Q = 100 }
+[[ellipsoid]]
+semi_axes = [219.0, 151.0, 143.0]
+material = \"rock\"
+[initial]
+wobble = { angle = \"20 deg\", rate = \"1 rpm\", mode = \"short-axis\" }
+[run]
+evolve = { until = \"5 deg\" }
+";
+
+/// The time of an evolution is proportional to Q, so that its quantiles are those of Q, to one of 64 intervals of equal probability.
+#[test]
+fn intervals_of_the_time_are_those_of_the_quality_factor() {
+    let uncertain =
+        "[uncertainty]\n\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }\n";
+    let folder = folder_with(&format!("{ROCK}{uncertain}"));
+    let ran = |line: &str| ran_in(folder.path(), line);
+    let object = ran("evolve model.toml --samples-of-uncertainty 64 --json --quiet").json();
+    let time = object["time"].as_f64().unwrap();
+    let interval = &object["uncertainty"]["intervals"][0];
+    assert_eq!((&interval["name"], &object["uncertainty"]["answered"]), (&"time".into(), &64.into()));
+    let median = interval["median"].as_f64().unwrap();
+    // at the median an interval of 1/64 is 0.0156/0.399 standard deviations wide, at 16 % 0.0156/0.242, each 0.5 decades
+    assert!((median / time).log10().abs() < 0.020, "{median} {time}");
+    for (end, sign) in [(0, -1.0), (1, 1.0)] {
+        let decades = (interval["interval_68"][end].as_f64().unwrap() / time).log10();
+        assert!((decades - sign * 0.5 * 0.994_458).abs() < 0.032, "{decades}"); // z of 84 %
+    }
+    let found = object["uncertainty"]["correlations"][0]["rho"].as_f64().unwrap();
+    assert!((found - 1.0).abs() < 1e-12, "{found}");
+    fs::write(folder.path().join("certain.toml"), ROCK).unwrap();
+    assert!(ran("evolve certain.toml --samples-of-uncertainty 9").refusal().contains("has no [uncertainty]"));
+    for (line, said) in [
+        (
+            "\"material.rock.rheology.q\" = { uniform = [1, 2] }\n\"materal.rock.density\" = { uniform = [1, 2] }",
+            "did you mean `material`?",
+        ),
+        ("\"material.rock.density\" = { linear = [1, 2], count = 3 }", "it needs a distribution, not a grid"),
+    ] {
+        fs::write(folder.path().join("bad.toml"), format!("{ROCK}[uncertainty]\n{line}\n")).unwrap();
+        let ran = ran("check bad.toml");
+        assert!(one_line(ran.refusal()).contains(said), "{ran:?}");
+    }
 }

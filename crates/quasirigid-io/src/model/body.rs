@@ -77,6 +77,7 @@ pub(super) fn body<'a>(
     let good = single_tables(file, &mut draft.assembly, &mut spans);
     let good = every(&opened, &mut draft) && good;
     notes.extend(materials.unused());
+    notes.extend(materials.chosen());
     let Draft { names, assembly, ranges, networks, .. } = draft;
     spans.networks = networks;
     let parts = good.then(|| Parts { extremes: ranges.ends(&assembly), assembly, spans });

@@ -6,6 +6,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use quasirigid::elements::{ElasticMaterial, Material, Orthotropic};
+use quasirigid::model::Rheology;
 
 use super::names::suggestion;
 use super::rheology::{Extremes, Known, Scale, rheology};
@@ -14,7 +15,7 @@ use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
 
-const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "poisson", "rheology"] };
+const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "mu_Q", "poisson", "rheology"] };
 
 /// Material of an element, and the rheology at both ends of its range.
 pub(super) type Made = (ElasticMaterial, Extremes);
@@ -28,6 +29,8 @@ struct Entry {
     /// The material, if nothing is wrong with it.
     material: Option<Made>,
     spans: ElementSpans,
+    /// Whether the quality factor is not the file's.
+    quality_chosen: bool,
     /// Whether an element names the material.
     used: Cell<bool>,
 }
@@ -38,7 +41,12 @@ impl<'a> Materials<'a> {
         let help = "write [material.rock], and its name in place of rock, with its keys below";
         let open = |value: Value<'a>| {
             let table = value.table("the material", &MATERIAL)?;
-            let entry = Entry { material: material(&table), spans: spans(&table), used: Cell::new(false) };
+            let entry = Entry {
+                material: material(&table),
+                spans: spans(&table),
+                quality_chosen: table.get("mu_Q").is_some() && table.get("rheology").is_none(),
+                used: Cell::new(false),
+            };
             Some((value.key(), entry))
         };
         Self { entries: file.named("material", help).into_iter().filter_map(open).collect() }
@@ -85,6 +93,14 @@ impl<'a> Materials<'a> {
         spans
     }
 
+    /// A note on each material whose quality factor was chosen here.
+    pub(super) fn chosen(&self) -> impl Iterator<Item = String> {
+        let chosen = self.entries.iter().filter(|(_, entry)| entry.quality_chosen);
+        chosen.map(|(name, _)| {
+            format!("the material {name:?} has `mu_Q` and no Q, so Q = {QUALITY} is taken; times depend on the product alone where the rotation is slow beside the vibrations")
+        })
+    }
+
     /// A note on each material that no element names.
     pub(super) fn unused(&self) -> impl Iterator<Item = String> {
         let rest = self.entries.iter().filter(|(_, entry)| !entry.used.get());
@@ -102,15 +118,62 @@ fn material(table: &Table<'_>) -> Option<Made> {
     let poisson = table
         .required("poisson", "poisson = 0.25")
         .and_then(|value| value.between(Dimension::NUMBER, [-1.0, 0.5], "between -1 and 0.5"));
-    let young = young(table, poisson);
-    let known = relative_to(table, young);
+    let (young, known) = match table.get("mu_Q") {
+        Some(product) => of_product(table, &product, poisson)?,
+        None => {
+            let young = young(table, poisson);
+            (young, relative_to(table, young))
+        }
+    };
     let (density, young, poisson) = (density?, young?, poisson?);
     let Known { rheology, extremes } = known?;
     Some((ElasticMaterial::Isotropic(Material { density, young, poisson, rheology }), extremes))
 }
 
+/// Quality factor of a material of which `mu_Q` alone is known, unless its rheology gives one.
+const QUALITY: f64 = 100.0;
+
+/// Young's modulus and the rheology of a material whose product of rigidity and quality factor is known.
+fn of_product(
+    table: &Table<'_>,
+    product: &Value<'_>,
+    poisson: Option<f64>,
+) -> Option<(Option<f64>, Option<Known>)> {
+    if let Some(modulus) = table.get("young").or_else(|| table.get("shear")) {
+        return modulus.refuse(
+            format!("`{}` follows from `mu_Q` and `Q`", modulus.key()),
+            "given twice",
+            Some("leave out one of the two".to_owned()),
+        );
+    }
+    let known = match table.get("rheology") {
+        None => Known { rheology: Rheology::QualityFactor { factor: QUALITY }, extremes: None },
+        Some(_) => relative_to(table, None)?,
+    };
+    let Rheology::QualityFactor { factor } = known.rheology else {
+        return product.refuse(
+            "`mu_Q` is the product of the rigidity and the quality factor, and this rheology has none"
+                .to_owned(),
+            "no Q",
+            Some(
+                "write rheology = { kind = \"quality-factor\", Q = 100 }, or `shear` in the place of `mu_Q`"
+                    .to_owned(),
+            ),
+        );
+    };
+    let shear = product.positive(Dimension::PRESSURE)? / factor;
+    Some((poisson.map(|poisson| 2.0 * shear * (1.0 + poisson)), Some(known)))
+}
+
 /// Reads the constants of a material with three planes of symmetry.
 fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
+    if let Some(product) = table.get("mu_Q") {
+        return product.refuse(
+            "`mu_Q` is for a material with one rigidity".to_owned(),
+            "three moduli",
+            Some("leave it out, and give `shear` and `rheology`".to_owned()),
+        );
+    }
     let moduli = |key: &'static str, example: &str| {
         let value = table.required(key, example);
         value.and_then(|value| value.array("moduli", |item| item.positive(Dimension::PRESSURE)))
@@ -154,8 +217,8 @@ fn young(table: &Table<'_>, poisson: Option<f64>) -> Option<f64> {
 /// Places of the values of a material; a shear modulus gives Young's.
 fn spans(table: &Table<'_>) -> ElementSpans {
     let mut spans = table.spans();
-    if let Some(shear) = table.get("shear") {
-        spans.values.push(("young", shear.span()));
+    for key in ["shear", "mu_Q"] {
+        spans.values.extend(table.get(key).map(|value| ("young", value.span())));
     }
     spans
 }

@@ -67,6 +67,7 @@ const SYMBOLS: &[(&str, f64, f64, Exponents, Prefixes)] = &[
     ("s", 1.0, 1.0, TIME, Si),
     ("min", 60.0, 1.0, TIME, Bare),
     ("h", 3_600.0, 1.0, TIME, Bare),
+    ("hr", 3_600.0, 1.0, TIME, Bare),
     ("d", 86_400.0, 1.0, TIME, Bare),
     ("yr", 31_557_600.0, 1.0, TIME, Large),
     ("rad", 1.0, 1.0, ANGLE, Si),

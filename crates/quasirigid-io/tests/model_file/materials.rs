@@ -85,7 +85,7 @@ fn a_material_has_one_modulus() {
     "#);
     assert_snapshot!(refused("density = 2500\npoisson = 0.25\nyuong = 1\n"), @r#"
     model.toml:7:1: unknown key "yuong" in the material
-      did you mean `young`? the keys are density, young, shear, poisson, rheology
+      did you mean `young`? the keys are density, young, shear, mu_Q, poisson, rheology
     "#);
     assert_snapshot!(refused(""), @r#"
     model.toml:4:1: the material has no `density`
@@ -130,7 +130,7 @@ fn materials_have_names() {
     ");
     assert_snapshot!(refusal(&format!("{CARRIER}[material.rock]\ndensty = 2500\nyoung = 1\npoisson = 0\n")), @r#"
     model.toml:6:1: unknown key "densty" in the material
-      did you mean `density`? the keys are density, young, shear, poisson, rheology
+      did you mean `density`? the keys are density, young, shear, mu_Q, poisson, rheology
     "#);
 }
 

@@ -30,6 +30,7 @@ mod rotation;
 mod same;
 mod sections;
 mod settings;
+mod shorthands;
 mod solids;
 mod surfaces;
 mod values;

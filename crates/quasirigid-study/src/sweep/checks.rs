@@ -174,6 +174,26 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
     Ok(columns.map(output).collect())
 }
 
+/// Refuses columns of one name, and keys that are given twice.
+pub(super) fn names(sweep: &Sweep) -> Result<(), SweepError> {
+    let of_table = sweep.bodies.iter().flat_map(|bodies| bodies.keys.iter().map(|key| &key.key));
+    let varied = sweep.study.vary.iter().map(|varied| &varied.key);
+    let keys: Vec<&KeyPath> = of_table.chain(varied).collect();
+    for (index, key) in keys.iter().enumerate() {
+        if keys[..index].iter().any(|other| other.names().eq(key.names())) {
+            return Err(SweepError::GivenTwice { key: key.to_string() });
+        }
+    }
+    let inputs = sweep.inputs.iter().map(|input| input.name.as_str());
+    let outputs = sweep.outputs.iter().map(|output| output.name.as_str());
+    let all: Vec<&str> =
+        ["row", "status", "reason", "note"].into_iter().chain(inputs).chain(outputs).collect();
+    match (0..all.len()).find(|index| all[..*index].contains(&all[*index])) {
+        Some(twice) => Err(SweepError::SameColumn { name: all[twice].to_owned() }),
+        None => Ok(()),
+    }
+}
+
 fn kind_of(value: &Value) -> Option<CellKind> {
     match value {
         Value::Bool(_) => Some(CellKind::Boolean),

@@ -50,6 +50,28 @@ pub enum SweepError {
         /// The folder.
         folder: PathBuf,
     },
+    /// A place for the results in a folder that does not exist.
+    #[error("cannot write {}: there is no folder {}; make it first", folder.display(), above.display())]
+    NoFolder {
+        /// The folder of the results.
+        folder: PathBuf,
+        /// The folder above.
+        above: PathBuf,
+    },
+    /// Two columns of the results that would have one name.
+    #[error(
+        "two columns of the results would be named {name:?}; rename the column of the table, or leave out one of the two"
+    )]
+    SameColumn {
+        /// The name.
+        name: String,
+    },
+    /// A key that both the table and the study give.
+    #[error("`{key}` is given by the table and varied by the study; leave out one of the two")]
+    GivenTwice {
+        /// The key.
+        key: String,
+    },
     /// A shard that is none.
     #[error("shard {index}/{count}: write K/N with K from 1 to N, such as 1/3")]
     Shard {

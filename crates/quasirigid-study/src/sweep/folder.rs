@@ -47,6 +47,10 @@ impl<'s> Folder<'s> {
         if path.exists() && !is_begun(path) {
             return Err(SweepError::Foreign { folder: path.to_owned() });
         }
+        let above = path.parent().filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !above.is_dir() {
+            return Err(SweepError::NoFolder { folder: path.to_owned(), above: above.to_owned() });
+        }
         let parts = path.join(PARTS);
         fs::create_dir_all(&parts).map_err(SweepError::io(&parts))?;
         folder.put(STUDY, |out| out.write_all(sweep.study.source.text.as_bytes()))?;

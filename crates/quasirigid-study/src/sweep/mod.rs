@@ -137,7 +137,9 @@ impl Sweep {
         let mut sweep =
             Self { study, model, inputs, outputs: Vec::new(), sha256, template, bodies, design, rows };
         checks::keys(&sweep)?;
+        checks::names(&sweep)?;
         sweep.outputs = checks::outputs(&sweep, watch)?;
+        checks::names(&sweep)?;
         Ok(sweep)
     }
 

@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::model::{EvolveMethod, Named, Power, System};
 use quasirigid_study::modes::PrincipalAxis;
+use quasirigid_study::sweep::Shard;
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -54,6 +55,9 @@ pub enum Command {
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
     Cite(Cite),
+    /// Answer the same question of many bodies: grids, random draws, a table of bodies
+    #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
+    Sweep(SweepArgs),
 }
 
 /// Model file and options of every command.
@@ -241,6 +245,44 @@ pub enum EvolveFormat {
     Text,
     /// The whole table
     Csv,
+}
+
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    /// Study file: the model, what is varied in it, and what is asked
+    #[arg(value_name = "STUDY.toml")]
+    pub study: PathBuf,
+    /// Folder for the results [default: the study's name with -sweep]
+    #[arg(long, short, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Go on where an earlier run of the same study ended
+    #[arg(long)]
+    pub resume: bool,
+    /// Share of the parts that this process answers, for job arrays; shards may share a folder
+    #[arg(long, value_name = "K/N", value_parser = shard)]
+    pub shard: Option<Shard>,
+    /// Number of threads, on which no result depends [default: as many as there are]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print the model of one row and its answers, and write nothing
+    #[arg(long, value_name = "I", conflicts_with_all = ["out", "resume", "shard", "threads"])]
+    pub row: Option<u64>,
+    /// Print results for machines, as one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but errors, and with --json the result
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Reads a shard such as 1/3.
+fn shard(text: &str) -> Result<Shard, String> {
+    let numbers =
+        text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
+    match numbers {
+        Some((index, count)) if (1..=count).contains(&index) => Ok(Shard { index, count }),
+        _ => Err("write K/N with K from 1 to N, such as 1/3".to_owned()),
+    }
 }
 
 /// Reads a setting that is one of a few.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
+use quasirigid_study::sweep::SweepError;
 use quasirigid_study::{Setting, StudyError};
 use thiserror::Error;
 
@@ -14,6 +15,8 @@ use thiserror::Error;
 pub enum Failure {
     #[error("{}", .0.told(&flag))]
     Study(StudyError),
+    #[error("{0}")]
+    Sweep(#[from] SweepError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
@@ -65,6 +68,7 @@ impl Failure {
     pub fn model(&self) -> Option<&ModelError> {
         match self {
             Self::Study(StudyError::Model(error)) => Some(error),
+            Self::Sweep(error) => error.located(),
             _ => None,
         }
     }

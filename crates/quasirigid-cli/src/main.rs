@@ -43,6 +43,7 @@ fn main() -> ExitCode {
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),
         Command::Cite(cite) => commands::cite::cite(cite),
+        Command::Sweep(sweep) => commands::sweep::sweep(sweep),
     };
     match result {
         Ok(ExitStatus::Done) => ExitCode::SUCCESS,

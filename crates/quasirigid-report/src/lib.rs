@@ -21,6 +21,8 @@ mod number;
 mod page;
 mod sections;
 mod sphere;
+mod study;
 mod verdict;
 
 pub use page::{page, sphere_picture};
+pub use study::study_page;

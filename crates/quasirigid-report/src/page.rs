@@ -8,13 +8,13 @@ use crate::sections::{
     answer, body, evolution, figures, head, liquids, modes, provenance, reduction, validity, verification,
 };
 
-const STYLE: &str = include_str!("assets/page.css");
-const PALETTE: &str = include_str!("assets/palette.css");
+pub(crate) const STYLE: &str = include_str!("assets/page.css");
+pub(crate) const PALETTE: &str = include_str!("assets/palette.css");
 const SPHERE: &str = include_str!("assets/sphere.css");
 const SCRIPT: &str = include_str!("assets/plot.js");
 
 /// Content security policy: no resource from outside the page, as the browser enforces.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+pub(crate) const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// The report of a run: one HTML page that needs no other file.
 ///

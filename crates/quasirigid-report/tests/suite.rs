@@ -2,4 +2,5 @@
 #![allow(non_snake_case, clippy::unwrap_used)]
 
 mod pages;
+mod study;
 mod support;

@@ -75,6 +75,7 @@ mod steady;
 mod steady_state;
 mod study;
 pub mod summary;
+pub mod sweep;
 pub mod verification;
 pub mod visible;
 mod watch;

@@ -7,6 +7,7 @@ pub mod evolve;
 pub mod modes;
 pub mod run;
 pub mod simulate;
+pub mod sweep;
 pub mod verify;
 
 use std::path::Path;

@@ -1,6 +1,7 @@
-use crate::support::{EXAMPLES, ran};
+use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 8] = ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite"];
+const COMMANDS: [&str; 9] =
+    ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite", "sweep"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {
@@ -28,7 +29,9 @@ fn every_command_shows_an_example_of_itself_that_names_a_model_we_ship() {
         let (_, example) = help.stdout.split_once("Example:\n").expect(command);
         let (line, rest) = example.split_once('\n').unwrap();
         assert!(line.starts_with(&format!("  quasirigid {command} examples/")), "{line}");
-        assert!(EXAMPLES.iter().any(|name| line.contains(&format!("examples/{name}/model.toml"))), "{line}");
+        let files = EXAMPLES.map(|name| format!("examples/{name}/model.toml"));
+        let studies = STUDIES.map(|name| format!("examples/{name}/study.toml"));
+        assert!(files.iter().chain(&studies).any(|file| line.contains(file.as_str())), "{line}");
         assert_eq!(rest, "", "the example is one line");
     }
 }

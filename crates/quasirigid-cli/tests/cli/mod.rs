@@ -30,5 +30,6 @@ mod standard_input;
 mod starts;
 mod structures;
 mod surfaces;
+mod sweep;
 mod torques;
 mod width;

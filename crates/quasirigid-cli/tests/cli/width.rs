@@ -5,7 +5,9 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use crate::support::{EXAMPLES, MODEL, ROOT, STRUCTURES, copy, folder_of, names, ran, ran_in, ran_with};
+use crate::support::{
+    EXAMPLES, MODEL, ROOT, STRUCTURES, STUDIES, copy, folder_of, names, ran, ran_in, ran_with,
+};
 
 /// Columns of a terminal.
 const COLUMNS: usize = 80;
@@ -31,7 +33,7 @@ fn help_fits_a_terminal() {
 #[test]
 fn every_example_is_tested() {
     let folders = names(Path::new(ROOT).join("examples"));
-    let mut tested: Vec<&str> = EXAMPLES.into_iter().chain(STRUCTURES).collect();
+    let mut tested: Vec<&str> = EXAMPLES.into_iter().chain(STRUCTURES).chain(STUDIES).collect();
     tested.sort_unstable();
     assert_eq!(folders.iter().filter(|name| !name.contains('.')).collect::<Vec<_>>(), tested);
 }

@@ -31,6 +31,9 @@ pub const EXAMPLES: [&str; 15] = [
 /// Examples of finite elements and networks, which take longer; they have tests of their own.
 pub const STRUCTURES: [&str; 4] = ["apophis-shape", "quillen-network", "solar-panels", "spin-up-beam"];
 
+/// Studies of many bodies, each of the model of another example.
+pub const STUDIES: [&str; 1] = ["damper-study"];
+
 /// A rigid body with one mass on a spring; the tests replace parts of it.
 pub const MODEL: &str = "\
 [carrier]

@@ -10,6 +10,7 @@ mod evolution;
 mod folder;
 mod modes;
 mod number;
+mod sweep;
 mod table;
 
 use std::collections::BTreeMap;
@@ -21,6 +22,9 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
+pub use sweep::{
+    CorrelationRecord, InputRecord, PercentileRecord, QuantityRecord, ReasonRecord, SweepColumn, SweepRecord,
+};
 pub use table::history_csv;
 
 /// Everything a run computed, in SI units.

@@ -3,3 +3,4 @@
 mod matrix_files;
 mod mesh;
 mod record;
+mod tables;

@@ -30,6 +30,10 @@ const DECADES: f64 = 30.0;
 
 /// A range narrower than this, relative to its values, is drawn as a constant.
 const NARROWEST: f64 = 1e-5;
+/// Ratio of the largest to the smallest value from which a fitting axis is logarithmic.
+const SPREAD: f64 = 30.0;
+/// Margin of a fitting axis on both sides, relative to its length.
+const MARGIN: f64 = 0.02;
 /// Margin of a constant on both sides, relative to its value.
 const AROUND_CONSTANT: f64 = 0.1;
 
@@ -56,6 +60,24 @@ impl Axis {
         let high = high.log10().ceil();
         let low = low.log10().floor().clamp(high - DECADES, high - 1.0);
         Some(Self { low, high, power: 0, log: true })
+    }
+
+    /// An axis on which the finite values are spread: logarithmic for positive values over more than a decade and a half; none unless two
+    /// values differ.
+    pub fn fitting(values: impl Iterator<Item = f64> + Clone) -> Option<Self> {
+        let (low, high) = range(values.clone())?;
+        if low > 0.0 && high > SPREAD * low {
+            let [low, high] = [low, high].map(f64::log10);
+            let extra = MARGIN * (high - low);
+            return Some(Self { low: low - extra, high: high + extra, power: 0, log: true });
+        }
+        if high > low { Self::linear(values, MARGIN) } else { None }
+    }
+
+    /// Value at a place: the inverse of [`place`](Self::place).
+    pub fn value(&self, place: f64) -> f64 {
+        let value = self.low + place * (self.high - self.low);
+        if self.log { 10f64.powf(value) } else { over_power(value, -self.power) }
     }
 
     /// Place of a value: 0 at the low end, 1 at the high end; not finite for values that the axis cannot show.

@@ -1,6 +1,11 @@
 //! Line charts: SVG whose text keeps its size while the plot takes the width of the page.
 
 mod axis;
+mod band;
+mod contour;
+mod frame;
+mod histogram;
+mod map;
 mod trace;
 
 use maud::{Markup, html};
@@ -8,6 +13,10 @@ use maud::{Markup, html};
 use crate::number::unit_with_power;
 use axis::{Axis, Tick};
 use trace::{HEIGHT, Trace, WIDTH};
+
+pub use band::{Stop, band};
+pub use histogram::histogram;
+pub use map::{Grid, map};
 
 /// A curve.
 pub struct Series {

@@ -193,12 +193,8 @@ fn instead(word: &str, known: &[&str], lead: &str) -> String {
 }
 
 fn below_plain(value: &Value, segment: &Segment) -> String {
-    format!(
-        "`{}` stands below {}, {}, which has no parts",
-        segment.text,
-        value.to_string().trim(),
-        value.type_name()
-    )
+    let bare = value.clone().decorated("", "");
+    format!("`{}` stands below {bare}, {}, which has no parts", segment.text, value.type_name())
 }
 
 fn name(table: &(impl TableLike + ?Sized)) -> Option<String> {

@@ -1,0 +1,304 @@
+//! Studies of many bodies: the same bytes whatever the threads, shards and kills; bad rows told, the rest answered.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
+
+use quasirigid_io::table_file::{Cells, read_parquet};
+use tempfile::TempDir;
+
+use crate::support::{MODEL, folder_with, names, one_line, program, ran_in};
+
+const STUDY: &str = "\
+model = \"model.toml\"
+seed = 7
+samples = 12
+sampling = \"latin-hypercube\"
+part = 16
+[vary]
+\"spring.1.stiffness\" = { geometric = [\"100 N/m\", \"10 kN/m\"], count = 4 }
+\"point.tip.mass\" = { log-normal = { median = 1.0, decades = 0.2 } }
+\"initial.angular_velocity.3\" = { uniform = [\"0.1 rad/s\", \"0.2 rad/s\"] }
+[answer]
+quantities = [\"check.valid\", \"check.T1\", \"modes.nutation.time_constant\", \"simulate.wz\", \"check.verdict\"]
+";
+
+fn folder_of_study(study: &str) -> TempDir {
+    let folder = folder_with(MODEL);
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    folder
+}
+
+/// Every file below a folder, by its path.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for name in names(folder) {
+        let path = folder.join(&name);
+        if path.is_dir() {
+            files.extend(
+                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
+            );
+        } else {
+            files.insert(name, fs::read(path).unwrap());
+        }
+    }
+    files
+}
+
+#[track_caller]
+fn assert_same(one: &Path, other: &Path) {
+    let [one, other] = [one, other].map(files);
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    for (name, bytes) in &one {
+        assert!(bytes == &other[name], "{name} differs");
+    }
+}
+
+#[test]
+fn threads_and_shards_give_the_same_bytes() {
+    let folder = folder_of_study(STUDY);
+    let ran = ran_in(folder.path(), "sweep study.toml -o one --threads 1");
+    assert_eq!(ran.code, Some(0), "{ran:?}");
+    assert!(one_line(&ran.stdout).contains("all 48 rows answered"), "{}", ran.stdout);
+    assert_eq!(ran_in(folder.path(), "sweep study.toml -o four --threads 4").code, Some(0));
+    for shard in [3, 1, 2] {
+        let ran = ran_in(folder.path(), &format!("sweep study.toml -o shards --shard {shard}/3 --threads 1"));
+        assert_eq!(ran.code, Some(0), "{ran:?}");
+    }
+    let one = folder.path().join("one");
+    assert_same(&one, &folder.path().join("four"));
+    assert_same(&one, &folder.path().join("shards"));
+    let expected = ["model.toml", "parts", "rows.csv", "study.toml", "summary.json", "sweep.json"];
+    assert_eq!(names(&one), expected);
+    assert_eq!(names(one.join("parts")), ["part-00000.parquet", "part-00001.parquet", "part-00002.parquet"]);
+}
+
+#[test]
+fn row_alone_is_the_row_of_the_run_and_of_its_own_model() {
+    let folder = folder_of_study(STUDY);
+    assert_eq!(ran_in(folder.path(), "sweep study.toml -o out --quiet").code, Some(0));
+    for row in [0u64, 17, 47] {
+        let alone = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json")).json();
+        let part = read_parquet(&folder.path().join(format!("out/parts/part-{:05}.parquet", row / 16)), None)
+            .unwrap();
+        fs::write(folder.path().join("row.toml"), alone["model"].as_str().unwrap()).unwrap();
+        let check = ran_in(folder.path(), "check row.toml --json --quiet").json();
+        for column in ["check.T1", "modes.nutation.time_constant", "simulate.wz"] {
+            let Cells::Numbers(values) = &part.iter().find(|each| each.name == column).unwrap().cells else {
+                panic!()
+            };
+            assert_eq!(
+                alone["answers"][column].as_f64(),
+                values[(row % 16) as usize],
+                "{column} of row {row}"
+            );
+        }
+        assert_eq!(alone["answers"]["check.T1"], check["T1"], "the command on the model of row {row}");
+    }
+    let none = ran_in(folder.path(), "sweep study.toml --row 48");
+    assert!(none.refusal().contains("there is no row 48: the study has 48, from 0 to 47"), "{none:?}");
+}
+
+#[test]
+fn killed_study_goes_on_to_the_same_bytes() {
+    let study = STUDY.replace("samples = 12", "samples = 60");
+    let folder = folder_of_study(&study);
+    assert_eq!(ran_in(folder.path(), "sweep study.toml -o whole --quiet").code, Some(0));
+    let mut torn = 0;
+    for kill in 0..10u64 {
+        let arguments = ["sweep", "study.toml", "-o", "killed", "--resume", "--threads", "2"];
+        let mut child = program(folder.path())
+            .args(arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(40 + 37 * (kill * 7 % 10)));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        torn += u32::from(
+            folder.path().join("killed/sweep.json").exists()
+                && !folder.path().join("killed/summary.json").exists(),
+        );
+    }
+    let ran = ran_in(folder.path(), "sweep study.toml -o killed --resume");
+    assert_eq!(ran.code, Some(0), "{ran:?}");
+    assert!(torn > 0, "no kill met a study in work");
+    // what a kill left of a file in work is removed by a later run, a minute on
+    for place in ["killed", "killed/parts"] {
+        for name in names(folder.path().join(place)).iter().filter(|name| name.ends_with(".tmp")) {
+            fs::remove_file(folder.path().join(place).join(name)).unwrap();
+        }
+    }
+    assert_same(&folder.path().join("whole"), &folder.path().join("killed"));
+}
+
+#[test]
+fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
+    let folder = folder_of_study(
+        "model = \"model.toml\"\n[table]\nfile = \"bodies.csv\"\ncolumns = { mass_g = { key = \"point.tip.mass\", unit = \"g\" } }\nkeep = [\"who\"]\n[answer]\nquantities = [\"check.T1\"]\n",
+    );
+    let mut table = "who,mass_g,carrier.mass\n".to_owned();
+    for row in 0..60 {
+        table.push_str(&match row {
+            3 => "short,1\n".to_owned(),
+            r if r % 4 == 1 => format!("bad{row},{},40\n", ["", "-5", "abc", "nan"][row / 4 % 4]),
+            40 => "zero,1000,0\n".to_owned(),
+            _ => format!("b{row},{},40\n", 500 + row),
+        });
+    }
+    fs::write(folder.path().join("bodies.csv"), table).unwrap();
+    let ran = ran_in(folder.path(), "sweep study.toml -o out --json");
+    assert_eq!(ran.code, Some(1), "{ran:?}");
+    let summary = ran.json();
+    assert_eq!(
+        (&summary["status"]["answered"], &summary["status"]["invalid"]),
+        (&43.into(), &17.into()),
+        "{summary:#}"
+    );
+    let reasons = summary["reasons"].as_array().unwrap();
+    let first = |what: &str| {
+        let found = reasons.iter().find(|reason| reason["example"].as_str().unwrap().contains(what));
+        found.unwrap_or_else(|| panic!("{what}: {reasons:#?}"))["first_row"].clone()
+    };
+    assert_eq!(first("line 5 of the table has 2 values, but the header has 3"), 3);
+    assert_eq!(first("row 2 of the table has no value in the column \"mass_g\""), 1);
+    assert_eq!(first("\"abc\" is not a finite number"), 9);
+    assert_eq!(first("\"nan\" is not a finite number"), 13);
+    let csv = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
+    assert!(
+        csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n0,500.0,40.0,b0,"),
+        "{csv}"
+    );
+}
+
+#[test]
+fn studies_that_cannot_be_are_refused_at_their_place() {
+    let vary = |line: &str| {
+        format!(
+            "model = \"model.toml\"\nsamples = 3\n[vary]\n{line}\n[answer]\nquantities = [\"check.T1\"]\n"
+        )
+    };
+    let asked = |quantity: &str| {
+        format!(
+            "model = \"model.toml\"\n[vary]\n\"run.order\" = {{ list = [1, 3] }}\n[answer]\nquantities = [{quantity:?}]\n"
+        )
+    };
+    let cases = [
+        (
+            vary("\"point.tp.mass\" = { uniform = [1, 2] }"),
+            "study.toml:4:",
+            "there is no entry named \"tp\"; did you mean `tip`?",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [2, 1] }"),
+            "study.toml:4:",
+            "the first number must be below the second",
+        ),
+        (vary("\"point.tip.mass\" = { uniform = [\"1 m\", \"2 m\"] }"), "study.toml:4:", "a mass is needed"),
+        (
+            vary("\"point.tip.mass\" = { uniform = [\"1 kg\", \"2 m\"] }"),
+            "study.toml:4:",
+            "does not measure the same",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [\"1 kg\", 2] }"),
+            "study.toml:4:",
+            "a number without a unit beside",
+        ),
+        (
+            vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 0 } }"),
+            "study.toml:4:",
+            "a standard deviation must be above zero",
+        ),
+        (
+            vary("\"point.tip.mass\" = { normal = { mean = 1, deviation = 1, min = 99 } }"),
+            "study.toml:4:",
+            "more than 30 standard deviations",
+        ),
+        (
+            vary("\"point.tip.mass\" = { geometric = [-1, 2], count = 3 }"),
+            "study.toml:4:",
+            "two numbers of one sign",
+        ),
+        (vary("\"point.tip.mass\" = { linear = [1, 2] }"), "study.toml:4:", "has no `count`"),
+        (vary("\"point.tip.mass\" = { unifrm = [1, 2] }"), "study.toml:4:", "did you mean `uniform`?"),
+        (vary("\"point.tip.mas\" = { uniform = [1, 2] }"), "study.toml:4:", "unknown key \"mas\""),
+        (vary("\"run.order\" = { list = [] }"), "study.toml:4:", "the list is empty"),
+        (asked("chek.T1"), "study.toml:5:", "did you mean `check`?"),
+        (asked("check.T9"), "study.toml:5:", "there is no `T9`"),
+        (asked("check.criteria"), "study.toml:5:", "is a list; name one of its entries"),
+        (asked("modes.tipp.frequency"), "study.toml:5:", "there is no `tipp`"),
+        (
+            asked("check.T1").replace("seed", "sed").replace("[vary]", "sed = 3\n[vary]"),
+            "study.toml:2:",
+            "did you mean `seed`?",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("samples = 3\n", ""),
+            "study.toml:3:",
+            "has no `samples`",
+        ),
+        (
+            vary("\"point.tip.mass\" = { uniform = [1, 2] }").replace("= 3", "= 70000\nsampling = \"sobol\""),
+            "study.toml:2:",
+            "at most 65536",
+        ),
+    ];
+    for (study, place, said) in cases {
+        let folder = folder_of_study(&study);
+        let ran = ran_in(folder.path(), "sweep study.toml");
+        assert_eq!(ran.code, Some(2), "{study}{}", ran.stderr);
+        let text = one_line(&ran.stderr.replace('│', " "));
+        assert!(text.contains(said), "{study}: {said}\n{}", ran.stderr);
+        assert!(text.contains(place), "{study}: {place}\n{}", ran.stderr);
+        assert_eq!(names(&folder), ["model.toml", "study.toml"], "nothing is written");
+    }
+}
+
+#[test]
+fn folder_of_something_else_is_left_alone() {
+    let folder = folder_of_study(&STUDY.replace("samples = 12", "samples = 1"));
+    let ran = |line: &str| ran_in(folder.path(), line);
+    assert_eq!(ran("sweep study.toml -o out --quiet").code, Some(0));
+    let before = files(&folder.path().join("out"));
+    assert!(one_line(ran("sweep study.toml -o out").refusal()).contains("go on with --resume"));
+    assert_eq!(
+        ran("sweep study.toml -o out --resume --quiet").code,
+        Some(0),
+        "a study that is done goes on to its end"
+    );
+    let other = STUDY.replace("samples = 12", "samples = 2");
+    fs::write(folder.path().join("study.toml"), other).unwrap();
+    assert!(one_line(ran("sweep study.toml -o out --resume").refusal()).contains("holds another study"));
+    fs::create_dir(folder.path().join("mine")).unwrap();
+    fs::write(folder.path().join("mine/notes.txt"), "precious").unwrap();
+    assert!(one_line(ran("sweep study.toml -o mine --resume").refusal()).contains("no folder of a study"));
+    assert_eq!(names(folder.path().join("mine")), ["notes.txt"]);
+    assert_eq!(files(&folder.path().join("out")), before);
+}
+
+/// The spin, by `simulate`, and the wobble, by `evolve`, of one row beside the commands themselves.
+#[test]
+fn states_at_times_and_refused_evolutions() {
+    let folder = folder_of_study(
+        "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [1, 3] }\n[answer]\nquantities = [\"simulate.wx\", \"evolve.time\", \"evolve.status\"]\ntimes = [\"10 s\", \"1 min\"]\n",
+    );
+    let model = MODEL.replace("damping = 30.0", "damping = 3e5");
+    fs::write(folder.path().join("model.toml"), &model).unwrap();
+    let summary = ran_in(folder.path(), "sweep study.toml -o out --json").json();
+    let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
+    let table = ran_in(folder.path(), "simulate model.toml --times 10,60 --quiet").stdout;
+    let table = crate::support::Table::of(&table);
+    let found =
+        ["simulate.wx at 10 s", "simulate.wx at 1 min"].map(|name| row["answers"][name].as_f64().unwrap());
+    assert_eq!(found.to_vec(), table.column("wx"));
+    let evolved = ran_in(folder.path(), "evolve model.toml --json --quiet").json();
+    let finished = evolved["status"] == "finished";
+    assert_eq!(row["status"] == "answered", finished, "{row:#}");
+    assert_eq!(row["answers"]["evolve.time"].is_null(), !finished || evolved["time"].is_null());
+    assert_eq!(row["answers"]["evolve.status"], evolved["status"]);
+    assert_eq!(summary["rows"], 2);
+}

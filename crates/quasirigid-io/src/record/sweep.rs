@@ -1,0 +1,132 @@
+//! Record of a study of many bodies: what was varied, what was asked, and the statistics of the answers.
+//! A report reads this and the tables beside it, and nothing else; numbers that JSON cannot write are `null`.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::number;
+
+/// Summary of a study of many bodies: `summary.json` of its folder.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct SweepRecord {
+    /// Version of the program.
+    pub version: String,
+    /// Name of the study.
+    pub name: String,
+    /// SHA-256 of everything that the results depend on: study, model, table, version.
+    pub sha256: String,
+    /// Text of the study.
+    pub study: String,
+    /// Text of the model that is varied.
+    pub model: String,
+    /// Number of rows.
+    pub rows: u64,
+    /// Rows by status: `answered`, `refused`, `invalid`, `failed`.
+    pub status: BTreeMap<String, u64>,
+    /// Inputs, in the order of the columns.
+    pub inputs: Vec<InputRecord>,
+    /// Quantities, in the order of the columns.
+    pub quantities: Vec<QuantityRecord>,
+    /// Rank correlations of numeric inputs with numeric quantities, the strongest first for each quantity.
+    pub correlations: Vec<CorrelationRecord>,
+    /// Reasons of the rows that are not answered, numbers in them masked, the most frequent first.
+    pub reasons: Vec<ReasonRecord>,
+}
+
+/// Input of a study.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct InputRecord {
+    /// Name of the column.
+    pub name: String,
+    /// Unit of the numbers; empty for plain ones, in SI units.
+    pub unit: String,
+    /// Origin of the values: `grid`, `list`, `distribution`, `table` or `carried` (a column that no model reads).
+    pub kind: String,
+    /// Points of a grid of numbers; empty otherwise.
+    #[serde(with = "number")]
+    pub points: Vec<f64>,
+    /// Whether the points of the grid are in geometric progression.
+    pub geometric: bool,
+}
+
+/// Statistics of a quantity.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct QuantityRecord {
+    /// Name of the column.
+    pub name: String,
+    /// Unit of the numbers.
+    pub unit: String,
+    /// Kind of the values: `number`, `boolean` or `text`.
+    pub kind: String,
+    /// Rows with a value.
+    pub count: u64,
+    /// Rows without one.
+    pub nulls: u64,
+    /// Values that are infinite, among `count`.
+    pub infinite: u64,
+    /// Percentiles of the values, infinite ones included.
+    pub percentiles: Vec<PercentileRecord>,
+    /// Mean of the finite values; none without any.
+    #[serde(with = "number")]
+    pub mean: Option<f64>,
+    /// Least finite value.
+    #[serde(with = "number")]
+    pub min: Option<f64>,
+    /// Greatest finite value.
+    #[serde(with = "number")]
+    pub max: Option<f64>,
+    /// Number of rows with each truth value or text, the 50 most frequent; empty for numbers.
+    pub counts: BTreeMap<String, u64>,
+}
+
+/// Percentile of a quantity.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct PercentileRecord {
+    /// Percent of the values below.
+    pub percent: f64,
+    /// Value; infinite where JSON has `null`.
+    #[serde(with = "number::unbounded")]
+    pub value: f64,
+}
+
+/// Rank correlation after Spearman.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct CorrelationRecord {
+    /// Input.
+    pub input: String,
+    /// Quantity.
+    pub quantity: String,
+    /// Coefficient, from -1 to 1; none where one of the two does not vary.
+    #[serde(with = "number")]
+    pub rho: Option<f64>,
+    /// Rows with both values.
+    pub rows: u64,
+    /// Probability of a coefficient as large as this without any dependence; none below 4 rows.
+    #[serde(with = "number")]
+    pub p: Option<f64>,
+}
+
+/// Reason for which rows are not answered.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ReasonRecord {
+    /// Status of the rows.
+    pub status: String,
+    /// Reason, with `#` in the place of numbers.
+    pub reason: String,
+    /// Number of rows.
+    pub count: u64,
+    /// First of the rows.
+    pub first_row: u64,
+    /// Reason of that row, with its numbers.
+    pub example: String,
+}
+
+/// Numbers of one column of a study, for its page: those of all rows, or of rows evenly chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepColumn {
+    /// Name of the input or of the quantity.
+    pub name: String,
+    /// Values, one per row that is kept; not a number where there is none.
+    pub values: Vec<f64>,
+}

@@ -1,0 +1,53 @@
+//! Page of a study: how many rows were answered, percentiles, the inputs that decide, figures and refusals.
+//! Like the report of a run it is one file that asks the network for nothing; a study of any size makes a page of bounded size.
+
+mod figures;
+mod scatter;
+mod tables;
+
+use maud::{DOCTYPE, PreEscaped, html};
+use quasirigid_io::record::{SweepColumn, SweepRecord};
+
+use crate::page::{PALETTE, POLICY, STYLE};
+
+const CHARTS: &str = include_str!("../assets/study.css");
+const SCRIPT: &str = include_str!("../assets/scatter.js");
+
+/// The page of a study: one HTML file that needs no other.
+///
+/// The share of answered rows comes first, then percentiles, the inputs that decide, a figure of each quantity, a scatter of any two
+/// columns, and the reasons of the rows without an answer.
+///
+/// All columns have the same rows; a column of the record that is not among them has no figure.
+pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content={ "quasirigid " (record.version) };
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { (record.name) " · quasirigid study" }
+                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(CHARTS)) }
+            }
+            body {
+                main {
+                    (tables::head(record))
+                    (tables::percentiles(record))
+                    (tables::influences(record))
+                    (figures::section(record, columns))
+                    (scatter::section(record, columns))
+                    (tables::reasons(record))
+                    section aria-label="Study" {
+                        h2 { "Study" }
+                        pre { code { (record.study) } }
+                        p.absent { "quasirigid " (record.version) }
+                    }
+                }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    }
+    .into_string()
+}

@@ -1,0 +1,234 @@
+//! Folder of a study: its text, its model, parts of a fixed number of rows, and at the end one table and a summary.
+//! Every file appears whole or not at all; a folder of another study is left alone.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use quasirigid_io::table_file::{CellColumn, CellKind, Cells, read_parquet, write_parquet};
+use serde_json::{Value, json};
+
+use super::cell::{Cell, cells};
+use super::row::RowAnswer;
+use super::{Sweep, SweepError, plan};
+
+/// Files of the folder.
+const HEAD: &str = "sweep.json";
+const STUDY: &str = "study.toml";
+const MODEL: &str = "model.toml";
+const PARTS: &str = "parts";
+pub(super) const ROWS: &str = "rows.csv";
+pub(super) const SUMMARY: &str = "summary.json";
+
+/// Folder of the results of a study.
+#[derive(Debug)]
+pub(super) struct Folder<'s> {
+    pub(super) path: PathBuf,
+    sweep: &'s Sweep,
+}
+
+impl<'s> Folder<'s> {
+    /// Opens the folder of a study, or makes it; one with results is opened only to go on.
+    pub(super) fn open(path: &Path, sweep: &'s Sweep, go_on: bool) -> Result<Self, SweepError> {
+        let folder = Self { path: path.to_owned(), sweep };
+        let head = path.join(HEAD);
+        if head.is_file() {
+            let text = fs::read_to_string(&head).map_err(SweepError::io(&head))?;
+            let known: Option<Value> = serde_json::from_str(&text).ok();
+            if known.is_none_or(|known| known["sha256"] != sweep.sha256.as_str()) {
+                return Err(SweepError::OtherStudy { folder: path.to_owned() });
+            }
+            if !go_on {
+                return Err(SweepError::Exists { folder: path.to_owned() });
+            }
+            return Ok(folder);
+        }
+        if path.exists() && !is_begun(path) {
+            return Err(SweepError::Foreign { folder: path.to_owned() });
+        }
+        let parts = path.join(PARTS);
+        fs::create_dir_all(&parts).map_err(SweepError::io(&parts))?;
+        folder.put(STUDY, |out| out.write_all(sweep.study.source.text.as_bytes()))?;
+        folder.put(MODEL, |out| out.write_all(sweep.model.text.as_bytes()))?;
+        let head = json!({
+            "sha256": sweep.sha256, "version": env!("CARGO_PKG_VERSION"), "rows": sweep.rows,
+            "part": sweep.study.part, "study_sha256": sweep.study.source.sha256, "model_sha256": sweep.model.sha256,
+            "study_file": file_name(&sweep.study.source.file), "model_file": file_name(&sweep.model.file),
+        });
+        folder.put(HEAD, |out| writeln!(out, "{head:#}"))?;
+        Ok(folder)
+    }
+
+    /// Number of parts.
+    pub(super) fn parts(&self) -> u64 {
+        self.sweep.rows.div_ceil(self.sweep.study.part as u64)
+    }
+
+    /// Rows of a part.
+    pub(super) fn rows_of(&self, part: u64) -> std::ops::Range<u64> {
+        let size = self.sweep.study.part as u64;
+        part * size..((part + 1) * size).min(self.sweep.rows)
+    }
+
+    /// File of a part.
+    pub(super) fn part(&self, part: u64) -> PathBuf {
+        self.path.join(PARTS).join(format!("part-{part:05}.parquet"))
+    }
+
+    /// Journal of a part.
+    pub(super) fn journal(&self, part: u64) -> PathBuf {
+        self.path.join(PARTS).join(format!("part-{part:05}.journal"))
+    }
+
+    /// Whether every part is there.
+    pub(super) fn is_complete(&self) -> bool {
+        (0..self.parts()).all(|part| self.part(part).is_file())
+    }
+
+    /// Writes a part from its rows, in the order of the study.
+    pub(super) fn write_part(&self, part: u64, rows: &[RowAnswer]) -> Result<(), SweepError> {
+        let columns = self.columns(rows);
+        let sweep = self.sweep;
+        let metadata = [
+            ("quasirigid.study", sweep.sha256.clone()),
+            ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("quasirigid.part", part.to_string()),
+        ];
+        let path = self.part(part);
+        let mut bytes = Vec::new();
+        write_parquet(&path, &mut bytes, &columns, &metadata)?;
+        put(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
+    }
+
+    /// Columns of a part: row, inputs, answers, status, reason, note.
+    fn columns(&self, rows: &[RowAnswer]) -> Vec<CellColumn> {
+        let sweep = self.sweep;
+        let inputs: Vec<Vec<Cell>> = rows.iter().map(|row| plan::cells(sweep, row.row)).collect();
+        let column =
+            |name: &str, unit: &str, cells: Cells| CellColumn { name: name.into(), unit: unit.into(), cells };
+        let texts = |text: &dyn Fn(&RowAnswer) -> &str| {
+            Cells::Texts(
+                rows.iter()
+                    .map(|row| Some(text(row)).filter(|text| !text.is_empty()).map(str::to_owned))
+                    .collect(),
+            )
+        };
+        let mut columns =
+            vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+        columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
+            column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
+        }));
+        columns.extend(sweep.outputs.iter().enumerate().map(|(i, output)| {
+            column(&output.name, &output.unit, cells(output.kind, rows.iter().map(|row| &row.outputs[i])))
+        }));
+        columns.push(column("status", "", texts(&|row| row.status.word())));
+        columns.push(column("reason", "", texts(&|row| &row.reason)));
+        columns.push(column("note", "", texts(&|row| &row.note)));
+        columns
+    }
+
+    /// Columns of these names over all parts, in the order of the file.
+    pub(super) fn read(&self, wanted: &[&str]) -> Result<Vec<CellColumn>, SweepError> {
+        let mut all: Vec<CellColumn> = Vec::new();
+        for part in 0..self.parts() {
+            let columns = read_parquet(&self.part(part), Some(wanted))?;
+            if all.is_empty() {
+                all = columns;
+                continue;
+            }
+            for (column, more) in all.iter_mut().zip(columns) {
+                append(&mut column.cells, more.cells);
+            }
+        }
+        Ok(all)
+    }
+
+    /// Writes a file of the folder.
+    pub(super) fn put(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), SweepError> {
+        let path = self.path.join(name);
+        put(&path, write).map_err(SweepError::io(path))
+    }
+}
+
+/// Name of a column of numbers, and the kind that a report needs to know.
+pub(super) fn kind_word(kind: CellKind) -> &'static str {
+    match kind {
+        CellKind::Number => "number",
+        CellKind::Boolean => "boolean",
+        CellKind::Text => "text",
+    }
+}
+
+fn append(cells: &mut Cells, more: Cells) {
+    match (cells, more) {
+        (Cells::Counts(all), Cells::Counts(more)) => all.extend(more),
+        (Cells::Numbers(all), Cells::Numbers(more)) => all.extend(more),
+        (Cells::Booleans(all), Cells::Booleans(more)) => all.extend(more),
+        (Cells::Texts(all), Cells::Texts(more)) => all.extend(more),
+        _ => {}
+    }
+}
+
+/// Whether a folder holds nothing, or nothing but what the start of a study writes before its head.
+fn is_begun(path: &Path) -> bool {
+    let Ok(entries) = fs::read_dir(path) else { return false };
+    let ours = |name: &str| {
+        [STUDY, MODEL, PARTS].contains(&name) || (name.starts_with(".quasirigid-") && name.ends_with(".tmp"))
+    };
+    let mut names = entries.map(|entry| entry.map(|entry| entry.file_name()));
+    let begun = names.all(|name| name.is_ok_and(|name| name.to_str().is_some_and(ours)));
+    begun && fs::read_dir(path.join(PARTS)).map_or(true, |mut parts| parts.next().is_none())
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Writes a file that appears only when it is whole and on the disk, over an older one of its name.
+///
+/// The name of the temporary file is that of the process, so that two that write the same file do not meet; a killed one leaves it, and
+/// the next removes it.
+fn put(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let parent = path.parent().unwrap_or(Path::new("."));
+    let temporary = parent.join(format!(".quasirigid-{}-{}.tmp", std::process::id(), file_name(path)));
+    let file = File::create(&temporary)?;
+    let mut out = io::BufWriter::new(&file);
+    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| settled(&file));
+    written.and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| drop(fs::remove_file(&temporary)))?;
+    let _ = File::open(parent).and_then(|folder| settled(&folder)); // the file stands there; whether a loss of power would be survived is not known
+    Ok(())
+}
+
+/// Waits until a file is on the disk. A file system that cannot say so is taken at its word.
+fn settled(file: &File) -> io::Result<()> {
+    match file.sync_all() {
+        Err(error) if matches!(error.kind(), io::ErrorKind::Unsupported | io::ErrorKind::InvalidInput) => {
+            Ok(())
+        }
+        other => other,
+    }
+}
+
+/// Removes temporary files that killed runs left in a folder of parts, older than any that is still written.
+pub(super) fn tidy(folder: &Path) {
+    for place in [folder.to_owned(), folder.join(PARTS)] {
+        let Ok(entries) = fs::read_dir(place) else { continue };
+        for entry in entries.flatten() {
+            let name = entry.file_name();
+            let ours =
+                name.to_str().is_some_and(|name| name.starts_with(".quasirigid-") && name.ends_with(".tmp"));
+            let age = entry
+                .metadata()
+                .and_then(|metadata| metadata.modified())
+                .ok()
+                .and_then(|at| at.elapsed().ok());
+            if ours && age.is_some_and(|age| age.as_secs() >= 60) {
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! Answers of one row: the commands that its quantities need, each run once, and a status in place of every failure.
+//! A row that cannot be answered is a row with its reason; a panic is our mistake and still no lost run.
+
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use quasirigid::dynamics::{Event, Outcome};
+use quasirigid_io::model::{Model, System, Verify};
+use quasirigid_io::study_file::{Answer, Command};
+use serde_json::{Value, json};
+
+use super::cell::Cell;
+use crate::error::StudyError;
+use crate::histories::{Propagation, Table};
+use crate::left_out::LeftOut;
+use crate::modes::AskedSpin;
+use crate::study::Study;
+use crate::watch::{Watch, watched};
+
+/// Status of a row, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// Every command answered.
+    Answered,
+    /// A command refused, in words: what is asked does not exist, or no method holds.
+    Refused,
+    /// The row is no model.
+    Invalid,
+    /// A computation failed.
+    Failed,
+}
+
+impl Status {
+    /// All of them, the best first.
+    pub const ALL: [Self; 4] = [Self::Answered, Self::Refused, Self::Invalid, Self::Failed];
+
+    /// The word in tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Answered => "answered",
+            Self::Refused => "refused",
+            Self::Invalid => "invalid",
+            Self::Failed => "failed",
+        }
+    }
+
+    pub(super) fn of(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|status| status.word() == word)
+    }
+}
+
+/// Row with its answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowAnswer {
+    /// Number of the row, from 0.
+    pub row: u64,
+    /// Answers, one for each column of the outputs.
+    pub outputs: Vec<Cell>,
+    /// Status of the row.
+    pub status: Status,
+    /// Reason for another status than answered.
+    pub reason: String,
+    /// Notes: reasons for missing values, and limits of those that are there.
+    pub note: String,
+}
+
+/// What a command answered in a row.
+pub(super) enum Answered {
+    /// The object, one for each time of `simulate`; numbers in it count only if the status is answered.
+    Objects(Vec<Value>, Status, String),
+    /// No object.
+    Nothing(Status, String),
+}
+
+/// Answers of the commands of a row, and notes.
+pub(super) struct Answers {
+    pub(super) commands: BTreeMap<Command, Answered>,
+    pub(super) notes: Vec<String>,
+}
+
+/// Runs the commands that the quantities need on the text of a model; none if `stop` said so.
+pub(super) fn answers(
+    model: &quasirigid_io::model::Source,
+    text: &str,
+    asked: &Answer,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<Answers> {
+    let stopped = AtomicBool::new(false);
+    let mut observer = Stop { stop, stopped: &stopped };
+    let work = || Ok(of_commands(model, text, asked, &stopped));
+    let found = catch_unwind(AssertUnwindSafe(|| watched(&mut observer, work)));
+    let failed = |reason: String| Answers {
+        commands: commands(asked)
+            .map(|command| (command, Answered::Nothing(Status::Failed, reason.clone())))
+            .collect(),
+        notes: Vec::new(),
+    };
+    match found {
+        _ if stopped.load(Ordering::Relaxed) => None,
+        Ok(Ok(answers)) => Some(answers),
+        Ok(Err(error)) => Some(failed(error.to_string())),
+        Err(panic) => Some(failed(format!("a mistake of the program: {}", said(&*panic)))),
+    }
+}
+
+/// Message of a panic.
+fn said(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "a panic".to_owned())
+}
+
+/// The commands that quantities need, each once.
+fn commands(asked: &Answer) -> impl Iterator<Item = Command> {
+    let all: std::collections::BTreeSet<Command> = asked.quantities.iter().map(|each| each.command).collect();
+    all.into_iter()
+}
+
+fn of_commands(
+    model: &quasirigid_io::model::Source,
+    text: &str,
+    asked: &Answer,
+    stopped: &AtomicBool,
+) -> Answers {
+    let mut watch = Remarks { stopped, notes: Vec::new() };
+    let study =
+        Model::parse(&model.file, text).map_err(StudyError::from).and_then(|model| Study::new(model, None));
+    let commands = commands(asked).map(|command| {
+        let answered = match &study {
+            Ok(study) => command_of(command, study, asked, &mut watch),
+            Err(error) => Answered::Nothing(status_of(error), first_line(error)),
+        };
+        (command, answered)
+    });
+    let commands = commands.collect();
+    Answers { commands, notes: watch.notes }
+}
+
+fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Answered {
+    let answered = match command {
+        Command::Check => study.check().map(|report| whole(report.json())),
+        Command::Modes => study.modes(AskedSpin::default()).map(|modes| whole(modes.json(&study.model.name))),
+        Command::Evolve => study.evolve(&study.evolution_asked(), watch).map(|evolved| {
+            let record = &evolved.record;
+            let status = if record.status == "finished" { Status::Answered } else { Status::Refused };
+            Answered::Objects(vec![evolved.json()], status, record.message.clone())
+        }),
+        Command::Simulate => simulated(study, asked, watch),
+        Command::Verify => {
+            study.verify(&study.verification_plan(Verify::default()), watch).map(|record| match record {
+                Some(record) => whole(json!(record)),
+                None => Answered::Nothing(Status::Failed, "the verification was interrupted".to_owned()),
+            })
+        }
+    };
+    answered.unwrap_or_else(|error| Answered::Nothing(status_of(&error), first_line(&error)))
+}
+
+fn whole(object: Value) -> Answered {
+    Answered::Objects(vec![object], Status::Answered, String::new())
+}
+
+/// The states at the times asked for, or at the end, with the columns of the history as entries.
+fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<Answered, StudyError> {
+    let times: Vec<f64> = asked.times.iter().map(|(_, seconds)| *seconds).collect();
+    let count = times.len().max(1);
+    let table = Table {
+        system: asked.system,
+        coordinates: false,
+        displacements: false,
+        times: (!times.is_empty()).then_some(times),
+    };
+    let settings = Propagation { samples: Some(2), ..Propagation::default() };
+    let history = study.simulate(&settings, &table, watch)?;
+    watch.notes.extend(history.notes.iter().cloned());
+    let rows = history.columns.first().map_or(0, |column| column.values.len());
+    let first = if asked.times.is_empty() { rows.saturating_sub(1) } else { 0 };
+    let object = |row: usize| {
+        let mut object = history.json();
+        for column in &history.columns {
+            let value = column.values.get(row).copied().filter(|value| value.is_finite());
+            object[column.name.as_str()] = json!(value);
+        }
+        object
+    };
+    let objects = (first..first + count).map(object).collect();
+    let finished = matches!(
+        history.run.outcome,
+        Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
+    );
+    let wrong = if asked.system == System::Rigid {
+        None
+    } else {
+        LeftOut::at(study, study.initial()?.omega, None).liquids
+    };
+    Ok(match wrong {
+        Some(wrong) => Answered::Objects(objects, Status::Refused, wrong),
+        None if finished => Answered::Objects(objects, Status::Answered, String::new()),
+        None => Answered::Objects(objects, Status::Refused, history.message),
+    })
+}
+
+/// Status of a row whose command gave this error.
+fn status_of(error: &StudyError) -> Status {
+    match error {
+        StudyError::Model(_) => Status::Invalid,
+        StudyError::Vibration(_) | StudyError::Propagate(_) | StudyError::Interrupted => Status::Failed,
+        _ => Status::Refused,
+    }
+}
+
+/// The error on one line.
+fn first_line(error: &StudyError) -> String {
+    let text = error.to_string();
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    match lines.next() {
+        Some(line) => line.to_owned(),
+        None => text,
+    }
+}
+
+/// Watch of the thread that waits for a row.
+struct Stop<'s> {
+    stop: &'s mut dyn FnMut() -> bool,
+    stopped: &'s AtomicBool,
+}
+
+impl Watch for Stop<'_> {
+    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
+        if (self.stop)() {
+            self.stopped.store(true, Ordering::Relaxed);
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Watch of the row itself: ends with the one who waits, and keeps the remarks.
+struct Remarks<'s> {
+    stopped: &'s AtomicBool,
+    notes: Vec<String>,
+}
+
+impl Watch for Remarks<'_> {
+    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
+        if self.stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn remark(&mut self, sentence: &str) {
+        self.notes.push(sentence.to_owned());
+    }
+}

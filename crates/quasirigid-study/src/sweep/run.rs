@@ -1,0 +1,286 @@
+//! Run of a study: parts one after the other, the rows of a part on a pool of threads of its own, each journalled as it finishes.
+//! What is there already is not computed again, so that a killed run goes on and shards share a folder.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use quasirigid_io::record::SweepRecord;
+use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
+use rayon::ThreadPool;
+
+use super::folder::{Folder, ROWS, SUMMARY, tidy};
+use super::journal::Journal;
+use super::row::RowAnswer;
+use super::{Sweep, SweepError, summary};
+use crate::Watch;
+
+/// Most rows that are also written as one CSV file.
+const MOST_IN_CSV: u64 = 1_000_000;
+/// Stack of a thread (bytes): as much as a main thread has.
+const STACK: usize = 8 << 20;
+/// Time between two looks whether the run is to end.
+const PERIOD: Duration = Duration::from_millis(100);
+const STAGE: &str = "answering";
+
+/// A share of the parts of a study: those whose number leaves this remainder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Number of the shard, from 1.
+    pub index: u64,
+    /// Number of shards.
+    pub count: u64,
+}
+
+/// Settings of a run, none of which changes a result.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RunOptions {
+    /// Goes on in a folder with results of the study.
+    pub resume: bool,
+    /// Share of the parts; all of them by default.
+    pub shard: Option<Shard>,
+    /// Threads; as many as the machine has by default.
+    pub threads: Option<usize>,
+}
+
+/// End of a run.
+#[derive(Clone, Debug)]
+pub struct Finished {
+    /// Summary, if every part is there.
+    pub summary: Option<SweepRecord>,
+    /// Parts that are there.
+    pub parts_there: u64,
+    /// Parts of the study.
+    pub parts: u64,
+    /// Parts of this run's share that another process has in work.
+    pub elsewhere: u64,
+    /// Whether the run was told to end.
+    pub interrupted: bool,
+}
+
+impl Sweep {
+    /// Answers every row of the share, into a folder; the bytes of its files depend on the study alone.
+    ///
+    /// # Errors
+    /// [`SweepError`] for a folder that belongs to something else, and for files that cannot be written.
+    pub fn run(
+        &self,
+        folder: &Path,
+        options: &RunOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Finished, SweepError> {
+        if let Some(Shard { index, count }) = options.shard
+            && !(1..=count).contains(&index)
+        {
+            return Err(SweepError::Shard { index, count });
+        }
+        let threads =
+            options.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
+        let pool = pool(threads)?;
+        let folder = Folder::open(folder, self, options.resume || options.shard.is_some())?;
+        tidy(&folder.path);
+        let mine = |part: &u64| options.shard.is_none_or(|shard| part % shard.count == shard.index - 1);
+        let parts: Vec<u64> = (0..folder.parts()).filter(mine).collect();
+        let total: u64 = parts.iter().map(|part| rows_in(&folder, *part)).sum();
+        let mut progress = Progress { watch, done: 0, total, stopped: false };
+        let mut elsewhere = 0;
+        for part in parts {
+            let rows = rows_in(&folder, part);
+            if !folder.part(part).is_file() {
+                match work_on(self, &folder, part, pool.as_ref(), &mut progress)? {
+                    Worked::Whole => continue,
+                    Worked::Stopped => break,
+                    Worked::Elsewhere => elsewhere += 1,
+                }
+            }
+            progress.done += rows;
+        }
+        let interrupted = progress.stopped;
+        let there = (0..folder.parts()).filter(|part| folder.part(*part).is_file()).count() as u64;
+        let summary = if folder.is_complete() && !interrupted { Some(finish(self, &folder)?) } else { None };
+        Ok(Finished { summary, parts_there: there, parts: folder.parts(), elsewhere, interrupted })
+    }
+}
+
+fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
+    let rows = folder.rows_of(part);
+    rows.end - rows.start
+}
+
+/// A pool of threads; none where one thread, the caller's, is enough.
+fn pool(threads: usize) -> Result<Option<ThreadPool>, SweepError> {
+    if threads <= 1 {
+        return Ok(None);
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
+    pool.map(Some).map_err(|cause| SweepError::Threads { threads, cause: cause.to_string() })
+}
+
+/// Progress of a run.
+struct Progress<'w> {
+    watch: &'w mut dyn Watch,
+    done: u64,
+    total: u64,
+    stopped: bool,
+}
+
+impl Progress<'_> {
+    /// Tells the watch; whether the run is to end.
+    fn stop(&mut self) -> bool {
+        self.stopped =
+            self.stopped || self.watch.at(STAGE, self.done as f64 / self.total.max(1) as f64).is_break();
+        self.stopped
+    }
+}
+
+/// End of the work on a part.
+enum Worked {
+    Whole,
+    Stopped,
+    Elsewhere,
+}
+
+/// Answers the rows of a part that its journal lacks, and writes the part.
+fn work_on(
+    sweep: &Sweep,
+    folder: &Folder<'_>,
+    part: u64,
+    pool: Option<&ThreadPool>,
+    progress: &mut Progress<'_>,
+) -> Result<Worked, SweepError> {
+    let path = folder.journal(part);
+    let Some((mut journal, known)) = Journal::open(&path).map_err(SweepError::io(&path))? else {
+        return Ok(Worked::Elsewhere);
+    };
+    if folder.part(part).is_file() {
+        // another process finished the part between the two looks
+        journal.remove().map_err(SweepError::io(&path))?;
+        progress.done += rows_in(folder, part);
+        return Ok(Worked::Whole);
+    }
+    let rows = folder.rows_of(part);
+    let mut answers: Vec<Option<RowAnswer>> = rows.clone().map(|_| None).collect();
+    for answer in known.into_iter().filter(|answer| fits(sweep, answer) && rows.contains(&answer.row)) {
+        let place = (answer.row - rows.start) as usize;
+        progress.done += u64::from(answers[place].is_none());
+        answers[place] = Some(answer);
+    }
+    let todo: Vec<u64> = rows.clone().filter(|row| answers[(row - rows.start) as usize].is_none()).collect();
+    let mut keep = |answer: RowAnswer| {
+        journal.write(&answer).map_err(SweepError::io(&path))?;
+        let place = (answer.row - rows.start) as usize;
+        answers[place] = Some(answer);
+        Ok(())
+    };
+    match pool {
+        None => one_by_one(sweep, &todo, progress, &mut keep)?,
+        Some(pool) => together(sweep, &todo, pool, progress, &mut keep)?,
+    }
+    let Some(answers) = answers.into_iter().collect::<Option<Vec<_>>>() else { return Ok(Worked::Stopped) };
+    folder.write_part(part, &answers)?;
+    journal.remove().map_err(SweepError::io(&path))?;
+    Ok(Worked::Whole)
+}
+
+/// Whether a row of a journal has the columns of the study.
+fn fits(sweep: &Sweep, answer: &RowAnswer) -> bool {
+    answer.outputs.len() == sweep.outputs.len()
+        && answer.outputs.iter().zip(&sweep.outputs).all(|(cell, output)| cell.fits(output.kind))
+}
+
+type Keep<'k> = &'k mut dyn FnMut(RowAnswer) -> Result<(), SweepError>;
+
+/// Answers rows on the thread of the caller.
+fn one_by_one(
+    sweep: &Sweep,
+    todo: &[u64],
+    progress: &mut Progress<'_>,
+    keep: Keep<'_>,
+) -> Result<(), SweepError> {
+    for row in todo {
+        if progress.stop() {
+            break;
+        }
+        let Some(answer) = sweep.answer_until(*row, &mut || progress.stop()) else { break };
+        keep(answer)?;
+        progress.done += 1;
+    }
+    Ok(())
+}
+
+/// Answers rows on the threads of a pool, in any order; the thread of the caller keeps the answers and asks the watch.
+fn together(
+    sweep: &Sweep,
+    todo: &[u64],
+    pool: &ThreadPool,
+    progress: &mut Progress<'_>,
+    keep: Keep<'_>,
+) -> Result<(), SweepError> {
+    let stopped = AtomicBool::new(false);
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let (sender, receiver) = mpsc::channel();
+    pool.in_place_scope(|scope| {
+        for _ in 0..pool.current_num_threads() {
+            let (sender, stopped, next) = (sender.clone(), &stopped, &next);
+            scope.spawn(move |_| {
+                let mut stop = || stopped.load(Ordering::Relaxed);
+                while let Some(row) = todo.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    if stop() {
+                        break;
+                    }
+                    let Some(answer) = sweep.answer_until(*row, &mut stop) else { break };
+                    if sender.send(answer).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let mut failed = Ok(());
+        loop {
+            match receiver.recv_timeout(PERIOD) {
+                Ok(answer) if failed.is_ok() => {
+                    failed = keep(answer);
+                    progress.done += 1;
+                }
+                Err(mpsc::RecvTimeoutError::Disconnected) => return failed,
+                Ok(_) | Err(mpsc::RecvTimeoutError::Timeout) => {}
+            }
+            if progress.stop() || failed.is_err() {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        }
+    })
+}
+
+/// Writes the table and the summary of a study whose parts are all there.
+fn finish(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError> {
+    if sweep.rows <= MOST_IN_CSV {
+        let mut problem = None;
+        let written = folder.put(ROWS, |out| {
+            for part in 0..folder.parts() {
+                match read_parquet(&folder.part(part), None) {
+                    Ok(columns) => {
+                        if part == 0 {
+                            out.write_all(&csv_header(&columns))?;
+                        }
+                        out.write_all(&csv_rows(&columns))?;
+                    }
+                    Err(error) => {
+                        problem = Some(error);
+                        return Err(std::io::ErrorKind::InvalidData.into());
+                    }
+                }
+            }
+            Ok(())
+        });
+        if let Some(problem) = problem {
+            return Err(problem.into());
+        }
+        written?;
+    }
+    let record = summary::of_folder(sweep, folder)?;
+    folder.put(SUMMARY, |out| writeln!(out, "{:#}", serde_json::json!(record)))?;
+    Ok(record)
+}

@@ -52,12 +52,12 @@ pub enum Command {
         after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
     )]
     Verify(Verify),
-    /// Print the references of what the model uses, as BibTeX
-    #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
-    Cite(Cite),
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
+    /// Print the references of what the model uses, as BibTeX
+    #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
+    Cite(Cite),
 }
 
 /// Model file and options of every command.
@@ -228,6 +228,10 @@ pub struct Evolve {
     /// Method of the evolution [default: the file's, or the one that holds]
     #[arg(long, value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
+    /// Draws of the keys in [uncertainty], for intervals of the time and the revolutions
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    #[arg(conflicts_with_all = ["from", "to", "duration", "samples", "power", "method", "order"])]
+    pub samples_of_uncertainty: Option<u32>,
     /// Format of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,

@@ -42,8 +42,8 @@ fn main() -> ExitCode {
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),
-        Command::Cite(cite) => commands::cite::cite(cite),
         Command::Sweep(sweep) => commands::sweep::sweep(sweep),
+        Command::Cite(cite) => commands::cite::cite(cite),
     };
     match result {
         Ok(ExitStatus::Done) => ExitCode::SUCCESS,

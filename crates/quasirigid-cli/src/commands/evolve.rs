@@ -1,6 +1,8 @@
 use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
 use quasirigid_study::evolution::{self, Asked, Evolved};
+use quasirigid_study::sweep::uncertainty_text;
+use serde_json::json;
 
 use super::{notes, open, seconds};
 use crate::args::{Evolve, EvolveFormat};
@@ -32,6 +34,10 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let watch = &mut Terminal::new(&interrupt, common.quiet);
     let evolved = study.evolve(&asked, watch)?;
     let Evolved { record, notes: remarks } = &evolved;
+    let uncertainty = match arguments.samples_of_uncertainty {
+        Some(samples) => Some(study.uncertainty(samples as usize, watch)?.ok_or(Failure::Interrupted)?),
+        None => None,
+    };
     interrupt.forget();
     if !common.quiet {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));
@@ -41,11 +47,18 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
         None => true,
     };
     if common.json {
-        output::print(&format!("{:#}\n", evolved.json()))?;
+        let mut object = evolved.json();
+        if let Some(uncertainty) = &uncertainty {
+            object["uncertainty"] = json!(uncertainty);
+        }
+        output::print(&format!("{object:#}\n"))?;
     } else if arguments.format == EvolveFormat::Csv {
         output::to_stdout(&interrupt, |out| history_csv(&record.columns, out))?;
     } else {
         output::print(&evolution::text(&study.model.name, record))?;
+        if let Some(uncertainty) = &uncertainty {
+            output::print(&uncertainty_text(uncertainty))?;
+        }
     }
     if evolved.holds() {
         return Ok(if in_place { ExitStatus::Done } else { ExitStatus::CheckFailed });

@@ -70,7 +70,8 @@ fn threads_and_shards_give_the_same_bytes() {
     let one = folder.path().join("one");
     assert_same(&one, &folder.path().join("four"));
     assert_same(&one, &folder.path().join("shards"));
-    let expected = ["model.toml", "parts", "rows.csv", "study.toml", "summary.json", "sweep.json"];
+    let expected =
+        ["model.toml", "parts", "report.html", "rows.csv", "study.toml", "summary.json", "sweep.json"];
     assert_eq!(names(&one), expected);
     assert_eq!(names(one.join("parts")), ["part-00000.parquet", "part-00001.parquet", "part-00002.parquet"]);
 }

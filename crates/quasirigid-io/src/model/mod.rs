@@ -39,6 +39,7 @@ mod support;
 mod surface;
 pub(crate) mod syntax;
 pub(crate) mod table;
+mod uncertainty;
 pub(crate) mod value;
 mod wheel;
 
@@ -58,6 +59,7 @@ pub use rotation::Rotation;
 pub use settings::{RunSettings, Stop, System, Verify};
 pub use source::Source;
 
+use crate::study_file::Varied;
 use body::Parts;
 use diagnostic::Problems;
 use reader::Reader;
@@ -86,8 +88,8 @@ const READERS: &[&Reader] = &[
 ];
 
 /// Keys of a file that are no tables of elements.
-const OTHERS: [&str; 8] =
-    ["body", "carrier", "material", "section", "reduction", "support", "initial", "run"];
+const OTHERS: [&str; 9] =
+    ["body", "carrier", "material", "section", "reduction", "support", "initial", "run", "uncertainty"];
 
 const FILE: Keys = Keys { known: &KEYS };
 const KEYS: [&str; OTHERS.len() + READERS.len()] = {
@@ -113,6 +115,8 @@ pub struct Model {
     pub initial: Initial,
     /// Settings of the computation.
     pub run: RunSettings,
+    /// Keys of the model that are known by a distribution alone.
+    pub uncertainty: Vec<Varied>,
     /// Notes on suspect but valid values.
     pub notes: Vec<String>,
     /// The text of the model.
@@ -167,10 +171,10 @@ impl Model {
         let content = content(&source.text, folder, &problems);
         let diagnostics = problems.into_diagnostics();
         match content {
-            Some(Content { name, parts, initial, run, notes }) if diagnostics.is_empty() => {
+            Some(Content { name, parts, initial, run, uncertainty, notes }) if diagnostics.is_empty() => {
                 let name = name.unwrap_or_else(|| stem(&source.file));
                 let Parts { assembly, extremes, spans } = parts;
-                Ok(Self { name, assembly, extremes, initial, run, notes, source, spans })
+                Ok(Self { name, assembly, extremes, initial, run, uncertainty, notes, source, spans })
             }
             _ => Err(ModelError::Invalid { model: source, diagnostics }),
         }
@@ -183,6 +187,7 @@ struct Content {
     parts: Parts,
     initial: Initial,
     run: RunSettings,
+    uncertainty: Vec<Varied>,
     notes: Vec<String>,
 }
 
@@ -209,7 +214,11 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         Some(table) => settings::run(&table),
         None => Some(RunSettings::default()),
     };
-    Some(Content { name, parts: body.parts?, initial: initial?, run: run?, notes })
+    let uncertainty = match file.get("uncertainty") {
+        Some(table) => uncertainty::uncertainty(&table, text),
+        None => Some(Vec::new()),
+    };
+    Some(Content { name, parts: body.parts?, initial: initial?, run: run?, uncertainty: uncertainty?, notes })
 }
 
 fn stem(file: &Path) -> String {

@@ -23,7 +23,8 @@ pub use evolution::{
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
 pub use sweep::{
-    CorrelationRecord, InputRecord, PercentileRecord, QuantityRecord, ReasonRecord, SweepColumn, SweepRecord,
+    CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
+    SweepColumn, SweepRecord, UncertaintyRecord,
 };
 pub use table::history_csv;
 

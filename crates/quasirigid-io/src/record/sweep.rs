@@ -122,6 +122,39 @@ pub struct ReasonRecord {
     pub example: String,
 }
 
+/// Uncertainty of an evolution: intervals of its time and its revolutions over draws of the uncertain keys of the model.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct UncertaintyRecord {
+    /// Number of draws.
+    pub samples: u64,
+    /// Draws that were answered; the intervals are over these.
+    pub answered: u64,
+    /// Intervals of `time` (s) and `turns`.
+    pub intervals: Vec<IntervalRecord>,
+    /// Rank correlations of the uncertain keys with `time`, the strongest first.
+    pub correlations: Vec<CorrelationRecord>,
+    /// Reasons of the draws that were not answered.
+    pub reasons: Vec<ReasonRecord>,
+}
+
+/// Intervals of a quantity between percentiles of equal distance from the median.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct IntervalRecord {
+    /// Name of the quantity.
+    pub name: String,
+    /// Unit of the quantity; empty for pure numbers.
+    pub unit: String,
+    /// Median.
+    #[serde(with = "number::unbounded")]
+    pub median: f64,
+    /// Percentiles 16 and 84.
+    #[serde(with = "number::unbounded")]
+    pub interval_68: [f64; 2],
+    /// Percentiles 2.5 and 97.5.
+    #[serde(with = "number::unbounded")]
+    pub interval_95: [f64; 2],
+}
+
 /// Numbers of one column of a study, for its page: those of all rows, or of rows evenly chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepColumn {

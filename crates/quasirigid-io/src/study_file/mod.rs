@@ -15,6 +15,7 @@ pub use answer::{Answer, Command, Quantity};
 pub use distribution::{Distribution, Drawn};
 pub use grid::Grid;
 pub use table::{TableColumn, TableSource};
+pub(crate) use vary::vary;
 pub use vary::{Values, Varied};
 
 use crate::model::diagnostic::Problems;

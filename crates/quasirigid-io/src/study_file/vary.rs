@@ -43,10 +43,10 @@ const ANY: Keys = Keys {
     known: &["linear", "geometric", "list", "uniform", "log-uniform", "normal", "log-normal", "count"],
 };
 
-/// Reads `[vary]`, in the order of the file.
-pub(super) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
+/// Reads `[vary]` of a study, or `[uncertainty]` of a model, in the order of the file.
+pub(crate) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
     let Some(entries) = value.entries() else {
-        return value.mismatch("a table", "write [vary] with a line for each key of the model");
+        return value.mismatch("a table", "write a line for each key of the model");
     };
     let mut entries: Vec<_> = entries.collect();
     entries.sort_by_key(|(span, _)| span.start);
@@ -67,7 +67,7 @@ pub(super) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
 }
 
 /// Reads one key with its values.
-pub(super) fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
+fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
     let help = "write such as { linear = [1.0, 2.0], count = 11 } or { uniform = [1.0, 2.0] }";
     if !value.is_table() {
         return value.mismatch("a table with the values", help);

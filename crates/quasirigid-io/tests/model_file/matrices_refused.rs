@@ -80,7 +80,7 @@ fn a_table_that_lacks_a_file_is_refused() {
     "#);
     assert_snapshot!(refused(&format!("{KEYS}unit = \"mm\"\n")), @r#"
     model.toml:9:1: unknown key "unit" in [[matrices]]
-      the keys are name, nodes, freedoms, mass, stiffness, damping, length_unit, mass_unit, rheology, masses, attach, rayleigh
+      the keys are name, nodes, dofs, mass, stiffness, damping, length_unit, mass_unit, rheology, masses, attach, rayleigh
     "#);
     assert_snapshot!(with(("nodes.txt", "3 0 0 0\n7 1 0 0.5\n3 1 1 1\n"), KEYS), @"
     model.toml:6:9: `nodes`: nodes.txt:3: node 3 stands twice; give each node one place

@@ -11,6 +11,10 @@
     if (text !== undefined) node.textContent = text;
     return plot.appendChild(node);
   };
+  const label = (value) => {
+    const size = Math.abs(value);
+    return size === 0 || (size >= 1e-3 && size < 1e6) ? String(Number(value.toPrecision(4))) : value.toExponential(1).replace(/\.0e/, "e").replace("e+", "e");
+  };
   const axis = (column) => {
     const values = column.values.filter((value) => value !== null);
     let low = Math.min(...values), high = Math.max(...values);
@@ -19,15 +23,19 @@
     [low, high] = [of(low), of(high)];
     const extra = 0.03 * (high - low) || Math.abs(high) * 0.1 || 1;
     low -= extra; high += extra;
-    let step = 10 ** Math.floor(Math.log10((high - low) / 6));
-    step *= [1, 2, 5, 10].find((leading) => leading * step >= (high - low) / 6);
-    if (log) step = Math.max(1, Math.ceil((high - low) / 6));
     const ticks = [];
-    for (let i = Math.ceil(low / step); i * step <= high; i++) {
-      const value = i * step;
-      ticks.push({ at: (value - low) / (high - low), label: (log ? (10 ** value) : value).toPrecision(4).replace(/\.?0+(e|$)/, "$1") });
+    const tick = (value) => ticks.push({ at: (of(value) - low) / (high - low), label: label(value) });
+    if (log) {
+      const [first, last] = [Math.floor(low), Math.ceil(high)];
+      const every = Math.ceil((last - first) / 7);
+      const leading = high - low < 2.5 ? [1, 2, 5] : [1];
+      for (let power = first; power <= last; power += every) leading.forEach((digit) => tick(digit * 10 ** power));
+    } else {
+      let step = 10 ** Math.floor(Math.log10((high - low) / 6));
+      step *= [1, 2, 5, 10].find((leading) => leading * step >= (high - low) / 6);
+      for (let i = Math.ceil(low / step); i * step <= high; i++) tick(i * step);
     }
-    return { place: (value) => (of(value) - low) / (high - low), ticks };
+    return { place: (value) => (of(value) - low) / (high - low), ticks: ticks.filter(({ at }) => at >= 0 && at <= 1) };
   };
   const named = (column) => (column.unit && column.unit !== "1" ? `${column.name} [${column.unit}]` : column.name);
   const draw = () => {

@@ -30,6 +30,8 @@ const DECADES: f64 = 30.0;
 
 /// A range narrower than this, relative to its values, is drawn as a constant.
 const NARROWEST: f64 = 1e-5;
+/// Decades below which a logarithmic axis has ticks between the powers of ten.
+const FEW_DECADES: f64 = 2.5;
 /// Ratio of the largest to the smallest value from which a fitting axis is logarithmic.
 const SPREAD: f64 = 30.0;
 /// Margin of a fitting axis on both sides, relative to its length.
@@ -88,6 +90,9 @@ impl Axis {
 
     /// Some four to seven ticks at round numbers.
     pub fn ticks(&self) -> Vec<Tick> {
+        if self.log && self.high - self.low < FEW_DECADES {
+            return self.ticks_within_decades();
+        }
         let step = if self.log {
             ((self.high - self.low) / 6.0).ceil()
         } else {
@@ -101,6 +106,14 @@ impl Axis {
         };
         let [first, last] = [self.low / step - 1e-9, self.high / step + 1e-9];
         (first.ceil() as i64..=last.floor() as i64).map(tick).collect()
+    }
+
+    /// Ticks at 1, 2 and 5 times the powers of ten, for a logarithmic axis over so few decades that these alone would be too few.
+    fn ticks_within_decades(&self) -> Vec<Tick> {
+        let decades = self.low.floor() as i32..=self.high.floor() as i32;
+        let all = decades.flat_map(|power| [1.0, 2.0, 5.0].map(|leading| leading * 10f64.powi(power)));
+        let tick = |value: f64| Tick { at: self.place(value), label: crate::number::short(value) };
+        all.map(tick).filter(|tick| (0.0..=1.0).contains(&tick.at)).collect()
     }
 }
 
@@ -138,6 +151,14 @@ mod tests {
         assert_eq!((axis.power, labels(&axis)), (-9, ["−200", "0", "200", "400"].map(String::from).into()));
         let axis = Axis::logarithmic([0.0, 3e-17, 0.2].into_iter()).unwrap();
         assert_eq!(labels(&axis), ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1"]);
+    }
+
+    #[test]
+    fn few_decades_have_ticks_between_powers_of_ten() {
+        let axis = Axis::fitting([0.2, 7.6].into_iter()).unwrap();
+        assert_eq!((axis.log, labels(&axis)), (true, ["0.2", "0.5", "1", "2", "5"].map(String::from).into()));
+        let value = axis.value(axis.place(0.7));
+        assert!((value / 0.7 - 1.0).abs() < 1e-14, "{value}");
     }
 
     #[test]

@@ -80,7 +80,7 @@ impl Evolved {
         !matches!(self.record.status.as_str(), "refused" | "does-not-hold")
     }
 
-    /// The record without its columns, for machines.
+    /// The answer without its rows, for machines.
     #[must_use]
     pub fn json(&self) -> Value {
         let record = &self.record;

@@ -74,6 +74,12 @@ pub enum SweepError {
         /// Cause.
         cause: io::Error,
     },
+    /// A model without a table of uncertain keys.
+    #[error("{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n", file.display())]
+    Certain {
+        /// The file.
+        file: PathBuf,
+    },
     /// Work that was told to end before the first row.
     #[error("interrupted before the first row was answered")]
     Interrupted,

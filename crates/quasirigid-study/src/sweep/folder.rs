@@ -17,6 +17,7 @@ const HEAD: &str = "sweep.json";
 const STUDY: &str = "study.toml";
 const MODEL: &str = "model.toml";
 const PARTS: &str = "parts";
+pub(super) const REPORT: &str = "report.html";
 pub(super) const ROWS: &str = "rows.csv";
 pub(super) const SUMMARY: &str = "summary.json";
 
@@ -87,8 +88,8 @@ impl<'s> Folder<'s> {
 
     /// Writes a part from its rows, in the order of the study.
     pub(super) fn write_part(&self, part: u64, rows: &[RowAnswer]) -> Result<(), SweepError> {
-        let columns = self.columns(rows);
         let sweep = self.sweep;
+        let columns = columns(sweep, rows);
         let metadata = [
             ("quasirigid.study", sweep.sha256.clone()),
             ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
@@ -98,33 +99,6 @@ impl<'s> Folder<'s> {
         let mut bytes = Vec::new();
         write_parquet(&path, &mut bytes, &columns, &metadata)?;
         put(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
-    }
-
-    /// Columns of a part: row, inputs, answers, status, reason, note.
-    fn columns(&self, rows: &[RowAnswer]) -> Vec<CellColumn> {
-        let sweep = self.sweep;
-        let inputs: Vec<Vec<Cell>> = rows.iter().map(|row| plan::cells(sweep, row.row)).collect();
-        let column =
-            |name: &str, unit: &str, cells: Cells| CellColumn { name: name.into(), unit: unit.into(), cells };
-        let texts = |text: &dyn Fn(&RowAnswer) -> &str| {
-            Cells::Texts(
-                rows.iter()
-                    .map(|row| Some(text(row)).filter(|text| !text.is_empty()).map(str::to_owned))
-                    .collect(),
-            )
-        };
-        let mut columns =
-            vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
-        columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
-            column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
-        }));
-        columns.extend(sweep.outputs.iter().enumerate().map(|(i, output)| {
-            column(&output.name, &output.unit, cells(output.kind, rows.iter().map(|row| &row.outputs[i])))
-        }));
-        columns.push(column("status", "", texts(&|row| row.status.word())));
-        columns.push(column("reason", "", texts(&|row| &row.reason)));
-        columns.push(column("note", "", texts(&|row| &row.note)));
-        columns
     }
 
     /// Columns of these names over all parts, in the order of the file.
@@ -154,7 +128,32 @@ impl<'s> Folder<'s> {
     }
 }
 
-/// Name of a column of numbers, and the kind that a report needs to know.
+/// Columns of a part: row, inputs, answers, status, reason, note.
+pub(super) fn columns(sweep: &Sweep, rows: &[RowAnswer]) -> Vec<CellColumn> {
+    let inputs: Vec<Vec<Cell>> = rows.iter().map(|row| plan::cells(sweep, row.row)).collect();
+    let column =
+        |name: &str, unit: &str, cells: Cells| CellColumn { name: name.into(), unit: unit.into(), cells };
+    let texts = |text: &dyn Fn(&RowAnswer) -> &str| {
+        Cells::Texts(
+            rows.iter()
+                .map(|row| Some(text(row)).filter(|text| !text.is_empty()).map(str::to_owned))
+                .collect(),
+        )
+    };
+    let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+    columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
+        column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
+    }));
+    columns.extend(sweep.outputs.iter().enumerate().map(|(i, output)| {
+        column(&output.name, &output.unit, cells(output.kind, rows.iter().map(|row| &row.outputs[i])))
+    }));
+    columns.push(column("status", "", texts(&|row| row.status.word())));
+    columns.push(column("reason", "", texts(&|row| &row.reason)));
+    columns.push(column("note", "", texts(&|row| &row.note)));
+    columns
+}
+
+/// Word of a kind in the summary.
 pub(super) fn kind_word(kind: CellKind) -> &'static str {
     match kind {
         CellKind::Number => "number",

@@ -11,6 +11,7 @@ mod error;
 mod folder;
 mod generator;
 mod journal;
+mod page;
 mod plan;
 mod quantity;
 mod rank;
@@ -18,6 +19,7 @@ mod row;
 mod run;
 mod summary;
 mod text;
+mod uncertainty;
 
 use std::path::Path;
 
@@ -31,6 +33,7 @@ pub use error::SweepError;
 pub use row::{RowAnswer, Status};
 pub use run::{Finished, RunOptions, Shard};
 pub use text::text;
+pub use uncertainty::text as uncertainty_text;
 
 use bodies::Bodies;
 use design::Design;

@@ -10,10 +10,10 @@ use quasirigid_io::record::SweepRecord;
 use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
 use rayon::ThreadPool;
 
-use super::folder::{Folder, ROWS, SUMMARY, tidy};
+use super::folder::{Folder, REPORT, ROWS, SUMMARY, tidy};
 use super::journal::Journal;
 use super::row::RowAnswer;
-use super::{Sweep, SweepError, summary};
+use super::{Sweep, SweepError, page, summary};
 use crate::Watch;
 
 /// Most rows that are also written as one CSV file.
@@ -106,6 +106,26 @@ impl Sweep {
 fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
     let rows = folder.rows_of(part);
     rows.end - rows.start
+}
+
+impl Sweep {
+    /// Answers every row and keeps the answers in memory, in the order of the rows; none if the watch ended the work.
+    pub(super) fn in_memory(&self, watch: &mut dyn Watch) -> Result<Option<Vec<RowAnswer>>, SweepError> {
+        let threads = std::thread::available_parallelism().map_or(1, Into::into);
+        let todo: Vec<u64> = (0..self.rows).collect();
+        let mut answers: Vec<Option<RowAnswer>> = todo.iter().map(|_| None).collect();
+        let mut keep = |answer: RowAnswer| {
+            let place = answer.row as usize;
+            answers[place] = Some(answer);
+            Ok(())
+        };
+        let progress = &mut Progress { watch, done: 0, total: self.rows, stopped: false };
+        match pool(threads)? {
+            None => one_by_one(self, &todo, progress, &mut keep)?,
+            Some(pool) => together(self, &todo, &pool, progress, &mut keep)?,
+        }
+        Ok(answers.into_iter().collect())
+    }
 }
 
 /// A pool of threads; none where one thread, the caller's, is enough.
@@ -281,6 +301,8 @@ fn finish(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError>
         written?;
     }
     let record = summary::of_folder(sweep, folder)?;
+    let page = page::page(folder, &record)?;
+    folder.put(REPORT, |out| out.write_all(page.as_bytes()))?;
     folder.put(SUMMARY, |out| writeln!(out, "{:#}", serde_json::json!(record)))?;
     Ok(record)
 }

@@ -26,7 +26,7 @@ pub(super) fn of_folder(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecor
 }
 
 /// Summary of columns.
-fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, SweepError> {
+pub(super) fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, SweepError> {
     let mut quantities = Vec::new();
     let mut correlations = Vec::new();
     for output in &sweep.outputs {

@@ -1,0 +1,27 @@
+use super::change::Template;
+use super::value::Value;
+use crate::study_file::{Values, Varied, vary};
+
+/// Reads `[uncertainty]`: keys of the same file with the distributions from which studies draw them.
+pub(super) fn uncertainty(value: &Value<'_>, text: &str) -> Option<Vec<Varied>> {
+    let keys = vary(value)?;
+    let template = Template::new(text).ok()?; // the text has been read, so it is TOML
+    let known = keys.iter().map(|varied| match (&varied.values, template.find(&varied.key)) {
+        (Values::Drawn(_), Ok(_)) => Some(()),
+        (Values::Grid(_), _) => value.refuse_at(
+            varied.span.clone(),
+            format!("`{}` is uncertain, so it needs a distribution, not a grid", varied.key),
+            "no distribution",
+            Some(
+                "write such as { uniform = [1.0, 2.0] } or { log-normal = { median = 100, decades = 1 } }"
+                    .to_owned(),
+            ),
+        ),
+        (_, Err(error)) => {
+            let help = "name a key of this file by its path, such as \"material.rock.density\"".to_owned();
+            value.refuse_at(varied.span.clone(), error.to_string(), "no such key", Some(help))
+        }
+    });
+    known.collect::<Vec<_>>().into_iter().collect::<Option<Vec<()>>>()?;
+    Some(keys)
+}

@@ -55,7 +55,7 @@ impl<'a> Node<'a> {
                 table.get_mut(&segment.text).and_then(Self::of_item).ok_or(missing)
             }
             Self::Tables(tables) => {
-                let names: Vec<_> = tables.iter().map(|table| name(table)).collect();
+                let names: Vec<_> = tables.iter().map(name).collect();
                 let index = entry(segment, &names)?;
                 tables
                     .get_mut(index)
@@ -64,7 +64,7 @@ impl<'a> Node<'a> {
             }
             Self::List(list) => {
                 let names: Vec<_> =
-                    list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
+                    list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
                 let index = entry(segment, &names)?;
                 list.get_mut(index).map(Self::of_value).ok_or_else(|| no_number(segment, names.len()))
             }
@@ -78,14 +78,14 @@ impl<'a> Node<'a> {
             Self::Table(table) => put_in_table(*table, segment, value, compound),
             Self::List(list) => {
                 let names: Vec<_> =
-                    list.iter().map(|value| value.as_inline_table().and_then(|t| name(t))).collect();
+                    list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
                 let index = entry(segment, &names)?;
                 let old = list.get_mut(index).ok_or_else(|| no_number(segment, names.len()))?;
                 replace(old, value);
                 Ok(())
             }
             Self::Tables(tables) => {
-                let names: Vec<_> = tables.iter().map(|table| name(table)).collect();
+                let names: Vec<_> = tables.iter().map(name).collect();
                 entry(segment, &names)?;
                 Err(format!("`{}` is a table; name one of its keys", segment.text))
             }

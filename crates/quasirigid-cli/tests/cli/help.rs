@@ -1,6 +1,7 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 8] = ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite"];
+const COMMANDS: [&str; 9] =
+    ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite", "sweep"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {

@@ -257,10 +257,10 @@ impl StudyError {
         let (from, until) = (name(Setting::From), name(Setting::Until));
         match self {
             Self::NoRotationState { ratio, least } => format!(
-                "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end ages"
+                "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end changes"
             ),
             Self::Steady => format!(
-                "the body spins about a principal axis, so nothing ages; give [initial] a wobble, or choose another start with {from}"
+                "the body spins about a principal axis, so the rotation stays as it is; give [initial] a wobble, or choose another start with {from}"
             ),
             Self::AtRest => {
                 "the body does not turn, so there is no rotation to follow; give [initial] an angular velocity".into()

@@ -150,7 +150,7 @@ fn what_cannot_be_is_refused() {
     assert_snapshot!(refusal("--to 0.2"), @r#"
     quasirigid: no rotation of this body has D/I3 = 0.2: it lies between 0.348068,
     a spin about the axis of least inertia, and 1, one about that of greatest, and
-    neither end ages
+    neither end changes
     "#);
     assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r#"
     quasirigid: dissipation only raises D/I3, and the target 0.95 lies below the

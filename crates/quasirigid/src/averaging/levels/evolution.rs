@@ -45,7 +45,7 @@ pub enum LevelError {
     #[error("the slow energy is the same for every direction of the angular momentum: every spin is steady")]
     Flat,
     /// The start is a steady spin, which does not evolve.
-    #[error("the rotation starts at a steady spin, about which nothing ages")]
+    #[error("the rotation starts at a steady spin, about which nothing changes")]
     Steady,
     /// The level does not close, as on a separatrix.
     #[error(

@@ -15,8 +15,8 @@ pub(super) fn rows(study: &StudyFile, bodies: Option<&Bodies>) -> Option<u64> {
         Values::Grid(grid) => Some(grid.len() as u64),
         Values::Drawn(_) => None,
     });
-    let factors = grids.chain([bodies.map_or(1, Bodies::rows), study.samples as u64]);
-    factors.fold(Some(1u64), |rows, factor| rows?.checked_mul(factor)).filter(|rows| *rows <= MOST_ROWS)
+    let mut factors = grids.chain([bodies.map_or(1, Bodies::rows), study.samples as u64]);
+    factors.try_fold(1u64, u64::checked_mul).filter(|rows| *rows <= MOST_ROWS)
 }
 
 /// Columns of the inputs: keys of the table, columns that it carries through, keys that are varied.

@@ -63,8 +63,7 @@ impl<'a> Node<'a> {
                     .ok_or_else(|| no_number(segment, names.len()))
             }
             Self::List(list) => {
-                let names: Vec<_> =
-                    list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
+                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
                 let index = entry(segment, &names)?;
                 list.get_mut(index).map(Self::of_value).ok_or_else(|| no_number(segment, names.len()))
             }
@@ -77,8 +76,7 @@ impl<'a> Node<'a> {
         match self {
             Self::Table(table) => put_in_table(*table, segment, value, compound),
             Self::List(list) => {
-                let names: Vec<_> =
-                    list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
+                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
                 let index = entry(segment, &names)?;
                 let old = list.get_mut(index).ok_or_else(|| no_number(segment, names.len()))?;
                 replace(old, value);

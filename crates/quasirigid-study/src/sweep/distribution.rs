@@ -31,7 +31,12 @@ fn truncated([least, greatest]: [f64; 2], u: f64) -> f64 {
     if least > 0.0 {
         return -truncated([-greatest, -least], 1.0 - u);
     }
-    let (below, above) = (cumulative(least), cumulative(-greatest));
+    let below = cumulative(least);
+    if greatest <= 0.0 {
+        // the range may be far in the tail, where its probability is no difference from one
+        return standard(below + u * (cumulative(greatest) - below)).clamp(least, greatest);
+    }
+    let above = cumulative(-greatest);
     // the probability is counted from the nearer end, so that neither tail is lost in rounding
     let lower = below + u * (1.0 - above - below);
     let z = if lower <= 0.5 { standard(lower) } else { -standard(above + (1.0 - u) * (1.0 - above - below)) };

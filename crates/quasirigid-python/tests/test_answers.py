@@ -139,3 +139,16 @@ def test_answers_are_pickled() -> None:
     assert pickle.loads(pickle.dumps(reduced)).torque([0, 0, 1]).tolist() == reduced.torque([0, 0, 1]).tolist()
     with pytest.raises(TypeError, match="write"):
         pickle.dumps(boom.run(duration=10, samples=2))
+
+
+def test_an_unstable_spin_is_refused_where_a_stable_one_is_required() -> None:
+    found = Model(quasirigid.EXAMPLE)
+    stable, unstable = found.modes(axis="greatest"), found.modes(axis="least")
+    assert stable.require_stable() is stable and stable["nutation"] == stable.modes[0]
+    assert unstable.holds and not unstable.stable
+    with pytest.raises(quasirigid.Refused, match="UNSTABLE"):
+        unstable.require_stable()
+    with pytest.raises(KeyError, match="the modes are nutation"):
+        stable["wobble"]
+    with pytest.raises(quasirigid.InputError, match="axis='greatest'"):
+        found.modes("greatest")

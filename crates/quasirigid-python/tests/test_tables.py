@@ -31,12 +31,20 @@ def test_a_table_is_a_mapping_with_units() -> None:
     assert list(table)[:2] == ["t", "wx"] and len(table) == len(table.units) and "wz" in table
     assert table.units["momentum"] == "N m s" and table.rows == 7
     assert set(map(len, table.values())) == {7}
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match="the columns are t, wx"):
         table["none"]
     twin = pickle.loads(pickle.dumps(table))
     assert twin.units == table.units
     np.testing.assert_array_equal(twin["wz"], table["wz"])
     assert pickle.loads(pickle.dumps(MANY.table))["message"] == MANY.table["message"]
+
+
+def test_a_table_is_no_array_of_its_names() -> None:
+    pandas = pytest.importorskip("pandas")
+    for wrong in (np.asarray, pandas.DataFrame):
+        with pytest.raises(TypeError, match="polars.DataFrame"):
+            wrong(HISTORY.table)
+    assert list(pandas.DataFrame.from_arrow(HISTORY.table)["wz"]) == list(HISTORY.table["wz"])
 
 
 def test_pyarrow_reads_every_kind_of_column() -> None:

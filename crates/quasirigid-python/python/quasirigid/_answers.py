@@ -237,6 +237,36 @@ class Modes(Answer):
         """Whether no small motion about the first steady spin grows."""
         return bool(self._parts["json"]["stable"])
 
+    def require_stable(self) -> Self:
+        """The answer itself, if no small motion about the first steady spin grows: a spin that is unstable has modes all the same.
+
+        Raises:
+            Refused: with the sentence, if one grows or no steady spin was found.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest").require_stable().stable
+        True
+        """
+        if not (self.holds and self.stable):
+            raise Refused(self.sentence)
+        return self
+
+    def __getitem__(self, name: str) -> dict[str, Any]:
+        """The first mode of this name about the first steady spin.
+
+        Raises:
+            KeyError: with the names there are, if there is none.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")["nutation"]["time_constant"] > 0
+        True
+        """
+        for mode in self.modes:
+            if mode["name"] == name:
+                return mode
+        names = ", ".join(dict.fromkeys(str(mode["name"]) for mode in self.modes))
+        raise KeyError(f"{name!r} is no mode; the modes are {names}")
+
     @property
     def modes(self) -> list[dict[str, Any]]:
         """Modes about the first steady spin, the nutation first: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s),

@@ -178,6 +178,8 @@ class Model:
         >>> bool(modes.time_constants[0] > 0)
         True
         """
+        if isinstance(spin, str):
+            raise InputError(f"spin = {spin!r} is a text; a principal axis is named by axis={spin!r}")
         vector = _arguments.vector(spin, "spin")
         name = _arguments.word(axis, "axis")
         with observer(progress) as watch:

@@ -35,7 +35,11 @@ class Table(Mapping[str, Any]):
         self._places = {name: place for place, name in enumerate(columns.names)}
 
     def __getitem__(self, name: str) -> Any:
-        return self._columns.values(self._places[name])
+        try:
+            place = self._places[name]
+        except KeyError:
+            raise KeyError(f"{name!r} is no column; the columns are {', '.join(self._places)}") from None
+        return self._columns.values(place)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
@@ -62,6 +66,13 @@ class Table(Mapping[str, Any]):
         (7, 3)
         """
         return np.column_stack([self[name] for name in names])
+
+    def __array__(self, *_: object, **__: object) -> NDArray[Any]:
+        """Refuses: numbers and texts make no array. (NumPy and ``pandas.DataFrame(table)`` would take the names for the rows.)"""
+        raise TypeError(
+            "a table is no array: take columns by name, table.stack('wx', 'wy', 'wz'), polars.DataFrame(table), "
+            "or pandas.DataFrame.from_arrow(table)"
+        )
 
     def __arrow_c_schema__(self) -> object:
         """The types of the columns, for libraries that speak Arrow."""

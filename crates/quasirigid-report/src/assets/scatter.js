@@ -6,7 +6,7 @@
   const plot = document.getElementById("scatter");
   const choices = ["scatter-x", "scatter-y"].map((id) => document.getElementById(id));
   const make = (name, attributes, text) => {
-    const node = document.createElementNS("http://www.w3.org/2000/svg", name);
+    const node = document.createElementNS(plot.namespaceURI, name);
     Object.entries(attributes).forEach(([key, value]) => node.setAttribute(key, value));
     if (text !== undefined) node.textContent = text;
     return plot.appendChild(node);

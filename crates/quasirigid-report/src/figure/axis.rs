@@ -90,7 +90,8 @@ impl Axis {
 
     /// Some four to seven ticks at round numbers.
     pub fn ticks(&self) -> Vec<Tick> {
-        if self.log && self.high - self.low < FEW_DECADES {
+        let plain = self.low > f64::MIN_10_EXP.into() && self.high < f64::MAX_10_EXP.into();
+        if self.log && plain && self.high - self.low < FEW_DECADES {
             return self.ticks_within_decades();
         }
         let step = if self.log {

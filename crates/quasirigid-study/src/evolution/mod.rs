@@ -273,8 +273,14 @@ mod tests {
         for method in [None, Some(EvolveMethod::Direct), Some(EvolveMethod::MicroRuns)] {
             for reports in [1, 2, 7] {
                 let asked = Asked { method, ..study.evolution_asked() };
-                let evolved = study.evolve_from(start, &asked, &mut Stopped(reports)).unwrap();
-                assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message);
+                match study.evolve_from(start, &asked, &mut Stopped(reports)) {
+                    Ok(evolved) => {
+                        assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message)
+                    }
+                    Err(error) => {
+                        assert!(matches!(error, StudyError::Interrupted), "{method:?}, {reports}: {error}")
+                    }
+                }
             }
         }
     }

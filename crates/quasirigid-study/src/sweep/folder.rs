@@ -85,6 +85,11 @@ impl<'s> Folder<'s> {
         self.path.join(PARTS).join(format!("part-{part:05}.journal"))
     }
 
+    /// Removes the journal of a part that is there, which a run left that was killed between the two.
+    pub(super) fn drop_journal(&self, part: u64) {
+        let _ = fs::remove_file(self.journal(part)); // there is none as a rule
+    }
+
     /// Whether every part is there.
     pub(super) fn is_complete(&self) -> bool {
         (0..self.parts()).all(|part| self.part(part).is_file())

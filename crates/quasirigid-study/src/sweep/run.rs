@@ -87,7 +87,9 @@ impl Sweep {
         let mut elsewhere = 0;
         for part in parts {
             let rows = rows_in(&folder, part);
-            if !folder.part(part).is_file() {
+            if folder.part(part).is_file() {
+                folder.drop_journal(part);
+            } else {
                 match work_on(self, &folder, part, pool.as_ref(), &mut progress)? {
                     Worked::Whole => continue,
                     Worked::Stopped => break,

@@ -149,7 +149,9 @@ WORKS = {
 def test_ctrl_c_ends_the_work(work: str) -> None:
     script = textwrap.dedent(
         f"""
-        import quasirigid, sys
+        import quasirigid, signal, sys
+        # a shell without job control starts what runs behind it deaf to SIGINT
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         model = quasirigid.Model(quasirigid.EXAMPLE)
         print("ready", flush=True)
         try:

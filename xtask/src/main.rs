@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use finding::{Finding, Weight};
+use test::Wishes;
 use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
@@ -28,10 +29,11 @@ const CHECKS: [(&str, Check); 5] = [
 ];
 
 const HELP: &str = "\
-usage: cargo xtask test [--require-python]
+usage: cargo xtask test [--require-python] [--wheel]
        cargo xtask <check>
 
-  test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python
+  test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
+           --wheel tests the package as users install it, which takes four minutes more
 
   check    all of the following
   layers   who imports whom, and no foreign type in a public signature
@@ -45,8 +47,16 @@ exit code: 0 nothing found, 1 something found, 2 could not run";
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let name = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["test"] => return test(false),
-        ["test", "--require-python"] => return test(true),
+        ["test", ref wishes @ ..] => {
+            return match wishes.iter().try_fold(Wishes::default(), |known, wish| match *wish {
+                "--require-python" => Ok(Wishes { python: true, ..known }),
+                "--wheel" => Ok(Wishes { python: true, wheel: true }),
+                _ => Err(()),
+            }) {
+                Ok(wishes) => test(wishes),
+                Err(()) => refuse(HELP),
+            };
+        }
         [name] => name,
         _ => return refuse(HELP),
     };
@@ -69,10 +79,10 @@ fn main() -> ExitCode {
 }
 
 /// Runs every test.
-fn test(python_is_required: bool) -> ExitCode {
+fn test(wishes: Wishes) -> ExitCode {
     let done = workspace_root()
         .map_err(|error| format!("cannot read the workspace: {error}"))
-        .and_then(|root| test::run(&root, python_is_required));
+        .and_then(|root| test::run(&root, wishes));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {

@@ -1,9 +1,13 @@
 //! Every test, of Rust and of Python, by one command.
 //! The tests of the Python package need an interpreter and libraries, which not every machine has; a missing one is told with the
-//! way to get it, and is no failure unless Python is required, as it is on the server.
+//! way to get it, and is no failure unless Python is required, as it is on the server. The package is put together from the library that
+//! the build of the workspace makes: a wheel compiles most of it a second time, with other features of its dependencies, and is tested on
+//! request.
 
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::ffi::OsStr;
 use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -20,14 +24,29 @@ except ImportError as error: sys.exit('the module %s of Python' % error.name)";
 
 type Step = Result<(), String>;
 
+/// Kinds of targets; naming them also builds the library of the Python package, with the features that the tests have.
+const TARGETS: [&str; 4] = ["--lib", "--bins", "--tests", "--examples"];
+/// A program that prints the folder of an environment's packages.
+const PACKAGES: &str = "import sysconfig; print(sysconfig.get_path('purelib'))";
+
+/// Wishes of the caller.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wishes {
+    /// Whether a missing interpreter is a failure.
+    pub python: bool,
+    /// Whether the wheel is built and tested, as users install it.
+    pub wheel: bool,
+}
+
 /// Runs the tests of Rust, then those of Python.
-pub fn run(root: &Path, python_is_required: bool) -> Step {
+pub fn run(root: &Path, wishes: Wishes) -> Step {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    step(root, &cargo, ["build", "--workspace"].into_iter().chain(TARGETS))?;
     step(root, &cargo, ["test", "--workspace"])?;
     match interpreter(root) {
-        Ok(python) => of_python(root, &target, &python),
-        Err(missing) if python_is_required => Err(missing),
+        Ok(python) => of_python(root, &target, &python, wishes.wheel),
+        Err(missing) if wishes.python => Err(missing),
         Err(missing) => {
             println!("\nxtask test: the tests of Python were LEFT OUT: {missing}");
             Ok(())
@@ -51,11 +70,45 @@ fn interpreter(root: &Path) -> Result<PathBuf, String> {
     }
 }
 
-/// The wheel, built and installed into an environment of its own, and its tests.
-fn of_python(root: &Path, target: &Path, python: &Path) -> Step {
+/// The package in an environment of its own, and its tests.
+fn of_python(root: &Path, target: &Path, python: &Path, wheel: bool) -> Step {
     let environment = target.join("python-venv");
     let own = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     install_requirements(root, python, &environment, &own)?;
+    let told = Command::new(&own).args(["-c", PACKAGES]).output();
+    let packages = told.map_err(|error| format!("{} does not run ({error})", own.display()))?.stdout;
+    let package = Path::new(String::from_utf8_lossy(&packages).trim()).join("quasirigid");
+    let copied = match fs::remove_dir_all(&package) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ if wheel => Ok(()),
+        _ => copy_package(root, target, &package),
+    };
+    copied.map_err(|error| format!("cannot make {}: {error}", package.display()))?;
+    if wheel {
+        install_wheel(root, target, &own)?;
+    }
+    let suite = ["-m", "pytest", "-q", "crates/quasirigid-python/tests"];
+    step(root, &own, suite)?;
+    step(root, &own, ["-m", "mypy", "-p", "quasirigid"])?;
+    step(root, &own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])
+}
+
+/// The sources of the package with the library that the build of the workspace made.
+fn copy_package(root: &Path, target: &Path, package: &Path) -> io::Result<()> {
+    fs::create_dir_all(package)?;
+    for entry in fs::read_dir(root.join("crates/quasirigid-python/python/quasirigid"))? {
+        let entry = entry?;
+        if entry.file_type()?.is_file() {
+            fs::copy(entry.path(), package.join(entry.file_name()))?;
+        }
+    }
+    let library = format!("{DLL_PREFIX}_core{DLL_SUFFIX}");
+    let extension = if cfg!(windows) { "_core.pyd" } else { "_core.abi3.so" };
+    fs::copy(target.join("debug").join(library), package.join(extension)).map(drop)
+}
+
+/// The wheel, built and installed.
+fn install_wheel(root: &Path, target: &Path, own: &Path) -> Step {
     let wheels = target.join("python-wheel");
     // A wheel of an earlier version would be installed with the new one.
     if wheels.exists() {
@@ -63,14 +116,10 @@ fn of_python(root: &Path, target: &Path, python: &Path) -> Step {
     }
     let wheel = ["-m", "maturin", "build", "--profile", "dev", "--interpreter"].map(OsStr::new);
     let wheel = wheel.into_iter().chain([own.as_os_str(), "--out".as_ref(), wheels.as_os_str()]);
-    step(root, &own, wheel)?;
+    step(root, own, wheel)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--force-reinstall"];
     let found = ["--find-links".as_ref(), wheels.as_os_str(), "quasirigid".as_ref()];
-    step(root, &own, install.map(OsStr::new).into_iter().chain(found))?;
-    let suite = ["-m", "pytest", "-q", "crates/quasirigid-python/tests"];
-    step(root, &own, suite)?;
-    step(root, &own, ["-m", "mypy", "-p", "quasirigid"])?;
-    step(root, &own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])
+    step(root, own, install.map(OsStr::new).into_iter().chain(found))
 }
 
 /// Makes the environment, unless the one that is there has these requirements.

@@ -15,7 +15,7 @@ use thiserror::Error;
 pub enum Failure {
     #[error("{}", .0.told(&flag))]
     Study(StudyError),
-    #[error("{0}")]
+    #[error("{}", .0.told(&flag))]
     Sweep(#[from] SweepError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
@@ -88,6 +88,9 @@ fn flag(setting: Setting) -> &'static str {
         Setting::Spin => "--spin",
         Setting::From => "--from",
         Setting::Until => "--to",
+        Setting::Folder => "-o",
+        Setting::Resume => "--resume",
+        Setting::Threads => "--threads",
         Setting::EvolutionDuration => "--duration or with evolve = { duration = \"10 yr\" } in [run]",
     }
 }

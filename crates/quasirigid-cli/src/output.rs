@@ -7,6 +7,7 @@ mod place;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use quasirigid_io::disk::{settle, settle_folder};
 use tempfile::NamedTempFile;
 
 pub use folder::Folder;
@@ -105,11 +106,11 @@ pub fn to_file(
         leftover::remember(file.path());
         let _ = file.as_file().try_lock(); // where the file system has no locks nothing is ever taken for a leftover
         filled(file.as_file_mut(), write)?;
-        place::settle(file.as_file())?;
+        settle(file.as_file())?;
         let undisturbed = leftover::undisturbed();
         let placed = placed(file, path, overwrite)?;
         drop(undisturbed);
-        let _ = place::settle_folder(parent(path)); // the file stands there; whether it would survive a loss of power is not known
+        let _ = settle_folder(parent(path)); // the file stands there; whether it would survive a loss of power is not known
         Ok(placed)
     };
     match whole() {

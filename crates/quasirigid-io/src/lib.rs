@@ -6,6 +6,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+pub mod disk;
 pub mod export;
 pub mod matrix;
 pub mod mesh;

@@ -23,15 +23,15 @@ pub struct Cancelled;
 
 /// Time between two questions to the observer.
 const PERIOD: Duration = Duration::from_millis(100);
-/// Stack of the thread of the work (bytes): as much as a main thread has.
-const STACK: usize = 8 << 20;
+/// Stack of a thread that works (bytes): as much as a main thread has.
+pub const STACK: usize = 8 << 20;
 
 /// State of a work, shared by its thread and the one that waits.
 #[derive(Default)]
 struct Place {
     stage: Mutex<&'static str>,
     share: AtomicU64,
-    cancelled: AtomicBool,
+    cancelled: Arc<AtomicBool>,
 }
 
 thread_local! {
@@ -70,6 +70,21 @@ pub fn watched<T: Send>(
         Ok(worker.join().unwrap_or_else(Err))
     });
     settled(found.unwrap_or_else(|cause| Err(Box::new(cause))))
+}
+
+/// Does work on this thread, which ends early once `cancelled` is set.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Panics
+/// As the work does.
+pub fn cancellable<T>(cancelled: &Arc<AtomicBool>, work: impl FnOnce() -> T) -> Result<T, Cancelled> {
+    let place = Place { cancelled: Arc::clone(cancelled), ..Place::default() };
+    let before = PLACE.with_borrow_mut(|current| current.replace(Arc::new(place)));
+    let found = panic::catch_unwind(AssertUnwindSafe(work));
+    PLACE.with_borrow_mut(|current| *current = before);
+    settled(found)
 }
 
 fn settled<T>(found: Result<T, Box<dyn Any + Send>>) -> Result<T, Cancelled> {
@@ -161,6 +176,21 @@ mod tests {
             }
         };
         assert_eq!(watched(&mut |_, _| ControlFlow::Break(()), work), Err(Cancelled));
+    }
+
+    #[test]
+    fn cancellable_work_ends_on_its_own_thread_and_leaves_none_behind() {
+        let cancelled = Arc::new(AtomicBool::new(false));
+        let work = |last: u32| {
+            (0..).find(|step| {
+                progress(f64::from(*step));
+                cancelled.store(*step == 3, Ordering::Relaxed);
+                *step == last
+            })
+        };
+        assert_eq!(cancellable(&cancelled, || work(2)), Ok(Some(2)));
+        assert_eq!(cancellable(&cancelled, || work(9)), Err(Cancelled));
+        progress(0.0); // the thread is free again
     }
 
     #[test]

@@ -15,25 +15,12 @@ use quasirigid_study::layout::paragraph;
 use quasirigid_study::modes::AskedSpin;
 use quasirigid_study::run::RunOutcome;
 use quasirigid_study::{LeftOut, Study, StudyError, beyond, summary, verification};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::columns::Columns;
 use crate::failure::Failure;
-use crate::values::object;
+use crate::values::Json;
 use crate::watching::Shared;
-
-/// A JSON value on its way to Python.
-pub struct Json(Value);
-
-impl<'py> IntoPyObject<'py> for Json {
-    type Target = PyAny;
-    type Output = Bound<'py, PyAny>;
-    type Error = PyErr;
-
-    fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
-        object(py, &self.0)
-    }
-}
 
 /// An answer: a dictionary in Python.
 #[derive(IntoPyObject)]
@@ -92,15 +79,13 @@ pub fn simulate(
     table: &Table,
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
-    let start = study.initial()?;
-    let left_out = LeftOut::at(study, start.omega, None);
-    let history = study.simulate_from(start, propagation, table, &mut shared)?;
-    let (holds, json) = (history.holds(&left_out), history.json());
-    let doubts = [shared.remarks(), left_out.notes()].concat();
-    // A history to its end that does not hold has its reason in the doubts.
-    let ended = matches!(history.status, "finished" | "event");
-    let sentence = if ended && !holds { doubts.join(" ") } else { history.message };
-    let notes = [doubts, study.model.notes.clone(), history.notes].concat();
+    let history = study.simulate(propagation, table, &mut shared)?;
+    let json = history.json();
+    let (holds, sentence) = match history.reason() {
+        Some(reason) => (false, reason.to_owned()),
+        None => (true, history.message),
+    };
+    let notes = [shared.remarks(), study.model.notes.clone(), history.notes].concat();
     Ok(Answer {
         json: Json(json),
         text: format!("{}: {sentence}\n", study.model.name),

@@ -1,6 +1,6 @@
 //! Tables through the Arrow C data interface: three structs of C, filled in by hand.
-//! pandas, polars, DuckDB and pyarrow read them without a copy and without a library of Arrow here. Numbers are `float64`, texts
-//! `large_utf8`; the unit of a column stands in the metadata of its field. One batch holds all rows.
+//! pandas, polars, DuckDB and pyarrow read them without a copy and without a library of Arrow here. Numbers are `float64`, counts `int64`,
+//! truth values `bool`, texts `large_utf8`; the unit of a column stands in the metadata of its field. One batch holds all rows.
 //! Apache Arrow, The Arrow C data interface and The Arrow PyCapsule interface.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
@@ -67,12 +67,39 @@ struct SchemaParts {
     children: Vec<*mut Schema>,
 }
 
-/// Memory behind an array: the column itself, or texts joined.
+/// Memory behind an array: the column itself, or its values in the form of the interface.
 struct ArrayParts {
     _column: Option<Values>,
-    _joined: Option<(Vec<i64>, Vec<u8>)>,
+    _made: Made,
     buffers: Vec<*const c_void>,
     children: Vec<*mut Array>,
+}
+
+/// Values in the form of the interface: bits of the rows that are there, ends of the texts, and the texts joined or the bits of truth values.
+#[derive(Default)]
+struct Made {
+    valid: Vec<u8>,
+    ends: Vec<i64>,
+    bytes: Vec<u8>,
+}
+
+/// Bits of the rows that are there, and the number of those that are not.
+fn validity<T>(values: &[Option<T>]) -> (Vec<u8>, usize) {
+    (bits(values.iter().map(Option::is_some)), values.iter().filter(|value| value.is_none()).count())
+}
+
+/// Truth values as bits, the first the lowest of the first byte.
+fn bits(truths: impl Iterator<Item = bool>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for (index, truth) in truths.enumerate() {
+        if index % 8 == 0 {
+            bytes.push(0);
+        }
+        if let Some(last) = bytes.last_mut() {
+            *last |= u8::from(truth) << (index % 8);
+        }
+    }
+    bytes
 }
 
 /// Memory behind a stream: the table, until it is handed on.
@@ -88,6 +115,8 @@ impl Schema {
         let children = series.iter().map(|series| {
             let format = match series.values {
                 Values::Numbers(_) => c"g",
+                Values::Counts(_) => c"l",
+                Values::Booleans(_) => c"b",
                 Values::Texts(_) => c"U",
             };
             Box::into_raw(Box::new(Self::new(format, &series.name, unit(series), Vec::new())))
@@ -141,26 +170,43 @@ impl Array {
     /// The rows of a table.
     fn of(series: &[Series], rows: usize) -> Self {
         let children = series.iter().map(|series| Box::into_raw(Box::new(Self::column(series, rows))));
-        Self::new(rows, vec![null()], children.collect(), None, None)
+        Self::new(rows, vec![null()], children.collect(), None, Made::default())
     }
 
     fn column(series: &Series, rows: usize) -> Self {
+        let plain = |values: *const c_void| {
+            Self::new(rows, vec![null(), values], Vec::new(), Some(series.values.clone()), Made::default())
+        };
         match &series.values {
-            Values::Numbers(numbers) => {
-                let buffers = vec![null(), numbers.as_ptr().cast()];
-                Self::new(rows, buffers, Vec::new(), Some(series.values.clone()), None)
+            Values::Numbers(numbers) => plain(numbers.as_ptr().cast()),
+            Values::Counts(counts) => plain(counts.as_ptr().cast()),
+            Values::Booleans(truths) => {
+                let truths = &truths[..rows];
+                let (valid, nulls) = validity(truths);
+                let bytes = bits(truths.iter().map(|truth| *truth == Some(true)));
+                Self::made(rows, nulls, Made { valid, ends: Vec::new(), bytes })
             }
             Values::Texts(texts) => {
-                let mut ends = vec![0];
-                let mut joined: Vec<u8> = Vec::new();
-                for text in texts.iter().take(rows) {
-                    joined.extend(text.as_bytes());
-                    ends.push(joined.len() as i64);
+                let texts = &texts[..rows];
+                let (valid, nulls) = validity(texts);
+                let (mut ends, mut bytes) = (vec![0], Vec::new());
+                for text in texts {
+                    bytes.extend(text.as_deref().unwrap_or_default().as_bytes());
+                    ends.push(bytes.len() as i64);
                 }
-                let buffers = vec![null(), ends.as_ptr().cast(), joined.as_ptr().cast()];
-                Self::new(rows, buffers, Vec::new(), None, Some((ends, joined)))
+                Self::made(rows, nulls, Made { valid, ends, bytes })
             }
         }
+    }
+
+    /// A column whose values are in the form of the interface.
+    fn made(rows: usize, nulls: usize, made: Made) -> Self {
+        let valid = if nulls == 0 { null() } else { made.valid.as_ptr().cast() };
+        let ends = (!made.ends.is_empty()).then(|| made.ends.as_ptr().cast());
+        let buffers = [valid].into_iter().chain(ends).chain([made.bytes.as_ptr().cast()]).collect();
+        let mut array = Self::new(rows, buffers, Vec::new(), None, made);
+        array.null_count = nulls as i64;
+        array
     }
 
     fn new(
@@ -168,9 +214,9 @@ impl Array {
         buffers: Vec<*const c_void>,
         children: Vec<*mut Self>,
         column: Option<Values>,
-        joined: Option<(Vec<i64>, Vec<u8>)>,
+        made: Made,
     ) -> Self {
-        let mut parts = Box::new(ArrayParts { _column: column, _joined: joined, buffers, children });
+        let mut parts = Box::new(ArrayParts { _column: column, _made: made, buffers, children });
         Self {
             length: rows as i64,
             null_count: 0,

@@ -3,11 +3,12 @@
 
 use std::sync::Arc;
 
-use numpy::{PyArray1, PyArrayMethods, ndarray::ArrayView1};
+use numpy::{Element, PyArray1, PyArrayMethods, ndarray::ArrayView1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyList};
+use pyo3::types::PyCapsule;
 use quasirigid_io::record::Column;
+use quasirigid_io::table_file::{CellColumn, Cells};
 
 use crate::arrow;
 use crate::failure::Failure;
@@ -17,8 +18,12 @@ use crate::failure::Failure;
 pub enum Values {
     /// Numbers.
     Numbers(Arc<Vec<f64>>),
-    /// Texts.
-    Texts(Arc<Vec<String>>),
+    /// Counts.
+    Counts(Arc<Vec<i64>>),
+    /// Truth values; none where missing.
+    Booleans(Arc<Vec<Option<bool>>>),
+    /// Texts; none where missing.
+    Texts(Arc<Vec<Option<String>>>),
 }
 
 /// A named column.
@@ -36,12 +41,18 @@ impl Series {
     }
 
     pub fn texts(name: &str, values: Vec<String>) -> Self {
-        Self { name: name.into(), unit: String::new(), values: Values::Texts(Arc::new(values)) }
+        Self {
+            name: name.into(),
+            unit: String::new(),
+            values: Values::Texts(Arc::new(values.into_iter().map(Some).collect())),
+        }
     }
 
     fn rows(&self) -> usize {
         match &self.values {
             Values::Numbers(values) => values.len(),
+            Values::Counts(values) => values.len(),
+            Values::Booleans(values) => values.len(),
             Values::Texts(values) => values.len(),
         }
     }
@@ -61,6 +72,23 @@ impl Columns {
         Self { series: Arc::new(series), rows }
     }
 
+    /// Columns of the results of a study; a number that is missing is NaN.
+    pub fn of_cells(columns: Vec<CellColumn>) -> Self {
+        let series = columns.into_iter().map(|CellColumn { name, unit, cells }| {
+            let values = match cells {
+                Cells::Counts(values) => Values::Counts(Arc::new(values)),
+                Cells::Booleans(values) => Values::Booleans(Arc::new(values)),
+                Cells::Texts(values) => Values::Texts(Arc::new(values)),
+                Cells::Numbers(values) => {
+                    let numbers = values.into_iter().map(|value| value.unwrap_or(f64::NAN));
+                    Values::Numbers(Arc::new(numbers.collect()))
+                }
+            };
+            Series { name, unit, values }
+        });
+        Self::new(series.collect())
+    }
+
     /// The columns of a history or an evolution.
     pub fn of_record(columns: Vec<Column>) -> Self {
         let series = columns.into_iter().map(|column| Series {
@@ -74,7 +102,8 @@ impl Columns {
 
 #[pymethods]
 impl Columns {
-    /// Columns from names, units and values: lists of texts, or arrays of numbers, of equal length.
+    /// Columns from names, units and values of equal length: arrays of numbers, counts or truth values, or lists of truth values or texts
+    /// with none where one is missing.
     #[new]
     fn from_parts(names: Vec<String>, units: Vec<String>, values: Vec<Bound<'_, PyAny>>) -> PyResult<Self> {
         if names.len() != units.len() || names.len() != values.len() {
@@ -82,10 +111,17 @@ impl Columns {
         }
         let mut series = Vec::with_capacity(names.len());
         for ((name, unit), values) in names.into_iter().zip(units).zip(values) {
-            let values = if values.is_instance_of::<PyList>() {
-                Values::Texts(Arc::new(values.extract()?))
-            } else {
-                Values::Numbers(Arc::new(values.extract()?))
+            let kind: String = match values.getattr_opt("dtype")? {
+                Some(dtype) => dtype.getattr("kind")?.extract()?,
+                None => String::new(),
+            };
+            let values = match kind.as_str() {
+                "f" => Values::Numbers(Arc::new(values.extract()?)),
+                "i" | "u" => Values::Counts(Arc::new(values.extract()?)),
+                _ => match values.extract() {
+                    Ok(truths) => Values::Booleans(Arc::new(truths)),
+                    Err(_) => Values::Texts(Arc::new(values.extract()?)),
+                },
             };
             series.push(Series { name, unit, values });
         }
@@ -111,7 +147,7 @@ impl Columns {
         self.series.iter().map(|series| series.unit.as_str()).collect()
     }
 
-    /// The values of a column by its number: a read-only array, or a list of texts.
+    /// The values of a column by its number: a read-only array of numbers or counts, or a list of truth values or texts.
     fn values<'py>(this: &Bound<'py, Self>, column: usize) -> PyResult<Bound<'py, PyAny>> {
         let columns = this.get();
         let Some(series) = columns.series.get(column) else {
@@ -119,13 +155,9 @@ impl Columns {
         };
         match &series.values {
             Values::Texts(texts) => texts.as_slice().into_bound_py_any(this.py()),
-            Values::Numbers(numbers) => {
-                let view = ArrayView1::from(numbers.as_slice());
-                // SAFETY: the array keeps this object alive, which is frozen and never changes or moves the numbers.
-                let array = unsafe { PyArray1::borrow_from_array(&view, this.clone().into_any()) };
-                array.readwrite().make_nonwriteable();
-                Ok(array.into_any())
-            }
+            Values::Booleans(truths) => truths.as_slice().into_bound_py_any(this.py()),
+            Values::Counts(counts) => Ok(shared(this, counts)),
+            Values::Numbers(numbers) => Ok(shared(this, numbers)),
         }
     }
 
@@ -139,4 +171,13 @@ impl Columns {
     fn arrow_schema<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
         PyCapsule::new_with_value(py, arrow::Schema::of(&self.series), arrow::SCHEMA)
     }
+}
+
+/// A read-only array on the memory of a column of the table.
+fn shared<'py, T: Element>(table: &Bound<'py, Columns>, values: &[T]) -> Bound<'py, PyAny> {
+    let view = ArrayView1::from(values);
+    // SAFETY: the array keeps the table alive, which is frozen and never changes or moves the numbers.
+    let array = unsafe { PyArray1::borrow_from_array(&view, table.clone().into_any()) };
+    array.readwrite().make_nonwriteable();
+    array.into_any()
 }

@@ -13,11 +13,10 @@ use std::time::Duration;
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use quasirigid::dynamics::Start;
-use quasirigid_io::model::System;
 use quasirigid_io::record::Column;
 use quasirigid_study::evolution::Asked;
 use quasirigid_study::histories::{Propagation, Table, room};
-use quasirigid_study::{LeftOut, Study, StudyError, Watch};
+use quasirigid_study::{Study, StudyError, Watch};
 use rayon::prelude::*;
 
 use crate::columns::{Columns, Series};
@@ -212,18 +211,13 @@ pub fn simulate(
     let kept = if table.coordinates || table.displacements { study.body.coordinates().len() } else { 0 };
     room(samples, 2 * starts.len(), kept)?;
     let found = each(study, starts, shared, move |study, start, watch| {
-        let left_out = if table.system == System::Rigid {
-            LeftOut { materials: None, liquids: None }
-        } else {
-            LeftOut::at(study, start.omega, None)
-        };
         let history = study.simulate_from(start, &propagation, &table, watch)?;
         Ok(HistoryRow {
-            holds: history.holds(&left_out),
-            notes: [watch.remarks.clone(), left_out.notes(), history.notes].concat(),
+            holds: history.holds(),
+            message: history.reason().unwrap_or(&history.message).to_owned(),
+            notes: [watch.remarks.clone(), history.notes].concat(),
             columns: history.columns,
             status: history.status,
-            message: history.message,
         })
     })?;
     Ok(Histories::of(found, samples))

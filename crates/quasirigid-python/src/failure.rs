@@ -5,6 +5,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
+use quasirigid_study::sweep::SweepError;
 use quasirigid_study::visible::visible;
 use quasirigid_study::{Setting, StudyError};
 
@@ -13,6 +14,8 @@ use quasirigid_study::{Setting, StudyError};
 pub enum Failure {
     /// An error of the study.
     Study(StudyError),
+    /// An error of a study of many bodies.
+    Sweep(SweepError),
     /// An argument that means nothing.
     Input(String),
     /// A file that is in the way, or cannot be made.
@@ -26,6 +29,12 @@ pub enum Failure {
 impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
         Self::Study(error)
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::Sweep(error)
     }
 }
 
@@ -44,8 +53,7 @@ impl From<Failure> for PyErr {
 impl Failure {
     /// A panic with its message.
     pub fn panicked(cause: &(dyn std::any::Any + Send)) -> Self {
-        let text = cause.downcast_ref::<&str>().map(ToString::to_string);
-        Self::Panic(text.or_else(|| cause.downcast_ref::<String>().cloned()).unwrap_or_default())
+        Self::Panic(quasirigid_study::panic_message(cause))
     }
 
     /// The text for a row of many.
@@ -53,6 +61,7 @@ impl Failure {
         visible(&match self {
             Self::Study(StudyError::Interrupted) => "the work was told to end".to_owned(),
             Self::Study(error) => error.told(&argument),
+            Self::Sweep(error) => error.told(&argument),
             Self::Input(text) | Self::File(text) => text.clone(),
             Self::Panic(text) => format!("{OURS}: {text}"),
             Self::Raised(error) => error.to_string(),
@@ -74,16 +83,16 @@ fn argument(setting: Setting) -> &'static str {
         Setting::Spin => "spin",
         Setting::From => "start",
         Setting::Until => "until",
+        Setting::Folder => "folder",
+        Setting::Resume => "resume=True",
+        Setting::Threads => "threads",
     }
 }
 
 /// The class of an error of the study.
 fn class(error: &StudyError) -> &'static str {
     match error {
-        StudyError::Model(ModelError::Unreadable { problem: FileProblem::Missing, .. }) => "MissingFileError",
-        StudyError::Model(ModelError::Unreadable { .. })
-        | StudyError::Record(_)
-        | StudyError::Write { .. } => "FileError",
+        StudyError::Record(_) | StudyError::Write { .. } => "FileError",
         StudyError::Model(_) | StudyError::Extreme { .. } => "ModelError",
         StudyError::Reduction(_) | StudyError::Validity(_) | StudyError::Vibration(_) => "ReductionError",
         StudyError::Propagate(_) => "PropagationError",
@@ -112,18 +121,48 @@ fn exception(py: Python<'_>, failure: Failure) -> PyResult<PyErr> {
     let of = |name: &str| py.import("quasirigid._errors")?.getattr(name);
     let class = match &failure {
         Failure::Raised(error) => return Ok(error.clone_ref(py)),
-        Failure::Study(StudyError::Model(ModelError::Invalid { model, diagnostics })) => {
-            let file = model.file.display().to_string();
-            let found = diagnostics.iter().map(|each| diagnosed(py, each, &model.text));
-            let found = found.collect::<PyResult<Vec<_>>>()?;
-            return Ok(PyErr::from_value(of("ModelError")?.call1((text, file, found))?));
+        Failure::Study(StudyError::Model(error))
+        | Failure::Sweep(SweepError::File(error) | SweepError::Model(error)) => {
+            return of_model(py, text, error);
         }
         Failure::Study(error) => class(error),
+        Failure::Sweep(error) => class_of_sweep(error),
         Failure::Input(_) => "InputError",
         Failure::File(_) => "FileError",
         Failure::Panic(_) => "InternalError",
     };
     Ok(PyErr::from_value(of(class)?.call1((text,))?))
+}
+
+/// The class of an error of a study of many bodies.
+fn class_of_sweep(error: &SweepError) -> &'static str {
+    match error {
+        SweepError::OtherStudy { .. }
+        | SweepError::Exists { .. }
+        | SweepError::Foreign { .. }
+        | SweepError::NoFolder { .. }
+        | SweepError::Unfinished { .. }
+        | SweepError::Table(_)
+        | SweepError::Io { .. } => "FileError",
+        SweepError::Interrupted => "Interrupted",
+        _ => "InputError",
+    }
+}
+
+/// An error in the text of a model or a study, with its places, or of its file.
+fn of_model(py: Python<'_>, text: String, error: &ModelError) -> PyResult<PyErr> {
+    let of = |name: &str| py.import("quasirigid._errors")?.getattr(name);
+    Ok(PyErr::from_value(match error {
+        ModelError::Invalid { model, diagnostics } => {
+            let file = model.file.display().to_string();
+            let found = diagnostics.iter().map(|each| diagnosed(py, each, &model.text));
+            of("ModelError")?.call1((text, file, found.collect::<PyResult<Vec<_>>>()?))?
+        }
+        ModelError::Unreadable { problem: FileProblem::Missing, .. } => {
+            of("MissingFileError")?.call1((text,))?
+        }
+        _ => of("FileError")?.call1((text,))?,
+    }))
 }
 
 /// A diagnostic with its place in the text.

@@ -13,6 +13,7 @@ mod failure;
 mod model;
 mod pool;
 mod reduced;
+mod sweep;
 mod values;
 mod watching;
 
@@ -31,6 +32,8 @@ mod _core {
     use crate::model::Model;
     #[pymodule_export]
     use crate::reduced::Reduced;
+    #[pymodule_export]
+    use crate::sweep::{Collector, Sweep, read_sweep};
 
     /// Text of a model to begin with: a satellite with two damped booms.
     #[pymodule_export]

@@ -6,14 +6,13 @@ use std::mem;
 use std::process;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use quasirigid_study::STACK;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::failure::Failure;
 
 /// The pool, with the process that made it.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
-/// Stack of a thread (bytes): as much as a main thread has.
-const STACK: usize = 8 << 20;
 
 /// The pool of this process: as many threads as there are cores, or as the environment variable `RAYON_NUM_THREADS` says.
 pub fn pool() -> Result<Arc<ThreadPool>, Failure> {

@@ -41,6 +41,12 @@ pub enum Setting {
     Until,
     /// Longest time of an evolution.
     EvolutionDuration,
+    /// Folder of the results of a study.
+    Folder,
+    /// Going on in a folder with results.
+    Resume,
+    /// Number of threads.
+    Threads,
 }
 
 impl Setting {
@@ -58,6 +64,9 @@ impl Setting {
             Self::From => "from",
             Self::Until => "evolve.until",
             Self::EvolutionDuration => "evolve = { duration = \"10 yr\" } in [run]",
+            Self::Folder => "folder",
+            Self::Resume => "resume",
+            Self::Threads => "threads",
         }
     }
 }

@@ -191,21 +191,32 @@ pub struct History {
     pub budget: Vec<(String, f64)>,
     /// Notes to read before the numbers: the drift of the integrator may imitate dissipation.
     pub notes: Vec<String>,
-    /// Verdict on the reduced equations at the start; none of other systems, and of a body at rest under forces.
-    pub verdict: Option<Verdict>,
+    /// Reason for which the numbers are not those of the body, known before the work: the reduced equations do not hold at the start, or
+    /// the effect of a liquid is not right.
+    pub wrong: Option<String>,
 }
 
 impl History {
-    /// Whether the history is that of the body to the end asked for: the integration reached the last time or an event of the file,
-    /// the reduced equations do not fail at the start, and the effect of the liquids is right.
+    /// Whether the integration reached the last time, or an event of the file.
     #[must_use]
-    pub fn holds(&self, left_out: &LeftOut) -> bool {
-        let ended = matches!(
+    pub fn ended(&self) -> bool {
+        matches!(
             self.run.outcome,
             Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
-        );
-        let liquids = self.system == System::Rigid || left_out.liquids.is_none();
-        ended && liquids && self.verdict != Some(Verdict::Fails)
+        )
+    }
+
+    /// Reason for which the history is not that of the body to the end asked for; none if it is.
+    #[must_use]
+    pub fn reason(&self) -> Option<&str> {
+        let unfinished = (!self.ended()).then_some(self.message.as_str());
+        self.wrong.as_deref().or(unfinished)
+    }
+
+    /// Whether the history is that of the body to the end asked for.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.reason().is_none()
     }
 
     /// The last state and the integration, for machines.
@@ -287,13 +298,21 @@ impl Study {
         }
         let motion = Motion::new(self, spin);
         let judged = spin.omega != [0.0; 3] || !motion.system().acts();
-        let mut judgement = None;
+        let mut wrong = None;
+        if table.system != System::Rigid {
+            let left_out = LeftOut::at(self, spin.omega, None);
+            left_out.notes().iter().for_each(|note| watch.remark(note));
+            wrong = left_out.liquids;
+        }
         if table.system == System::Reduced && judged {
             let reduced = reduce(body, self.order)?;
             let validity = Validity::assess_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
-            judgement = Some(validity.verdict());
+            let doubt = format!("{} The check says why.", verdict(&validity));
             if validity.verdict() != Verdict::Holds {
-                watch.remark(&format!("{} The check says why.", verdict(&validity)));
+                watch.remark(&doubt);
+            }
+            if validity.verdict() == Verdict::Fails {
+                wrong = Some(doubt);
             }
         }
         let mut collector = Collector::new(watch, "propagating", &times);
@@ -313,7 +332,7 @@ impl Study {
         let energies = [last.energy_drift, last.dissipated];
         let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
         let (status, message) = status(body, run.outcome, last.t);
-        Ok(History { system: table.system, status, message, columns, run, budget, notes, verdict: judgement })
+        Ok(History { system: table.system, status, message, columns, run, budget, notes, wrong })
     }
 }
 

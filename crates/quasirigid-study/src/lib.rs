@@ -86,4 +86,4 @@ pub use incomplete::beyond;
 pub use left_out::LeftOut;
 pub use start::NoWobble;
 pub use study::Study;
-pub use watch::{Watch, watched};
+pub use watch::{STACK, Watch, panic_message, watched};

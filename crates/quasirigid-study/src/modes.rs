@@ -72,6 +72,12 @@ impl Modes {
         object
     }
 
+    /// Reason for which there is no steady spin next to the start; none if there is one.
+    #[must_use]
+    pub fn unfound(&self) -> Option<&str> {
+        self.spins.first().filter(|spin| spin.spin.is_none()).map(|spin| spin.sentence.as_str())
+    }
+
     /// Whether every steady spin was found.
     #[must_use]
     pub fn found(&self) -> bool {

@@ -1,8 +1,12 @@
 //! Progress and cancellation of long work.
 
+use std::any::Any;
 use std::ops::ControlFlow;
 
 use quasirigid_math::watch;
+
+/// Stack of a thread that works (bytes).
+pub const STACK: usize = watch::STACK;
 
 use crate::error::StudyError;
 
@@ -38,6 +42,13 @@ pub fn watched<T: Send>(
 ) -> Result<T, StudyError> {
     let mut at = |stage: &str, share: f64| watch.at(stage, share);
     watch::watched(&mut at, work).unwrap_or(Err(StudyError::Interrupted))
+}
+
+/// Message of a panic.
+#[must_use]
+pub fn panic_message(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "a panic".to_owned())
 }
 
 /// Absent observer: the work goes on to its end.

@@ -1,9 +1,8 @@
-use quasirigid::dynamics::{Event, Outcome};
-use quasirigid_io::model::System;
+use quasirigid::dynamics::Outcome;
 use quasirigid_io::record::{Column, history_csv};
-use quasirigid_study::histories::Table;
+use quasirigid_study::histories::{History, Table};
 
-use super::{note_left_out, notes, open, propagation};
+use super::{notes, open, propagation};
 use crate::args::{Simulate, TableFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -16,15 +15,13 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
     notes(&study, common);
-    let system = arguments.system;
-    let omega = study.initial()?.omega;
-    let wrong = system != System::Rigid && note_left_out(&study, omega, common);
+    study.initial()?;
     let asked = propagation(&arguments.propagation)?;
     if let Some(path) = out {
         output::check_file(path, *overwrite)?;
     }
     let table = Table {
-        system,
+        system: arguments.system,
         coordinates: arguments.coordinates,
         displacements: arguments.displacements,
         times: arguments.times.clone(),
@@ -32,22 +29,24 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let interrupt = Interrupt::listen()?;
     let history = study.simulate(&asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
     interrupt.forget();
+    // what is wrong is told to quiet callers too; others have read it before the work
+    history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
     let in_place = print_table(arguments, &history.columns, &interrupt)?;
     if common.json {
         output::print(&format!("{:#}\n", history.json()))?;
     }
+    tell_end(&history);
+    Ok(if history.holds() && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+/// Says how a history ended that is not the one to the last time.
+fn tell_end(history: &History) {
     let message = &history.message;
     match history.run.outcome {
-        Outcome::Finished => Ok(if in_place && !wrong { ExitStatus::Done } else { ExitStatus::CheckFailed }),
-        Outcome::Event(Event::Energy(_) | Event::Nutation { .. }) => {
-            remark(message);
-            Ok(if wrong { ExitStatus::CheckFailed } else { ExitStatus::Done })
-        }
-        _ => {
-            remark(&format!("{message}; the table is valid up to there"));
-            Ok(ExitStatus::CheckFailed)
-        }
+        Outcome::Finished => {}
+        _ if history.ended() => remark(message),
+        _ => remark(&format!("{message}; the table is valid up to there")),
     }
 }
 

@@ -5,11 +5,12 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use quasirigid_io::disk::{settle, settle_folder};
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
 use super::leftover::{self, BUILDING, PREFIX};
-use super::place::{exchange, first_free, put, settle, settle_folder};
+use super::place::{exchange, first_free, put};
 use super::{Placed, check_parent, parent, plain};
 use crate::failure::Failure;
 

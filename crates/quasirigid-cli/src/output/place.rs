@@ -1,9 +1,11 @@
 //! Files and folders put in their places: whole, on the disk, and over nothing that is not ours.
 
 use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+
+use quasirigid_io::disk::no_such_call;
 
 /// Moves a file or folder to a free place.
 ///
@@ -45,19 +47,6 @@ pub fn first_free(place: &Path, mut take: impl FnMut(&Path) -> io::Result<()>) -
     }
 }
 
-/// Waits until the contents of a file are on the disk. A file system without this operation is trusted.
-pub fn settle(file: &File) -> io::Result<()> {
-    match file.sync_all() {
-        Err(error) if no_such_call(&error) => Ok(()),
-        other => other,
-    }
-}
-
-/// Waits until the names in a folder are on the disk; where folders cannot be opened the system does that itself.
-pub fn settle_folder(folder: &Path) -> io::Result<()> {
-    if cfg!(unix) { settle(&File::open(folder)?) } else { Ok(()) }
-}
-
 /// `folder/name.csv` as `folder/name-2.csv`.
 fn numbered(place: &Path, number: usize) -> PathBuf {
     let mut name = place.file_stem().map(OsString::from).unwrap_or_default();
@@ -67,11 +56,6 @@ fn numbered(place: &Path, number: usize) -> PathBuf {
         name.push(extension);
     }
     place.with_file_name(name)
-}
-
-/// Whether an error says that the system or the file system has no such operation.
-fn no_such_call(error: &io::Error) -> bool {
-    matches!(error.kind(), ErrorKind::Unsupported | ErrorKind::InvalidInput)
 }
 
 /// Move after a check that the place is free: something that appears in between is lost only if it is an empty folder, or a file.

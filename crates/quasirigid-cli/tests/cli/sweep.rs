@@ -314,8 +314,6 @@ fn states_at_times_and_refused_evolutions() {
     let folder = folder_of_study(
         "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [1, 3] }\n[answer]\nquantities = [\"simulate.wx\", \"evolve.time\", \"evolve.status\"]\ntimes = [\"10 s\", \"1 min\"]\n",
     );
-    let model = MODEL.replace("damping = 30.0", "damping = 3e5");
-    fs::write(folder.path().join("model.toml"), &model).unwrap();
     let summary = ran_in(folder.path(), "sweep study.toml -o out --json").json();
     let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
     let table = ran_in(folder.path(), "simulate model.toml --times 10,60 --quiet").stdout;
@@ -329,6 +327,69 @@ fn states_at_times_and_refused_evolutions() {
     assert_eq!(row["answers"]["evolve.time"].is_null(), !finished || evolved["time"].is_null());
     assert_eq!(row["answers"]["evolve.status"], evolved["status"]);
     assert_eq!(summary["rows"], 2);
+}
+
+/// A spring too soft for the reduced equations gives no states, in a row as on the command line.
+#[test]
+fn states_of_equations_that_do_not_hold_are_refused() {
+    let folder = folder_of_study(
+        "model = \"model.toml\"\n[vary]\n\"spring.1.stiffness\" = { list = [600.0, 0.05] }\n[answer]\nquantities = [\"simulate.wx\"]\n",
+    );
+    let [stiff, soft] = [0, 1].map(|row| {
+        let ran = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json"));
+        let row = ran.json();
+        fs::write(folder.path().join("row.toml"), row["model"].as_str().unwrap()).unwrap();
+        let alone = ran_in(folder.path(), "simulate row.toml --json");
+        (row["status"].clone(), row["answers"]["simulate.wx"].is_number(), row["reason"].clone(), alone)
+    });
+    assert_eq!((stiff.0, stiff.1, stiff.3.code), ("answered".into(), true, Some(0)));
+    assert_eq!((soft.0, soft.1, soft.3.code), ("refused".into(), false, Some(1)), "{:?}", soft.3);
+    let reason = soft.2.as_str().unwrap();
+    assert!(reason.starts_with("The reduced equations DO NOT HOLD"), "{reason}");
+    assert!(one_line(&soft.3.stderr).contains(reason), "{:?}", soft.3);
+}
+
+const BRICK: &str = "\
+[material.rock]
+density = \"2 g/cm^3\"
+shear = \"0.5 GPa\"
+poisson = 0.25
+rheology = { kind = \"quality-factor\", Q = 100 }
+[[surface]]
+name = \"brick\"
+file = \"brick.obj\"
+material = \"rock\"
+degree = 2
+[initial]
+angular_velocity = [0.0, 0.001, 0.01]
+";
+
+/// Rows of two meshes never meet in one table, whether the model names the mesh, the study, or its table.
+#[test]
+fn study_of_a_changed_mesh_is_another() {
+    let mesh = include_str!("../../../../docs/guide/data/brick.obj");
+    let head = "model = \"model.toml\"\n[answer]\nquantities = [\"check.T3\"]\n";
+    let studies = [
+        "[vary]\n\"run.order\" = { list = [1] }\n",
+        "[vary]\n\"surface.brick.file\" = { list = [\"other.obj\"] }\n",
+        "[table]\nfile = \"table.csv\"\n",
+    ];
+    for study in studies {
+        let folder = folder_with(BRICK);
+        let put = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+        put("study.toml", &format!("{head}{study}"));
+        put("brick.obj", mesh);
+        put("other.obj", mesh);
+        put("table.csv", "surface.brick.file\nother.obj\n");
+        let changed = if study.contains("order") { "brick.obj" } else { "other.obj" };
+        let ran = ran_in(folder.path(), "sweep study.toml -o out --quiet");
+        assert_eq!(ran.code, Some(0), "{ran:?}");
+        assert_eq!(ran_in(folder.path(), "sweep study.toml -o out --resume --quiet").code, Some(0));
+        put(changed, &format!("# another\n{mesh}"));
+        let ran = ran_in(folder.path(), "sweep study.toml -o out --resume");
+        assert_eq!(ran.code, Some(2), "{study}: {ran:?}");
+        assert!(one_line(&ran.stderr).contains("a change of its model, its files or the program"), "{ran:?}");
+    }
 }
 
 const ROCK: &str = "\

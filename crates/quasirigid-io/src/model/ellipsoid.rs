@@ -5,6 +5,7 @@ use super::names::Part;
 use super::reader::{Keyed, Naming, Reader};
 use super::rheology::Extremes;
 use super::table::{Keys, Table};
+use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
@@ -25,7 +26,7 @@ pub(super) const READER: Reader = Reader {
 };
 
 const ELLIPSOID: Keys =
-    Keys { known: &["name", "semi_axes", "diameter", "axis_ratios", "center", "material"] };
+    Keys { known: &["name", "semi_axes", "diameter", "axis_ratios", "moment_ratios", "center", "material"] };
 
 /// Reads an `[[ellipsoid]]`, and the rheology at both ends of its range.
 pub(super) fn ellipsoid(
@@ -39,30 +40,59 @@ pub(super) fn ellipsoid(
     Some((Ellipsoid { name: name.to_owned(), semi_axes: semi_axes?, center: center?, material }, extremes))
 }
 
-/// Reads the semi-axes (m), or computes them from the diameter of the sphere of equal volume and the ratios of the axes.
+/// Reads the semi-axes (m), or computes them from the diameter of the sphere of equal volume and the shape.
 fn semi_axes(table: &Table<'_>) -> Option<[f64; 3]> {
-    let Some(diameter) = table.get("diameter") else {
-        let axes = table.required("semi_axes", "semi_axes = [\"2.3 km\", \"1.2 km\", \"950 m\"]");
-        if let (Some(_), Some(ratios)) = (&axes, table.get("axis_ratios")) {
-            return ratios.refuse(
-                "`axis_ratios` follow from `semi_axes`".to_owned(),
-                "given twice",
-                Some("leave them out, or give `diameter` in the place of `semi_axes`".to_owned()),
-            );
-        }
-        return axes?.array("numbers", |axis| axis.positive(Dimension::LENGTH));
-    };
-    if let Some(axes) = table.get("semi_axes") {
-        return axes.refuse(
-            "`semi_axes` follow from `diameter` and `axis_ratios`".to_owned(),
+    let given = |key: &'static str| table.get(key).map(|value| (key, value));
+    let mut shapes = ["semi_axes", "axis_ratios", "moment_ratios"].into_iter().filter_map(given);
+    let first = shapes.next();
+    if let (Some((known, _)), Some((key, again))) = (&first, shapes.next()) {
+        return again.refuse(
+            format!("`{key}` follow from `{known}`"),
             "given twice",
             Some("leave out one of the two".to_owned()),
         );
     }
-    let ratios = table.required("axis_ratios", "axis_ratios = [1.8, 1.2, 1.0]");
-    let ratios: Option<[f64; 3]> =
-        ratios.and_then(|value| value.array("numbers", |ratio| ratio.positive(Dimension::NUMBER)));
+    let diameter = table.get("diameter");
+    let (diameter, ratios) = match (diameter, first) {
+        (None, None) => {
+            return table.required("semi_axes", "semi_axes = [\"2.3 km\", \"1.2 km\", \"950 m\"]").and(None);
+        }
+        (None, Some(("semi_axes", axes))) => {
+            return axes.array("numbers", |axis| axis.positive(Dimension::LENGTH));
+        }
+        (Some(diameter), Some(("semi_axes", _))) => {
+            return diameter.refuse(
+                "`diameter` follows from `semi_axes`".to_owned(),
+                "given twice",
+                Some(
+                    "leave out one of the two; `axis_ratios` and `moment_ratios` go with `diameter`"
+                        .to_owned(),
+                ),
+            );
+        }
+        (None, Some(_)) => return table.required("diameter", "diameter = \"340 m\"").and(None),
+        (Some(_), None) => return table.required("axis_ratios", "axis_ratios = [1.8, 1.2, 1.0]").and(None),
+        (Some(diameter), Some(ratios)) => (diameter, ratios),
+    };
+    let (key, value) = ratios;
+    let ratios: Option<[f64; 3]> = value.array("numbers", |ratio| ratio.positive(Dimension::NUMBER));
     let (diameter, ratios) = (diameter.positive(Dimension::LENGTH)?, ratios?);
+    let ratios = if key == "moment_ratios" { axes_of_moments(&value, ratios)? } else { ratios };
     let mean = ratios.map(f64::cbrt).into_iter().product::<f64>(); // the product of the ratios might overflow
     Some(ratios.map(|ratio| 0.5 * diameter * (ratio / mean)))
+}
+
+/// Ratios of the semi-axes of the homogeneous ellipsoid with moments of inertia in these ratios: `a² : b² : c² = B+C−A : A+C−B : A+B−C`.
+fn axes_of_moments(value: &Value<'_>, moments: [f64; 3]) -> Option<[f64; 3]> {
+    let greatest = moments.into_iter().fold(0.0, f64::max);
+    let moments = moments.map(|moment| moment / greatest);
+    let squares = moments.map(|moment| moments.iter().sum::<f64>() - 2.0 * moment);
+    if squares.iter().all(|square| *square > 0.0) {
+        return Some(squares.map(f64::sqrt));
+    }
+    value.refuse(
+        "no body has these moments of inertia: the greatest is not below the sum of the others".to_owned(),
+        "these ratios",
+        None,
+    )
 }

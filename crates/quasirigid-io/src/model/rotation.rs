@@ -84,6 +84,11 @@ fn acute(value: &Value<'_>) -> Option<f64> {
 }
 
 fn mode(table: &Table<'_>) -> Option<Mode> {
-    let choices = [("short-axis", Mode::ShortAxis), ("long-axis", Mode::LongAxis)];
+    let choices = [
+        ("short-axis", Mode::ShortAxis),
+        ("long-axis", Mode::LongAxis),
+        ("SAM", Mode::ShortAxis),
+        ("LAM", Mode::LongAxis),
+    ];
     table.required("mode", "mode = \"short-axis\", or mode = \"long-axis\"")?.choice(&choices)
 }

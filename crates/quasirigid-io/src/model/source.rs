@@ -1,3 +1,4 @@
+use std::collections::BTreeSet;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
@@ -21,7 +22,9 @@ pub struct Source {
 }
 
 impl Source {
-    pub(crate) fn new(file: &Path, text: String) -> Self {
+    /// The text of a model, for which `file` stands in messages.
+    #[must_use]
+    pub fn new(file: &Path, text: String) -> Self {
         let sha256 = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
         Self { file: file.to_owned(), text, sha256 }
     }
@@ -34,6 +37,17 @@ impl Source {
     /// Reads a stream, up to the size that a model file may have.
     pub(super) fn read_from(file: &Path, input: impl Read) -> Result<Self, ModelError> {
         Self::of(file, all_of(input, LARGEST))
+    }
+
+    /// Names in the values of the text, of this model or of a study of it, under which a file stands in a folder: meshes and matrices.
+    #[must_use]
+    pub fn files_in(&self, folder: &Path) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        if let Ok(tree) = self.text.parse::<toml::Table>() {
+            tree.values().for_each(|value| texts(value, &mut names));
+        }
+        names.retain(|name| !name.is_empty() && folder.join(name).is_file());
+        names
     }
 
     fn of(file: &Path, bytes: Result<Vec<u8>, Unread>) -> Result<Self, ModelError> {
@@ -61,5 +75,16 @@ impl Source {
             model: Self::new(file, text),
             diagnostics: vec![Diagnostic::new(start..end, message, "not UTF-8").help(help)],
         }
+    }
+}
+
+fn texts(value: &toml::Value, names: &mut BTreeSet<String>) {
+    match value {
+        toml::Value::String(text) => {
+            names.insert(text.clone());
+        }
+        toml::Value::Array(values) => values.iter().for_each(|value| texts(value, names)),
+        toml::Value::Table(entries) => entries.values().for_each(|value| texts(value, names)),
+        _ => {}
     }
 }

@@ -24,7 +24,7 @@ pub use evolution::{
 pub use modes::{ModeRecord, SteadySpinRecord};
 pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
-    SweepColumn, SweepRecord, UncertaintyRecord,
+    SweepColumn, SweepRecord, UncertaintyRecord, percentile,
 };
 pub use table::history_csv;
 

@@ -163,3 +163,25 @@ pub struct SweepColumn {
     /// Values, one per row that is kept; not a number where there is none.
     pub values: Vec<f64>,
 }
+
+/// Percentile of ascending numbers, linear between neighbors (R's type 7); none without numbers.
+#[must_use]
+pub fn percentile(sorted: &[f64], percent: f64) -> Option<f64> {
+    let place = percent / 100.0 * (sorted.len().checked_sub(1)?) as f64;
+    let (below, above) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
+    Some(if below == above { below } else { below + (above - below) * place.fract() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_are_linear_between_neighbours() {
+        assert_eq!(percentile(&[1.0, 2.0, 4.0], 50.0), Some(2.0));
+        assert_eq!(percentile(&[1.0, 2.0, 4.0], 75.0), Some(3.0));
+        assert_eq!(percentile(&[1.0, f64::INFINITY], 100.0), Some(f64::INFINITY));
+        assert_eq!(percentile(&[f64::INFINITY, f64::INFINITY], 30.0), Some(f64::INFINITY));
+        assert_eq!(percentile(&[], 50.0), None);
+    }
+}

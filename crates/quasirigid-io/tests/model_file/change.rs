@@ -91,7 +91,7 @@ fn path_that_leads_nowhere_says_what_there_is() {
         ("initial.angular_velocity.4", "there is no entry 4: the list has 3, numbered from 1"),
         (
             "initial.angular_velocity.x",
-            "there is no entry named \"x\"; its 3 entries have no names; give a number from 1",
+            "there is no entry named \"x\"; the 3 entries have no names; give a number from 1",
         ),
         ("spring", "`spring` is a list of 2 tables; name one of them and its key"),
         ("spring.boom", "`boom` is a table; name one of its keys"),

@@ -65,11 +65,11 @@ fn an_ellipsoid_has_semi_axes_and_a_material() {
     "#);
     assert_snapshot!(refusal(&with("").replace("semi_axes", "semiaxes")), @r#"
     model.toml:2:1: unknown key "semiaxes" in [[ellipsoid]]
-      did you mean `semi_axes`? the keys are name, semi_axes, diameter, axis_ratios, center, material
+      did you mean `semi_axes`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, center, material
     "#);
     assert_snapshot!(refusal(&with("").replace("material = \"rock\"", "material = \"rock\"\ncentre = [0, 0, 1]")), @r#"
     model.toml:4:1: unknown key "centre" in [[ellipsoid]]
-      did you mean `center`? the keys are name, semi_axes, diameter, axis_ratios, center, material
+      did you mean `center`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, center, material
     "#);
 }
 

@@ -1,4 +1,4 @@
-//! Shorthands of small bodies: `mu_Q`, `diameter` with `axis_ratios`, hours as `hr`.
+//! Shorthands of small bodies: `mu_Q`, `diameter` with `axis_ratios` or `moment_ratios`, `SAM` and `LAM`, hours as `hr`.
 
 use quasirigid::elements::Material;
 use quasirigid::model::Rheology;
@@ -22,14 +22,44 @@ fn diameter_is_that_of_the_sphere_of_equal_volume() {
     assert!((a / b - 2.0).abs() < 1e-14 && (b / c - 2.0).abs() < 1e-14);
     let twice =
         refusal(&body("young = 1e9", "diameter = 2000\naxis_ratios = [1, 1, 1]\nsemi_axes = [3, 2, 1]"));
-    assert!(twice.contains("`semi_axes` follow from `diameter` and `axis_ratios`"), "{twice}");
+    assert!(twice.contains("`axis_ratios` follow from `semi_axes`"), "{twice}");
     let ratios = refusal(&body("young = 1e9", &format!("{SHAPE}\naxis_ratios = [1, 1, 1]")));
     assert!(ratios.contains("`axis_ratios` follow from `semi_axes`"), "{ratios}");
+    let size = refusal(&body("young = 1e9", &format!("{SHAPE}\ndiameter = 2")));
+    assert!(size.contains("`diameter` follows from `semi_axes`"), "{size}");
+    assert!(refusal(&body("young = 1e9", "axis_ratios = [1, 1, 1]")).contains("has no `diameter`"));
     assert!(refusal(&body("young = 1e9", "diameter = 2000")).contains("has no `axis_ratios`"));
     assert!(
         refusal(&body("young = 1e9", "diameter = 2000\naxis_ratios = [1, 0, 1]"))
             .contains("must be positive")
     );
+}
+
+/// The body has the moments of inertia in these ratios, by the inertia that the assembly computes.
+#[test]
+fn ratios_of_the_moments_are_those_of_the_body() {
+    let model = read(&body("young = 1e9", "diameter = \"2 km\"\nmoment_ratios = [1.5, 4.6, 5]"));
+    let [a, b, c] = model.assembly.ellipsoids[0].semi_axes;
+    assert!((a * b * c / 1e9 - 1.0).abs() < 1e-14);
+    let J = model.assembly.body().expect("a body").inertia();
+    let ratios = [J[0][0] / J[2][2] / 0.3, J[1][1] / J[2][2] / 0.92];
+    assert!(ratios.iter().all(|ratio| (ratio - 1.0).abs() < 1e-12), "{ratios:?}");
+    let flat = refusal(&body("young = 1e9", "diameter = 2\nmoment_ratios = [1, 1, 2]"));
+    assert!(flat.contains("the greatest is not below the sum of the others"), "{flat}");
+    let twice =
+        refusal(&body("young = 1e9", "diameter = 2\nmoment_ratios = [1, 1, 1]\naxis_ratios = [1, 1, 1]"));
+    assert!(twice.contains("`moment_ratios` follow from `axis_ratios`"), "{twice}");
+}
+
+#[test]
+fn modes_have_short_names() {
+    let start = |mode: &str| {
+        let line = format!("[initial]\nwobble = {{ angle = 0.1, rate = 1, mode = \"{mode}\" }}\n");
+        read(&(body("young = 1e9", SHAPE) + &line)).initial.rotation
+    };
+    assert_eq!(start("SAM"), start("short-axis"));
+    assert_eq!(start("LAM"), start("long-axis"));
+    assert_ne!(start("SAM"), start("LAM"));
 }
 
 fn rock(text: &str) -> (Material, Vec<String>) {

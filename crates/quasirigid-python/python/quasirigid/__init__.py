@@ -35,6 +35,7 @@ from quasirigid._errors import (
 )
 from quasirigid._model import Model, cite
 from quasirigid._reduced import Part, Reduced, SympyEquations
+from quasirigid._sweep import Sweep, read_sweep, sweep
 from quasirigid._table import Table
 
 __all__ = [
@@ -62,6 +63,7 @@ __all__ = [
     "Refused",
     "Run",
     "StartError",
+    "Sweep",
     "SympyEquations",
     "Table",
     "TooLargeError",
@@ -70,11 +72,13 @@ __all__ = [
     "VerificationError",
     "__version__",
     "cite",
+    "read_sweep",
+    "sweep",
 ]
 
 # Classes are shown and pickled by the names that users import.
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-cite.__module__ = "quasirigid"
+cite.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
 del _name

@@ -7,7 +7,7 @@ import html
 import math
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -324,6 +324,14 @@ class _Tabled(Answer):
     def _column(self, name: str) -> NDArray[np.float64]:
         column: NDArray[np.float64] = self.table[name]
         return column
+
+    def __getitem__(self, name: str) -> Any:
+        """A column of the table by its name."""
+        return self.table[name]
+
+    def __iter__(self) -> NoReturn:
+        """Refuses: an answer is no list of its rows."""
+        raise TypeError(f"a {type(self).__name__} is not iterable; take columns by name, or its table")
 
     def __arrow_c_schema__(self) -> object:
         """The types of the columns of the table, for libraries that speak Arrow."""

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from quasirigid import _arguments, _core
 from quasirigid._answers import Check, Evolution, History, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories
-from quasirigid._errors import InputError
+from quasirigid._errors import InputError, ModelError
 from quasirigid._progress import Progress, observer
 from quasirigid._reduced import Reduced
 
@@ -112,7 +112,11 @@ class Model:
         """
         if not isinstance(changes, Mapping):
             raise InputError(f"changes are a dictionary of paths and values, not {type(changes).__name__}")
-        return type(self)(_core.with_changes(self.text, dict(changes)), file=self.file)
+        try:
+            return type(self)(_core.with_changes(self.text, dict(changes)), file=self.file)
+        except ModelError as error:
+            # the lines are those of the changed text, which stands in no file
+            raise ModelError(f"in the changed copy: {error}", error.file, error.diagnostics) from None
 
     @property
     def text(self) -> str:

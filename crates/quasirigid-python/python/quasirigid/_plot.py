@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from quasirigid._errors import Refused
+from quasirigid._errors import InputError, Refused
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from quasirigid import _answers, _ensemble
+    from quasirigid import _answers, _ensemble, _sweep
 
 # Largest number of lines that a figure of an ensemble draws.
 _LINES = 200
@@ -36,50 +36,74 @@ def _titled(figure: Figure, answer: _answers.Answer) -> None:
         figure.suptitle(f"DOES NOT HOLD: {answer.sentence}", color="tab:red", fontsize="small", wrap=True)
 
 
-def _motion(axes: Any, table: Mapping[str, Any], style: str, label: str) -> None:
+# Units of time (s), the largest first; a year is Julian.
+_YEAR = 365.25 * 86400
+_TIMES = [("Gyr", 1e9 * _YEAR), ("Myr", 1e6 * _YEAR), ("kyr", 1e3 * _YEAR), ("yr", _YEAR), ("d", 86400.0), ("h", 3600.0)]
+
+
+def _time_unit(times: Any) -> tuple[str, float]:
+    """The unit of time in which the largest of some times is at least two; seconds for short ones."""
+    known = np.asarray(times)[np.isfinite(times)]
+    longest = float(known.max()) if known.size else 0.0
+    return next(((name, unit) for name, unit in _TIMES if longest >= 2 * unit), ("s", 1.0))
+
+
+def _plain(figure: Figure) -> Figure:
+    """The figure, with numbers on its axes that are read without adding an offset."""
+    for axis in figure.axes:
+        for place in (axis.xaxis, axis.yaxis):
+            if place.get_scale() == "linear":
+                place.get_major_formatter().set_useOffset(False)
+    return figure
+
+
+def _motion(axes: Any, table: Mapping[str, Any], style: str, label: str, unit: tuple[str, float]) -> None:
+    t = table["t"] / unit[1]
     for name, color in zip(("wx", "wy", "wz"), ("tab:blue", "tab:orange", "tab:green"), strict=True):
-        axes[0].plot(table["t"], table[name], style, color=color, linewidth=1, label=f"{name}{label}")
-    axes[1].plot(table["t"], table["energy"], style, color="k", linewidth=1, label=f"energy{label}")
+        axes[0].plot(t, table[name], style, color=color, linewidth=1, label=f"{name}{label}")
+    axes[1].plot(t, table["energy"], style, color="k", linewidth=1, label=f"energy{label}")
     axes[0].set_ylabel("angular velocity (rad/s)")
     axes[1].set_ylabel("energy (J)")
-    axes[1].set_xlabel("t (s)")
+    axes[1].set_xlabel(f"t ({unit[0]})")
 
 
 def history(answer: _answers.History) -> Figure:
     figure, axes = _figure(2)
-    _motion(axes, answer.table, "-", "")
+    _motion(axes, answer.table, "-", "", _time_unit(answer.t))
     axes[0].legend(loc="upper right")
     _titled(figure, answer)
-    return figure
+    return _plain(figure)
 
 
 def run(answer: _answers.Run) -> Figure:
     figure, axes = _figure(2)
+    longest = [table["t"].max() for table in answer.histories.values()]
     for style, (system, table) in zip(("-", "--", ":"), answer.histories.items(), strict=False):
-        _motion(axes, table, style, f" ({system})")
+        _motion(axes, table, style, f" ({system})", _time_unit(longest))
     axes[0].legend(loc="upper right", fontsize="small")
     axes[1].legend(loc="upper right", fontsize="small")
     _titled(figure, answer)
-    return figure
+    return _plain(figure)
 
 
 def evolution(answer: _answers.Evolution) -> Figure:
     if answer.time is None or answer.table.rows == 0:
         raise Refused(answer.sentence)
     figure, axes = _figure(2)
-    t, table = answer.t, answer.table
+    (name, unit), table = _time_unit(answer.t), answer.table
+    t = answer.t / unit
     least, greatest = np.degrees(table["nutation_min"]), np.degrees(table["nutation_max"])
     axes[0].fill_between(t, least, greatest, alpha=0.3)
     axes[0].plot(t, greatest, linewidth=1)
     axes[0].set_ylabel("angle of |K| to the axis\nthat it circles (degrees)")
     axes[1].plot(t, table["energy"], "k", linewidth=1)
     axes[1].set_ylabel("energy (J)")
-    axes[1].set_xlabel("t (s)")
+    axes[1].set_xlabel(f"t ({name})")
     if answer.separatrix_time is not None:
         for axis in axes:
-            axis.axvline(answer.separatrix_time, color="tab:red", linestyle="--", linewidth=1)
+            axis.axvline(answer.separatrix_time / unit, color="tab:red", linestyle="--", linewidth=1)
     _titled(figure, answer)
-    return figure
+    return _plain(figure)
 
 
 def modes(answer: _answers.Modes) -> Figure:
@@ -94,7 +118,7 @@ def modes(answer: _answers.Modes) -> Figure:
     axes[0].set_ylabel("decay rate (1/s)")
     axes[0].legend()
     _titled(figure, answer)
-    return figure
+    return _plain(figure)
 
 
 def verification(answer: _answers.Verification) -> Figure:
@@ -106,29 +130,63 @@ def verification(answer: _answers.Verification) -> Figure:
     axes[0].set_ylabel("largest relative difference in spin")
     axes[0].legend()
     _titled(figure, answer)
-    return figure
+    return _plain(figure)
 
 
 def histories(answer: _ensemble.Histories) -> Figure:
     figure, axes = _figure(2)
+    name, unit = _time_unit(answer.t)
     for row in range(min(len(answer), _LINES)):
-        axes[0].plot(answer.t[row], np.linalg.norm(answer.angular_velocity[row], axis=-1), linewidth=0.5)
-        axes[1].plot(answer.t[row], answer.energy[row], linewidth=0.5)
+        t = answer.t[row] / unit
+        axes[0].plot(t, np.linalg.norm(answer.angular_velocity[row], axis=-1), linewidth=0.5)
+        axes[1].plot(t, answer.energy[row], linewidth=0.5)
     axes[0].set_ylabel("|angular velocity| (rad/s)")
     axes[1].set_ylabel("energy (J)")
-    axes[1].set_xlabel("t (s)")
+    axes[1].set_xlabel(f"t ({name})")
     if len(answer) > _LINES:
         axes[0].set_title(f"the first {_LINES} of {len(answer)} rows", fontsize="small")
-    return figure
+    return _plain(figure)
 
 
 def evolutions(answer: _ensemble.Evolutions) -> Figure:
     figure, axes = _figure(1, 3)
     known = answer.time[np.isfinite(answer.time) & (answer.time > 0)]
+    name, unit = _time_unit(np.median(known)) if known.size else ("s", 1.0)
     if known.size == 0:
         raise Refused("no row has a finite time: " + answer.sentence)
-    axes[0].hist(np.log10(known), bins="auto")
-    axes[0].set_xlabel("log₁₀ of the time (s)")
+    least, greatest = np.log10(known.min() / unit), np.log10(known.max() / unit)
+    axes[0].hist(known / unit, bins=np.logspace(least, greatest, 2 + int(np.sqrt(known.size))))
+    axes[0].set_xscale("log")
+    axes[0].set_xlabel(f"time ({name})")
     axes[0].set_ylabel("rows")
     axes[0].set_title(answer.sentence, fontsize="small")
-    return figure
+    return _plain(figure)
+
+
+def sweep(study: _sweep.Sweep, x: str | None, y: str | None) -> Figure:
+    quantities = [row["name"] for row in study.summary["quantities"] if row["kind"] == "number"]
+    if y is None:
+        if not quantities:
+            raise Refused("the study asks for no number; name a column with y")
+        y = quantities[0]
+    for name in (x, y):
+        if name is not None and not (isinstance(study[name], np.ndarray) and study[name].dtype.kind in "fi"):
+            raise InputError(f"the column {name!r} holds no numbers")
+    named = {name: f"{name} ({unit})" if unit else name for name, unit in study.units.items()}
+    figure, axes = _figure(1, 3)
+    values = study[y]
+    known = np.isfinite(values) if x is None else np.isfinite(values) & np.isfinite(study[x])
+    if not known.any():
+        raise Refused(f"no row has a finite {y}")
+    if x is None:
+        axes[0].hist(values[known], bins="auto")
+        axes[0].set_xlabel(named[y])
+        axes[0].set_ylabel("rows")
+    else:
+        axes[0].plot(study[x][known], values[known], ".", markersize=3)
+        axes[0].set_xlabel(named[x])
+        axes[0].set_ylabel(named[y])
+    missing = study.rows - int(known.sum())
+    if missing:
+        axes[0].set_title(f"{missing} of {study.rows} rows have no finite value", fontsize="small")
+    return _plain(figure)

@@ -16,7 +16,8 @@ __all__ = ["Table"]
 class Table(Mapping[str, Any]):
     """A table of named columns of equal length, each with its SI unit.
 
-    A mapping from names to columns: read-only arrays ``(rows,)`` of numbers, without a copy, or lists of texts.
+    A mapping from names to columns: read-only arrays ``(rows,)`` of numbers, without a copy, arrays of truth values (with ``None`` where
+    one is missing), or lists of texts.
     pandas, polars, DuckDB and pyarrow read it through the Arrow PyCapsule interface, without pyarrow here:
     ``polars.DataFrame(table)``, ``pandas.DataFrame.from_arrow(table)``, ``pyarrow.table(table)``.
 
@@ -39,7 +40,10 @@ class Table(Mapping[str, Any]):
             place = self._places[name]
         except KeyError:
             raise KeyError(f"{name!r} is no column; the columns are {', '.join(self._places)}") from None
-        return self._columns.values(place)
+        values = self._columns.values(place)
+        if isinstance(values, list) and any(isinstance(value, bool) for value in values):
+            return np.array(values, dtype=object if None in values else np.bool_)
+        return values
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
@@ -83,7 +87,8 @@ class Table(Mapping[str, Any]):
         return self._columns.arrow_stream()
 
     def __reduce__(self) -> tuple[object, ...]:
-        values = [np.array(value) if isinstance(value, np.ndarray) else value for value in self.values()]
+        columns = [self._columns.values(place) for place in range(len(self))]
+        values = [np.array(value) if isinstance(value, np.ndarray) else value for value in columns]
         return _table, (self._columns.names, self._columns.units, values)
 
     def __repr__(self) -> str:

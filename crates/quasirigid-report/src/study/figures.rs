@@ -2,7 +2,7 @@
 //! Rows that share the grid point of a figure are one value of it, their median.
 
 use maud::{Markup, html};
-use quasirigid_io::record::{QuantityRecord, SweepColumn, SweepRecord};
+use quasirigid_io::record::{QuantityRecord, SweepColumn, SweepRecord, percentile};
 
 use crate::figure::{Grid, Stop, band, histogram, map};
 
@@ -86,7 +86,10 @@ fn curve(id: &str, x: Shown<'_>, y: Shown<'_>) -> Option<Markup> {
     }
     let stop = |(x, values): (&f64, &mut Vec<f64>)| {
         values.sort_by(f64::total_cmp);
-        Some(Stop { x: *x, y: [quantile(values, 0.16)?, quantile(values, 0.5)?, quantile(values, 0.84)?] })
+        Some(Stop {
+            x: *x,
+            y: [percentile(values, 16.0)?, percentile(values, 50.0)?, percentile(values, 84.0)?],
+        })
     };
     let stops: Vec<Stop> = across.iter().zip(&mut shared).filter_map(stop).collect();
     band(id, [x.name, x.unit], [y.name, y.unit], &stops)
@@ -102,7 +105,7 @@ fn over_two(id: &str, x: Shown<'_>, y: Shown<'_>, quantity: Shown<'_>) -> Option
     }
     let middle = |values: &mut Vec<f64>| {
         values.sort_by(f64::total_cmp);
-        quantile(values, 0.5).unwrap_or(f64::NAN)
+        percentile(values, 50.0).unwrap_or(f64::NAN)
     };
     let values = cells.iter_mut().map(|row| row.iter_mut().map(middle).collect()).collect();
     let grid = Grid { x: across, y: along, values };
@@ -120,27 +123,4 @@ fn distinct(values: &[f64]) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
-}
-
-/// Value below which a share of ascending values lies, linear between them; none without values.
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    let place = share * (sorted.len().checked_sub(1)?) as f64;
-    let (low, rest) = (place.floor() as usize, place.fract());
-    let high = (low + 1).min(sorted.len() - 1);
-    Some(sorted[low] + rest * (sorted[high] - sorted[low]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_are_linear_between_values() {
-        let values = [1.0, 2.0, 4.0, 8.0, 16.0];
-        assert_eq!(
-            [0.0, 0.5, 0.625, 1.0].map(|share| quantile(&values, share)),
-            [1.0, 4.0, 6.0, 16.0].map(Some)
-        );
-        assert_eq!((quantile(&[3.0], 0.84), quantile(&[], 0.5)), (Some(3.0), None));
-    }
 }

@@ -83,6 +83,12 @@ impl Bodies {
         Ok(Self { table, keys, kept })
     }
 
+    /// Cells that give keys of the model and are no numbers: names, and files.
+    pub(super) fn texts(&self) -> impl Iterator<Item = &str> {
+        let named = self.keys.iter().filter(|key| key.kind == CellKind::Text);
+        named.flat_map(|key| self.table.columns[key.column].iter().map(String::as_str))
+    }
+
     /// Number of bodies.
     pub(super) fn rows(&self) -> u64 {
         self.table.rows() as u64

@@ -1,5 +1,7 @@
 //! Checks of a study before its long work: units of its keys against the model, and quantities against the answers of the first rows.
 
+use std::time::Instant;
+
 use quasirigid_io::model::{Given, KeyPath, Model, ModelError};
 use quasirigid_io::study_file::{Command, Quantity, Values, Varied};
 use quasirigid_io::table_file::CellKind;
@@ -9,7 +11,7 @@ use super::design::MOST_SOBOL_KEYS;
 use super::distribution::quantile;
 use super::plan::in_unit;
 use super::quantity::{self, Found};
-use super::row::{Answered, answers};
+use super::row::{Answered, answers_watched};
 use super::{Output, Sweep, SweepError, is_drawn};
 
 /// Rows that are tried for a quantity.
@@ -87,8 +89,7 @@ fn typical(varied: &Varied) -> Given {
 
 /// Whether the text of the model with these changes is a model.
 fn parsed(sweep: &Sweep, changes: &[(KeyPath, Given)]) -> Result<(), ModelError> {
-    let changes: Vec<_> = changes.iter().map(|(key, given)| (key.clone(), given)).collect();
-    let text = sweep.template.changed(&changes).unwrap_or_default();
+    let text = sweep.template.changed(changes).unwrap_or_default();
     Model::parse(&sweep.model.file, &text).map(drop)
 }
 
@@ -111,20 +112,22 @@ fn refused(
 
 /// Columns of the answers, with the kinds that the first rows show.
 ///
-/// A quantity that none of the first rows has is refused; where no row is answered the kinds stay those of numbers.
-pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec<Output>, SweepError> {
+/// A quantity that none of the first rows has is refused; where no row is answered the kinds stay those of numbers. Beside them the mean time
+/// of those rows (s).
+pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<(Vec<Output>, f64), SweepError> {
     let asked = &sweep.study.answer;
     let mut kinds: Vec<Option<CellKind>> = vec![None; asked.quantities.len()];
     let mut absent: Vec<Option<String>> = vec![None; asked.quantities.len()];
     let mut there = vec![false; asked.quantities.len()];
     let tried = sweep.rows.min(TRIED);
+    let (start, mut answered) = (Instant::now(), 0);
     for candidate in 0..tried {
         let row = if candidate == 0 { 0 } else { candidate * (sweep.rows / tried) };
         let Ok(text) = sweep.model_text(row) else { continue };
-        let mut stop = || watch.at("answering a first row", 0.0).is_break();
-        let Some(found) = answers(&sweep.model, &text, asked, &mut stop) else {
+        let Some(found) = answers_watched(&sweep.model, &text, asked, watch) else {
             return Err(SweepError::Interrupted);
         };
+        answered += 1;
         for (index, quantity) in asked.quantities.iter().enumerate() {
             let Some(Answered::Objects(objects, ..)) = found.commands.get(&quantity.command) else {
                 continue;
@@ -146,6 +149,7 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
             break;
         }
     }
+    let row_time = start.elapsed().as_secs_f64() / f64::from(answered.max(1));
     for (index, quantity) in asked.quantities.iter().enumerate() {
         if let (false, Some(reason)) = (there[index], &absent[index]) {
             let help = (tried > 1).then(|| "none of the first rows has it".to_owned());
@@ -171,7 +175,7 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<Vec
         let unit = if kind == CellKind::Number { quantity::unit(quantity).to_owned() } else { String::new() };
         Output { name, unit, kind, quantity: index, time }
     };
-    Ok(columns.map(output).collect())
+    Ok((columns.map(output).collect(), row_time))
 }
 
 /// Refuses columns of one name, and keys that are given twice.

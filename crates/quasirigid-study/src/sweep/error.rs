@@ -1,31 +1,28 @@
-use std::io;
+use std::error::Error;
 use std::path::PathBuf;
+use std::{fmt, io};
 
 use quasirigid_io::model::ModelError;
 use quasirigid_io::table_file::TableError;
-use thiserror::Error;
 
-/// Study of many bodies that cannot run.
-#[derive(Debug, Error)]
+use crate::error::Setting;
+
+/// Study of many bodies that cannot run. The text names settings by their keys; [`told`](Self::told) has other names for them.
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum SweepError {
     /// The study file.
-    #[error("{0}")]
     File(ModelError),
     /// The model that the study varies.
-    #[error("the model of the study: {0}")]
     Model(ModelError),
     /// A file of results.
-    #[error("{0}")]
-    Table(#[from] TableError),
+    Table(TableError),
     /// A study with more rows than are counted.
-    #[error("the study has more than {most} rows; take fewer samples, or grids with fewer points")]
     TooLarge {
         /// Most rows of a study.
         most: u64,
     },
     /// A row that the study does not have.
-    #[error("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))]
     NoRow {
         /// Row that was asked for.
         row: u64,
@@ -33,25 +30,26 @@ pub enum SweepError {
         rows: u64,
     },
     /// A folder with results of another study, model, table or version of the program.
-    #[error("{} holds another study, or this one before a change of its model, its table or the program; choose another folder with -o", folder.display())]
     OtherStudy {
         /// The folder.
         folder: PathBuf,
     },
     /// A folder with results of this study.
-    #[error("{} is there already, with results of this study; go on with --resume, or choose another folder with -o", folder.display())]
     Exists {
         /// The folder.
         folder: PathBuf,
     },
+    /// A folder without a summary.
+    Unfinished {
+        /// The folder.
+        folder: PathBuf,
+    },
     /// A folder with other files.
-    #[error("{} is there already and is no folder of a study, so nothing is written into it; choose another with -o", folder.display())]
     Foreign {
         /// The folder.
         folder: PathBuf,
     },
     /// A place for the results in a folder that does not exist.
-    #[error("cannot write {}: there is no folder {}; make it first", folder.display(), above.display())]
     NoFolder {
         /// The folder of the results.
         folder: PathBuf,
@@ -59,21 +57,16 @@ pub enum SweepError {
         above: PathBuf,
     },
     /// Two columns of the results that would have one name.
-    #[error(
-        "two columns of the results would be named {name:?}; rename the column of the table, or leave out one of the two"
-    )]
     SameColumn {
         /// The name.
         name: String,
     },
     /// A key that both the table and the study give.
-    #[error("`{key}` is given by the table and varied by the study; leave out one of the two")]
     GivenTwice {
         /// The key.
         key: String,
     },
     /// A shard that is none.
-    #[error("shard {index}/{count}: write K/N with K from 1 to N, such as 1/3")]
     Shard {
         /// Number of the shard, from 1.
         index: u64,
@@ -81,7 +74,6 @@ pub enum SweepError {
         count: u64,
     },
     /// Threads that the system does not give.
-    #[error("no {threads} threads: {cause}; ask for fewer with --threads")]
     Threads {
         /// Number of threads.
         threads: usize,
@@ -89,7 +81,6 @@ pub enum SweepError {
         cause: String,
     },
     /// A file that cannot be written or read.
-    #[error("{}: {cause}; may the folder be written, is the disk full?", path.display())]
     Io {
         /// The file.
         path: PathBuf,
@@ -97,13 +88,13 @@ pub enum SweepError {
         cause: io::Error,
     },
     /// A model without a table of uncertain keys.
-    #[error("{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n", file.display())]
     Certain {
         /// The file.
         file: PathBuf,
     },
+    /// Lines that are no answers of this study: another version of the program answered.
+    Answer,
     /// Work that was told to end before the first row.
-    #[error("interrupted before the first row was answered")]
     Interrupted,
 }
 
@@ -117,8 +108,85 @@ impl SweepError {
         }
     }
 
+    /// The text with the names that an interface has for settings.
+    #[must_use]
+    pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+        let folder_setting = name(Setting::Folder);
+        match self {
+            Self::File(error) => error.to_string(),
+            Self::Model(error) => format!("the model of the study: {error}"),
+            Self::Table(error) => error.to_string(),
+            Self::TooLarge { most } => {
+                format!("the study has more than {most} rows; take fewer samples, or grids with fewer points")
+            }
+            Self::NoRow { row, rows } => {
+                format!("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))
+            }
+            Self::OtherStudy { folder } => format!(
+                "{} holds another study, or this one before a change of its model, its files or the program; choose another folder with {folder_setting}",
+                folder.display()
+            ),
+            Self::Exists { folder } => format!(
+                "{} is there already, with results of this study; go on with {}, or choose another folder with {folder_setting}",
+                folder.display(),
+                name(Setting::Resume)
+            ),
+            Self::Unfinished { folder } => format!(
+                "{} has no summary of a study: its rows are not all answered, or it is another folder; go on with {}",
+                folder.display(),
+                name(Setting::Resume)
+            ),
+            Self::Foreign { folder } => format!(
+                "{} is there already and is no folder of a study, so nothing is written into it; choose another with {folder_setting}",
+                folder.display()
+            ),
+            Self::NoFolder { folder, above } => format!(
+                "cannot write {}: there is no folder {}; make it first",
+                folder.display(),
+                above.display()
+            ),
+            Self::SameColumn { name } => format!(
+                "two columns of the results would be named {name:?}; rename the column of the table, or leave out one of the two"
+            ),
+            Self::GivenTwice { key } => {
+                format!("`{key}` is given by the table and varied by the study; leave out one of the two")
+            }
+            Self::Shard { index, count } => {
+                format!("shard {index}/{count}: write K/N with K from 1 to N, such as 1/3")
+            }
+            Self::Threads { threads, cause } => {
+                format!("no {threads} threads: {cause}; ask for fewer with {}", name(Setting::Threads))
+            }
+            Self::Io { path, cause } => {
+                format!("{}: {cause}; may the folder be written, is the disk full?", path.display())
+            }
+            Self::Certain { file } => format!(
+                "{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n",
+                file.display()
+            ),
+            Self::Answer => {
+                "a worker sent what is no answer of this study; does it run the same version?".to_owned()
+            }
+            Self::Interrupted => "interrupted before the first row was answered".to_owned(),
+        }
+    }
+
     pub(super) fn io(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();
         move |cause| Self::Io { path, cause }
+    }
+}
+
+impl fmt::Display for SweepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.told(&Setting::key))
+    }
+}
+
+impl Error for SweepError {}
+
+impl From<TableError> for SweepError {
+    fn from(error: TableError) -> Self {
+        Self::Table(error)
     }
 }

@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use quasirigid_io::disk::{settle, settle_folder};
 use quasirigid_io::table_file::{CellColumn, CellKind, Cells, read_parquet, write_parquet};
 use serde_json::{Value, json};
 
@@ -29,9 +30,14 @@ pub(super) struct Folder<'s> {
 }
 
 impl<'s> Folder<'s> {
+    /// The folder of a study, which is open.
+    pub(super) fn at(path: &Path, sweep: &'s Sweep) -> Self {
+        Self { path: path.to_owned(), sweep }
+    }
+
     /// Opens the folder of a study, or makes it; one with results is opened only to go on.
     pub(super) fn open(path: &Path, sweep: &'s Sweep, go_on: bool) -> Result<Self, SweepError> {
-        let folder = Self { path: path.to_owned(), sweep };
+        let folder = Self::at(path, sweep);
         let head = path.join(HEAD);
         if head.is_file() {
             let text = fs::read_to_string(&head).map_err(SweepError::io(&head))?;
@@ -69,6 +75,11 @@ impl<'s> Folder<'s> {
         self.sweep.rows.div_ceil(self.sweep.study.part as u64)
     }
 
+    /// Part of a row.
+    pub(super) fn part_of(&self, row: u64) -> u64 {
+        row / self.sweep.study.part as u64
+    }
+
     /// Rows of a part.
     pub(super) fn rows_of(&self, part: u64) -> std::ops::Range<u64> {
         let size = self.sweep.study.part as u64;
@@ -77,7 +88,7 @@ impl<'s> Folder<'s> {
 
     /// File of a part.
     pub(super) fn part(&self, part: u64) -> PathBuf {
-        self.path.join(PARTS).join(format!("part-{part:05}.parquet"))
+        part_file(&self.path, part)
     }
 
     /// Journal of a part.
@@ -88,11 +99,6 @@ impl<'s> Folder<'s> {
     /// Removes the journal of a part that is there, which a run left that was killed between the two.
     pub(super) fn drop_journal(&self, part: u64) {
         let _ = fs::remove_file(self.journal(part)); // there is none as a rule
-    }
-
-    /// Whether every part is there.
-    pub(super) fn is_complete(&self) -> bool {
-        (0..self.parts()).all(|part| self.part(part).is_file())
     }
 
     /// Writes a part from its rows, in the order of the study.
@@ -112,18 +118,7 @@ impl<'s> Folder<'s> {
 
     /// Columns of these names over all parts, in the order of the file.
     pub(super) fn read(&self, wanted: &[&str]) -> Result<Vec<CellColumn>, SweepError> {
-        let mut all: Vec<CellColumn> = Vec::new();
-        for part in 0..self.parts() {
-            let columns = read_parquet(&self.part(part), Some(wanted))?;
-            if all.is_empty() {
-                all = columns;
-                continue;
-            }
-            for (column, more) in all.iter_mut().zip(columns) {
-                append(&mut column.cells, more.cells);
-            }
-        }
-        Ok(all)
+        read_parts(&self.path, Some(wanted))
     }
 
     /// Writes a file of the folder.
@@ -135,6 +130,27 @@ impl<'s> Folder<'s> {
         let path = self.path.join(name);
         put(&path, write).map_err(SweepError::io(path))
     }
+}
+
+fn part_file(folder: &Path, part: u64) -> PathBuf {
+    folder.join(PARTS).join(format!("part-{part:05}.parquet"))
+}
+
+/// Columns of these names, or all, over the parts of a folder in which every part is there, in the order of the file.
+pub(super) fn read_parts(folder: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, SweepError> {
+    let mut all: Vec<CellColumn> = Vec::new();
+    let parts = (0..).map(|part| part_file(folder, part)).take_while(|path| path.is_file());
+    for path in parts {
+        let columns = read_parquet(&path, wanted)?;
+        if all.is_empty() {
+            all = columns;
+            continue;
+        }
+        for (column, more) in all.iter_mut().zip(columns) {
+            append(&mut column.cells, more.cells);
+        }
+    }
+    Ok(all)
 }
 
 /// Columns of a part: row, inputs, answers, status, reason, note.
@@ -205,20 +221,10 @@ fn put(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io:
     let temporary = parent.join(format!(".quasirigid-{}-{}.tmp", std::process::id(), file_name(path)));
     let file = File::create(&temporary)?;
     let mut out = io::BufWriter::new(&file);
-    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| settled(&file));
+    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| settle(&file));
     written.and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| drop(fs::remove_file(&temporary)))?;
-    let _ = File::open(parent).and_then(|folder| settled(&folder)); // the file stands there; whether a loss of power would be survived is not known
+    let _ = settle_folder(parent); // the file stands there; whether a loss of power would be survived is not known
     Ok(())
-}
-
-/// Waits until a file is on the disk. A file system that cannot say so is taken at its word.
-fn settled(file: &File) -> io::Result<()> {
-    match file.sync_all() {
-        Err(error) if matches!(error.kind(), io::ErrorKind::Unsupported | io::ErrorKind::InvalidInput) => {
-            Ok(())
-        }
-        other => other,
-    }
 }
 
 /// Removes temporary files that killed runs left in a folder of parts, older than any that is still written.

@@ -54,13 +54,15 @@ impl Journal {
     }
 }
 
-fn line(row: &RowAnswer) -> String {
+/// Line of a row.
+pub(super) fn line(row: &RowAnswer) -> String {
     let cells: Vec<Value> = row.outputs.iter().map(cell_to_json).collect();
     let text = json!([row.row, row.status.word(), row.reason, row.note, cells]).to_string();
     format!("{:08x} {text}\n", crc32fast::hash(text.as_bytes()))
 }
 
-fn read(line: &[u8]) -> Option<RowAnswer> {
+/// Row of a line; none if the line is not whole.
+pub(super) fn read(line: &[u8]) -> Option<RowAnswer> {
     let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
     let (checksum, text) = line.split_once(' ')?;
     if u32::from_str_radix(checksum, 16).ok()? != crc32fast::hash(text.as_bytes()) {

@@ -5,16 +5,20 @@
 mod bodies;
 mod cell;
 mod checks;
+mod collect;
 mod design;
 mod distribution;
 mod error;
 mod folder;
 mod generator;
+mod identity;
 mod journal;
 mod page;
+mod part;
 mod plan;
 mod quantity;
 mod rank;
+mod results;
 mod row;
 mod run;
 mod summary;
@@ -22,14 +26,17 @@ mod text;
 mod uncertainty;
 
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use quasirigid_io::model::{Given, KeyPath, ModelError, Source, Template};
 use quasirigid_io::study_file::{StudyFile, Values};
 use quasirigid_io::table_file::CellKind;
-use sha2::{Digest, Sha256};
 
 pub use cell::Cell;
+pub use collect::Collector;
 pub use error::SweepError;
+pub use results::{Results, read};
 pub use row::{RowAnswer, Status};
 pub use run::{Finished, RunOptions, Shard};
 pub use text::text;
@@ -37,6 +44,7 @@ pub use uncertainty::text as uncertainty_text;
 
 use bodies::Bodies;
 use design::Design;
+use identity::identity;
 use quantity::Found;
 use row::Answered;
 
@@ -71,6 +79,8 @@ pub struct Sweep {
     pub outputs: Vec<Output>,
     /// SHA-256 of everything that the results depend on, in hexadecimal.
     pub sha256: String,
+    /// Time that a row took (s), by the first rows on this machine.
+    pub row_time: f64,
     template: Template,
     bodies: Option<Bodies>,
     design: Design,
@@ -116,6 +126,25 @@ impl Sweep {
         Self::new(study, model, watch)
     }
 
+    /// Opens the text of a study; `file` stands for it in messages, and the files that it names are looked for beside it. The text of its
+    /// model, if given, stands for the file of the model.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn parse(
+        file: &Path,
+        text: &str,
+        model: Option<&str>,
+        watch: &mut dyn crate::Watch,
+    ) -> Result<Self, SweepError> {
+        let study = StudyFile::parse(file, text).map_err(SweepError::File)?;
+        let model = match model {
+            Some(text) => Source::new(&study.model, text.to_owned()),
+            None => read_model(&study)?,
+        };
+        Self::new(study, model, watch)
+    }
+
     fn new(study: StudyFile, model: Source, watch: &mut dyn crate::Watch) -> Result<Self, SweepError> {
         let template = Template::new(&model.text).map_err(|_| {
             SweepError::Model(
@@ -133,12 +162,22 @@ impl Sweep {
         let rows = plan::rows(&study, bodies.as_ref()).ok_or(SweepError::TooLarge { most: MOST_ROWS })?;
         let design = Design { sampling: study.sampling, seed: study.seed, samples: study.samples as u64 };
         let inputs = plan::inputs(&study, bodies.as_ref());
-        let sha256 = identity(&study, &model)?;
-        let mut sweep =
-            Self { study, model, inputs, outputs: Vec::new(), sha256, template, bodies, design, rows };
+        let sha256 = identity(&study, &model, bodies.as_ref())?;
+        let mut sweep = Self {
+            study,
+            model,
+            inputs,
+            outputs: Vec::new(),
+            sha256,
+            row_time: 0.0,
+            template,
+            bodies,
+            design,
+            rows,
+        };
         checks::keys(&sweep)?;
         checks::names(&sweep)?;
-        sweep.outputs = checks::outputs(&sweep, watch)?;
+        (sweep.outputs, sweep.row_time) = checks::outputs(&sweep, watch)?;
         checks::names(&sweep)?;
         Ok(sweep)
     }
@@ -163,7 +202,6 @@ impl Sweep {
     /// The reason for which the row has no model, in words.
     pub fn model_text(&self, row: u64) -> Result<String, String> {
         let changes = self.changes(row)?;
-        let changes: Vec<_> = changes.iter().map(|(key, given)| (key.clone(), given)).collect();
         self.template.changed(&changes).map_err(|error| error.to_string())
     }
 
@@ -175,11 +213,11 @@ impl Sweep {
         if row >= self.rows {
             return Err(SweepError::NoRow { row, rows: self.rows });
         }
-        self.answer_until(row, &mut || false).ok_or(SweepError::Interrupted)
+        self.answer_until(row, &Arc::default()).ok_or(SweepError::Interrupted)
     }
 
-    /// Answers one row; none if `stop` said so.
-    fn answer_until(&self, row: u64, stop: &mut dyn FnMut() -> bool) -> Option<RowAnswer> {
+    /// Answers one row; none if the work was cancelled.
+    fn answer_until(&self, row: u64, cancelled: &Arc<AtomicBool>) -> Option<RowAnswer> {
         let outputs = &self.outputs;
         let text = match self.model_text(row) {
             Ok(text) => text,
@@ -194,7 +232,7 @@ impl Sweep {
                 });
             }
         };
-        let answers = row::answers(&self.model, &text, &self.study.answer, stop)?;
+        let answers = row::answers(&self.model, &text, &self.study.answer, cancelled)?;
         let mut notes = answers.notes;
         let cells = outputs.iter().map(|output| {
             let quantity = &self.study.answer.quantities[output.quantity];
@@ -282,34 +320,6 @@ fn read_model(study: &StudyFile) -> Result<Source, SweepError> {
 
 fn not_toml(study: &StudyFile) -> ModelError {
     study.refuse(0..0, "the model is not valid TOML".to_owned(), "this study", None)
-}
-
-/// Checksum of everything that the results depend on: study, model, table, version of the program.
-fn identity(study: &StudyFile, model: &Source) -> Result<String, SweepError> {
-    let mut hash = Sha256::new();
-    for text in [env!("CARGO_PKG_VERSION"), &study.source.sha256, &model.sha256] {
-        hash.update(text.as_bytes());
-        hash.update([0]);
-    }
-    if let Some(table) = &study.table {
-        let mut file = std::fs::File::open(&table.file).map_err(SweepError::io(&table.file))?;
-        std::io::copy(&mut file, &mut Hashed(&mut hash)).map_err(SweepError::io(&table.file))?;
-    }
-    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
-}
-
-/// A checksum as a writer.
-struct Hashed<'h>(&'h mut Sha256);
-
-impl std::io::Write for Hashed<'_> {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.update(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
 }
 
 /// Whether a key is drawn from a distribution.

@@ -1,24 +1,25 @@
 //! Answers of one row: the commands that its quantities need, each run once, and a status in place of every failure.
 //! A row that cannot be answered is a row with its reason; a panic is our mistake and still no lost run.
 
-use std::any::Any;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use quasirigid::dynamics::{Event, Outcome};
-use quasirigid_io::model::{Model, System, Verify};
+use quasirigid::dynamics::PropagateError;
+use quasirigid_io::model::{Model, Source, Verify};
 use quasirigid_io::study_file::{Answer, Command};
+use quasirigid_math::watch::cancellable;
 use serde_json::{Value, json};
 
+use super::Output;
 use super::cell::Cell;
 use crate::error::StudyError;
 use crate::histories::{Propagation, Table};
-use crate::left_out::LeftOut;
 use crate::modes::AskedSpin;
 use crate::study::Study;
-use crate::watch::{Watch, watched};
+use crate::watch::{Watch, panic_message, watched};
 
 /// Status of a row, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,6 +69,14 @@ pub struct RowAnswer {
     pub note: String,
 }
 
+impl RowAnswer {
+    /// Whether the answers are those of these columns.
+    pub(super) fn fits(&self, outputs: &[Output]) -> bool {
+        self.outputs.len() == outputs.len()
+            && self.outputs.iter().zip(outputs).all(|(cell, output)| cell.fits(output.kind))
+    }
+}
+
 /// What a command answered in a row.
 pub(super) enum Answered {
     /// The object, one for each time of `simulate`; numbers in it count only if the status is answered.
@@ -82,17 +91,15 @@ pub(super) struct Answers {
     pub(super) notes: Vec<String>,
 }
 
-/// Runs the commands that the quantities need on the text of a model; none if `stop` said so.
+/// Runs the commands that the quantities need on the text of a model; none if the work was cancelled.
 pub(super) fn answers(
-    model: &quasirigid_io::model::Source,
+    model: &Source,
     text: &str,
     asked: &Answer,
-    stop: &mut dyn FnMut() -> bool,
+    cancelled: &Arc<AtomicBool>,
 ) -> Option<Answers> {
-    let stopped = AtomicBool::new(false);
-    let mut observer = Stop { stop, stopped: &stopped };
-    let work = || Ok(of_commands(model, text, asked, &stopped));
-    let found = catch_unwind(AssertUnwindSafe(|| watched(&mut observer, work)));
+    let work = || cancellable(cancelled, || of_commands(model, text, asked, cancelled));
+    let found = catch_unwind(AssertUnwindSafe(work));
     let failed = |reason: String| Answers {
         commands: commands(asked)
             .map(|command| (command, Answered::Nothing(Status::Failed, reason.clone())))
@@ -100,17 +107,22 @@ pub(super) fn answers(
         notes: Vec::new(),
     };
     match found {
-        _ if stopped.load(Ordering::Relaxed) => None,
-        Ok(Ok(answers)) => Some(answers),
-        Ok(Err(error)) => Some(failed(error.to_string())),
-        Err(panic) => Some(failed(format!("a mistake of the program: {}", said(&*panic)))),
+        _ if cancelled.load(Ordering::Relaxed) => None,
+        Ok(answers) => answers.ok(),
+        Err(panic) => Some(failed(format!("a mistake of the program: {}", panic_message(&*panic)))),
     }
 }
 
-/// Message of a panic.
-fn said(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "a panic".to_owned())
+/// The same on another thread, while the watch is asked on this one.
+pub(super) fn answers_watched(
+    model: &Source,
+    text: &str,
+    asked: &Answer,
+    watch: &mut dyn Watch,
+) -> Option<Answers> {
+    let cancelled = Arc::default();
+    let mut observer = Observer { watch, cancelled: &cancelled };
+    watched(&mut observer, || Ok(answers(model, text, asked, &cancelled))).ok().flatten()
 }
 
 /// The commands that quantities need, each once.
@@ -119,13 +131,8 @@ fn commands(asked: &Answer) -> impl Iterator<Item = Command> {
     all.into_iter()
 }
 
-fn of_commands(
-    model: &quasirigid_io::model::Source,
-    text: &str,
-    asked: &Answer,
-    stopped: &AtomicBool,
-) -> Answers {
-    let mut watch = Remarks { stopped, notes: Vec::new() };
+fn of_commands(model: &Source, text: &str, asked: &Answer, cancelled: &AtomicBool) -> Answers {
+    let mut watch = Remarks { cancelled, notes: Vec::new() };
     let study =
         Model::parse(&model.file, text).map_err(StudyError::from).and_then(|model| Study::new(model, None));
     let commands = commands(asked).map(|command| {
@@ -142,11 +149,16 @@ fn of_commands(
 fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Answered {
     let answered = match command {
         Command::Check => study.check().map(|report| whole(report.json())),
-        Command::Modes => study.modes(AskedSpin::default()).map(|modes| whole(modes.json(&study.model.name))),
+        Command::Modes => study.modes(AskedSpin::default()).map(|modes| {
+            let object = modes.json(&study.model.name);
+            match modes.unfound() {
+                Some(reason) => Answered::Objects(vec![object], Status::Refused, reason.to_owned()),
+                None => whole(object),
+            }
+        }),
         Command::Evolve => study.evolve(&study.evolution_asked(), watch).map(|evolved| {
-            let record = &evolved.record;
-            let status = if record.status == "finished" { Status::Answered } else { Status::Refused };
-            Answered::Objects(vec![evolved.json()], status, record.message.clone())
+            let status = if evolved.holds() { Status::Answered } else { Status::Refused };
+            Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
         }),
         Command::Simulate => simulated(study, asked, watch),
         Command::Verify => {
@@ -187,19 +199,9 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
         object
     };
     let objects = (first..first + count).map(object).collect();
-    let finished = matches!(
-        history.run.outcome,
-        Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
-    );
-    let wrong = if asked.system == System::Rigid {
-        None
-    } else {
-        LeftOut::at(study, study.initial()?.omega, None).liquids
-    };
-    Ok(match wrong {
-        Some(wrong) => Answered::Objects(objects, Status::Refused, wrong),
-        None if finished => Answered::Objects(objects, Status::Answered, String::new()),
-        None => Answered::Objects(objects, Status::Refused, history.message),
+    Ok(match history.reason() {
+        Some(reason) => Answered::Objects(objects, Status::Refused, reason.to_owned()),
+        None => Answered::Objects(objects, Status::Answered, String::new()),
     })
 }
 
@@ -207,6 +209,7 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
 fn status_of(error: &StudyError) -> Status {
     match error {
         StudyError::Model(_) => Status::Invalid,
+        StudyError::Propagate(PropagateError::NoAngularMomentum) => Status::Refused,
         StudyError::Vibration(_) | StudyError::Propagate(_) | StudyError::Interrupted => Status::Failed,
         _ => Status::Refused,
     }
@@ -223,30 +226,32 @@ fn first_line(error: &StudyError) -> String {
 }
 
 /// Watch of the thread that waits for a row.
-struct Stop<'s> {
-    stop: &'s mut dyn FnMut() -> bool,
-    stopped: &'s AtomicBool,
+struct Observer<'s> {
+    watch: &'s mut dyn Watch,
+    cancelled: &'s AtomicBool,
 }
 
-impl Watch for Stop<'_> {
+impl Watch for Observer<'_> {
     fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
-        if (self.stop)() {
-            self.stopped.store(true, Ordering::Relaxed);
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
+        let asked = self.watch.at("answering a first row", 0.0);
+        self.cancelled.fetch_or(asked.is_break(), Ordering::Relaxed);
+        asked
     }
 }
 
-/// Watch of the row itself: ends with the one who waits, and keeps the remarks.
+/// Watch of a row: ends where the work is cancelled, and keeps the remarks.
 struct Remarks<'s> {
-    stopped: &'s AtomicBool,
+    cancelled: &'s AtomicBool,
     notes: Vec<String>,
 }
 
 impl Watch for Remarks<'_> {
     fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
-        if self.stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.cancelled.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     fn remark(&mut self, sentence: &str) {

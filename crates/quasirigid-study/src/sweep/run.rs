@@ -2,6 +2,7 @@
 //! What is there already is not computed again, so that a killed run goes on and shards share a folder.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Duration;
@@ -11,15 +12,13 @@ use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
 use rayon::ThreadPool;
 
 use super::folder::{Folder, REPORT, ROWS, SUMMARY, tidy};
-use super::journal::Journal;
+use super::part::Opened;
 use super::row::RowAnswer;
 use super::{Sweep, SweepError, page, summary};
-use crate::Watch;
+use crate::{STACK, Watch};
 
 /// Most rows that are also written as one CSV file.
 const MOST_IN_CSV: u64 = 1_000_000;
-/// Stack of a thread (bytes): as much as a main thread has.
-const STACK: usize = 8 << 20;
 /// Time between two looks whether the run is to end.
 const PERIOD: Duration = Duration::from_millis(100);
 const STAGE: &str = "answering";
@@ -90,7 +89,7 @@ impl Sweep {
             if folder.part(part).is_file() {
                 folder.drop_journal(part);
             } else {
-                match work_on(self, &folder, part, pool.as_ref(), &mut progress)? {
+                match work_on(self, &folder, part, &pool, &mut progress)? {
                     Worked::Whole => continue,
                     Worked::Stopped => break,
                     Worked::Elsewhere => elsewhere += 1,
@@ -99,10 +98,22 @@ impl Sweep {
             progress.done += rows;
         }
         let interrupted = progress.stopped;
-        let there = (0..folder.parts()).filter(|part| folder.part(*part).is_file()).count() as u64;
-        let summary = if folder.is_complete() && !interrupted { Some(finish(self, &folder)?) } else { None };
-        Ok(Finished { summary, parts_there: there, parts: folder.parts(), elsewhere, interrupted })
+        finished(self, &folder, elsewhere, interrupted)
     }
+}
+
+/// End of a run, with the summary if every part is there.
+pub(super) fn finished(
+    sweep: &Sweep,
+    folder: &Folder<'_>,
+    elsewhere: u64,
+    interrupted: bool,
+) -> Result<Finished, SweepError> {
+    let parts_there = (0..folder.parts()).filter(|part| folder.part(*part).is_file()).count() as u64;
+    let parts = folder.parts();
+    let whole = parts_there == parts && !interrupted;
+    let summary = if whole { Some(summarized(sweep, folder)?) } else { None };
+    Ok(Finished { summary, parts_there, parts, elsewhere, interrupted })
 }
 
 fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
@@ -122,21 +133,15 @@ impl Sweep {
             Ok(())
         };
         let progress = &mut Progress { watch, done: 0, total: self.rows, stopped: false };
-        match pool(threads)? {
-            None => one_by_one(self, &todo, progress, &mut keep)?,
-            Some(pool) => together(self, &todo, &pool, progress, &mut keep)?,
-        }
+        together(self, &todo, &pool(threads)?, progress, &mut keep)?;
         Ok(answers.into_iter().collect())
     }
 }
 
-/// A pool of threads; none where one thread, the caller's, is enough.
-fn pool(threads: usize) -> Result<Option<ThreadPool>, SweepError> {
-    if threads <= 1 {
-        return Ok(None);
-    }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-    pool.map(Some).map_err(|cause| SweepError::Threads { threads, cause: cause.to_string() })
+/// A pool of threads.
+fn pool(threads: usize) -> Result<ThreadPool, SweepError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).stack_size(STACK).build();
+    pool.map_err(|cause| SweepError::Threads { threads, cause: cause.to_string() })
 }
 
 /// Progress of a run.
@@ -168,68 +173,28 @@ fn work_on(
     sweep: &Sweep,
     folder: &Folder<'_>,
     part: u64,
-    pool: Option<&ThreadPool>,
+    pool: &ThreadPool,
     progress: &mut Progress<'_>,
 ) -> Result<Worked, SweepError> {
-    let path = folder.journal(part);
-    let Some((mut journal, known)) = Journal::open(&path).map_err(SweepError::io(&path))? else {
-        return Ok(Worked::Elsewhere);
+    let mut work = match Opened::part(sweep, folder, part)? {
+        Opened::Elsewhere => return Ok(Worked::Elsewhere),
+        Opened::There => {
+            progress.done += rows_in(folder, part);
+            return Ok(Worked::Whole);
+        }
+        Opened::Work(work) => work,
     };
-    if folder.part(part).is_file() {
-        // another process finished the part between the two looks
-        journal.remove().map_err(SweepError::io(&path))?;
-        progress.done += rows_in(folder, part);
-        return Ok(Worked::Whole);
+    let todo = work.todo();
+    progress.done += rows_in(folder, part) - todo.len() as u64;
+    together(sweep, &todo, pool, progress, &mut |answer| work.keep(answer).map(drop))?;
+    if !work.is_whole() {
+        return Ok(Worked::Stopped);
     }
-    let rows = folder.rows_of(part);
-    let mut answers: Vec<Option<RowAnswer>> = rows.clone().map(|_| None).collect();
-    for answer in known.into_iter().filter(|answer| fits(sweep, answer) && rows.contains(&answer.row)) {
-        let place = (answer.row - rows.start) as usize;
-        progress.done += u64::from(answers[place].is_none());
-        answers[place] = Some(answer);
-    }
-    let todo: Vec<u64> = rows.clone().filter(|row| answers[(row - rows.start) as usize].is_none()).collect();
-    let mut keep = |answer: RowAnswer| {
-        journal.write(&answer).map_err(SweepError::io(&path))?;
-        let place = (answer.row - rows.start) as usize;
-        answers[place] = Some(answer);
-        Ok(())
-    };
-    match pool {
-        None => one_by_one(sweep, &todo, progress, &mut keep)?,
-        Some(pool) => together(sweep, &todo, pool, progress, &mut keep)?,
-    }
-    let Some(answers) = answers.into_iter().collect::<Option<Vec<_>>>() else { return Ok(Worked::Stopped) };
-    folder.write_part(part, &answers)?;
-    journal.remove().map_err(SweepError::io(&path))?;
+    work.write(folder)?;
     Ok(Worked::Whole)
 }
 
-/// Whether a row of a journal has the columns of the study.
-fn fits(sweep: &Sweep, answer: &RowAnswer) -> bool {
-    answer.outputs.len() == sweep.outputs.len()
-        && answer.outputs.iter().zip(&sweep.outputs).all(|(cell, output)| cell.fits(output.kind))
-}
-
 type Keep<'k> = &'k mut dyn FnMut(RowAnswer) -> Result<(), SweepError>;
-
-/// Answers rows on the thread of the caller.
-fn one_by_one(
-    sweep: &Sweep,
-    todo: &[u64],
-    progress: &mut Progress<'_>,
-    keep: Keep<'_>,
-) -> Result<(), SweepError> {
-    for row in todo {
-        if progress.stop() {
-            break;
-        }
-        let Some(answer) = sweep.answer_until(*row, &mut || progress.stop()) else { break };
-        keep(answer)?;
-        progress.done += 1;
-    }
-    Ok(())
-}
 
 /// Answers rows on the threads of a pool, in any order; the thread of the caller keeps the answers and asks the watch.
 fn together(
@@ -239,19 +204,15 @@ fn together(
     progress: &mut Progress<'_>,
     keep: Keep<'_>,
 ) -> Result<(), SweepError> {
-    let stopped = AtomicBool::new(false);
+    let cancelled = Arc::new(AtomicBool::new(false));
     let next = std::sync::atomic::AtomicUsize::new(0);
     let (sender, receiver) = mpsc::channel();
     pool.in_place_scope(|scope| {
         for _ in 0..pool.current_num_threads() {
-            let (sender, stopped, next) = (sender.clone(), &stopped, &next);
+            let (sender, cancelled, next) = (sender.clone(), &cancelled, &next);
             scope.spawn(move |_| {
-                let mut stop = || stopped.load(Ordering::Relaxed);
                 while let Some(row) = todo.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if stop() {
-                        break;
-                    }
-                    let Some(answer) = sweep.answer_until(*row, &mut stop) else { break };
+                    let Some(answer) = sweep.answer_until(*row, cancelled) else { break };
                     if sender.send(answer).is_err() {
                         break;
                     }
@@ -270,14 +231,14 @@ fn together(
                 Ok(_) | Err(mpsc::RecvTimeoutError::Timeout) => {}
             }
             if progress.stop() || failed.is_err() {
-                stopped.store(true, Ordering::Relaxed);
+                cancelled.store(true, Ordering::Relaxed);
             }
         }
     })
 }
 
 /// Writes the table and the summary of a study whose parts are all there.
-fn finish(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError> {
+fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError> {
     if sweep.rows <= MOST_IN_CSV {
         let mut problem = None;
         let written = folder.put(ROWS, |out| {

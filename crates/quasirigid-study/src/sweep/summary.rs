@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use quasirigid_io::record::{
-    CorrelationRecord, InputRecord, PercentileRecord, QuantityRecord, ReasonRecord, SweepRecord,
+    CorrelationRecord, InputRecord, PercentileRecord, QuantityRecord, ReasonRecord, SweepRecord, percentile,
 };
 use quasirigid_io::study_file::{Grid, Values};
 use quasirigid_io::table_file::{CellColumn, CellKind, Cells};
@@ -128,13 +128,6 @@ fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecor
     }
 }
 
-/// Percentile of sorted numbers, linear between neighbors (the usual definition of spreadsheets, R's type 7).
-pub(super) fn percentile(sorted: &[f64], percent: f64) -> Option<f64> {
-    let place = percent / 100.0 * (sorted.len().checked_sub(1)?) as f64;
-    let (below, above) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
-    Some(if below == above { below } else { below + (above - below) * place.fract() })
-}
-
 fn counted(texts: impl Iterator<Item = String>) -> BTreeMap<String, u64> {
     let mut all: BTreeMap<String, u64> = BTreeMap::new();
     texts.for_each(|text| *all.entry(text).or_default() += 1);
@@ -252,14 +245,5 @@ mod tests {
     fn numbers_are_masked_and_names_are_not() {
         let text = "model.toml:12:3: `mass` is -1.5e-3 kg of x2, D/I3 = 0.9 (1 of 3).";
         assert_eq!(masked(text), "model.toml:#:#: `mass` is # kg of x2, D/I3 = # (# of #).");
-    }
-
-    #[test]
-    fn percentiles_are_linear_between_neighbours() {
-        assert_eq!(percentile(&[1.0, 2.0, 4.0], 50.0), Some(2.0));
-        assert_eq!(percentile(&[1.0, 2.0, 4.0], 75.0), Some(3.0));
-        assert_eq!(percentile(&[1.0, f64::INFINITY], 100.0), Some(f64::INFINITY));
-        assert_eq!(percentile(&[f64::INFINITY, f64::INFINITY], 30.0), Some(f64::INFINITY));
-        assert_eq!(percentile(&[], 50.0), None);
     }
 }

@@ -42,10 +42,12 @@ fn stage(
         ref other => other.clone(),
     };
     let inertia = [0, 1, 2].map(|row| [0, 1, 2].map(|column| 0.5 * (J[(row, column)] + J[(column, row)])));
+    // degree of the polynomials, or cells of a mesh
+    let resolution = if matches!(shape, CavityShape::Cuboid { .. }) { 4 } else { 12 };
     let liquid = tank(place(-0.4), 1.0, DENSITY / unit.powi(3), viscosity * unit.powi(2));
     Assembly {
         carrier: Some(Carrier { mass: 260.0, center_of_mass: place(0.1), inertia }),
-        cavities: vec![Cavity { shape, attitude, resolution: 12, ..liquid }],
+        cavities: vec![Cavity { shape, attitude, resolution, ..liquid }],
         ..Assembly::default()
     }
 }
@@ -56,18 +58,17 @@ fn nutation(assembly: &Assembly, mode: Mode) -> SpinMode {
     SpinModes::about(&body, spin).unwrap().nutation().unwrap().clone()
 }
 
-/// Axes and units change nothing: the nutation of prolate and oblate bodies is the same in all, at Reynolds numbers of 5 and 5000.
+/// Axes and units change nothing: the nutation of a prolate body at a Reynolds number of 5 and of an oblate one at 5000 is the same in all.
 #[test]
 fn axes_and_units_change_nothing() {
+    let cases = [(1e-2, [150.0, 40.0], Mode::LongAxis), (1e-5, [150.0, 240.0], Mode::ShortAxis)];
     for shape in shapes() {
-        for viscosity in [1e-2, 1e-5] {
-            for (moments, mode) in [([150.0, 40.0], Mode::LongAxis), ([150.0, 240.0], Mode::ShortAxis)] {
-                let plain = nutation(&stage(&shape, moments, viscosity, [0.0; 3], 1.0), mode);
-                let other = nutation(&stage(&shape, moments, viscosity, [0.7, -1.1, 0.4], 1e-3), mode);
-                let gap = (other.decay_rate / plain.decay_rate - 1.0).abs();
-                assert!(gap < 1e-6, "{shape:?} {viscosity}: {gap:e}");
-                assert_eq!(plain.grows(), mode == Mode::LongAxis, "{shape:?} {viscosity}");
-            }
+        for (viscosity, moments, mode) in cases {
+            let plain = nutation(&stage(&shape, moments, viscosity, [0.0; 3], 1.0), mode);
+            let other = nutation(&stage(&shape, moments, viscosity, [0.7, -1.1, 0.4], 1e-3), mode);
+            let gap = (other.decay_rate / plain.decay_rate - 1.0).abs();
+            assert!(gap < 1e-6, "{shape:?} {viscosity}: {gap:e}");
+            assert_eq!(plain.grows(), mode == Mode::LongAxis, "{shape:?} {viscosity}");
         }
     }
 }

@@ -34,9 +34,9 @@ const OPTIONAL: [&str; 3] = ["body", "initial", "run"];
 /// # Errors
 /// [`ChangeError`] for a text that is not TOML, and for a path that leads nowhere.
 pub fn changed(text: &str, changes: &[(&str, Given)]) -> Result<String, ChangeError> {
-    let mut changes = changes.iter().map(|(path, given)| Ok((path.parse::<Path>()?, given)));
     let template = Template::new(text)?;
-    template.changed(&changes.by_ref().collect::<Result<Vec<_>, ChangeError>>()?)
+    let changes = changes.iter().map(|(path, given)| Ok((path.parse::<Path>()?, given.clone())));
+    template.changed(&changes.collect::<Result<Vec<_>, ChangeError>>()?)
 }
 
 /// A model text read once, of which many changed copies are made.
@@ -61,7 +61,7 @@ impl Template {
     ///
     /// # Errors
     /// [`ChangeError`] for a path that leads nowhere.
-    pub fn changed(&self, changes: &[(Path, &Given)]) -> Result<String, ChangeError> {
+    pub fn changed(&self, changes: &[(Path, Given)]) -> Result<String, ChangeError> {
         let mut document = self.document.clone();
         for (path, given) in changes {
             place(&mut document, path, given)?;

@@ -55,17 +55,15 @@ impl<'a> Node<'a> {
                 table.get_mut(&segment.text).and_then(Self::of_item).ok_or(missing)
             }
             Self::Tables(tables) => {
-                let names: Vec<_> = tables.iter().map(name).collect();
-                let index = entry(segment, &names)?;
-                tables
-                    .get_mut(index)
-                    .map(|table| Self::Table(table))
-                    .ok_or_else(|| no_number(segment, names.len()))
+                let index = entry(segment, &names_of_tables(tables))?;
+                let count = tables.len();
+                let table = tables.get_mut(index).map(|table| Self::Table(table));
+                table.ok_or_else(|| no_number(segment, count))
             }
             Self::List(list) => {
-                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
-                let index = entry(segment, &names)?;
-                list.get_mut(index).map(Self::of_value).ok_or_else(|| no_number(segment, names.len()))
+                let index = entry(segment, &names_of_values(list))?;
+                let count = list.len();
+                list.get_mut(index).map(Self::of_value).ok_or_else(|| no_number(segment, count))
             }
             Self::Plain(value) => Err(below_plain(value, segment)),
         }
@@ -76,15 +74,13 @@ impl<'a> Node<'a> {
         match self {
             Self::Table(table) => put_in_table(*table, segment, value, compound),
             Self::List(list) => {
-                let names: Vec<_> = list.iter().map(|value| value.as_inline_table().and_then(name)).collect();
-                let index = entry(segment, &names)?;
-                let old = list.get_mut(index).ok_or_else(|| no_number(segment, names.len()))?;
+                let (index, count) = (entry(segment, &names_of_values(list))?, list.len());
+                let old = list.get_mut(index).ok_or_else(|| no_number(segment, count))?;
                 replace(old, value);
                 Ok(())
             }
             Self::Tables(tables) => {
-                let names: Vec<_> = tables.iter().map(name).collect();
-                entry(segment, &names)?;
+                entry(segment, &names_of_tables(tables))?;
                 Err(format!("`{}` is a table; name one of its keys", segment.text))
             }
             Self::Plain(old) => Err(below_plain(old, segment)),
@@ -162,10 +158,11 @@ fn no_number(segment: &Segment, count: usize) -> String {
 
 fn no_name(segment: &Segment, names: &[Option<String>]) -> String {
     let known: Vec<&str> = names.iter().flatten().map(String::as_str).collect();
-    let instead = if known.is_empty() {
-        format!("its {} entries have no names; give a number from 1", names.len())
-    } else {
-        instead(&segment.text, &known, "the names are")
+    let instead = match (known.len(), names.len()) {
+        (0, 0) => "the list is empty".to_owned(),
+        (0, 1) => "the only entry has no name; its number is 1".to_owned(),
+        (0, count) => format!("the {count} entries have no names; give a number from 1"),
+        _ => instead(&segment.text, &known, "the names are"),
     };
     format!("there is no entry named {:?}; {instead}", segment.text)
 }
@@ -183,16 +180,32 @@ fn missing_key(table: &dyn TableLike, segment: &Segment) -> String {
 /// The nearest of the entries that are there, and a list of them.
 fn instead(word: &str, known: &[&str], lead: &str) -> String {
     let more = if known.len() > LISTED { ", ..." } else { "" };
-    let list = format!("{lead} {}{more}", known[..known.len().min(LISTED)].join(", "));
+    let listed: Vec<String> = known.iter().take(LISTED).map(|name| in_path(name)).collect();
+    let list = format!("{lead} {}{more}", listed.join(", "));
     match nearest(word, known.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`? {list}"),
+        Some(meant) => format!("did you mean `{}`? {list}", in_path(meant)),
         None => list,
     }
+}
+
+/// A name as it stands in a path: in quotes, unless it is a bare key of TOML that is no number.
+fn in_path(name: &str) -> String {
+    let bare = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
+    let plain = !name.is_empty() && name.chars().all(bare) && name.parse::<usize>().is_err();
+    if plain { name.to_owned() } else { format!("{name:?}") }
 }
 
 fn below_plain(value: &Value, segment: &Segment) -> String {
     let bare = value.clone().decorated("", "");
     format!("`{}` stands below {bare}, {}, which has no parts", segment.text, value.type_name())
+}
+
+fn names_of_tables(tables: &ArrayOfTables) -> Vec<Option<String>> {
+    tables.iter().map(name).collect()
+}
+
+fn names_of_values(list: &Array) -> Vec<Option<String>> {
+    list.iter().map(|value| value.as_inline_table().and_then(name)).collect()
 }
 
 fn name(table: &impl TableLike) -> Option<String> {

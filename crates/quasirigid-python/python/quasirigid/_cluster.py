@@ -66,8 +66,9 @@ class _Dask:
         self._tasks.add(self._client.submit(task, rows, pure=False))
 
     def wait(self) -> list[bytes]:
-        from distributed import wait
+        import distributed
 
+        wait: Any = distributed.wait
         done, rest = wait(self._tasks, return_when="FIRST_COMPLETED")
         self._tasks = set(rest)
         return [task.result() for task in done]

@@ -51,9 +51,10 @@ def _time_unit(times: Any) -> tuple[str, float]:
 def _plain(figure: Figure) -> Figure:
     """The figure, with numbers on its axes that are read without adding an offset."""
     for axis in figure.axes:
-        for place in (axis.xaxis, axis.yaxis):
-            if place.get_scale() == "linear":
-                place.get_major_formatter().set_useOffset(False)
+        if axis.get_xscale() == "linear":
+            axis.ticklabel_format(axis="x", useOffset=False)
+        if axis.get_yscale() == "linear":
+            axis.ticklabel_format(axis="y", useOffset=False)
     return figure
 
 
@@ -154,9 +155,13 @@ def evolutions(answer: _ensemble.Evolutions) -> Figure:
     name, unit = _time_unit(np.median(known)) if known.size else ("s", 1.0)
     if known.size == 0:
         raise Refused("no row has a finite time: " + answer.sentence)
-    least, greatest = np.log10(known.min() / unit), np.log10(known.max() / unit)
-    axes[0].hist(known / unit, bins=np.logspace(least, greatest, 2 + int(np.sqrt(known.size))))
-    axes[0].set_xscale("log")
+    edges: Any = "auto"
+    times = known / unit
+    if times.max() > 10 * times.min():
+        edges = np.geomspace(times.min(), times.max(), 2 + int(np.sqrt(times.size)))
+        edges[[0, -1]] = times.min(), times.max()  # the ends, whatever the rounding
+        axes[0].set_xscale("log")
+    axes[0].hist(times, bins=edges)
     axes[0].set_xlabel(f"time ({name})")
     axes[0].set_ylabel("rows")
     axes[0].set_title(answer.sentence, fontsize="small")

@@ -30,6 +30,8 @@ _NAMELESS = "study.toml"
 _BLOCK = 3.0
 # Blocks that each worker has waiting, so that none stands idle between two.
 _WAITING = 2
+# The study that this process answered last, by its checksum.
+_STUDIES: dict[str, _core.Sweep] = {}
 
 
 class Sweep:
@@ -281,15 +283,19 @@ def _on_cluster(
         workers.cancel()
 
 
-@functools.lru_cache(maxsize=4)
 def _opened(parts: Parts, sha256: str) -> _core.Sweep:
+    """The study of a task, kept for the next."""
+    known = _STUDIES.get(sha256)
+    if known is not None:
+        return known
     core = _core.Sweep.open(*parts, None)
     if core.sha256 != sha256:
         raise FileError(
             f"{parts[0]}: a worker finds another study here: its model, its table or its meshes differ from those of the client, or the "
             "version of quasirigid does"
         )
-    return core
+    _STUDIES.clear()
+    return _STUDIES.setdefault(sha256, core)
 
 
 def _answer(parts: Parts, sha256: str, rows: list[int]) -> bytes:

@@ -248,3 +248,15 @@ fn a_wobble_lost_in_rounding_is_called_too_small() {
     assert!(ran.stderr.replace('\n', " ").contains("is too small to be followed"), "{}", ran.stderr);
     assert!(!ran.stderr.contains("separatrix"), "{}", ran.stderr);
 }
+
+/// The separatrix is passed at one time, however few rows are asked for.
+#[test]
+fn rows_do_not_move_the_separatrix() {
+    let [few, many] = ["2", "40"].map(|samples| {
+        let line = format!("evolve examples/boom-satellite/model.toml --samples {samples} --json --quiet");
+        ran(&line).json()
+    });
+    assert_eq!(few["separatrix_time"], many["separatrix_time"]);
+    let [crossed, end] = ["separatrix_time", "time"].map(|key| few[key].as_f64().unwrap());
+    assert!(0.3 < crossed / end && crossed / end < 0.32, "{crossed} of {end}");
+}

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use quasirigid::averaging::{
     Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, Elapsed, Evolution, LevelPassage,
-    LevelRow, RotationState, SlowTorque,
+    LevelRow, RotationState, Separatrix, SlowTorque,
 };
 
 use quasirigid::model::{Mode, Principal};
@@ -34,6 +34,8 @@ pub struct EvolutionTable {
     known: usize,
     /// Levels of the slow energy, row by row.
     pub levels: Option<Vec<LevelRow>>,
+    /// Time (s) of the first passage through the separatrix, for histories whose rows do not hold it.
+    crossed: Option<f64>,
 }
 
 impl EvolutionTable {
@@ -59,6 +61,7 @@ impl EvolutionTable {
             powers: None,
             known: 1,
             levels: None,
+            crossed: None,
         }
     }
 
@@ -94,6 +97,7 @@ impl EvolutionTable {
             states.push(history.end);
         }
         let status = history.ending.word();
+        let crossed = history.passages.first().map(|passage| passage.t);
         Self {
             first: start,
             states,
@@ -104,6 +108,7 @@ impl EvolutionTable {
             powers: None,
             known: 1,
             levels: None,
+            crossed,
         }
     }
 
@@ -140,6 +145,8 @@ impl EvolutionTable {
         };
         let states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
         let powers = chosen.iter().map(|i| power(*i)).collect();
+        let mode = |row: &DirectRow| range.polhode(row.energy).mode();
+        let crossed = rows.iter().find(|row| mode(row) != mode(&rows[0])).map(|row| row.t);
         Self {
             first: states[0],
             states,
@@ -150,14 +157,18 @@ impl EvolutionTable {
             powers: Some(powers),
             known: 1,
             levels: None,
+            crossed,
         }
     }
 
     /// Rows of an evolution along levels of the slow energy; the principal axis next to the circled one gives the mode.
     pub fn of_levels(passage: &LevelPassage, principal: &Principal) -> Self {
+        let mode = |circled: [f64; 3]| {
+            let along = principal.components(circled).map(f64::abs);
+            if along[0] > along[2] { Mode::LongAxis } else { Mode::ShortAxis }
+        };
         let state = |row: &LevelRow| {
-            let along = principal.components(row.circled).map(f64::abs);
-            let mode = if along[0] > along[2] { Mode::LongAxis } else { Mode::ShortAxis };
+            let mode = mode(row.circled);
             let angular_momentum = norm(row.angular_momentum);
             DriftState {
                 t: row.time,
@@ -168,6 +179,9 @@ impl EvolutionTable {
             }
         };
         let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
+        let other =
+            |separatrix: &&Separatrix| separatrix.circled.is_some_and(|axis| mode(axis) != states[0].stage.mode);
+        let crossed = passage.separatrices.iter().find(other).map(|separatrix| separatrix.time);
         Self {
             first: states[0],
             states,
@@ -178,6 +192,7 @@ impl EvolutionTable {
             powers: Some(passage.rows.iter().map(|row| row.power).collect()),
             known: 1,
             levels: Some(passage.rows.clone()),
+            crossed,
         }
     }
 
@@ -191,13 +206,9 @@ impl EvolutionTable {
         self.states.last().copied().unwrap_or(self.first)
     }
 
-    /// Time (s) of the first passage through the separatrix.
+    /// Time (s) of the first passage through the separatrix, in a history that is not steady.
     pub fn crossing(&self) -> Option<f64> {
-        if self.powers.is_some() {
-            let crossed = self.states.iter().find(|state| state.stage.mode != self.first.stage.mode);
-            return crossed.map(|state| state.t);
-        }
-        self.drift.as_ref().and_then(|drift| drift.passages.first()).map(|passage| passage.t)
+        self.crossed
     }
 
     /// A row with its time and revolutions, from the row before it.

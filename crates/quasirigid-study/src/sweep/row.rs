@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 use super::Output;
 use super::cell::Cell;
 use crate::error::StudyError;
+use crate::evolution::Asked;
 use crate::histories::{Propagation, Table};
 use crate::modes::AskedSpin;
 use crate::study::Study;
@@ -156,7 +157,8 @@ fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remar
                 None => whole(object),
             }
         }),
-        Command::Evolve => study.evolve(&study.evolution_asked(), watch).map(|evolved| {
+        // no quantity is read from the table, and its rows are most of the work
+        Command::Evolve => study.evolve(&Asked { samples: 2, ..study.evolution_asked() }, watch).map(|evolved| {
             let status = if evolved.holds() { Status::Answered } else { Status::Refused };
             Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
         }),

@@ -242,12 +242,15 @@ impl Making<'_> {
         let (ways, alike) = saddles.ways(&next);
         let (time, energy) = (self.time, levels.energy.joules(leg.bottom));
         let passable = alike && !ways.is_empty();
-        self.separatrices.push(Separatrix { time, energy, ways, alike });
+        let mut separatrix = Separatrix { time, energy, ways, alike, circled: None };
         if !passable {
+            self.separatrices.push(separatrix);
             return Ok(false);
         }
         let start = next[0].0;
         let below = levels.leg(start, Some(leg.bottom))?;
+        separatrix.circled = Some(scale(levels.energy.G, below.circled));
+        self.separatrices.push(separatrix);
         self.xi = below.place(levels.energy.energy(start) - below.bottom);
         self.rest(&below, self.xi)?;
         self.legs.push(below);

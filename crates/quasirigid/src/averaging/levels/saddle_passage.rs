@@ -17,6 +17,8 @@ pub struct Separatrix {
     pub ways: Vec<Way>,
     /// True if the ways differ in nothing but their sense, so that the evolution goes on.
     pub alike: bool,
+    /// Angular momentum of the steady spin circled behind it (N·m·s, body axes), where the evolution goes on.
+    pub circled: Option<[f64; 3]>,
 }
 
 /// Way behind a separatrix.

@@ -1,6 +1,7 @@
 //! The reduced equations, for people and machines.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use quasirigid::dynamics::{Forced, Form, RigidState, Start, forced_torque, takes};
 use quasirigid::model::{FlexibleBody, ReducedBody, Support};
@@ -15,7 +16,7 @@ use crate::study::Study;
 #[derive(Debug)]
 pub struct Equations<'a> {
     study: &'a Study,
-    reduced: Cow<'a, ReducedBody>,
+    reduced: Arc<ReducedBody>,
     frequencies: Cow<'a, [f64]>,
     mechanisms: Vec<Mechanism>,
     forces: Option<Forces>,
@@ -67,7 +68,7 @@ impl Study {
         let Study { body, order, .. } = self;
         Ok(Equations {
             study: self,
-            reduced: Cow::Owned(reduce(body, *order)?),
+            reduced: self.reduced(*order)?,
             frequencies: Cow::Owned(frequencies(body)?),
             mechanisms: mechanisms(body, *order)?,
             forces: acting(self, self.initial().ok()),
@@ -78,13 +79,13 @@ impl Study {
 /// Equations of a known reduction, without the comparison of the mechanisms.
 pub(crate) fn of_reduced<'a>(
     study: &'a Study,
-    reduced: &'a ReducedBody,
+    reduced: Arc<ReducedBody>,
     frequencies: &'a [f64],
     start: Option<Start>,
 ) -> Equations<'a> {
     Equations {
         study,
-        reduced: Cow::Borrowed(reduced),
+        reduced,
         frequencies: Cow::Borrowed(frequencies),
         mechanisms: Vec::new(),
         forces: acting(study, start),

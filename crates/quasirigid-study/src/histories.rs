@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Outcome, Run, Sample, Start};
 use quasirigid::model::{Principal, ReducedBody};
-use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies, reduce};
+use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::Column;
 use quasirigid_math::memory;
@@ -305,7 +305,7 @@ impl Study {
             wrong = left_out.liquids;
         }
         if table.system == System::Reduced && judged {
-            let reduced = reduce(body, self.order)?;
+            let reduced = self.reduced(self.order)?;
             let validity = Validity::assess_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
             let doubt = format!("{} The check says why.", verdict(&validity));
             if validity.verdict() != Verdict::Holds {
@@ -341,8 +341,8 @@ fn stop_axis(study: &Study, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
     if study.model.run.stop.nutation.is_none() {
         return Ok(omega);
     }
-    let reduced = reduce(&study.body, study.order)?;
+    let reduced = study.reduced(study.order)?;
     let validity = Validity::assess_reduced(&study.body, &reduced, omega);
     let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);
-    Ok(circled_axis(&if holds { reduced } else { reduce(&study.body, 0)? }, omega))
+    Ok(circled_axis(&*if holds { reduced } else { study.reduced(0)? }, omega))
 }

@@ -6,7 +6,7 @@ use quasirigid::dynamics::{
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
-use quasirigid::reduction::{frequencies, reduce};
+use quasirigid::reduction::frequencies;
 use quasirigid::secular::spun_displacements;
 use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -25,6 +25,7 @@ pub const DISPLACED: &str = "What moves inside does not start on the slow manifo
 
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
+    study: &'a Study,
     pub body: &'a FlexibleBody,
     pub forces: &'a [Force<Marker>],
     pub order: usize,
@@ -58,7 +59,7 @@ impl<'a> Motion<'a> {
             }
         };
         let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
-        Self { body, forces, order: *order, start, displaced, speeds }
+        Self { study, body, forces, order: *order, start, displaced, speeds }
     }
 
     pub fn system(&self) -> Forced<'a> {
@@ -87,7 +88,7 @@ impl<'a> Motion<'a> {
                 Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
             }
             System::Reduced | System::Rigid => {
-                let reduced = reduce(self.body, order)?;
+                let reduced = self.study.reduced(order)?;
                 let Start { omega, attitude, place, velocity } = self.start;
                 let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
                     let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
@@ -146,7 +147,7 @@ impl<'a> Motion<'a> {
     pub fn is_soft(&self) -> Result<bool, StudyError> {
         let omega = self.start.omega;
         let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
-        Ok(asked && !follows_its_spin(self.body, &reduce(self.body, self.order)?, omega))
+        Ok(asked && !follows_its_spin(self.body, &*self.study.reduced(self.order)?, omega))
     }
 
     /// Spin (rad/s) at which the reduced equations start: the one given, or the one on which displacements and rotors off the slow

@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, Start};
 use quasirigid::model::ReducedBody;
-use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 use quasirigid_math::vec3::norm;
@@ -81,13 +82,13 @@ impl Study {
         let Study { model, body, order, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
-        let reduced = reduce(body, *order)?;
+        let reduced = self.reduced(*order)?;
         let judged = match motion.settled_spin(&reduced) {
             Err(StudyError::Propagate(PropagateError::NoAngularMomentum)) => start.omega,
             other => other?,
         };
         let validity = Validity::assess_reduced(body, &reduced, judged)?;
-        let rigid = reduce(body, 0)?;
+        let rigid = self.reduced(0)?;
         let holds = validity.verdict() != Verdict::Fails;
         let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
         let mut notes = model.notes.clone();
@@ -112,7 +113,8 @@ impl Study {
             evolution,
         };
         let done = plan.is_done(&record);
-        let equations = derive::of_reduced(self, &reduced, &validity.vibrations.frequencies, Some(start));
+        let equations =
+            derive::of_reduced(self, Arc::clone(&reduced), &validity.vibrations.frequencies, Some(start));
         Ok(RunOutcome {
             record,
             reduced: equations.json(),

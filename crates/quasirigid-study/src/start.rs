@@ -6,17 +6,19 @@ use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{Given, RelativeEquilibrium};
-use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, reduce, residual};
+use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, residual};
 use quasirigid::secular::{manifold_has_meaning, spun_state};
-use quasirigid_io::model::{Displacements, Model, Rotation};
+use quasirigid_io::model::{Displacements, Rotation};
 use quasirigid_math::sym3::{inverse, times};
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
+use crate::study::Study;
 use crate::words::significant;
 
 /// The state the file starts from.
-pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start, StudyError> {
+pub fn initial(study: &Study) -> Result<Start, StudyError> {
+    let Study { model, body, order, .. } = study;
     let file = &model.source.file;
     let rotation = model.initial.rotation.ok_or_else(|| StudyError::NoSpin { file: file.into() })?;
     let principal = Principal::compute(body.invariants().J);
@@ -47,7 +49,7 @@ pub fn initial(model: &Model, body: &FlexibleBody, order: usize) -> Result<Start
         let omega = times(inverse(body.inertia_at(&q)), K);
         return Ok(Start::new(omega, attitude));
     }
-    let reduced = reduce(body, slaved_order(body, order, rigid)?)?;
+    let reduced = study.reduced(slaved_order(body, *order, rigid)?)?;
     let omega = reduced.Omega.vector(K);
     if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
         return Ok(Start::new(omega, attitude));

@@ -28,10 +28,10 @@ pub struct Told {
 
 /// Place of the search: the angular velocity asked for, or the start of the file, at rest if the file has no rotation.
 pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> {
-    let Study { model, body, order, .. } = study;
+    let Study { model, .. } = study;
     let omega = match (asked, model.initial.rotation) {
         (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
-        (None, Some(_)) => initial(model, body, *order)?.omega,
+        (None, Some(_)) => initial(study)?.omega,
         (None, None) => [0.0; 3],
     };
     let (place, velocity) = placed(study);

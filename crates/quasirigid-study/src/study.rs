@@ -1,12 +1,15 @@
 //! A model with the body that it describes.
 
+use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use quasirigid::dynamics::Start;
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
 use quasirigid::model::force::Force;
-use quasirigid::model::{FlexibleBody, Marker};
+use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
+use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_io::model::Model;
 
 use crate::error::StudyError;
@@ -44,6 +47,8 @@ pub struct Study {
     pub resolution: Option<Resolution>,
     /// Order of the reduced equations.
     pub order: usize,
+    /// Reduced equations by order, once they were asked for.
+    reductions: Mutex<BTreeMap<usize, Arc<ReducedBody>>>,
 }
 
 impl Study {
@@ -81,7 +86,18 @@ impl Study {
         if let Some(resolution) = &resolution {
             settle(&mut model, resolution);
         }
-        Ok(Self { model, body, forces, speeds, liquids: slow, condensation, resolution, order })
+        let reductions = Mutex::default();
+        Ok(Self { model, body, forces, speeds, liquids: slow, condensation, resolution, order, reductions })
+    }
+
+    /// Reduced equations of the body at an order, derived once: a study that has answered is not changed.
+    pub(crate) fn reduced(&self, order: usize) -> Result<Arc<ReducedBody>, ReductionError> {
+        let kept = || self.reductions.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(reduced) = kept().get(&order) {
+            return Ok(Arc::clone(reduced));
+        }
+        let reduced = Arc::new(reduce(&self.body, order)?);
+        Ok(Arc::clone(kept().entry(order).or_insert(reduced)))
     }
 
     /// Initial rotation of the model, from any of its forms.
@@ -89,7 +105,7 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for a model without a rotation, and for one that its body cannot have.
     pub fn initial(&self) -> Result<Start, StudyError> {
-        initial(&self.model, &self.body, self.order)
+        initial(self)
     }
 }
 

@@ -3,10 +3,11 @@
 mod text;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use quasirigid::model::ReducedBody;
 use quasirigid::modes::acts;
-use quasirigid::reduction::{Validity, Verdict, reduce};
+use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
@@ -23,7 +24,7 @@ use crate::{record, steady, steady_state};
 pub struct CheckReport<'a> {
     study: &'a Study,
     /// The reduced equations.
-    pub reduced: ReducedBody,
+    pub reduced: Arc<ReducedBody>,
     /// Angular velocity that is judged (rad/s): that of the start, or the one on which the internal coordinates settle.
     pub omega: [f64; 3],
     /// Angular velocity of the start (rad/s), where another one is judged.
@@ -52,7 +53,7 @@ impl Study {
         let Study { body, order, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
-        let reduced = reduce(body, *order)?;
+        let reduced = self.reduced(*order)?;
         let omega = motion.settled_spin(&reduced)?;
         let validity = Validity::assess_reduced(body, &reduced, omega)?;
         let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();

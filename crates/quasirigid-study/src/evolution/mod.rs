@@ -143,10 +143,10 @@ pub(crate) fn follow(
         return Err(StudyError::Wheels);
     }
     let torque = SlowTorque::from_forces(forces)?;
-    let reduced = reduce(body, *order)?;
+    let reduced = study.reduced(*order)?;
     let slaved = slaved_order(body, *order, start.omega)?;
-    let state = if slaved == *order { &reduced } else { &reduce(body, slaved)? };
-    let mut secular = SecularEvolution::new(body, [&reduced, state], start, asked.power)?;
+    let state = study.reduced(slaved)?;
+    let mut secular = SecularEvolution::new(body, [&reduced, &state], start, asked.power)?;
     let mut watch = |share: f64| observer.at("following", share);
     let run = if torque.is_zero() {
         match method::choose(study, start, asked, &mut secular, &mut watch)? {

@@ -179,8 +179,9 @@ impl EvolutionTable {
             }
         };
         let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
-        let other =
-            |separatrix: &&Separatrix| separatrix.circled.is_some_and(|axis| mode(axis) != states[0].stage.mode);
+        let other = |separatrix: &&Separatrix| {
+            separatrix.circled.is_some_and(|axis| mode(axis) != states[0].stage.mode)
+        };
         let crossed = passage.separatrices.iter().find(other).map(|separatrix| separatrix.time);
         Self {
             first: states[0],

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::folder::{Folder, tidy};
 use super::journal::{line, read};
 use super::part::{Opened, PartInWork};
+use super::row::RowAnswer;
 use super::run::{Finished, finished};
 use super::{Sweep, SweepError};
 
@@ -116,11 +117,17 @@ impl Collector {
     pub fn keep(&mut self, lines: &[u8]) -> Result<(), SweepError> {
         let sweep = Arc::clone(&self.sweep);
         let folder = Folder::at(&self.path, &sweep);
-        for line in lines.split_inclusive(|byte| *byte == b'\n') {
-            let answer = read(line).filter(|answer| answer.fits(&sweep.outputs)).ok_or(SweepError::Answer)?;
-            let part = folder.part_of(answer.row);
+        let answer = |line: &[u8]| read(line).filter(|answer| answer.fits(&sweep.outputs));
+        let answers =
+            lines.split_inclusive(|byte| *byte == b'\n').map(|line| answer(line).ok_or(SweepError::Answer));
+        let mut by_part: BTreeMap<u64, Vec<RowAnswer>> = BTreeMap::new();
+        for answer in answers {
+            let answer = answer?;
+            by_part.entry(folder.part_of(answer.row)).or_default().push(answer);
+        }
+        for (part, answers) in by_part {
             let Some(work) = self.open.get_mut(&part) else { continue };
-            self.done += u64::from(work.keep(answer)?);
+            self.done += work.keep(answers)?;
             if work.is_whole()
                 && let Some(work) = self.open.remove(&part)
             {

@@ -39,9 +39,10 @@ impl Journal {
         Ok(Some((Self { file, path: path.to_owned() }, rows)))
     }
 
-    /// Writes a row.
-    pub(super) fn write(&mut self, row: &RowAnswer) -> io::Result<()> {
-        self.file.write_all(line(row).as_bytes())
+    /// Writes rows.
+    pub(super) fn write(&mut self, rows: &[RowAnswer]) -> io::Result<()> {
+        let lines: String = rows.iter().map(line).collect();
+        self.file.write_all(lines.as_bytes())
     }
 
     /// Removes the journal of a part that is written.
@@ -121,7 +122,7 @@ mod tests {
             let (mut journal, found) = Journal::open(&path).expect("a file").expect("no other process");
             let kept = whole.as_bytes()[..cut].iter().filter(|byte| **byte == b'\n').count();
             assert_eq!(found, rows[..kept], "cut at {cut}");
-            journal.write(&row(9)).expect("room");
+            journal.write(&[row(9)]).expect("room");
             drop(journal);
             let (_journal, again) = Journal::open(&path).expect("a file").expect("no other process");
             assert_eq!(

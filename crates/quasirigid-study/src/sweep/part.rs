@@ -63,19 +63,27 @@ impl PartInWork {
             .collect()
     }
 
-    /// Keeps the answer of one of its rows; whether it is new.
-    pub(super) fn keep(&mut self, answer: RowAnswer) -> Result<bool, SweepError> {
-        let Some(place) = self.place(answer.row).filter(|place| self.answers[*place].is_none()) else {
-            return Ok(false);
-        };
-        self.journal.write(&answer).map_err(SweepError::io(&self.path))?;
-        self.answers[place] = Some(answer);
-        Ok(true)
+    /// Keeps the answers of some of its rows; the number of those that are new.
+    pub(super) fn keep(&mut self, mut answers: Vec<RowAnswer>) -> Result<u64, SweepError> {
+        answers.retain(|answer| self.place(answer.row).is_some_and(|place| self.answers[place].is_none()));
+        self.journal.write(&answers).map_err(SweepError::io(&self.path))?;
+        let before = self.missing();
+        for answer in answers {
+            if let Some(place) = self.place(answer.row) {
+                self.answers[place] = Some(answer);
+            }
+        }
+        Ok(before - self.missing())
+    }
+
+    /// Number of rows without an answer.
+    fn missing(&self) -> u64 {
+        self.answers.iter().filter(|answer| answer.is_none()).count() as u64
     }
 
     /// Whether every row has its answer.
     pub(super) fn is_whole(&self) -> bool {
-        self.answers.iter().all(Option::is_some)
+        self.missing() == 0
     }
 
     /// Writes the part, and removes its journal.

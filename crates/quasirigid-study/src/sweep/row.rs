@@ -158,10 +158,12 @@ fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remar
             }
         }),
         // no quantity is read from the table, and its rows are most of the work
-        Command::Evolve => study.evolve(&Asked { samples: 2, ..study.evolution_asked() }, watch).map(|evolved| {
-            let status = if evolved.holds() { Status::Answered } else { Status::Refused };
-            Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
-        }),
+        Command::Evolve => {
+            study.evolve(&Asked { samples: 2, ..study.evolution_asked() }, watch).map(|evolved| {
+                let status = if evolved.holds() { Status::Answered } else { Status::Refused };
+                Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
+            })
+        }
         Command::Simulate => simulated(study, asked, watch),
         Command::Verify => {
             study.verify(&study.verification_plan(Verify::default()), watch).map(|record| match record {

@@ -2,7 +2,7 @@
 
 use quasirigid::averaging::{LevelEvolution, LevelStopReason, Until};
 use quasirigid::model::Principal;
-use quasirigid::reduction::{frequencies, reduce};
+use quasirigid::reduction::frequencies;
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
@@ -36,7 +36,7 @@ impl Choice<'_> {
         {
             return None;
         }
-        let reduced = reduce(self.body, study.order.max(LEVEL_ORDER)).ok()?;
+        let reduced = study.reduced(study.order.max(LEVEL_ORDER)).ok()?;
         let until = match (asked.until, self.duration) {
             (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
             (Some(Target::Ratio(_)), None) => {

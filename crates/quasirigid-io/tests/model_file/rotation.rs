@@ -54,7 +54,7 @@ fn impossible_periods_are_refused() {
     model.toml:10:40: `precession` is -1 s, but must be positive
       write a number in s, or a text with its unit such as "2 h"
     model.toml:10:51: `mode` cannot be "short"
-      write "short-axis" or "long-axis"
+      write "short-axis", "long-axis", "SAM" or "LAM"
     "#);
     assert_snapshot!(refused("periods = { rotation = nan, precession = \"27 deg\", mode = 3 }"), @r#"
     model.toml:10:24: `rotation` is nan, which is not a finite number
@@ -98,7 +98,7 @@ fn impossible_wobbles_are_refused() {
     model.toml:10:37: `rate` is 0 rad/s, but must be positive
       write a number in rad/s, or a text with its unit such as "750 rpm"
     model.toml:10:47: `mode` cannot be "long_axis"
-      did you mean "long-axis"? write "short-axis" or "long-axis"
+      did you mean "long-axis"? write "short-axis", "long-axis", "SAM" or "LAM"
     "#);
     assert_snapshot!(refused("wobble = { angle = 0, rate = \"1 Hz\", axis = 3 }"), @r#"
     model.toml:10:10: `wobble` has no `mode`

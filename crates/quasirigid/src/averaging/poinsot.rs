@@ -494,7 +494,10 @@ mod tests {
                 let sampled = [0, 1, 2].map(|axis| motion.mean(1, |omega| omega[axis]));
                 let size = motion.mean_spin()[mode.circled()];
                 for (closed, sampled) in motion.mean_spin().into_iter().zip(sampled) {
-                    assert!((closed - sampled.abs()).abs() < 1e-12 * size, "{mode:?} {xi}: {closed} {sampled}");
+                    assert!(
+                        (closed - sampled.abs()).abs() < 1e-12 * size,
+                        "{mode:?} {xi}: {closed} {sampled}"
+                    );
                 }
             }
         }

@@ -70,6 +70,7 @@ mod motion;
 mod record;
 mod resolution;
 pub mod run;
+mod scene;
 mod start;
 mod steady;
 mod steady_state;

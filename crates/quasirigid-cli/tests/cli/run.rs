@@ -8,8 +8,15 @@ use quasirigid_io::record::RunRecord;
 
 use crate::support::{folder_of, names, ran_in};
 
-const RECORD: [&str; 6] =
-    ["history-reduced.csv", "history-rigid.csv", "record.json", "reduced.json", "report.html", "sphere.svg"];
+const RECORD: [&str; 7] = [
+    "history-reduced.csv",
+    "history-rigid.csv",
+    "record.json",
+    "reduced.json",
+    "report.html",
+    "scene.json",
+    "sphere.svg",
+];
 const SHORT: &str = "run model.toml --duration 30 --samples 40";
 
 #[test]

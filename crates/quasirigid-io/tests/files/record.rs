@@ -195,14 +195,58 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn scene()(
+        name in ".*", radius in finite(), moments in [finite(), finite(), finite()],
+        vertices in vec(proptest::num::f32::NORMAL, 0..9), triangles in option::of(vec(any::<u32>(), 0..6)),
+        size in option::of(finite()), t in vec(finite(), 0..4), limit in prop_oneof![finite(), Just(f64::INFINITY)],
+        values in vec(vec(finite(), 0..3), 0..3), rotor in 0usize..3, note in ".*",
+    ) -> SceneRecord {
+        let packed = || Packed(vertices.clone());
+        let term = TermRecord { degree: 2, stiffness: -1, damping: 1, values };
+        let piece = PieceRecord {
+            name: name.clone(),
+            kind: note.clone(),
+            vertices: packed(),
+            triangles: triangles.map(Packed),
+            lines: None,
+            size,
+            fields: vec![FieldRecord { coordinate: rotor, vectors: packed() }],
+            turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
+        };
+        let mut equations = EquationsRecord {
+            order: 3, scalable: true, note, spin_of_momentum: vec![term.clone()], momentum: vec![term], energy: vec![],
+            power: vec![], displacements: vec![], limits: [radius, limit],
+            start: StartRecord { momentum: moments, attitude: [1.0, 0.0, 0.0, 0.0], duration: radius },
+        };
+        equations.limits.sort_by(f64::total_cmp);
+        SceneRecord {
+            version: SCENE_VERSION, name: name.clone(), radius,
+            coordinates: vec![CoordinateRecord { name, unit: "m".into() }],
+            pieces: vec![piece],
+            principal: PrincipalRecord { moments, axes: [moments; 3] },
+            track: Some(TrackRecord {
+                system: "full".into(), t: Packed(t), attitude: packed(), omega: packed(), momentum: packed(), q: None,
+                rotors: Some(packed()), dissipated: packed(), energy: packed(), revolutions: packed(),
+            }),
+            spin: None,
+            modes: vec![ShapeRecord {
+                name: "nutation".into(), frequency: radius, rate: -radius, rotation: [[radius, 0.0]; 3], q: vec![[radius; 2]],
+            }],
+            equations: Some(equations),
+        }
+    }
+}
+
+prop_compose! {
     fn record()(
         version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
         body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
-        steady_spins in vec(steady_spin(), 0..3),
+        steady_spins in vec(steady_spin(), 0..3), scene in option::of(scene()),
     ) -> RunRecord {
         RunRecord {
+            scene,
             version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
@@ -218,6 +262,7 @@ fn sample() -> RunRecord {
         values: values.into(),
     };
     RunRecord {
+        scene: None,
         version: "0.1.0".into(),
         model: ModelRecord { name: "boom".into(), file: "boom.toml".into(), sha256: "ab".into() },
         notes: vec![],

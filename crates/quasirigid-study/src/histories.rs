@@ -154,7 +154,9 @@ impl Observer for Collector<'_> {
     }
 
     fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
-        if let Some(kept) = self.coordinates.as_mut().filter(|_| self.samples.len().is_multiple_of(self.stride)) {
+        if let Some(kept) =
+            self.coordinates.as_mut().filter(|_| self.samples.len().is_multiple_of(self.stride))
+        {
             kept.push([q, rate].concat());
         }
     }

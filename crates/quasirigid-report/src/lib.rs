@@ -17,6 +17,7 @@ struct ReadmeOfCrate;
 
 mod columns;
 mod figure;
+mod gltf;
 mod number;
 mod page;
 mod sections;
@@ -24,5 +25,6 @@ mod sphere;
 mod study;
 mod verdict;
 
+pub use gltf::{GltfOptions, gltf};
 pub use page::{page, sphere_picture};
 pub use study::study_page;

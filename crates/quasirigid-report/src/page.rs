@@ -5,7 +5,8 @@ use crate::columns::main_history;
 use crate::sphere;
 
 use crate::sections::{
-    answer, body, evolution, figures, head, liquids, modes, provenance, reduction, validity, verification,
+    answer, body, evolution, figures, head, liquids, modes, overview, provenance, reduction, validity,
+    verification,
 };
 
 pub(crate) const STYLE: &str = include_str!("assets/page.css");
@@ -36,6 +37,7 @@ pub fn page(record: &RunRecord) -> String {
             body {
                 main {
                     (head::section(record))
+                    (overview::facts(record))
                     (answer::section(record))
                     @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
                     @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins)) }

@@ -68,6 +68,7 @@ mod liquids;
 pub mod modes;
 mod motion;
 mod record;
+pub mod report;
 mod resolution;
 pub mod run;
 mod scene;

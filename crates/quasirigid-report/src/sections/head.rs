@@ -1,6 +1,7 @@
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
+use super::overview;
 use crate::columns::main_history;
 use crate::verdict::Verdict;
 
@@ -11,9 +12,13 @@ pub fn section(record: &RunRecord) -> Markup {
         header {
             p.kind { "Spin of an almost rigid body" }
             h1 { (name(record)) }
+            (overview::answer(record))
             div.verdict.(verdict.class()) role="status" {
                 (verdict.icon())
-                p { strong { (verdict.words()) } " " (record.validity.verdict) }
+                p {
+                    strong { (verdict.words()) } " " (record.validity.verdict)
+                    @if let Some(advice) = overview::advice(record, verdict) { " " (advice) }
+                }
             }
             @if let Some(history) = main_history(record).filter(|history| ended_early(history)) {
                 div.verdict.marginal {

@@ -72,6 +72,7 @@ pub mod report;
 mod resolution;
 pub mod run;
 mod scene;
+mod spark;
 mod start;
 mod steady;
 mod steady_state;

@@ -24,6 +24,7 @@ mod sections;
 mod sphere;
 mod study;
 mod verdict;
+mod viewer;
 
 pub use gltf::{GltfOptions, gltf};
 pub use page::{page, sphere_picture};

@@ -113,9 +113,9 @@ pub struct TrackRecord {
     /// Angles of the rotors (rad), frame by frame.
     pub rotors: Option<Packed<f32>>,
     /// Energy dissipated since the start (J).
-    pub dissipated: Packed<f32>,
+    pub dissipated: Packed<f64>,
     /// Energy (J).
-    pub energy: Packed<f32>,
+    pub energy: Packed<f64>,
     /// Revolutions since the start.
     pub revolutions: Packed<f32>,
 }
@@ -178,6 +178,7 @@ pub struct TermRecord {
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct StartRecord {
     /// Angular momentum (N·m·s), body axes.
+    #[serde(rename = "K")]
     pub momentum: [f64; 3],
     /// Attitude, scalar first.
     pub attitude: [f64; 4],

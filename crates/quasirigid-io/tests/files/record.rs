@@ -226,7 +226,7 @@ prop_compose! {
             principal: PrincipalRecord { moments, axes: [moments; 3] },
             track: Some(TrackRecord {
                 system: "full".into(), t: Packed(t), attitude: packed(), omega: packed(), momentum: packed(), q: None,
-                rotors: Some(packed()), dissipated: packed(), energy: packed(), revolutions: packed(),
+                rotors: Some(packed()), dissipated: Packed(vec![radius]), energy: Packed(vec![]), revolutions: packed(),
             }),
             spin: None,
             modes: vec![ShapeRecord {

@@ -8,15 +8,16 @@ use crate::verdict::Verdict;
 /// Name, verdict, reason of an early end, and the remarks to read before the numbers.
 pub fn section(record: &RunRecord) -> Markup {
     let verdict = Verdict::of_all(&record.validity);
+    let (shown, words) = overview::headline(record, verdict);
     html! {
         header {
             p.kind { "Spin of an almost rigid body" }
             h1 { (name(record)) }
             (overview::answer(record))
-            div.verdict.(verdict.class()) role="status" {
-                (verdict.icon())
+            div.verdict.(shown.class()) role="status" {
+                (shown.icon())
                 p {
-                    strong { (verdict.words()) } " " (record.validity.verdict)
+                    strong { (words) } " " (record.validity.verdict)
                     @if let Some(advice) = overview::advice(record, verdict) { " " (advice) }
                 }
             }

@@ -27,10 +27,7 @@ pub fn answer(record: &RunRecord) -> Markup {
 
 /// What the verdict means for the numbers of this record, and what to do about it.
 pub fn advice(record: &RunRecord, verdict: Verdict) -> Option<String> {
-    let history = main_history(record).map(|history| history.system.as_str());
-    let full = history == Some("full");
-    let followed =
-        answered(record).is_some_and(|evolution| evolution.road != "average" && evolution.road != "levels");
+    let [full, followed] = of_full_system(record);
     match verdict {
         Verdict::Holds => None,
         Verdict::Marginal => Some(format!(
@@ -49,6 +46,24 @@ pub fn advice(record: &RunRecord, verdict: Verdict) -> Option<String> {
             "Do not use the reduced history: follow the full system (quasirigid simulate {} --system full).",
             record.model.file
         )),
+    }
+}
+
+/// Whether the main history, and the answer over many revolutions, are those of the full system.
+fn of_full_system(record: &RunRecord) -> [bool; 2] {
+    let full = main_history(record).is_some_and(|history| history.system == "full");
+    let followed =
+        answered(record).is_some_and(|evolution| evolution.road != "average" && evolution.road != "levels");
+    [full, followed]
+}
+
+/// The verdict as a reader of this record needs it: numbers of the full system stand where the reduced equations fall.
+pub fn headline(record: &RunRecord, verdict: Verdict) -> (Verdict, &'static str) {
+    match verdict {
+        Verdict::Fails if of_full_system(record).contains(&true) => {
+            (Verdict::Marginal, "From the full system.")
+        }
+        other => (other, other.words()),
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn piece(visual: &Visual, kept: &Kept, rotors: &[usize]) -> PieceReco
     });
     PieceRecord {
         name: one_line(&visual.name),
-        kind: visual.kind.into(),
+        kind: if visual.kind == "cavity" { "liquid" } else { visual.kind }.into(),
         vertices: packed(&visual.vertices),
         triangles: indices(&visual.triangles),
         lines: indices(&visual.lines),

@@ -39,8 +39,8 @@ impl Frames {
             momentum: vectors(&|sample| sample.angular_momentum.to_vec()),
             q: (!kept.is_empty()).then(|| packed(q)),
             rotors: (!rotors.is_empty()).then(|| self.angles(rotors)),
-            dissipated: vectors(&|sample| vec![sample.dissipated]),
-            energy: vectors(&|sample| vec![sample.energy]),
+            dissipated: Packed(self.samples.iter().map(|sample| sample.dissipated).collect()),
+            energy: Packed(self.samples.iter().map(|sample| sample.energy).collect()),
             revolutions: vectors(&|sample| vec![sample.revolutions]),
         }
     }

@@ -1,0 +1,183 @@
+// The picture: what is shown at a time, and one drawing loop that sleeps when nothing changes.
+const REVOLUTIONS = 12;
+const PER_REVOLUTION = 24;
+
+class Viewer {
+  constructor(scene, gl) {
+    Object.assign(this, { scene, gl, canvas: gl.canvas, view: "inertial", magnified: 1, lit: null, mode: null, amplitude: 0.12 });
+    this.show = { spin: true, momentum: true, axes: true };
+    this.radius = scene.radius;
+    this.camera = new Camera(scene.radius);
+    this.stage = new Stage(gl);
+    this.pieces = scene.pieces.filter(({ vertices }) => vertices).map((source) => new Piece(source, scene.radius));
+    this.legend = legendOf(this.pieces);
+    this.drawn = new Map(this.pieces.map((piece) => [piece, this.stage.upload(piece)]));
+    for (const piece of this.pieces) {
+      const hull = ["carrier", "ellipsoid", "surface", "solid"].includes(piece.kind) && piece.faces;
+      const inside = hull && this.pieces.some((other) => other !== piece && piece.holds(other.middle()));
+      piece.seenThrough = piece.kind === "liquid" || Boolean(inside);
+      piece.hidden = false;
+    }
+    this.between = scene.equations ? scaledEquations(scene.equations) : scene.principal && rigidEquations(scene.principal);
+    this.track = scene.track && this.between ? this.stored(scene.track) : null;
+    this.modes = (scene.modes ?? []).map((mode) => new Mode(mode, scene.spin, this.pieces, scene.radius));
+    this.polhode = scene.principal && this.track ? new PolhodeView(byId("viewer-polhode"), scene.principal) : null;
+    this.herpolhode = this.polhode && new HerpolhodeView(byId("viewer-herpolhode"));
+    this.recolor();
+    this.follow(this.track);
+    this.tick = (now) => this.loop(now);
+    new ResizeObserver(() => this.redraw()).observe(this.canvas);
+  }
+
+  stored(track) {
+    const arrays = { t: doubles(track.t), dissipated: doubles(track.dissipated) };
+    for (const name of ["attitude", "omega", "momentum", "q", "rotors"]) arrays[name] = floats(track[name]);
+    return new Frames(arrays, this.between);
+  }
+
+  /** Shows a list of frames, at the same share of its time as before. */
+  follow(frames) {
+    this.frames = frames;
+    const { playing = false, speed = 1, time = frames?.start ?? 0 } = this.mode ? this.runClock : this.clock ?? {};
+    const clock = new Clock(frames?.start ?? 0, frames?.end ?? 1);
+    Object.assign(clock, { playing: playing && Boolean(frames), speed, time: clamp(time, clock.start, clock.end) });
+    if (this.mode) this.runClock = clock;
+    else this.clock = clock;
+    if (frames) {
+      this.polhode?.follow(frames);
+      this.herpolhode?.follow(frames);
+      this.upright = this.upright ?? this.uprightAxes(frames.frame(0));
+    }
+    this.redraw();
+  }
+
+  /** What is up: in body axes the principal axis next to K, in inertial axes K. */
+  uprightAxes({ momentum, attitude }) {
+    const axes = this.scene.principal?.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    const nearest = axes.reduce((a, b) => (Math.abs(dot(b, momentum)) > Math.abs(dot(a, momentum)) ? b : a));
+    return { body: times(Math.sign(dot(nearest, momentum)) || 1, nearest), inertial: turned(attitude, unit(momentum)) };
+  }
+
+  choose(mode) {
+    if (!this.mode) this.runClock = this.clock;
+    this.mode = mode;
+    this.clock = this.runClock;
+    if (mode) {
+      this.clock = new Clock(0, mode.period, true);
+      this.clock.speed = mode.period / PERIOD_SHOWN;
+      this.clock.play(this.runClock.playing);
+    }
+    this.redraw();
+  }
+
+  state() {
+    if (this.mode) return this.mode.at(this.clock.time, this.amplitude);
+    return this.frames?.at(this.clock.time, this.clock.step) ?? { attitude: [1, 0, 0, 0], omega: null, momentum: null, q: null, rotors: null };
+  }
+
+  recolor() {
+    this.theme = currentTheme();
+    this.redraw();
+  }
+
+  redraw() {
+    if (!this.waiting) this.waiting = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  loop(now) {
+    this.waiting = 0;
+    this.clock.tick(now);
+    this.draw();
+    if (this.clock.playing) this.redraw();
+    this.onDraw?.();
+  }
+
+  draw() {
+    const { stage, canvas, theme } = this;
+    const scale = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [canvas.clientWidth * scale, canvas.clientHeight * scale].map((x) => Math.max(1, Math.round(x)));
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    const state = (this.now = this.state());
+    const inertial = this.view === "inertial";
+    const up = this.upright?.[this.view] ?? [0, 0, 1];
+    const seen = this.camera.matrices(inertial ? state.attitude : state.small ?? [1, 0, 0, 0], up, width / height);
+    this.seen = seen;
+    const pixel = (2 * Math.tan(FIELD_OF_VIEW / 2)) / height * scale;
+    stage.begin(theme.rgb("--panel"), seen.view, seen.projection, pixel);
+    const visible = this.pieces.filter((piece) => !piece.hidden);
+    for (const piece of visible) {
+      piece.move(state.q, state.rotors, this.magnified);
+      stage.refresh(this.drawn.get(piece));
+    }
+    this.drawPieces(visible.filter((piece) => !piece.seenThrough));
+    this.drawVectors(state);
+    this.drawPieces(visible.filter((piece) => piece.seenThrough));
+    if (this.polhode && !this.mode) {
+      const recent = this.frames.recent(state, REVOLUTIONS, PER_REVOLUTION);
+      this.polhode.draw(theme, state, recent);
+      this.herpolhode.draw(theme, state, recent);
+    }
+  }
+
+  drawPieces(pieces) {
+    const edge = this.theme.rgb("--edge");
+    for (const { color, pieces: members } of this.legend) {
+      const rgb = this.theme.rgb(color);
+      for (const piece of members) {
+        if (!pieces.includes(piece)) continue;
+        const glow = this.lit && !this.lit.includes(piece) ? 0 : this.lit ? 1 : 0;
+        const dim = this.lit && !this.lit.includes(piece);
+        const paper = this.theme.rgb("--panel");
+        const shown = dim ? rgb.map((x, i) => 0.5 * x + 0.5 * paper[i]) : rgb;
+        const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
+        this.stage.draw(this.drawn.get(piece), { color: shown, edge, alpha, glow });
+      }
+    }
+  }
+
+  drawVectors({ omega, momentum }) {
+    const { stage, theme, radius } = this;
+    const tags = [];
+    if (this.show.axes && this.scene.principal) {
+      this.scene.principal.axes.forEach((axis, i) => {
+        const end = times(1.16 * radius, axis);
+        stage.stroke([times(-1.08 * radius, axis), end], theme.rgb("--muted"), 0.75);
+        tags.push([`${i + 1}`, times(1.22 * radius, axis)]);
+      });
+    }
+    if (this.show.momentum && momentum) {
+      const tip = times(1.36 * radius, unit(momentum));
+      stage.arrow(tip, 0.014 * radius, theme.rgb("--s2"));
+      tags.push(["momentum", times(1.06, tip)]);
+    }
+    if (this.show.spin && omega && size(omega) > 0) {
+      this.fullSpin ??= size(omega);
+      const tip = times(1.18 * radius * clamp(size(omega) / this.fullSpin, 0.2, 1.25), unit(omega));
+      stage.arrow(tip, 0.014 * radius, theme.rgb("--s1"));
+      tags.push(["spin", times(1.07, tip)]);
+    }
+    this.tags = tags.map(([name, place]) => [name, Camera.spot(this.seen.both, place)]);
+  }
+
+  /** Largest displacement of any vertex over the frames. */
+  largestDisplacement() {
+    if (!this.frames) return 0;
+    const step = Math.max(1, Math.floor(this.frames.count / 60));
+    let largest = 0;
+    for (let i = 0; i < this.frames.count; i += step) {
+      const { q } = this.frames.frame(i);
+      if (q) for (const piece of this.pieces) largest = Math.max(largest, piece.largest(q));
+    }
+    return largest;
+  }
+
+  /** Piece and displacement under a place in the picture. */
+  under(x, y) {
+    if (!this.seen) return null;
+    const aspect = this.canvas.clientWidth / this.canvas.clientHeight;
+    const ray = this.camera.ray(x, y, aspect);
+    const slack = (8 * Math.tan(FIELD_OF_VIEW / 2)) / this.canvas.clientHeight;
+    const found = picked(this.pieces.filter((piece) => !piece.hidden), ray, slack);
+    return found && { ...found, displacement: found.piece.displacement(found.vertex) / this.magnified };
+  }
+}

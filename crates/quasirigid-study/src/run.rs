@@ -104,7 +104,7 @@ impl Study {
         let verification = plan.verification(&mut notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
             let [first, .., last] = frames.samples.as_slice() else { return None };
-            scene::equations(self, first, last.t - first.t).ok()
+            scene::equations(self, (first, last.t - first.t), &validity).ok()
         });
         let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
         let record = RunRecord {

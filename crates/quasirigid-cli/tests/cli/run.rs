@@ -107,7 +107,7 @@ fn reduced_body_in_the_record_is_what_derive_prints() {
 fn report_starts_with_the_verdict() {
     for (example, words, sentence) in [
         ("three-masses", "Valid", "The reduced equations hold at this spin."),
-        ("explorer1", "Not valid", "The reduced equations DO NOT HOLD at this spin."),
+        ("explorer1", "From the full system.", "The reduced equations DO NOT HOLD at this spin."),
     ] {
         let folder = folder_of(example);
         ran_in(folder.path(), &format!("{SHORT} -o spin"));

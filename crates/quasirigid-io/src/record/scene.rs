@@ -1,5 +1,5 @@
 //! Scene of a run: what a viewer needs to draw the body as it moves. Arrays are packed, so that a page may carry them.
-//! The layout is that of version 1, which docs/guide/19-records.md describes; a reader refuses later ones.
+//! The layout is that of version 1, which docs/guide/19-reports.md describes; a reader refuses later ones.
 
 use std::borrow::Cow;
 
@@ -52,12 +52,12 @@ pub struct PieceRecord {
     pub name: String,
     /// Words for the kind of the element.
     pub kind: String,
-    /// Vertices at equilibrium (m), three numbers each.
-    pub vertices: Packed<f32>,
+    /// Vertices at equilibrium (m).
+    pub vertices: VectorsRecord,
     /// Triangles, three vertices each.
-    pub triangles: Option<Packed<u32>>,
+    pub triangles: Option<Packed<u16>>,
     /// Lines, two vertices each.
-    pub lines: Option<Packed<u32>>,
+    pub lines: Option<Packed<u16>>,
     /// Radius of points and lines (m).
     pub size: Option<f64>,
     /// Displacements, coordinate by coordinate.
@@ -72,7 +72,7 @@ pub struct FieldRecord {
     /// Index of the coordinate.
     pub coordinate: usize,
     /// Displacement of each vertex (m) per unit of the coordinate.
-    pub vectors: Packed<f32>,
+    pub vectors: VectorsRecord,
 }
 
 /// Axis about which a piece turns.
@@ -114,10 +114,6 @@ pub struct TrackRecord {
     pub rotors: Option<Packed<f32>>,
     /// Energy dissipated since the start (J).
     pub dissipated: Packed<f64>,
-    /// Energy (J).
-    pub energy: Packed<f64>,
-    /// Revolutions since the start.
-    pub revolutions: Packed<f32>,
 }
 
 /// Mode shape: the small motion is the real part of the vectors times `exp((rate + i frequency) t)`, in body axes.
@@ -186,6 +182,34 @@ pub struct StartRecord {
     pub duration: f64,
 }
 
+/// Vectors as whole multiples of a unit: a page shows no more digits.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct VectorsRecord {
+    /// The unit (m).
+    pub unit: f64,
+    /// Components in the unit, three for each vector.
+    pub values: Packed<i16>,
+}
+
+impl VectorsRecord {
+    /// Vectors in the unit that the largest component leaves.
+    #[must_use]
+    pub fn pack(vectors: &[[f64; 3]]) -> Self {
+        let flat = vectors.as_flattened();
+        let largest = flat.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+        let unit = largest / f64::from(i16::MAX);
+        let whole = |entry: &f64| if unit > 0.0 { (entry / unit).round() as i16 } else { 0 };
+        Self { unit, values: Packed(flat.iter().map(whole).collect()) }
+    }
+
+    /// The vectors (m), to half a unit.
+    #[must_use]
+    pub fn unpack(&self) -> Vec<[f64; 3]> {
+        let (vectors, _) = self.values.0.as_chunks::<3>();
+        vectors.iter().map(|vector| vector.map(|entry| self.unit * f64::from(entry))).collect()
+    }
+}
+
 /// Array in base64 of its little-endian bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Packed<T>(pub Vec<T>);
@@ -213,7 +237,7 @@ macro_rules! bytes {
     )+};
 }
 
-bytes!(f32, f64, u32);
+bytes!(f32, f64, i16, u16);
 
 impl<T: Bytes> Serialize for Packed<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -197,7 +197,8 @@ prop_compose! {
 prop_compose! {
     fn scene()(
         name in ".*", radius in finite(), moments in [finite(), finite(), finite()],
-        vertices in vec(proptest::num::f32::NORMAL, 0..9), triangles in option::of(vec(any::<u32>(), 0..6)),
+        vertices in vec(proptest::num::f32::NORMAL, 0..9), triangles in option::of(vec(any::<u16>(), 0..6)),
+        multiples in vec(any::<i16>(), 0..9),
         size in option::of(finite()), t in vec(finite(), 0..4), limit in prop_oneof![finite(), Just(f64::INFINITY)],
         values in vec(vec(finite(), 0..3), 0..3), rotor in 0usize..3, note in ".*",
     ) -> SceneRecord {
@@ -206,11 +207,11 @@ prop_compose! {
         let piece = PieceRecord {
             name: name.clone(),
             kind: note.clone(),
-            vertices: packed(),
+            vertices: VectorsRecord { unit: radius, values: Packed(multiples.clone()) },
             triangles: triangles.map(Packed),
             lines: None,
             size,
-            fields: vec![FieldRecord { coordinate: rotor, vectors: packed() }],
+            fields: vec![FieldRecord { coordinate: rotor, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
             turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
         };
         let mut equations = EquationsRecord {
@@ -226,7 +227,7 @@ prop_compose! {
             principal: PrincipalRecord { moments, axes: [moments; 3] },
             track: Some(TrackRecord {
                 system: "full".into(), t: Packed(t), attitude: packed(), omega: packed(), momentum: packed(), q: None,
-                rotors: Some(packed()), dissipated: Packed(vec![radius]), energy: Packed(vec![]), revolutions: packed(),
+                rotors: Some(packed()), dissipated: Packed(vec![radius]),
             }),
             spin: None,
             modes: vec![ShapeRecord {
@@ -608,4 +609,19 @@ fn broken_rows_are_located() {
         RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text == "0x"
     ));
     assert!(matches!(with(""), RecordError::Header { found, .. } if found.is_empty()));
+}
+
+/// Vectors come back to half a unit, the largest component exactly.
+#[test]
+fn packed_vectors_come_back() {
+    let vectors = [[1.5, -0.25, 0.0], [1e-3, 0.7, -1.2]];
+    let packed = VectorsRecord::pack(&vectors);
+    for (back, vector) in packed.unpack().iter().zip(&vectors) {
+        for (back, entry) in back.iter().zip(vector) {
+            assert!((back - entry).abs() <= 0.5001 * packed.unit, "{back} {entry}");
+        }
+    }
+    assert_eq!(packed.unpack()[0][0], 1.5);
+    assert_eq!(VectorsRecord::pack(&[[0.0; 3]]).unpack(), [[0.0; 3]]);
+    assert!(VectorsRecord::pack(&[]).unpack().is_empty());
 }

@@ -1,6 +1,6 @@
 //! Mesh of a piece, with a morph target for each coordinate that displaces it.
 
-use quasirigid_io::record::PieceRecord;
+use quasirigid_io::record::{PieceRecord, VectorsRecord};
 use serde_json::{Value, json};
 
 use super::binary::Binary;
@@ -38,15 +38,14 @@ impl Mesh {
         deformation: f64,
         coordinates: &[usize],
     ) -> Self {
-        let scaled = |numbers: &[f32], factor: f64| -> Vec<[f32; 3]> {
-            let (vectors, _) = numbers.as_chunks::<3>();
-            vectors.iter().map(|vector| vector.map(|entry| (factor * f64::from(entry)) as f32)).collect()
+        let scaled = |vectors: &VectorsRecord, factor: f64| -> Vec<[f32; 3]> {
+            vectors.unpack().iter().map(|vector| vector.map(|entry| (factor * entry) as f32)).collect()
         };
-        let vertices = scaled(&piece.vertices.0, scale);
+        let vertices = scaled(&piece.vertices, scale);
         let solid = solid(piece, &vertices, (radius * scale) as f32, scale as f32);
         let target = |coordinate: &usize| {
             let field = piece.fields.iter().find(|field| field.coordinate == *coordinate)?;
-            let moved = scaled(&field.vectors.0, scale * deformation);
+            let moved = scaled(&field.vectors, scale * deformation);
             Some((*coordinate, solid.owners.iter().map(|vertex| moved[*vertex]).collect()))
         };
         let targets: Vec<(usize, Vec<[f32; 3]>)> = coordinates.iter().filter_map(target).collect();
@@ -88,11 +87,12 @@ fn solid(piece: &PieceRecord, vertices: &[[f32; 3]], radius: f32, scale: f32) ->
     if let Some(triangles) = &piece.triangles {
         solid.places = vertices.to_vec();
         solid.owners = (0..vertices.len()).collect();
-        solid.triangles = triangles.0.as_chunks::<3>().0.to_vec();
+        solid.triangles =
+            triangles.0.as_chunks::<3>().0.iter().map(|corners| corners.map(u32::from)).collect();
     }
     if let Some(lines) = &piece.lines {
         for line in lines.0.as_chunks::<2>().0 {
-            let ends = line.map(|vertex| vertex as usize);
+            let ends = line.map(usize::from);
             solid.rod(ends, ends.map(|vertex| vertices[vertex]), given.unwrap_or(LINE as f32 * radius));
         }
     }

@@ -41,7 +41,7 @@ pub fn gltf(scene: &SceneRecord, options: &GltfOptions) -> Vec<u8> {
     let coordinates = most_moving(scene);
     let deformation = options.deformation.unwrap_or_else(|| exaggeration(scene));
     let mut binary = Binary::default();
-    let pieces = || scene.pieces.iter().filter(|piece| !piece.vertices.0.is_empty());
+    let pieces = || scene.pieces.iter().filter(|piece| !piece.vertices.values.0.is_empty());
     let meshes: Vec<Mesh> =
         pieces().map(|piece| Mesh::new(piece, scene.radius, scale, deformation, &coordinates)).collect();
     let children: Vec<usize> = (1..=meshes.len()).collect();
@@ -96,9 +96,11 @@ fn displacements(scene: &SceneRecord) -> Vec<f64> {
     let count = scene.coordinates.len();
     let reach = |coordinate: usize| {
         let fields = scene.pieces.iter().flat_map(|piece| &piece.fields);
-        let vectors =
-            fields.filter(|field| field.coordinate == coordinate).flat_map(|field| &field.vectors.0);
-        vectors.fold(0.0_f32, |most, entry| most.max(entry.abs()))
+        let vectors = fields.filter(|field| field.coordinate == coordinate).map(|field| &field.vectors);
+        vectors.fold(0.0_f64, |most, vectors| {
+            let entries = vectors.values.0.iter().map(|entry| vectors.unit * f64::from(*entry).abs());
+            entries.fold(most, f64::max)
+        })
     };
     let moved = |track: &TrackRecord, coordinate: usize| {
         let q = track.q.as_ref().map_or(&[][..], |q| &q.0);
@@ -106,7 +108,7 @@ fn displacements(scene: &SceneRecord) -> Vec<f64> {
     };
     let size = |coordinate: usize| {
         let track = scene.track.as_ref();
-        f64::from(reach(coordinate)) * track.map_or(0.0, |track| f64::from(moved(track, coordinate)))
+        reach(coordinate) * track.map_or(0.0, |track| f64::from(moved(track, coordinate)))
     };
     (0..count).map(size).collect()
 }

@@ -7,17 +7,18 @@ use quasirigid_report::GltfOptions;
 
 /// A point on a line, a rod between it and the carrier, and a sheet; three frames.
 fn scene() -> SceneRecord {
-    let piece = |name: &str, kind: &str, vertices: &[f32]| PieceRecord {
+    let vectors = |flat: &[f64]| VectorsRecord::pack(flat.as_chunks::<3>().0);
+    let piece = |name: &str, kind: &str, vertices: &[f64]| PieceRecord {
         name: name.into(),
         kind: kind.into(),
-        vertices: Packed(vertices.to_vec()),
+        vertices: vectors(vertices),
         triangles: None,
         lines: None,
         size: Some(0.1),
         fields: Vec::new(),
         turning: None,
     };
-    let field = |vectors: &[f32]| vec![FieldRecord { coordinate: 1, vectors: Packed(vectors.to_vec()) }];
+    let field = |flat: &[f64]| vec![FieldRecord { coordinate: 1, vectors: vectors(flat) }];
     let half = 0.5_f32.sqrt();
     SceneRecord {
         version: SCENE_VERSION,
@@ -50,8 +51,6 @@ fn scene() -> SceneRecord {
             q: Some(Packed(vec![0.0, 0.0, 0.0, 0.01, 0.0, -0.02])),
             rotors: None,
             dissipated: Packed(vec![0.0; 3]),
-            energy: Packed(vec![1.0; 3]),
-            revolutions: Packed(vec![0.0; 3]),
         }),
         spin: None,
         modes: Vec::new(),
@@ -82,7 +81,8 @@ fn pieces_are_meshes_that_their_coordinates_displace() {
             let moved: Vec<[f32; 3]> = moved.unwrap().collect();
             // the end on the carrier rests, the other moves by three times a metre per metre
             let expected = |place: &[f32; 3]| if place[0] > 0.5 { [0.0, 0.0, 3.0] } else { [0.0; 3] };
-            assert!(places.iter().zip(&moved).all(|(place, moved)| *moved == expected(place)));
+            let near = |a: [f32; 3], b: [f32; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-4);
+            assert!(places.iter().zip(&moved).all(|(place, moved)| near(*moved, expected(place))));
         }
     }
 }
@@ -110,7 +110,7 @@ fn points_and_lines_are_solids_of_their_size() {
         assert!(
             [a, b, c]
                 .iter()
-                .all(|place| (dot(sub(*place, center), sub(*place, center)).sqrt() - 0.1).abs() < 1e-6)
+                .all(|place| (dot(sub(*place, center), sub(*place, center)).sqrt() - 0.1).abs() < 1e-4)
         );
         assert!(dot(cross(sub(b, a), sub(c, a)), sub(a, center)) > 0.0);
     }
@@ -119,7 +119,7 @@ fn points_and_lines_are_solids_of_their_size() {
             let part = dot(place, along);
             [place[0] - part * along[0], place[1] - part * along[1], place[2] - part * along[2]]
         };
-        assert!([a, b, c].iter().all(|place| (dot(out(*place), out(*place)).sqrt() - 0.1).abs() < 1e-5));
+        assert!([a, b, c].iter().all(|place| (dot(out(*place), out(*place)).sqrt() - 0.1).abs() < 1e-4));
         assert!(dot(cross(sub(b, a), sub(c, a)), out(a)) > 0.0);
     }
 }
@@ -159,17 +159,17 @@ fn the_animation_is_the_run() {
     // the largest displacement, 0.02 m, is shown as a twentieth of the radius
     let tip = file.meshes().next().unwrap().primitives().next().unwrap();
     let (moved, ..) = tip.reader(|_| Some(&blob)).read_morph_targets().next().unwrap();
-    assert!((moved.unwrap().next().unwrap()[2] - 5.0).abs() < 1e-5);
+    assert!((moved.unwrap().next().unwrap()[2] - 5.0).abs() < 1e-3);
 }
 
 #[test]
 fn a_large_body_is_drawn_in_a_unit_of_its_own() {
     let mut large = scene();
     large.radius = 2e4;
-    large.pieces[2].vertices.0.iter_mut().for_each(|entry| *entry *= 1e4);
+    large.pieces[2].vertices.unit *= 1e4;
     let file = Gltf::from_slice(&quasirigid_report::gltf(&large, &GltfOptions::default())).unwrap();
     let blob = file.blob.clone().unwrap();
     let hub = file.meshes().nth(2).unwrap().primitives().next().unwrap();
     let places: Vec<[f32; 3]> = hub.reader(|_| Some(&blob)).read_positions().unwrap().collect();
-    assert_eq!(places[1], [5.0, 0.0, 0.0]);
+    assert!((places[1][0] - 5.0).abs() < 1e-5 && places[1][1..] == [0.0, 0.0], "{:?}", places[1]);
 }

@@ -3,27 +3,28 @@
 
 use quasirigid::dynamics::Sample;
 use quasirigid::model::{FlexibleBody, ReducedBody};
-use quasirigid::reduction::{Comparison, Criterion, ReductionError, frequencies};
+use quasirigid::reduction::{Comparison, Criterion, ReductionError, Validity, Verdict};
 use quasirigid_io::record::{EquationsRecord, StartRecord, TermRecord};
 use quasirigid_math::polynomial::Series;
+use quasirigid_math::vec3::norm;
 
 use crate::study::Study;
 
 /// Order to which a term has one power of the stiffness and one of the damping.
 const SCALABLE: usize = 3;
+/// Share by which a limit lies below a spin that is beyond it for another reason.
+const BELOW: f64 = 1e-3;
 
 /// The equations from the first sample of a history on, for a duration (s).
 pub(crate) fn equations(
     study: &Study,
-    first: &Sample,
-    duration: f64,
+    (first, duration): (&Sample, f64),
+    validity: &Validity,
 ) -> Result<EquationsRecord, ReductionError> {
     let body = &study.body;
     let fixed = unscalable(body);
     let order = if fixed.is_none() { study.order.min(SCALABLE) } else { study.order };
     let reduced: &ReducedBody = &*study.reduced(order)?;
-    let slowest = frequencies(body).ok().and_then(|all| all.first().copied()).unwrap_or(f64::INFINITY);
-    let spin = Criterion { comparison: Comparison::Spin, value: 0.0 };
     // a term of degree n above the rigid one is s^-1 for n = 2 and d s^-2 for n = 3
     let above = |rigid: usize| {
         move |degree: usize| match degree.saturating_sub(rigid) {
@@ -42,9 +43,36 @@ pub(crate) fn equations(
         energy: terms(&reduced.energy, scaled, above(2)),
         power: terms(&reduced.power, scaled, |_| [-2, 1]),
         displacements: terms(&reduced.q, scaled, above(0)),
-        limits: [spin.limit() * slowest, spin.failure() * slowest],
+        limits: limits(validity, norm(first.omega)),
         start: StartRecord { momentum: first.angular_momentum, attitude: first.attitude, duration },
     })
+}
+
+/// Spins (rad/s) beyond which the equations hold marginally, and beyond which they fail, from the criteria at a spin that grow with it; at
+/// that spin the verdict is the one of all criteria.
+fn limits(validity: &Validity, spin: f64) -> [f64; 2] {
+    let power = |criterion: &Criterion| match criterion.comparison {
+        Comparison::Spin | Comparison::Damping | Comparison::Relaxation => Some(1.0),
+        Comparison::Linearity => Some(2.0),
+        // beyond one the ratio of the terms grows with their degree
+        Comparison::Series if criterion.value < 1.0 => Some(2.0),
+        _ => None,
+    };
+    let mut limits = [f64::INFINITY; 2];
+    for criterion in &validity.criteria {
+        if let Some(power) = power(criterion).filter(|_| criterion.value > 0.0) {
+            let reached = |ratio: f64| spin * (ratio / criterion.value).powf(1.0 / power);
+            limits[0] = limits[0].min(reached(criterion.limit()));
+            limits[1] = limits[1].min(reached(criterion.failure()));
+        }
+    }
+    let below = spin * (1.0 - BELOW);
+    match validity.verdict() {
+        Verdict::Holds => {}
+        Verdict::Marginal => limits[0] = limits[0].min(below),
+        Verdict::Fails => limits = limits.map(|limit| limit.min(below)),
+    }
+    limits
 }
 
 /// Reason for which common factors do not scale the terms of a body by powers.

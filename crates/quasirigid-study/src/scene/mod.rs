@@ -123,7 +123,13 @@ mod tests {
         families(&|equations| equations.energy.clone());
         families(&|equations| equations.power.clone());
         families(&|equations| equations.displacements.clone());
-        assert!((stiff.limits[0] / soft.limits[0] - s.sqrt()).abs() < 1e-9);
+        // spin against the slowest frequency is the strictest criterion of both
+        assert!(
+            (stiff.limits[1] / soft.limits[1] - s.sqrt()).abs() < 1e-6,
+            "{:?} {:?}",
+            stiff.limits,
+            soft.limits
+        );
     }
 
     /// Frames are rows of the history, and the whole is small, whatever the body.
@@ -146,7 +152,7 @@ mod tests {
             let lengths = scene.track.as_ref().and_then(|track| track.q.as_ref()).map(|q| q.0.len());
             assert_eq!(lengths.unwrap_or(0), frames * scene.coordinates.len(), "{example}");
             assert!(scene.pieces.iter().all(|piece| {
-                piece.fields.iter().all(|field| field.vectors.0.len() == piece.vertices.0.len())
+                piece.fields.iter().all(|field| field.vectors.values.0.len() == piece.vertices.values.0.len())
             }));
             let size = serde_json::to_string(scene).unwrap().len();
             assert!(size < 1_500_000, "{example}: {size} bytes");

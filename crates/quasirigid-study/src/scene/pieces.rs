@@ -1,7 +1,7 @@
 //! Visual geometry of the elements, packed.
 
 use quasirigid::elements::Visual;
-use quasirigid_io::record::{FieldRecord, Packed, PieceRecord, TurningRecord};
+use quasirigid_io::record::{FieldRecord, Packed, PieceRecord, TurningRecord, VectorsRecord};
 
 use super::kept::Kept;
 use crate::visible::one_line;
@@ -14,7 +14,7 @@ pub(super) fn rotors(visuals: &[Visual]) -> Vec<usize> {
 /// Piece of a scene.
 pub(super) fn piece(visual: &Visual, kept: &Kept, rotors: &[usize]) -> PieceRecord {
     let field = |(coordinate, vectors): &(usize, Vec<[f64; 3]>)| {
-        Some(FieldRecord { coordinate: kept.place(*coordinate)?, vectors: packed(vectors) })
+        Some(FieldRecord { coordinate: kept.place(*coordinate)?, vectors: VectorsRecord::pack(vectors) })
     };
     let turning = visual.turning.and_then(|turning| {
         let rotor = rotors.iter().position(|rotor| *rotor == turning.coordinate)?;
@@ -23,7 +23,7 @@ pub(super) fn piece(visual: &Visual, kept: &Kept, rotors: &[usize]) -> PieceReco
     PieceRecord {
         name: one_line(&visual.name),
         kind: if visual.kind == "cavity" { "liquid" } else { visual.kind }.into(),
-        vertices: packed(&visual.vertices),
+        vertices: VectorsRecord::pack(&visual.vertices),
         triangles: indices(&visual.triangles),
         lines: indices(&visual.lines),
         size: visual.radius,
@@ -32,11 +32,9 @@ pub(super) fn piece(visual: &Visual, kept: &Kept, rotors: &[usize]) -> PieceReco
     }
 }
 
-fn packed(vectors: &[[f64; 3]]) -> Packed<f32> {
-    Packed(vectors.as_flattened().iter().map(|entry| *entry as f32).collect())
-}
-
-fn indices<const N: usize>(groups: &[[usize; N]]) -> Option<Packed<u32>> {
-    let flat = groups.as_flattened().iter().map(|index| *index as u32);
-    (!groups.is_empty()).then(|| Packed(flat.collect()))
+/// Groups of vertices; none where there are none, or where a vertex has too large a number.
+fn indices<const N: usize>(groups: &[[usize; N]]) -> Option<Packed<u16>> {
+    let flat: Option<Vec<u16>> =
+        groups.as_flattened().iter().map(|index| u16::try_from(*index).ok()).collect();
+    flat.filter(|flat| !flat.is_empty()).map(Packed)
 }

@@ -40,8 +40,6 @@ impl Frames {
             q: (!kept.is_empty()).then(|| packed(q)),
             rotors: (!rotors.is_empty()).then(|| self.angles(rotors)),
             dissipated: Packed(self.samples.iter().map(|sample| sample.dissipated).collect()),
-            energy: Packed(self.samples.iter().map(|sample| sample.energy).collect()),
-            revolutions: vectors(&|sample| vec![sample.revolutions]),
         }
     }
 

@@ -273,8 +273,7 @@ class Controls {
     byId("viewer-play").textContent = clock.playing ? "Pause" : "Play";
     if (viewer.frames) {
       byId("viewer-scrub").value = clock.part;
-      const span = timeUnit(clock.end - clock.start);
-      byId("viewer-time").textContent = `${timeIn(clock.time, span, 4)} of ${timeIn(clock.end, span, 4)}`;
+      byId("viewer-time").textContent = `${timeIn(clock.time, timeUnit(clock.time), 4)} of ${timeWords(clock.end)}`;
       byId("viewer-scrub").setAttribute("aria-valuetext", byId("viewer-time").textContent);
       byId("viewer-state").textContent = this.stateWords(now);
     }

@@ -124,7 +124,7 @@ class Frames {
       attitude: product(motion.attitude(), exponential(turn)),
       momentum: turned(exponential(times(-1, turn)), motion.momentum()),
       omega,
-      q: this.displaced(omega) ?? this.row(this.q, this.coordinates, part > 0.5 ? i + 1 : i),
+      q: this.displaced(omega) ?? this.linear(this.q, this.coordinates, i, part),
       rotors: this.linear(this.rotors, this.rotorCount, i, part),
       dissipated: this.own ? motion.dissipated() : this.linear(this.dissipated, 1, i, part)[0],
     };

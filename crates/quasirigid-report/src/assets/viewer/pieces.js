@@ -10,9 +10,9 @@ class Piece {
   constructor(source, radius) {
     const usual = radius * (source.triangles ? 0 : source.lines ? LINE : POINT);
     Object.assign(this, { name: source.name, kind: source.kind, size: source.size ?? usual, turning: source.turning ?? null });
-    this.rest = floats(source.vertices);
-    this.fields = (source.fields ?? []).map((field) => ({ coordinate: field.coordinate, vectors: floats(field.vectors) }));
-    this.curvatures = (source.curvatures ?? []).map((field) => ({ coordinates: field.coordinates, vectors: floats(field.vectors) }));
+    this.rest = vectors(source.vertices);
+    this.fields = (source.fields ?? []).map((field) => ({ coordinate: field.coordinate, vectors: vectors(field.vectors) }));
+    this.curvatures = (source.curvatures ?? []).map((field) => ({ coordinates: field.coordinates, vectors: vectors(field.vectors) }));
     this.lines = indices(source.lines);
     const triangles = indices(source.triangles);
     if (this.kind === "spring" && this.lines?.length === 2 && !triangles && this.size > 0) this.coil();

@@ -2,6 +2,14 @@
 const REVOLUTIONS = 12;
 const PER_REVOLUTION = 24;
 
+/** Equations that turn the body from frame to frame: the reduced ones where they hold, else those of the rigid body. */
+const equationsBetween = ({ equations, principal, track }) => {
+  const fastest = track ? Math.max(...chunks(floats(track.omega), 3).map(size)) : 0;
+  const reduced = equations && scaledEquations(equations);
+  const holds = reduced && fastest <= (reduced.limits?.[1] ?? Infinity);
+  return holds ? reduced : principal && rigidEquations(principal);
+};
+
 class Viewer {
   constructor(scene, gl) {
     Object.assign(this, { scene, gl, canvas: gl.canvas, view: "inertial", magnified: 1, lit: null, mode: null, amplitude: 0.12 });
@@ -9,7 +17,7 @@ class Viewer {
     this.radius = scene.radius;
     this.camera = new Camera(scene.radius);
     this.stage = new Stage(gl);
-    this.pieces = scene.pieces.filter(({ vertices }) => vertices).map((source) => new Piece(source, scene.radius));
+    this.pieces = scene.pieces.filter(({ vertices }) => vertices.values).map((source) => new Piece(source, scene.radius));
     this.legend = legendOf(this.pieces);
     this.drawn = new Map(this.pieces.map((piece) => [piece, this.stage.upload(piece)]));
     for (const piece of this.pieces) {
@@ -18,7 +26,7 @@ class Viewer {
       piece.seenThrough = piece.kind === "liquid" || Boolean(inside);
       piece.hidden = false;
     }
-    this.between = scene.equations ? scaledEquations(scene.equations) : scene.principal && rigidEquations(scene.principal);
+    this.between = equationsBetween(scene);
     this.track = scene.track && this.between ? this.stored(scene.track) : null;
     this.modes = (scene.modes ?? []).map((mode) => new Mode(mode, scene.spin, this.pieces, scene.radius));
     this.polhode = scene.principal && this.track ? new PolhodeView(byId("viewer-polhode"), scene.principal) : null;
@@ -94,6 +102,7 @@ class Viewer {
 
   draw() {
     const { stage, canvas, theme } = this;
+    if (!canvas.clientWidth) return; // on paper
     const scale = Math.min(window.devicePixelRatio || 1, 2);
     const [width, height] = [canvas.clientWidth * scale, canvas.clientHeight * scale].map((x) => Math.max(1, Math.round(x)));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
